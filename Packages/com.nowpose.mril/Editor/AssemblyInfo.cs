@@ -1,11 +1,11 @@
 using System.Runtime.CompilerServices;
 
-// What is decided without a window is in plain classes; their tests need no editor open.
+// Decisions are in plain classes, so that their tests run without an open editor.
 [assembly: InternalsVisibleTo("Nowpose.Tests")]
 
-// Only this package's repository has it: the tests of windows, inspectors and imports, on a stand-in for the editor.
+// These assemblies exist only in this package's repository: tests of windows, inspectors and imports on a stub of the editor.
 [assembly: InternalsVisibleTo("Nowpose.Headless.Tests")]
 [assembly: InternalsVisibleTo("Nowpose.Unity.Tests")]
 
-// The command line of the repository prepares projects by the same table and the same merge.
+// The repository's command line prepares projects with the same requirements and the same merge.
 [assembly: InternalsVisibleTo("Nowpose.Cli")]

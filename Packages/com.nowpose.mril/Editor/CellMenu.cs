@@ -6,12 +6,12 @@ using UnityEngine;
 
 namespace Nowpose.Editor
 {
-    /// <summary>GameObject, Nowpose: puts the package's prefabs into the scene.</summary>
+    /// <summary>The menu GameObject > Nowpose, which puts the package's prefabs into the scene.</summary>
     static class CellMenu
     {
         const string Folder = "GameObject/Nowpose/";
 
-        // Between Create Empty and the first of Unity's own groups.
+        // Places the entries between Create Empty and the first of Unity's own groups.
         const int Priority = 10;
 
         [MenuItem(Folder + "Robot Cell", false, Priority)]
@@ -23,13 +23,13 @@ namespace Nowpose.Editor
         [MenuItem(Folder + "Virtual Gripper", false, Priority)]
         static void VirtualGripper(MenuCommand command) => PlaceOnce(PackageAsset.VirtualGripper, command);
 
-        // Unity calls a menu item of the Hierarchy once for each selected object.
+        // Unity calls a menu item of the Hierarchy once for each selected object; only one of the calls places the prefab.
         static void PlaceOnce(PackageAsset prefab, MenuCommand command)
         {
             if (command.context == null || command.context == Selection.activeObject) Place(prefab, command);
         }
 
-        /// <returns>The new instance; null where the prefab is missing.</returns>
+        /// <returns>The new instance, or null if the prefab is missing.</returns>
         internal static GameObject Place(PackageAsset prefab, MenuCommand command)
         {
             var asset = prefab.Load<GameObject>();

@@ -5,24 +5,25 @@ using UnityEditor.UnityLinker;
 
 namespace Nowpose.Editor
 {
-    /// <summary>Tells Unity's linker, in every build of a project with this package, what it must not strip.</summary>
+    /// <summary>Lists, for every build of a project with this package, the assemblies that Unity's linker must not strip.</summary>
     /// <remarks>
-    /// A link.xml counts only under Assets/, so a package has to hand one over. What is at risk, and what is not:
+    /// Unity reads a link.xml only from Assets/, so a package has to supply one through this interface. The assemblies:
     /// <list type="bullet">
-    /// <item>Nowpose.Unity is. The linker keeps the components that it finds in the build's scenes, but neither those that only an
-    /// asset bundle or an Addressable holds, nor members that only a UnityEvent in one calls by name. The assembly is small.</item>
-    /// <item>Nowpose.ArFoundation, Nowpose.OpenXR, Nowpose.OpenXR.Anchoring and Nowpose.MRTK3 are, where they exist: components, too.</item>
-    /// <item>Nowpose is not: no line of it is reached by reflection, all of it from Nowpose.Unity or from the user's own code.</item>
-    /// <item>MathNet.Numerics is not: its regression and its distributions are called directly and use no reflection. Keeping all
-    /// of it would cost megabytes of code and minutes of each build.</item>
-    /// <item>Newtonsoft.Json is not: only its token writer is used at run time, without reflection.</item>
+    /// <item>Nowpose.Unity is protected. The linker keeps the components that it finds in the build's scenes. It strips components
+    /// that only an asset bundle or an Addressable contains, and members that only a UnityEvent in one calls by name. The assembly is small.</item>
+    /// <item>Nowpose.ArFoundation, Nowpose.OpenXR, Nowpose.OpenXR.Anchoring and Nowpose.MRTK3 contain components too and are protected
+    /// where they exist.</item>
+    /// <item>Nowpose is not protected: Nowpose.Unity and the user's code call it directly, never by reflection.</item>
+    /// <item>MathNet.Numerics is not protected: its regression and its distributions are called directly and use no reflection.
+    /// Keeping all of it would cost megabytes of code and minutes of each build.</item>
+    /// <item>Newtonsoft.Json is not protected: only its token writer is used at run time, without reflection.</item>
     /// </list>
     /// </remarks>
     public sealed class LinkerProtection : IUnityLinkerProcessor
     {
         const string Name = "Nowpose.link.xml";
 
-        // Where an optional package is missing, so is the assembly for it.
+        // The assembly for an optional package is missing if that package is not installed.
         const string Content = "<linker>\n"
             + "  <assembly fullname=\"Nowpose.Unity\" preserve=\"all\"/>\n"
             + "  <assembly fullname=\"Nowpose.ArFoundation\" preserve=\"all\" ignoreIfMissing=\"1\"/>\n"

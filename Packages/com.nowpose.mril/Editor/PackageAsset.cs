@@ -3,7 +3,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor
 {
-    /// <summary>An asset of the package, by the GUID in its .meta: its path differs between an embedded and an installed package.</summary>
+    /// <summary>An asset of the package, identified by the GUID in its .meta; its path depends on how the package is installed.</summary>
     sealed class PackageAsset
     {
         PackageAsset(string name, string guid)
@@ -22,10 +22,10 @@ namespace Nowpose.Editor
         public string Name { get; }
         public string Guid { get; }
 
-        /// <summary>Empty where the project has no such asset.</summary>
+        /// <summary>Path of the asset; empty if the project does not contain it.</summary>
         public string Path => AssetDatabase.GUIDToAssetPath(Guid);
 
-        /// <summary>Null where the project has no such asset.</summary>
+        /// <summary>Loads the asset; returns null if the project does not contain it.</summary>
         public T Load<T>() where T : Object => AssetDatabase.LoadAssetAtPath<T>(Path);
     }
 }

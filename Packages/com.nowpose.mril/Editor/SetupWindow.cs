@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.Editor
 {
-    /// <summary>Lists what a project for a headset needs, says what is missing and why it matters, and does it at a click.</summary>
+    /// <summary>Lists what a project for a headset needs, what is missing and why it matters, and fixes it at a click.</summary>
     public sealed class SetupWindow : EditorWindow
     {
         const float ButtonWidth = 260;
@@ -58,7 +58,7 @@ namespace Nowpose.Editor
             }
             var again = GUILayout.Button("Check again");
 
-            // Not here: what is drawn must stay the same from one layout to its event, and a fix may compile all scripts anew.
+            // Delayed, because the controls must stay the same between a layout and its event, and a fix may recompile all scripts.
             if (chosen != shown) EditorApplication.delayCall += () => Choose(Platforms[chosen]);
             else if (clicked >= 0) EditorApplication.delayCall += () => Fix(clicked);
             else if (again) EditorApplication.delayCall += LookAgain;

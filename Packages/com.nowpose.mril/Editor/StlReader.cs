@@ -3,18 +3,18 @@ using Nowpose.Editor.Import;
 
 namespace Nowpose.Editor
 {
-    /// <summary>Reads meshes in the STL format, binary and ASCII, which Unity cannot.</summary>
-    /// <remarks>Which of the two a file is its length says, not its first word: many exporters begin binary files with "solid" too.</remarks>
+    /// <summary>Reads meshes in the binary and the ASCII STL format, which Unity does not import.</summary>
+    /// <remarks>The file length decides between the formats, not the first word: many exporters begin binary files with "solid" too.</remarks>
     public static class StlReader
     {
-        /// <summary>What a headset can still draw, and more than any link of a robot needs.</summary>
+        /// <summary>Maximum number of triangles: as many as a headset can still draw, and more than any robot link needs.</summary>
         public const int MostTriangles = 1_000_000;
 
-        /// <summary>In bytes, 300 MiB: a triangle takes some 270 bytes as text.</summary>
+        /// <summary>Maximum file size in bytes, 300 MiB: a triangle takes about 270 bytes as text.</summary>
         public const long LargestFile = 300L << 20;
 
-        /// <param name="path">Where the file lies.</param>
-        /// <param name="sourceName">What errors call it.</param>
+        /// <param name="path">Path of the file.</param>
+        /// <param name="sourceName">The name of the file in error messages.</param>
         /// <exception cref="Nowpose.InputException">Not a usable STL file; names it, the line or byte, and what is wrong there.</exception>
         /// <exception cref="IOException">The file cannot be read.</exception>
         public static StlTriangles ReadFile(string path, string sourceName)

@@ -2,18 +2,18 @@ using System.Collections.Generic;
 
 namespace Nowpose.Editor
 {
-    /// <summary>The triangles of an STL file, in the file's own right-handed axes and its own unit (the format names none).</summary>
+    /// <summary>The triangles of an STL file, in the file's own right-handed axes and in its own unit (the format does not specify one).</summary>
     public sealed class StlTriangles
     {
         readonly List<float> _coordinates = new List<float>();
 
-        /// <summary>Triangles with an area.</summary>
+        /// <summary>Number of triangles that have an area.</summary>
         public int Count => _coordinates.Count / 9;
 
-        /// <summary>Triangles that were left out because they have no area: corners in one place or on one line.</summary>
+        /// <summary>Number of triangles that were left out because their corners coincide or lie on one line.</summary>
         public int Degenerate { get; private set; }
 
-        /// <summary>Nine numbers per triangle: x, y, z of its corners, anticlockwise seen from outside.</summary>
+        /// <summary>Nine numbers per triangle: x, y, z of its corners, anticlockwise as seen from outside.</summary>
         public IReadOnlyList<float> Coordinates => _coordinates;
 
         /// <param name="corners">Nine finite numbers.</param>
@@ -23,14 +23,14 @@ namespace Nowpose.Editor
             else Degenerate++;
         }
 
-        // In double: the squares of coordinates in millimetres leave no digits of a float for a thin triangle.
+        // In double precision: for a thin triangle, the squares of coordinates in millimetres exceed the precision of a float.
         static bool HasArea(float[] c)
         {
             double ax = (double)c[3] - c[0], ay = (double)c[4] - c[1], az = (double)c[5] - c[2];
             double bx = (double)c[6] - c[0], by = (double)c[7] - c[1], bz = (double)c[8] - c[2];
             double x = ay * bz - az * by, y = az * bx - ax * bz, z = ax * by - ay * bx;
             var longest = System.Math.Max(ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz);
-            // Thinner than a 10 000 000th of its length is the rounding of floats.
+            // A ratio of width to length below 1e-7 is rounding of floats.
             return x * x + y * y + z * z > longest * longest * 1e-14;
         }
     }

@@ -10,14 +10,14 @@ using UnityEngine;
 
 namespace Nowpose.Editor
 {
-    /// <summary>Makes a prefab of a .urdf file: its links with what shows them, a Robot Rig on top, and the description as an asset.</summary>
+    /// <summary>Makes a prefab from a .urdf file: its links with their visuals, a Robot Rig at the root, and the description as an asset.</summary>
     [ScriptedImporter(Version, "urdf", AfterModels)]
     public sealed class UrdfImporter : ScriptedImporter
     {
-        // To be raised with whatever the same file is imported to.
+        // Increase it when the same file imports to a different result.
         const int Version = 1;
 
-        // Later than what it refers to (textures, shaders, models), so that one import is enough; before prefabs, at 1500, which may
+        // After the assets that it refers to (textures, shaders, models), so that one import is enough; before prefabs (1500), which may
         // refer to it.
         const int AfterModels = 1100;
 
@@ -63,7 +63,7 @@ namespace Nowpose.Editor
             return File.ReadAllText(path);
         }
 
-        // Unity calls it by its name before anything is imported, to import those first; faults are for the import to tell.
+        // Unity calls this method by name before any import, to import the dependencies first. OnImportAsset reports the errors.
         static string[] GatherDependenciesFromSourceFile(string path)
         {
             try

@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Shows an imported robot as its URDF says, or in materials that the user chose for it.</summary>
+    /// <summary>Shows an imported robot in the colours of its URDF, or in the materials that the user chose.</summary>
     sealed class ImportedLook : IRigLook
     {
         static readonly VisualColour Uncoloured = new VisualColour(0.8, 0.8, 0.8, 1);
@@ -19,8 +19,8 @@ namespace Nowpose.Editor.Import
         readonly Dictionary<string, Material> _materials = new Dictionary<string, Material>(StringComparer.Ordinal);
         Shader _shader;
 
-        /// <param name="arm">For the links up to the flange; null for the URDF's own colours.</param>
-        /// <param name="tool">For the links that the flange carries; null for the URDF's own colours.</param>
+        /// <param name="arm">Material of the links up to the flange; null for the URDF's own colours.</param>
+        /// <param name="tool">Material of the links that the flange carries; null for the URDF's own colours.</param>
         public ImportedLook(AssetImportContext context, Material arm, Material tool)
         {
             _context = context;

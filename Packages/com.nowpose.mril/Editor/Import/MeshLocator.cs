@@ -4,10 +4,10 @@ using System.Linq;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Finds the file that a URDF names, <c>package://NAME/…</c> or relative to itself, among a Unity project's assets.</summary>
+    /// <summary>Finds the file for a mesh name of a URDF (<c>package://NAME/…</c> or a relative path) among a Unity project's assets.</summary>
     /// <remarks>
-    /// In ROS a package is found by its manifest; in a Unity project the folder's name has to do. It is looked for above the
-    /// URDF and beside every folder above it, nearest first, then in Packages and Assets.
+    /// ROS finds a package by its manifest. A Unity project has no manifests, so the folder name identifies the package. The search covers
+    /// the folders above the URDF and beside each of them, nearest first, then Packages and Assets.
     /// </remarks>
     sealed class MeshLocator
     {
@@ -18,8 +18,8 @@ namespace Nowpose.Editor.Import
         readonly Func<string, bool> _exists;
 
         /// <param name="urdfPath">The URDF's path within the project.</param>
-        /// <param name="projectFolder">The project's absolute path, for URDFs that name files by theirs.</param>
-        /// <param name="exists">Whether a file lies at a path within the project.</param>
+        /// <param name="projectFolder">The project's absolute path, for URDFs that contain absolute paths.</param>
+        /// <param name="exists">Returns whether a file exists at a path within the project.</param>
         public MeshLocator(string urdfPath, string projectFolder, Func<string, bool> exists)
         {
             _folder = Parent(urdfPath);
@@ -77,7 +77,7 @@ namespace Nowpose.Editor.Import
 
         static MeshReference Fault(string name, string fault) => new MeshReference(null, Array.Empty<string>(), "'" + name + "' " + fault);
 
-        // file:///a/… is /a/…, and file:///C:/… is C:/….
+        // file:///a/… means /a/…, and file:///C:/… means C:/….
         static string OfFileUri(string uri)
         {
             var path = uri.Substring("file://".Length);
@@ -86,7 +86,7 @@ namespace Nowpose.Editor.Import
 
         static bool IsRooted(string path) => path.StartsWith('/') || path.Length > 1 && path[1] == ':';
 
-        /// <summary>Without . and .., or null where it leaves the folders that Unity imports.</summary>
+        /// <summary>Returns the path without . and .., or null if it leaves the folders that Unity imports.</summary>
         static string Normal(string path)
         {
             var parts = new List<string>();

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Where a URDF's mesh is, or could be.</summary>
+    /// <summary>The path of a URDF's mesh, or the paths at which it was not found.</summary>
     sealed class MeshReference
     {
         public MeshReference(string path, IReadOnlyList<string> candidates, string fault)
@@ -12,13 +12,13 @@ namespace Nowpose.Editor.Import
             Fault = fault;
         }
 
-        /// <summary>Path within the project, from Assets or Packages; null where there is none.</summary>
+        /// <summary>Path within the project, from Assets or Packages; null if the file was not found.</summary>
         public string Path { get; }
 
-        /// <summary>Every path that was tried: a file that comes to lie there later changes the import.</summary>
+        /// <summary>All paths that were tried: the import changes when a file is added at one of them.</summary>
         public IReadOnlyList<string> Candidates { get; }
 
-        /// <summary>Why there is none, and what to do; null where there is.</summary>
+        /// <summary>Why the file was not found, and what to do; null if it was found.</summary>
         public string Fault { get; }
     }
 }

@@ -8,8 +8,8 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Gives one import the meshes that its URDF names, and declares what the import depends on by that.</summary>
-    /// <remarks>What cannot be had is one warning for each file; the rest of the robot is imported.</remarks>
+    /// <summary>Supplies one import with the meshes that its URDF names, and declares the import's dependencies on them.</summary>
+    /// <remarks>Logs one warning for each file that cannot be used; the rest of the robot is imported.</remarks>
     sealed class MeshSource
     {
         readonly AssetImportContext _context;
@@ -23,9 +23,9 @@ namespace Nowpose.Editor.Import
             _locator = ProjectFiles.LocatorFor(context.assetPath);
         }
 
-        /// <param name="name">As the URDF names the file.</param>
-        /// <param name="material">Of an STL, and of a model where it is to replace the model's own; null otherwise.</param>
-        /// <returns>An object that shows it in Unity's axes of the visual's frame; null where it cannot be had.</returns>
+        /// <param name="name">Name of the file in the URDF.</param>
+        /// <param name="material">Material of an STL, and of a model if it replaces the model's own; null otherwise.</param>
+        /// <returns>An object that shows the mesh in the visual's frame, in Unity's axes; null if the mesh cannot be used.</returns>
         public GameObject Show(string name, Material material, bool replacesMaterials)
         {
             if (_failed.Contains(name)) return null;
@@ -43,7 +43,7 @@ namespace Nowpose.Editor.Import
             }
         }
 
-        /// <summary>Whether Unity itself imports such a file, and what it makes of it is used.</summary>
+        /// <summary>Returns whether Unity itself imports such a file and the importer uses Unity's result.</summary>
         public static bool IsModel(string path)
         {
             var extension = Path.GetExtension(path).ToLowerInvariant();
@@ -99,7 +99,7 @@ namespace Nowpose.Editor.Import
                 ? Quaternion.identity
                 : ModelAxes.ToRobot(ModelHeader.UpAxisOf(ProjectFiles.FullPath(path)));
 
-        // A model may bring cameras and lights, and names of its own that a rig would take for links.
+        // A model may contain cameras and lights, and object names that a rig would take for links.
         static void Adapt(GameObject instance, Material material)
         {
             foreach (var behaviour in instance.GetComponentsInChildren<Behaviour>(true)) Object.DestroyImmediate(behaviour);
@@ -113,7 +113,7 @@ namespace Nowpose.Editor.Import
             }
         }
 
-        // Unity tells the objects of an imported file apart by their names on the way down.
+        // Unity identifies the objects of an imported file by their name paths.
         static string MeshName(int index) => index == 0 ? "mesh" : "mesh " + (index + 1);
     }
 }

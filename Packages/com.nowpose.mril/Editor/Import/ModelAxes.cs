@@ -4,22 +4,22 @@ using UnityEngine;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>What Unity's model importer does to the axes of a file, and the rotation that undoes it.</summary>
+    /// <summary>The changes that Unity's model importer makes to the axes of a file, and the rotation that undoes them.</summary>
     /// <remarks>
-    /// A URDF takes a mesh's coordinates as they stand in the file, whatever the file calls up: so does rviz. Unity's importer
+    /// A URDF uses a mesh's coordinates as they are in the file, independent of the file's up axis; rviz does the same. Unity's importer
     /// <list type="bullet">
     /// <item>mirrors x, of OBJ, DAE and FBX alike, because its own axes are left-handed;</item>
-    /// <item>turns what a DAE or FBX calls up to its own y, by a rotation of the model's root or of its vertices, as its import
-    /// settings say; an OBJ names no axis and is not turned;</item>
-    /// <item>converts the unit that a DAE or FBX names to metres (import setting Convert Units, on unless switched off), as
-    /// rviz does; an OBJ names none and counts as metres.</item>
+    /// <item>turns the up axis of a DAE or FBX to its own y, by a rotation of the model's root or of its vertices, depending on the
+    /// import settings; an OBJ has no up axis and is not turned;</item>
+    /// <item>converts the unit of a DAE or FBX to metres (import setting Convert Units, on by default), as rviz does; an OBJ has no
+    /// unit and is read in metres.</item>
     /// </list>
-    /// So a point (x, y, z) of the file arrives as (−x, y, z) from a Y-up file, (−x, z, −y) from a Z-up one and (y, x, z) from an
-    /// X-up one, and belongs at (−y, z, x).
+    /// So a point (x, y, z) of the file becomes (−x, y, z) from a Y-up file, (−x, z, −y) from a Z-up file and (y, x, z) from an
+    /// X-up file. Its correct position is (−y, z, x).
     /// </remarks>
     static class ModelAxes
     {
-        /// <summary>Turns a model, as imported, to where <see cref="Nowpose.Kinematics.UnityFrame"/> puts its coordinates.</summary>
+        /// <summary>Rotation from an imported model to the axes of <see cref="Nowpose.Kinematics.UnityFrame"/>.</summary>
         public static Quaternion ToRobot(UpAxis up)
         {
             switch (up)
@@ -30,7 +30,7 @@ namespace Nowpose.Editor.Import
             }
         }
 
-        /// <summary>Whether the project has a script that does the same to every DAE on its import: ROS# and Unity's URDF Importer do.</summary>
+        /// <summary>Returns whether the project has a script that already rotates every imported DAE: ROS# and Unity's URDF Importer do.</summary>
         public static bool TurnsColladaByItself() =>
             AppDomain.CurrentDomain.GetAssemblies().Any(assembly => assembly.GetType("RosSharp.ColladaAssetPostProcessor") != null);
     }

@@ -6,11 +6,11 @@ using System.Xml;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Reads from the beginning of a model file which axis it calls up.</summary>
-    /// <remarks>Unity turns a model by that, and its importer tells nobody. A file without the entry is Y-up, in Unity as by the formats.</remarks>
+    /// <summary>Reads the up axis of a model file from its beginning.</summary>
+    /// <remarks>Unity rotates a model by that axis but does not expose it. A file without the entry is Y-up, in Unity and in the formats.</remarks>
     static class ModelHeader
     {
-        // The entry stands in the file's first section; a thumbnail may lie before it.
+        // The entry is in the file's first section; a thumbnail may precede it.
         const int Searched = 1 << 20;
         const int MostProperties = 8;
 
@@ -41,7 +41,7 @@ namespace Nowpose.Editor.Import
             }
             catch (XmlException)
             {
-                // Unity cannot read it either, and says so in the model's own import log.
+                // Unity cannot read the file either; its model importer logs the error.
                 return UpAxis.Y;
             }
         }
@@ -75,7 +75,7 @@ namespace Nowpose.Editor.Import
             }
         }
 
-        // A node's properties follow each other: S, length, characters for a string; I, four bytes for a number.
+        // A node's properties follow each other: 'S', length and characters for a string; 'I' and four bytes for an integer.
         static int? BinaryUpAxis(byte[] bytes)
         {
             var at = bytes.AsSpan().IndexOf(Encoding.ASCII.GetBytes("S\u0006\0\0\0UpAxis"));
@@ -89,7 +89,7 @@ namespace Nowpose.Editor.Import
             return null;
         }
 
-        // P: "UpAxis", "int", "Integer", "",1
+        // Example: P: "UpAxis", "int", "Integer", "",1
         static int? TextUpAxis(byte[] bytes)
         {
             var text = Encoding.ASCII.GetString(bytes);

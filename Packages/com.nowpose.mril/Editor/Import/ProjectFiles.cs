@@ -2,7 +2,7 @@ using System.IO;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Paths of assets as files. The editor's working folder is the project, and it maps Packages/NAME to where a package is.</summary>
+    /// <summary>Maps asset paths to files. The editor's working folder is the project; it maps Packages/NAME to the package's folder.</summary>
     static class ProjectFiles
     {
         public static string FullPath(string assetPath) => Path.GetFullPath(assetPath);

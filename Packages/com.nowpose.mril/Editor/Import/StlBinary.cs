@@ -3,17 +3,17 @@ using System.Buffers.Binary;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Binary STL: 80 bytes of anything, the number of triangles, 50 bytes for each, all little-endian.</summary>
+    /// <summary>Binary STL: 80 arbitrary bytes, the number of triangles, and 50 bytes per triangle, all little-endian.</summary>
     static class StlBinary
     {
         const int Header = 80;
         const int Start = 84;
         const int Stride = 50;
 
-        // What stands before the corners is the facet's normal, which exporters leave zero or wrong: it is not read.
+        // The facet's normal precedes the corners. Exporters often write it as zero or wrong, so it is not read.
         const int Normal = 12;
 
-        /// <summary>Whether the length fits the number of triangles or, where the file is cut short, bytes stand in it that no text has.</summary>
+        /// <summary>Returns whether the length fits the triangle count, or the content cannot be text (for a truncated file).</summary>
         public static bool Recognises(byte[] content)
         {
             if (content.Length >= Start && content.Length == LengthFor(Count(content))) return true;

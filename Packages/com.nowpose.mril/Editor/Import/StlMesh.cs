@@ -6,17 +6,17 @@ using UnityEngine.Rendering;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Makes an engine's mesh of an STL's triangles: in Unity's axes, its faces flat.</summary>
+    /// <summary>Builds a Unity mesh from an STL's triangles: in Unity's axes, with flat shading.</summary>
     /// <remarks>
-    /// STL knows neither which edges are round nor shared corners. Corners in one place become one vertex where their faces point
-    /// the same way, which leaves the edges of a machined part sharp.
+    /// STL contains neither rounded edges nor shared corners. Corners at one position become one vertex if their faces have the same
+    /// direction, so the edges of a machined part stay sharp.
     /// </remarks>
     sealed class StlMesh
     {
-        // As many indices as 16 bits address.
+        // Number of indices that 16 bits address.
         const int MostShortIndices = 65535;
 
-        // Directions closer than about a twentieth of a degree are the rounding of one plane.
+        // Directions that differ by less than about a twentieth of a degree are rounding of one plane.
         const float DirectionSteps = 1000;
 
         readonly Dictionary<(Vector3, Vector3), int> _known = new Dictionary<(Vector3, Vector3), int>();
@@ -36,7 +36,7 @@ namespace Nowpose.Editor.Import
             return mesh;
         }
 
-        // The axes mirror, so the order of the corners turns: what was outside stays outside.
+        // The conversion of axes mirrors the mesh, so the corner order is reversed to keep the outside outside.
         void Add(IReadOnlyList<float> coordinates, int at)
         {
             Vector3 a = Corner(coordinates, at), b = Corner(coordinates, at + 6), c = Corner(coordinates, at + 3);
@@ -60,7 +60,7 @@ namespace Nowpose.Editor.Import
             return new Vector3((float)x, (float)y, (float)z);
         }
 
-        // In double: Vector3.Normalize takes the face of a triangle of a millimetre for zero.
+        // In double precision: Vector3.Normalize returns zero for the normal of a triangle of a millimetre.
         static Vector3 Normal(Vector3 a, Vector3 b, Vector3 c)
         {
             double px = (double)b.x - a.x, py = (double)b.y - a.y, pz = (double)b.z - a.z;

@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Import
 {
-    /// <summary>The axis of a model file that points up, as the file itself says.</summary>
+    /// <summary>The up axis that a model file specifies.</summary>
     enum UpAxis
     {
         X,

@@ -8,12 +8,12 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Where the base frame is in the terms of the URDF (x forward, y left, z up), and buttons to nudge it along its own axes.</summary>
+    /// <summary>Shows the base frame's pose in URDF axes (x forward, y left, z up), with buttons that nudge it along its own axes.</summary>
     [CustomEditor(typeof(BaseAnchor))]
     [CanEditMultipleObjects]
     sealed class BaseAnchorEditor : LiveInspector
     {
-        // What the eye can just tell on a robot at arm's length.
+        // The smallest change that is visible on a robot at arm's length.
         const float StepMetres = 0.005f;
         const float StepDegrees = 0.5f;
 

@@ -4,7 +4,7 @@ using Nowpose.Anchoring;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>What a base anchor's inspector tells of its lock, of the device's part in it, and of each marker.</summary>
+    /// <summary>The rows of a base anchor's inspector for its lock, the device's anchor and each marker.</summary>
     static class BaseRows
     {
         public static IEnumerable<(string Label, string Value)> Of(BaseTracker tracker)

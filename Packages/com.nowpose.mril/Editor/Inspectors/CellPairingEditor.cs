@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>What a prompt on the headset would have, and codes without a camera.</summary>
+    /// <summary>Offers the controls of the headset's prompt, and reads codes without a camera.</summary>
     [CustomEditor(typeof(CellPairing))]
     sealed class CellPairingEditor : LiveInspector
     {
@@ -17,7 +17,7 @@ namespace Nowpose.Editor.Inspectors
                 EditorGUILayout.LabelField("Pairs", "nothing, it is disabled");
                 return;
             }
-            // Asked once: a button changes it, and what is drawn must stay the same within one event.
+            // Read once: a button changes it, and the controls must stay the same within one event.
             var cell = Target.Cell;
             EditorGUILayout.LabelField("Cell", cell ?? "–");
             EditorGUILayout.HelpBox(Target.Words, Target.Problem == null ? MessageType.Info : MessageType.Warning);

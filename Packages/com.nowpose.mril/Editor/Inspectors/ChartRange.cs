@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>The values between which a chart is drawn: round numbers around what is known, zero among them.</summary>
+    /// <summary>Value range of a chart: round numbers around the known values, including zero.</summary>
     readonly struct ChartRange
     {
         ChartRange(float bottom, float top)
@@ -22,10 +22,10 @@ namespace Nowpose.Editor.Inspectors
             return top > bottom ? new ChartRange(bottom, top) : new ChartRange(0, 1);
         }
 
-        /// <summary>0 at the bottom, 1 at the top.</summary>
+        /// <summary>Returns the position of a value in the range: 0 at the bottom, 1 at the top.</summary>
         public float PartOf(float value) => (value - Bottom) / (Top - Bottom);
 
-        // The next of 1, 2, 5, 10, …: a line that moves a little keeps its scale.
+        // Rounds up to 1, 2, 5, 10, …, so that small changes of the value keep the scale.
         static float Round(float value)
         {
             var power = Math.Pow(10, Math.Floor(Math.Log10(value)));

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>What a menu on the headset would have: steps, marks, and what the marks say.</summary>
+    /// <summary>Offers the controls of the headset's menu: steps, marks, and the result of the marks.</summary>
     [CustomEditor(typeof(LatencyNudge))]
     sealed class LatencyNudgeEditor : LiveInspector
     {

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>An inspector with the component's fields, what it lacks, and in play mode its live values.</summary>
+    /// <summary>An inspector with the component's fields, its missing references and, in play mode, its live values.</summary>
     abstract class LiveInspector : UnityEditor.Editor
     {
         public sealed override void OnInspectorGUI()
@@ -23,14 +23,14 @@ namespace Nowpose.Editor.Inspectors
 
         protected virtual void OnDisable() => EditorApplication.update -= Sample;
 
-        /// <summary>What is shown and can be done also while nothing plays; with one object only.</summary>
+        /// <summary>Draws rows and controls that are also available outside play mode; called only if one object is selected.</summary>
         protected virtual void DrawAlways() { }
 
-        /// <summary>Values now, in play mode and with one object only.</summary>
+        /// <summary>Draws the current values; called only in play mode and if one object is selected.</summary>
         protected virtual void DrawLive() { }
 
-        /// <summary>Takes what is plotted; called often in play mode, also while nothing is drawn.</summary>
-        /// <param name="time">Seconds.</param>
+        /// <summary>Records the plotted values; called often in play mode, also while the inspector is not drawn.</summary>
+        /// <param name="time">Time since the editor's start, in s.</param>
         protected virtual void Sample(double time) { }
 
         void Sample()
@@ -46,7 +46,7 @@ namespace Nowpose.Editor.Inspectors
                 EditorGUILayout.HelpBox(shortcoming.Message, MessageType.Warning);
                 if (shortcoming.FixLabel != null && GUILayout.Button(shortcoming.FixLabel)) clicked = shortcoming;
             }
-            // Only now: what is drawn must stay the same within one event.
+            // Delayed to the end, because the controls must stay the same within one event.
             clicked?.Fix();
         }
     }

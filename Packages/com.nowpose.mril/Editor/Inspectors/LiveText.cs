@@ -6,7 +6,7 @@ using Nowpose.Unity.Status;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Values in words, "–" for what is not known.</summary>
+    /// <summary>Formats values as text, with "–" for unknown values.</summary>
     static class LiveText
     {
         public const string Unknown = NumberTexts.Unknown;
@@ -15,12 +15,12 @@ namespace Nowpose.Editor.Inspectors
 
         public static string Mm(double? millimetres) => Number(millimetres, "0.00", " mm");
 
-        /// <param name="position">Of the joint, rad or m.</param>
+        /// <param name="position">Position of the joint, in rad or m.</param>
         public static string Position(RobotJoint joint, double position) => joint.Kind == JointKind.Prismatic
             ? Number(1000 * position, "0.0", " mm")
             : Number(position * (180 / Math.PI), "0.0", "°");
 
-        /// <param name="format">As for <see cref="double.ToString(string)"/>.</param>
+        /// <param name="format">A format as for <see cref="double.ToString(string)"/>.</param>
         public static string Number(double? value, string format, string unit) =>
             value.HasValue ? value.Value.ToString(format, CultureInfo.InvariantCulture) + unit : Unknown;
     }

@@ -7,7 +7,7 @@ using UnityEngine;
 namespace Nowpose.Editor.Inspectors
 {
     /// <summary>Draws a string as a drop-down of the names that its attribute lists.</summary>
-    /// <remarks>A name that is not listed stays in the field, as the last entry, until another one is chosen.</remarks>
+    /// <remarks>A name that is not in the list stays in the field, as the last entry, until the user chooses another one.</remarks>
     [CustomPropertyDrawer(typeof(NameChoiceAttribute), true)]
     sealed class NameChoiceDrawer : PropertyDrawer
     {

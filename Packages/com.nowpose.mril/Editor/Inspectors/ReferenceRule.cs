@@ -5,7 +5,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>A reference that a component cannot do without.</summary>
+    /// <summary>A reference that a component requires.</summary>
     sealed class ReferenceRule
     {
         readonly Type _component, _above;
@@ -14,8 +14,8 @@ namespace Nowpose.Editor.Inspectors
         readonly Func<Component, bool> _applies;
 
         /// <param name="field">Name of the serialised reference.</param>
-        /// <param name="above">What is found by itself on the object or above, so that the reference may be empty; null where nothing is.</param>
-        /// <param name="remedy">What the reference can be set to; gives null where only the user knows.</param>
+        /// <param name="above">Type that the component finds on its object or above if the reference is empty; null if it finds none.</param>
+        /// <param name="remedy">Returns the object to set the reference to; null if only the user can choose.</param>
         /// <param name="applies">Whether the component needs the reference; null for always.</param>
         public ReferenceRule(
             Type component, string field, Type above, string message, Func<Component, Object> remedy, Func<Component, bool> applies = null)
@@ -33,7 +33,7 @@ namespace Nowpose.Editor.Inspectors
             if (component.GetType() != _component || IsSet(component)) return false;
             if (_applies != null && !_applies(component)) return false;
             if (_above == null) return true;
-            // A prefab in the project may be meant to be placed below what it needs.
+            // A prefab asset may be meant for a place below the required object.
             return !EditorUtility.IsPersistent(component) && component.gameObject.GetComponentInParent(_above, true) == null;
         }
 

@@ -24,7 +24,7 @@ namespace Nowpose.Editor.Inspectors
                 EditorGUILayout.LabelField(model.MovingJoints[i].Name, LiveText.Position(model.MovingJoints[i], Target.Joints[i]));
         }
 
-        // Nothing can be added to a prefab that is not opened.
+        // Objects cannot be added to a prefab asset that is not open.
         protected override void DrawAlways()
         {
             if (Application.isPlaying || EditorUtility.IsPersistent(target)) return;

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>The newest values of something over a window of time, oldest first. Allocates nothing after construction.</summary>
+    /// <summary>The newest values of a quantity within a time window, oldest first. Allocates nothing after construction.</summary>
     sealed class RollingSeries
     {
         readonly double[] _times;
@@ -10,8 +10,8 @@ namespace Nowpose.Editor.Inspectors
         readonly double _seconds;
         int _first;
 
-        /// <param name="capacity">At most so many values are kept, 2 or more.</param>
-        /// <param name="seconds">Length of the window, longer than 0.</param>
+        /// <param name="capacity">Maximum number of values, 2 or more.</param>
+        /// <param name="seconds">Length of the window in s, longer than 0.</param>
         public RollingSeries(int capacity, double seconds)
         {
             if (capacity < 2) throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "capacity must be 2 or more");
@@ -23,20 +23,20 @@ namespace Nowpose.Editor.Inspectors
 
         public int Count { get; private set; }
 
-        /// <summary>Length of the window in seconds.</summary>
+        /// <summary>Length of the window, in s.</summary>
         public double Seconds => _seconds;
 
-        /// <summary>NaN where nothing is known.</summary>
+        /// <summary>The newest value; NaN if it is unknown.</summary>
         public float Newest => Count == 0 ? float.NaN : _values[Slot(Count - 1)];
 
-        /// <summary>Seconds, in the clock that <see cref="Add"/> was given.</summary>
+        /// <summary>Time of a value in s, on the clock of <see cref="Add"/>.</summary>
         public double TimeAt(int index) => _times[Slot(index)];
 
-        /// <summary>NaN where nothing was known then.</summary>
+        /// <summary>Value at an index; NaN if it was unknown.</summary>
         public float ValueAt(int index) => _values[Slot(index)];
 
-        /// <param name="time">Seconds, later than the newest; another clock or an earlier time begins the series anew.</param>
-        /// <param name="value">Null where nothing is known: a gap in the line.</param>
+        /// <param name="time">Time in s, not before the newest; an earlier time, such as of another clock, clears the series first.</param>
+        /// <param name="value">Null if the value is unknown, which leaves a gap in the line.</param>
         public void Add(double time, double? value)
         {
             if (Count > 0 && time < TimeAt(Count - 1)) Clear();
@@ -48,7 +48,7 @@ namespace Nowpose.Editor.Inspectors
 
         public void Clear() => _first = Count = 0;
 
-        /// <returns>False where no value is known.</returns>
+        /// <returns>False if no value is known.</returns>
         public bool TryGetRange(out float least, out float greatest)
         {
             least = float.PositiveInfinity;

@@ -5,7 +5,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>What is known of a session beyond what the status panel tells, as lines of a label and a value.</summary>
+    /// <summary>The values of a session that the status panel does not show, as rows of a label and a value.</summary>
     static class SessionRows
     {
         public static IEnumerable<(string Label, string Value)> Of(SessionStatistics session)

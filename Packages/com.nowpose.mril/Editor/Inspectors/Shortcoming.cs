@@ -4,7 +4,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>A reference that components lack, and what it can be set to at a click.</summary>
+    /// <summary>A reference that is missing on components, and the object that a click assigns to it.</summary>
     sealed class Shortcoming
     {
         readonly List<Object> _components = new List<Object>();
@@ -12,7 +12,7 @@ namespace Nowpose.Editor.Inspectors
         readonly Object _remedy;
 
         /// <param name="field">Name of the serialised field.</param>
-        /// <param name="remedy">Null where only the user knows.</param>
+        /// <param name="remedy">The object to assign; null if only the user can choose.</param>
         public Shortcoming(string message, string field, Object remedy)
         {
             Message = message;
@@ -20,16 +20,16 @@ namespace Nowpose.Editor.Inspectors
             _remedy = remedy;
         }
 
-        /// <summary>What is missing, and what to do.</summary>
+        /// <summary>Description of the missing reference, and what to do.</summary>
         public string Message { get; }
 
-        /// <summary>What the button says; null where there is none.</summary>
+        /// <summary>Label of the button; null if there is no button.</summary>
         public string FixLabel => _remedy == null ? null : "Use '" + _remedy.name + "'";
 
-        /// <summary>Another component that lacks the same.</summary>
+        /// <summary>Adds another component with the same missing reference.</summary>
         public void Add(Object component) => _components.Add(component);
 
-        /// <summary>Sets the reference of all components that lack it, undoably.</summary>
+        /// <summary>Sets the reference of all these components; the user can undo it.</summary>
         public void Fix()
         {
             using (var components = new SerializedObject(_components.ToArray()))

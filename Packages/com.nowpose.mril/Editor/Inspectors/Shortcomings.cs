@@ -6,7 +6,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Knows which references the package's components cannot do without.</summary>
+    /// <summary>The references that the package's components require.</summary>
     static class Shortcomings
     {
         static readonly ReferenceRule[] Rules =
@@ -49,8 +49,8 @@ namespace Nowpose.Editor.Inspectors
                 "There is no rig above it that it would ride on. Place it below one, or assign one.", Only<RobotRig>),
         };
 
-        /// <summary>What any of the objects lacks; each once.</summary>
-        /// <param name="objects">Of one type.</param>
+        /// <summary>Returns the missing references of the objects, each once.</summary>
+        /// <param name="objects">Objects of one type.</param>
         public static IReadOnlyList<Shortcoming> Of(Object[] objects)
         {
             var found = new List<Shortcoming>();
@@ -67,7 +67,7 @@ namespace Nowpose.Editor.Inspectors
             return found;
         }
 
-        // Of its own scene, which may be that of an opened prefab; nothing is guessed where there are several.
+        // Searches the component's own scene, which may be that of an open prefab. Returns null if there are several.
         static Object Only<T>(Component component) where T : Component
         {
             var all = component.gameObject.scene.GetRootGameObjects().SelectMany(root => root.GetComponentsInChildren<T>(true)).ToArray();

@@ -5,14 +5,14 @@ using UnityEngine;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>A small plot of the newest ten seconds, the newest value in its corner, "–" while none is known.</summary>
+    /// <summary>A small plot of the last ten seconds with the newest value in its corner, "–" while it is unknown.</summary>
     sealed class StripChart
     {
         const float Height = 54;
         const float LineWidth = 2;
         const double Seconds = 10;
 
-        // Fifty a second: finer than the plot has pixels.
+        // Fifty values per second are finer than the plot's pixels.
         const double Interval = 0.02;
         const int Capacity = 600;
 
@@ -23,22 +23,22 @@ namespace Nowpose.Editor.Inspectors
         readonly RollingSeries _series = new RollingSeries(Capacity, Seconds);
         readonly Vector3[] _points = new Vector3[Capacity];
 
-        /// <param name="unit">Of the values, as it is written behind them.</param>
+        /// <param name="unit">Unit of the values, with the blank before it.</param>
         public StripChart(string label, string unit)
         {
             _label = label;
             _unit = unit;
         }
 
-        /// <param name="time">Seconds.</param>
-        /// <param name="value">Null while it is not known.</param>
+        /// <param name="time">Time in s.</param>
+        /// <param name="value">Null while the value is unknown.</param>
         public void Take(double time, double? value)
         {
             if (_series.Count > 0 && Math.Abs(time - _series.TimeAt(_series.Count - 1)) < Interval) return;
             _series.Add(time, value);
         }
 
-        /// <summary>Takes a strip of the inspector's width.</summary>
+        /// <summary>Draws the plot over the inspector's width.</summary>
         public void Draw() => Draw(EditorGUILayout.GetControlRect(false, Height));
 
         internal void Draw(Rect area)
@@ -50,7 +50,7 @@ namespace Nowpose.Editor.Inspectors
             if (range.Bottom < 0) GUI.Label(Row(area, area.yMax - EditorGUIUtility.singleLineHeight), Text(range.Bottom), EditorStyles.miniLabel);
         }
 
-        // What is not known is a gap.
+        // An unknown value leaves a gap.
         void DrawLine(Rect area, ChartRange range)
         {
             var before = Handles.color;

@@ -7,7 +7,7 @@ using Nowpose.Unity;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>A robot description in a few words.</summary>
+    /// <summary>A short summary of a robot description.</summary>
     sealed class UrdfSummary
     {
         const int Lines = 12, LineLength = 120;
@@ -36,16 +36,16 @@ namespace Nowpose.Editor.Inspectors
         public string Joints { get; } = LiveText.Unknown;
         public string Length { get; }
 
-        /// <summary>By which it is compared with the gateway's.</summary>
+        /// <summary>Hash that is compared with that of the gateway's description.</summary>
         public string Hash { get; }
 
-        /// <summary>The first lines; what is left out is marked by an ellipsis.</summary>
+        /// <summary>The first lines; an ellipsis marks omitted text.</summary>
         public string Beginning { get; }
 
-        /// <summary>Why it is no robot; null where it is one.</summary>
+        /// <summary>Why the text is not a valid robot; null if it is valid.</summary>
         public string Fault { get; }
 
-        /// <summary>Whether the asset still holds the same text.</summary>
+        /// <summary>Returns whether the asset still contains the same text.</summary>
         public bool IsOf(RobotDescriptionAsset asset) => (asset.Urdf ?? "") == _urdf;
 
         static string BeginningOf(string urdf)

@@ -2,13 +2,13 @@ using UnityEditor;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>A permission that the app has to declare; Windows refuses what is not declared, without a word.</summary>
+    /// <summary>A permission that the app has to declare; Windows refuses access without it and reports no error.</summary>
     sealed class CapabilityCheck : ProjectCheck
     {
         readonly PlayerSettings.WSACapability _capability;
         readonly CheckState _without;
 
-        /// <param name="without">How a project stands that does not declare it.</param>
+        /// <param name="without">State of a project that does not declare the permission.</param>
         public CapabilityCheck(PlayerSettings.WSACapability capability, string why, CheckState without = CheckState.Missing)
             : base("Capability " + capability, why, "Declare " + capability)
         {

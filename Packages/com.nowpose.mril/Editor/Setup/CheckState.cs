@@ -1,18 +1,18 @@
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>How a project stands in one point.</summary>
+    /// <summary>The state of a project in one check.</summary>
     enum CheckState
     {
-        /// <summary>As it should be.</summary>
+        /// <summary>The project meets the requirement.</summary>
         Good,
 
-        /// <summary>Works as it is; the other way is better, or needed for something optional.</summary>
+        /// <summary>The project works as it is, but another setting is better, or needed for an optional feature.</summary>
         Advice,
 
-        /// <summary>Something will not work on the headset.</summary>
+        /// <summary>A part of the app does not work on the headset.</summary>
         Missing,
 
-        /// <summary>Cannot be told from here.</summary>
+        /// <summary>The check cannot determine the state.</summary>
         Unknown,
     }
 }

@@ -2,7 +2,7 @@ using UnityEngine.Rendering;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Whether the player can only use Direct3D 11.</summary>
+    /// <summary>Checks whether Direct3D 11 is the player's only graphics API.</summary>
     sealed class GraphicsApiCheck : ProjectCheck
     {
         public GraphicsApiCheck()

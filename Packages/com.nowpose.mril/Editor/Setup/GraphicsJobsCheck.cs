@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Whether Unity spreads its rendering commands over worker threads.</summary>
+    /// <summary>Checks whether Unity distributes its rendering commands over worker threads.</summary>
     sealed class GraphicsJobsCheck : ProjectCheck
     {
         public GraphicsJobsCheck()

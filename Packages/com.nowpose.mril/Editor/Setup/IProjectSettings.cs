@@ -4,43 +4,43 @@ using UnityEngine.Rendering;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>What the checks see of a Unity project, and may change in it.</summary>
+    /// <summary>The settings of a Unity project that the checks read and change.</summary>
     interface IProjectSettings
     {
-        /// <summary>What is being done in the background, such as adding a package; null while nothing is.</summary>
+        /// <summary>Description of the background activity, such as adding a package; null if there is none.</summary>
         string Activity { get; }
 
-        /// <summary>Why the newest of it failed; null where it did not.</summary>
+        /// <summary>Why the newest background activity failed; null if it did not.</summary>
         string Trouble { get; }
 
-        /// <summary>The headset whose player is looked at.</summary>
+        /// <summary>The headset whose player is checked.</summary>
         HeadsetPlatform Platform { get; }
 
-        /// <summary>The version of this editor, as Unity writes it.</summary>
+        /// <summary>The version of this editor, in Unity's notation.</summary>
         string EditorVersion { get; }
 
-        /// <summary>Whether the project is built for it, in words where it is not; null where it is.</summary>
+        /// <summary>Description of the active build target if it is not that of <see cref="Platform"/>; null if it is.</summary>
         string OtherTarget { get; }
 
         bool UsesIl2Cpp { get; set; }
 
-        /// <summary>Of the UWP player: x86, x64, ARM or ARM64.</summary>
+        /// <summary>Architecture of the UWP player: x86, x64, ARM or ARM64.</summary>
         string Architecture { get; set; }
 
         bool UsesNetStandard { get; set; }
         bool FrameTimingStats { get; set; }
         bool RunsInBackground { get; set; }
 
-        /// <summary>The graphics APIs that the player may use, the preferred one first; empty where the editor does not know the player.</summary>
+        /// <summary>The graphics APIs that the player may use, in order of preference; empty if the player is not installed.</summary>
         IReadOnlyList<GraphicsDeviceType> GraphicsApis { get; }
 
-        /// <summary>Whether Unity chooses them.</summary>
+        /// <summary>Whether Unity chooses the graphics APIs.</summary>
         bool IsGraphicsApiAutomatic { get; }
 
-        /// <summary>Null while another build target is active.</summary>
+        /// <summary>Whether Graphics Jobs are on; null while another build target is active.</summary>
         bool? UsesGraphicsJobs { get; }
 
-        /// <summary>0 for the old Input Manager, 1 for the Input System, 2 for both; null where the setting cannot be read.</summary>
+        /// <summary>0 for the old Input Manager, 1 for the Input System, 2 for both; null if the setting cannot be read.</summary>
         int? InputHandling { get; }
 
         /// <summary>Type name of the render pipeline's asset; null for the built-in pipeline.</summary>
@@ -52,42 +52,42 @@ namespace Nowpose.Editor.Setup
         /// <summary>Near clip plane of the main camera in the open scenes, metres; null without a main camera.</summary>
         float? NearClipMetres { get; set; }
 
-        /// <summary>Whether the Android player asks for internet access.</summary>
+        /// <summary>Whether the Android player requests internet access.</summary>
         bool AsksForInternet { get; set; }
 
-        /// <summary>Whether OpenXR is the player's XR plug-in; null where the project has no settings for XR plug-ins.</summary>
+        /// <summary>Whether OpenXR is the player's XR plug-in; null if the project has no settings for XR plug-ins.</summary>
         bool? UsesOpenXr { get; }
 
-        /// <summary>Whether a feature of OpenXR is ticked for the player; null where there is none of that id.</summary>
+        /// <summary>Returns whether an OpenXR feature is enabled for the player; null if there is no feature with that id.</summary>
         bool? IsFeatureOn(string featureId);
 
-        /// <returns>False where there is none of that id.</returns>
+        /// <returns>False if there is no feature with that id.</returns>
         bool TurnFeatureOn(string featureId);
 
-        /// <summary>A choice in the settings of OpenXR, by its serialised name; null where there are none.</summary>
+        /// <summary>Gets an enumeration setting of OpenXR by its serialised name; null if there is none.</summary>
         int? OpenXrOption(string field);
 
-        /// <returns>False where there are no such settings.</returns>
+        /// <returns>False if there are no OpenXR settings.</returns>
         bool ChooseOpenXrOption(string field, int value);
 
         void UseGraphicsApi(GraphicsDeviceType api);
         void TurnGraphicsJobsOff();
 
-        /// <returns>False where the setting cannot be written.</returns>
+        /// <returns>False if the setting cannot be written.</returns>
         bool ChooseInputHandling(int value);
 
         void ClearToTransparentBlack();
 
-        /// <returns>False where the editor was installed without the platform.</returns>
+        /// <returns>False if the editor was installed without the platform.</returns>
         bool SwitchToPlatform();
 
         bool IsAllowed(PlayerSettings.WSACapability capability);
         void Allow(PlayerSettings.WSACapability capability);
 
-        /// <summary>Null where it is not installed.</summary>
+        /// <summary>Returns the installed version of a package; null if it is not installed.</summary>
         string VersionOf(string package);
 
-        /// <summary>Begins to add a package.</summary>
+        /// <summary>Starts to add a package.</summary>
         void Add(PackageOrigin package);
 
         void OpenProjectSettings();

@@ -2,10 +2,10 @@ using System;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Whether the Input System is switched on, the package alone does nothing.</summary>
+    /// <summary>Checks whether the Input System is active; installing the package alone does not activate it.</summary>
     sealed class InputHandlingCheck : ProjectCheck
     {
-        /// <summary>By the number that the project's settings keep.</summary>
+        /// <summary>Names by the number in the project's settings.</summary>
         static readonly string[] Names = { "Input Manager (Old)", "Input System Package (New)", "Both" };
 
         const int InputSystem = 1, Both = 2;

@@ -3,25 +3,25 @@ using System.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>A value of a JSON text, and where in the text it stands.</summary>
+    /// <summary>A value of a JSON text and its position in the text.</summary>
     sealed class JsonOutline
     {
-        /// <summary>The name of a member of an object; null elsewhere.</summary>
+        /// <summary>Name of an object's member; null for other values.</summary>
         public string Name { get; set; }
 
-        /// <summary>Index of the first character, that of the name where there is one.</summary>
+        /// <summary>Index of the first character; for a member, that of the name.</summary>
         public int ItemStart { get; set; }
 
         /// <summary>Index of the first character of the value.</summary>
         public int Start { get; set; }
 
-        /// <summary>Index behind the last character.</summary>
+        /// <summary>Index after the last character.</summary>
         public int End { get; set; }
 
         /// <summary>The decoded text of a string; null for every other value.</summary>
         public string Text { get; set; }
 
-        /// <summary>Members of an object or values of an array, in their order; null for every other value.</summary>
+        /// <summary>Members of an object or values of an array, in the order of the text; null for every other value.</summary>
         public List<JsonOutline> Items { get; set; }
 
         public bool IsObject { get; set; }

@@ -7,8 +7,8 @@ using Newtonsoft.Json.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Finds every value of a JSON text.</summary>
-    /// <remarks>Strict as Unity's reader is: no comments, no trailing commas. Newtonsoft.Json accepts both and gives no positions.</remarks>
+    /// <summary>Finds the values of a JSON text.</summary>
+    /// <remarks>Is as strict as Unity's reader: no comments, no trailing commas. Newtonsoft.Json accepts both and reports no positions.</remarks>
     sealed class JsonOutlineReader
     {
         const int DeepestNesting = 64;
@@ -38,7 +38,7 @@ namespace Nowpose.Editor.Setup
             return reader._at == text.Length ? root : throw reader.Wrong("nothing is expected after the object");
         }
 
-        /// <summary>The line of a character, counted from 1.</summary>
+        /// <summary>Returns the line number of a character, counted from 1.</summary>
         public static int LineOf(string text, int index) => 1 + text.Take(index).Count(c => c == '\n');
 
         char Next => _at < _text.Length ? _text[_at] : '\0';

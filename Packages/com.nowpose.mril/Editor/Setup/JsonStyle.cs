@@ -5,7 +5,7 @@ using Newtonsoft.Json.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>How a JSON text is written: its line ends, indent and blanks.</summary>
+    /// <summary>The formatting of a JSON text: its line ends, indent and blanks.</summary>
     sealed class JsonStyle
     {
         readonly string _text, _newLine, _colon;
@@ -26,7 +26,7 @@ namespace Nowpose.Editor.Setup
 
         string Blank => _colon == ":" ? "" : " ";
 
-        /// <summary>The blanks at the beginning of the line in which a character stands.</summary>
+        /// <summary>Returns the blanks at the beginning of a character's line.</summary>
         public string IndentAt(int index)
         {
             var start = _text.LastIndexOf('\n', index) + 1;
@@ -49,7 +49,7 @@ namespace Nowpose.Editor.Setup
         public string Item(string name, JToken value, string indent) =>
             (name == null ? "" : JsonConvert.ToString(name) + _colon) + Value(value, indent);
 
-        /// <summary>The inside of brackets, with the line ends and indents around it.</summary>
+        /// <summary>Returns the content of brackets with the line ends and indents around it.</summary>
         public string Padded(string indent, string inside) =>
             _newLine == null ? Blank + inside + Blank : _newLine + indent + Indent + inside + _newLine + indent;
 

@@ -25,10 +25,10 @@ namespace Nowpose.Editor.Setup
             Text = Decode();
         }
 
-        /// <summary>Without the byte order mark, if the file has one.</summary>
+        /// <summary>Content of the file, without a byte order mark.</summary>
         public string Text { get; }
 
-        /// <summary>Why the file cannot be written, in one line that says what to do; null where nothing is known to be in the way.</summary>
+        /// <summary>Why the file cannot be written, in one line that says what to do; null if no reason is known.</summary>
         public string Obstacle => IsReadOnly
             ? _path + ": the file is read-only; make it writable, or check it out of version control, and try again"
             : null;
@@ -42,7 +42,7 @@ namespace Nowpose.Editor.Setup
                 if ((File.GetAttributes(_path) & FileAttributes.ReadOnly) != 0) return true;
                 try
                 {
-                    // The attributes of a link are not those of its target; nothing is written.
+                    // The attributes of a link are not those of its target, so the file is opened for writing; nothing is written.
                     using (new FileStream(_path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite)) return false;
                 }
                 catch (UnauthorizedAccessException)
@@ -56,7 +56,7 @@ namespace Nowpose.Editor.Setup
 
         /// <exception cref="InputException">The file is too large or is not UTF-8.</exception>
         /// <exception cref="IOException">The file cannot be read.</exception>
-        /// <exception cref="UnauthorizedAccessException">The file must not be read.</exception>
+        /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
         public static ManifestFile Read(string path)
         {
             var size = new FileInfo(path).Length;
@@ -67,7 +67,7 @@ namespace Nowpose.Editor.Setup
         /// <returns>The path of the backup.</returns>
         /// <exception cref="InputException">The file is read-only, or another program changed it since it was read.</exception>
         /// <exception cref="IOException">The file cannot be written.</exception>
-        /// <exception cref="UnauthorizedAccessException">The file must not be written.</exception>
+        /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
         public string Write(string text)
         {
             if (Obstacle is string obstacle) throw new InputException(obstacle);
@@ -83,13 +83,13 @@ namespace Nowpose.Editor.Setup
         void Replace(string text)
         {
             var next = _path + NewEnding;
-            // A copy first: the new file has the permissions of the old one.
+            // Copies the file first, so that the new file has the permissions of the old one.
             File.Copy(_path, next, overwrite: true);
             WriteTo(next, text);
             File.Replace(next, _path, null);
         }
 
-        // A replaced link would be a regular file, and its target would keep the old text.
+        // Replacing a link would leave a regular file in its place, and its target would keep the old text.
         void WriteThroughLink(string text, string backup)
         {
             try
@@ -113,7 +113,7 @@ namespace Nowpose.Editor.Setup
             }
         }
 
-        // A copy of the same content serves again; any other is kept.
+        // Reuses a backup of the same content; keeps all others.
         string Backup()
         {
             for (var number = 1; ; number++)

@@ -98,7 +98,7 @@ namespace Nowpose.Editor.Setup
             _changes.Add(Dependencies + ": " + package.Name + " " + package.Reference + " in place of " + version);
         }
 
-        // False where another registry serves the package and has to stay.
+        // Returns false if another registry serves the package and has to stay.
         bool NeedRegistry(PackageOrigin package)
         {
             var registry = package.Registry;
@@ -143,7 +143,7 @@ namespace Nowpose.Editor.Setup
             var start = entry.Start;
             foreach (var scope in registry.Scopes)
             {
-                // An insertion moves only what stands behind it.
+                // An insertion moves only what is behind it, so the start of the registry is still valid.
                 var now = Items(Registries).First(item => item.Start == start);
                 if (ScopesOf(now).Contains(scope)) continue;
                 if (now["scopes"] == null) _manifest.Add(now, "scopes", new JArray(scope));
@@ -152,7 +152,7 @@ namespace Nowpose.Editor.Setup
             }
         }
 
-        // As Unity chooses: the registry with the longest scope that the name begins with.
+        // Unity's rule: the registry with the longest scope that is a prefix of the name.
         JsonOutline RegistryOf(string package)
         {
             return Items(Registries)

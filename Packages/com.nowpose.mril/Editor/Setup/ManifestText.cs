@@ -20,7 +20,7 @@ namespace Nowpose.Editor.Setup
         public string Text { get; private set; }
         public JsonOutline Root { get; private set; }
 
-        /// <summary>The file and the line of a value, as messages begin.</summary>
+        /// <summary>Returns the file and line of a value, as they begin a message.</summary>
         public string PlaceOf(JsonOutline value) =>
             _file + ":" + JsonOutlineReader.LineOf(Text, value.ItemStart).ToString(CultureInfo.InvariantCulture);
 
@@ -50,7 +50,7 @@ namespace Nowpose.Editor.Setup
         public void Replace(JsonOutline value, string text) =>
             Set(Text.Substring(0, value.Start) + JsonConvert.ToString(text) + Text.Substring(value.End));
 
-        /// <summary>The object or array of that name in the root; null where there is none.</summary>
+        /// <summary>Returns the root's object or array of that name; null if there is none.</summary>
         /// <exception cref="InputException">The value has another type.</exception>
         public JsonOutline Find(string name, bool isObject)
         {

@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>The packages of MRTK3 that the sample for it uses. Nothing else needs them.</summary>
+    /// <summary>Checks the MRTK3 packages that the HoloLens 2 (MRTK3) sample uses. They are optional.</summary>
     sealed class Mrtk3Check : ProjectCheck
     {
         public Mrtk3Check()

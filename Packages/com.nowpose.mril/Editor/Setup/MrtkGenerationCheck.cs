@@ -2,7 +2,7 @@ using System.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Whether MRTK and XR Interaction Toolkit are of the generation that the package was written for.</summary>
+    /// <summary>Checks whether MRTK and XR Interaction Toolkit have the major versions that the package supports.</summary>
     sealed class MrtkGenerationCheck : ProjectCheck
     {
         public MrtkGenerationCheck()

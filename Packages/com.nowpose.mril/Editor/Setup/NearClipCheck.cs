@@ -2,18 +2,18 @@ using System;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Whether the near clip plane of the main camera leaves the depth buffer fine enough for late-stage reprojection.</summary>
+    /// <summary>Checks whether the main camera's near clip plane leaves the depth buffer precise enough for late-stage reprojection.</summary>
     sealed class NearClipCheck : ProjectCheck
     {
-        /// <summary>Metres.</summary>
+        /// <summary>Recommended distance, in metres.</summary>
         const float Wanted = 0.1f;
 
-        /// <summary>Metres; a plane further away cuts off a gripper that is looked at closely.</summary>
+        /// <summary>Maximum distance, in metres; a plane further away cuts off a gripper that the wearer looks at closely.</summary>
         const float Furthest = 0.3f;
 
         const float Tolerance = 0.001f;
 
-        /// <summary>Metres; how far away a robot usually is.</summary>
+        /// <summary>Usual distance of a robot, in metres.</summary>
         const double Distance = 1.5;
 
         public NearClipCheck()
@@ -40,7 +40,7 @@ namespace Nowpose.Editor.Setup
             return null;
         }
 
-        // z² / (n · 2^16): the depth that is stored goes with 1/z.
+        // z² / (n · 2^16), because the depth buffer stores 1/z.
         static double StepMillimetres(float near) => 1000 * Distance * Distance / (near * 65536);
     }
 }

@@ -1,13 +1,13 @@
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>A feature of OpenXR that has to be ticked for the player.</summary>
+    /// <summary>Checks whether an OpenXR feature is enabled for the player.</summary>
     sealed class OpenXrFeatureCheck : ProjectCheck
     {
         readonly string _id, _name;
         readonly CheckState _without;
 
-        /// <param name="name">As the list of features shows it.</param>
-        /// <param name="without">How a project stands in which it is not ticked.</param>
+        /// <param name="name">Name in the list of features.</param>
+        /// <param name="without">State of a project in which the feature is not enabled.</param>
         public OpenXrFeatureCheck(string name, string why, string id, CheckState without = CheckState.Missing)
             : base("OpenXR feature " + name, why, "Tick " + name)
         {

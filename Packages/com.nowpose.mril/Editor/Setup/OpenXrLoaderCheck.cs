@@ -2,7 +2,7 @@ namespace Nowpose.Editor.Setup
 {
     sealed class OpenXrLoaderCheck : ProjectCheck
     {
-        // The settings belong to another package, whose assemblies this one does not know.
+        // Fixing opens the Project Settings only: the settings belong to another package, whose assemblies this one does not reference.
         public OpenXrLoaderCheck(HeadsetPlatform platform)
             : base(
                 "OpenXR starts in the " + platform.ShortPlayer + " player",

@@ -2,16 +2,16 @@ using System;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>A choice in the settings of OpenXR.</summary>
+    /// <summary>Checks an enumeration setting of OpenXR.</summary>
     sealed class OpenXrOptionCheck : ProjectCheck
     {
         readonly string _field, _title;
         readonly string[] _names;
         readonly int _wanted;
 
-        /// <param name="title">As the settings show it.</param>
-        /// <param name="field">Its serialised name.</param>
-        /// <param name="names">Of all values, by their number.</param>
+        /// <param name="title">Title in the settings window.</param>
+        /// <param name="field">Serialised name of the setting.</param>
+        /// <param name="names">Names of all values, by their number.</param>
         public OpenXrOptionCheck(string title, string why, string field, string[] names, int wanted)
             : base("OpenXR " + title + " is " + names[wanted], why, "Use " + names[wanted])
         {

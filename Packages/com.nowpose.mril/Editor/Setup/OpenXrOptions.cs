@@ -3,16 +3,16 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>What OpenXR is set to for a player, in the settings asset of that package.</summary>
+    /// <summary>Reads and changes a player's OpenXR settings in the settings asset of the OpenXR package.</summary>
     /// <remarks>
-    /// By the names of the serialised fields that stand in every project's "OpenXR Package Settings.asset", as of com.unity.xr.openxr 1.13:
-    /// m_renderMode, m_depthSubmissionMode, features with featureIdInternal and m_enabled.
+    /// Uses the serialised field names of "OpenXR Package Settings.asset", as of com.unity.xr.openxr 1.13: m_renderMode,
+    /// m_depthSubmissionMode, and features with featureIdInternal and m_enabled.
     /// </remarks>
     static class OpenXrOptions
     {
         const string SettingsType = "OpenXRPackageSettings";
 
-        /// <summary>Whether a feature is ticked; null where the project has no such settings, or no such feature.</summary>
+        /// <summary>Returns whether a feature is enabled; null if the project has no such settings or no such feature.</summary>
         public static bool? IsOn(BuildTargetGroup player, string featureId)
         {
             var feature = Feature(player, featureId);
@@ -20,7 +20,7 @@ namespace Nowpose.Editor.Setup
             using (var serialised = new SerializedObject(feature)) return serialised.FindProperty("m_enabled")?.boolValue;
         }
 
-        /// <returns>False where the project has no such feature.</returns>
+        /// <returns>False if the project has no such feature.</returns>
         public static bool TurnOn(BuildTargetGroup player, string featureId)
         {
             var feature = Feature(player, featureId);
@@ -35,7 +35,7 @@ namespace Nowpose.Editor.Setup
             }
         }
 
-        /// <summary>A setting that is an enumeration, as its number; null where the project has none.</summary>
+        /// <summary>Gets an enumeration setting as its number; null if the project has none.</summary>
         public static int? Get(BuildTargetGroup player, string field)
         {
             var settings = PlayerAsset.Find(SettingsType, player);
@@ -43,7 +43,7 @@ namespace Nowpose.Editor.Setup
             using (var serialised = new SerializedObject(settings)) return serialised.FindProperty(field)?.intValue;
         }
 
-        /// <returns>False where the project has no such setting.</returns>
+        /// <returns>False if the project has no such setting.</returns>
         public static bool Set(BuildTargetGroup player, string field, int value)
         {
             var settings = PlayerAsset.Find(SettingsType, player);

@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Whether a package is installed, in a version that serves.</summary>
+    /// <summary>Checks whether a package is installed in a supported version.</summary>
     sealed class PackageCheck : ProjectCheck
     {
         readonly PackageOrigin _package;

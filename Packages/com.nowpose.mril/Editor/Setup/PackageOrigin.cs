@@ -19,13 +19,13 @@ namespace Nowpose.Editor.Setup
 
         public string Name { get; }
 
-        /// <summary>A name or git address that the Package Manager takes as it is; null where a registry has to be added for it.</summary>
+        /// <summary>A name or git address for the Package Manager; null if the package needs a scoped registry first.</summary>
         public string Identifier { get; }
 
-        /// <summary>The value in a manifest: a version, or an address.</summary>
+        /// <summary>The value in a manifest: a version or an address.</summary>
         public string Reference { get; }
 
-        /// <summary>Null for Unity's own, and for what comes by an address.</summary>
+        /// <summary>The scoped registry; null for Unity's own packages, and for packages from an address.</summary>
         public ScopedRegistry Registry { get; }
 
         /// <summary>Description of the supported versions; null if all are.</summary>
@@ -44,7 +44,7 @@ namespace Nowpose.Editor.Setup
             string name, string version, string least = null, string below = null, bool isEditorsChoice = false) =>
             new PackageOrigin(name, isEditorsChoice ? name : name + "@" + version, version, null, least, below);
 
-        /// <param name="address">What the Package Manager takes: a git address, or file: and a path.</param>
+        /// <param name="address">An address for the Package Manager: a git address, or file: and a path.</param>
         public static PackageOrigin At(string name, string address, string least = null, string below = null) =>
             new PackageOrigin(name, address, address, null, least, below);
 

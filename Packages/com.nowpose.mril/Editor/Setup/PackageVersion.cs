@@ -8,7 +8,7 @@ namespace Nowpose.Editor.Setup
     {
         static readonly Regex Plain = new Regex(@"^\d+\.\d+\.\d+(-[\w.-]+)?$", RegexOptions.CultureInvariant);
 
-        // A tag such as #core-v3.3.0 at the end of a git address, or the name of a tarball such as org.example.core-3.3.0.tgz.
+        // Matches a tag such as #core-v3.3.0 at the end of a git address, or the name of a tarball such as org.example.core-3.3.0.tgz.
         static readonly Regex InAddress = new Regex(
             @"(?:#(?:[^#]*[-/])?v?(\d+\.\d+\.\d+)(?:-[\w.-]+)?$)|(?:-(\d+\.\d+\.\d+)(?:-[\w.]+)?\.tgz$)", RegexOptions.CultureInvariant);
 

@@ -4,12 +4,12 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Finds, in an asset of another package that holds one object for each player, the one for a player.</summary>
-    /// <remarks>Those packages are not referenced, so their assets are read by the names of their serialised fields: Keys and Values.</remarks>
+    /// <summary>Finds the object for one player in an asset of another package that contains one object per player.</summary>
+    /// <remarks>Those packages are not referenced, so their assets are read by the names of their serialised fields, Keys and Values.</remarks>
     static class PlayerAsset
     {
         /// <param name="type">Name of the asset's type.</param>
-        /// <returns>Null where there is no such asset, or nothing for that player in it.</returns>
+        /// <returns>Null if there is no such asset, or no object for that player in it.</returns>
         public static Object Find(string type, BuildTargetGroup player)
         {
             foreach (var guid in AssetDatabase.FindAssets("t:" + type))

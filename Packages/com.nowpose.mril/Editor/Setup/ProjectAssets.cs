@@ -3,19 +3,19 @@ using UnityEditor;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Settings of a project that Unity gives no methods for, by the names of their serialised fields.</summary>
+    /// <summary>Project settings without a Unity API, read and written by the names of their serialised fields.</summary>
     static class ProjectAssets
     {
         const string Player = "ProjectSettings/ProjectSettings.asset", Graphics = "ProjectSettings/GraphicsSettings.asset";
         const string Handling = "activeInputHandler";
 
-        /// <summary>Active Input Handling; null where it is not found.</summary>
+        /// <summary>Active Input Handling; null if the setting is not found.</summary>
         public static int? InputHandling => Read(Player, Handling, property => (int?)property.intValue);
 
-        /// <summary>Type name of the asset of the default render pipeline; null for the built-in one.</summary>
+        /// <summary>Type name of the default render pipeline asset; null for the built-in pipeline.</summary>
         public static string DefaultRenderPipeline => Read(Graphics, "m_CustomRenderPipeline", TypeOfReferenced);
 
-        /// <returns>False where the setting is not found.</returns>
+        /// <returns>False if the setting is not found.</returns>
         public static bool ChooseInputHandling(int value) => Read(Player, Handling, property =>
         {
             property.intValue = value;

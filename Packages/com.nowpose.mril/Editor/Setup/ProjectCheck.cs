@@ -1,9 +1,9 @@
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>One point in which a project can be ready for the headset or not. Looking changes nothing.</summary>
+    /// <summary>One requirement of a project for a headset. <see cref="Look"/> changes nothing.</summary>
     abstract class ProjectCheck
     {
-        /// <param name="fixLabel">Null where only the user can do it.</param>
+        /// <param name="fixLabel">Label of the button; null if only the user can make the change.</param>
         protected ProjectCheck(string title, string why, string fixLabel)
         {
             Title = title;
@@ -13,16 +13,16 @@ namespace Nowpose.Editor.Setup
 
         public string Title { get; }
 
-        /// <summary>What it is good for, and what happens without.</summary>
+        /// <summary>Purpose of the requirement, and the consequence of not meeting it.</summary>
         public string Why { get; }
 
-        /// <summary>What the button says; null where only the user can do it.</summary>
+        /// <summary>Label of the button; null if only the user can make the change.</summary>
         public string FixLabel { get; }
 
         public abstract CheckResult Look(IProjectSettings project);
 
-        /// <summary>Does what is missing. Called for a click only.</summary>
-        /// <returns>What the user has to do where it could not be done; null where it was.</returns>
+        /// <summary>Changes the project to meet the requirement. Called only for a click.</summary>
+        /// <returns>What the user has to do if the change failed; null if it succeeded.</returns>
         public abstract string Fix(IProjectSettings project);
 
         protected static CheckResult Good(string found) => new CheckResult(CheckState.Good, found);

@@ -3,7 +3,7 @@ using UnityEditor;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>All that is looked at, in the order in which it is best done.</summary>
+    /// <summary>All checks, in the recommended order of the changes.</summary>
     static class ProjectChecks
     {
         static readonly string[] RenderModes = { "Multi-pass", "Single Pass Instanced" };

@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>The checks with what they found last. Changes a project only where <see cref="Fix"/> is called.</summary>
+    /// <summary>The checks with their newest results. Changes the project only in <see cref="Fix"/>.</summary>
     sealed class ProjectReview
     {
         readonly IReadOnlyList<ProjectCheck> _checks;
@@ -22,10 +22,10 @@ namespace Nowpose.Editor.Setup
 
         public IReadOnlyList<ProjectCheck> Checks => _checks;
 
-        /// <summary>One per check.</summary>
+        /// <summary>One result per check.</summary>
         public IReadOnlyList<CheckResult> Results => _results;
 
-        /// <summary>One per check: what its last fix left to the user, or null.</summary>
+        /// <summary>One text per check: what the user has to do after its last fix, or null.</summary>
         public IReadOnlyList<string> Advice => _advice;
 
         public int MissingCount => _results.Count(r => r.State == CheckState.Missing);

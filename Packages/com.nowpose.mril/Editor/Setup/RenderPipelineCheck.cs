@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Which render pipeline draws, and whether the package's shaders are written for it.</summary>
+    /// <summary>Checks whether the package's shaders support the project's render pipeline.</summary>
     sealed class RenderPipelineCheck : ProjectCheck
     {
         public RenderPipelineCheck()

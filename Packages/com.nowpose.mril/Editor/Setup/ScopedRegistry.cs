@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>A registry beside Unity's own, and the beginnings of the package names that it serves.</summary>
+    /// <summary>A registry other than Unity's own, and the scopes (name prefixes) of the packages that it serves.</summary>
     sealed class ScopedRegistry
     {
         public static readonly ScopedRegistry UnityNuGet = new ScopedRegistry("UnityNuGet", "https://unitynuget-registry.openupm.com", "org.nuget");

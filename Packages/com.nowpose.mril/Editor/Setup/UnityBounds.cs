@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>The versions of Unity that the package was compiled against or is known to fail with.</summary>
+    /// <summary>The Unity versions that the package was compiled against, and those with known failures.</summary>
     static class UnityBounds
     {
         public const string Recommended = "use 2022.3 for a HoloLens 2";
@@ -11,7 +11,7 @@ namespace Nowpose.Editor.Setup
         const string PlugInFails =
             "Microsoft's Mixed Reality OpenXR 1.11.2 does not compile in Unity 6.3 (6000.3), and newer versions are not known; " + Recommended;
 
-        // By the oldest version that a row is about, up to the next row's.
+        // Each row is valid from its version up to the next row's.
         static readonly Row[] Rows =
         {
             new Row("2021.3", CheckState.Advice, "compiled against 2021.3.26; " + Recommended),
@@ -54,7 +54,7 @@ namespace Nowpose.Editor.Setup
             public CheckState State { get; }
             public string Words { get; }
 
-            /// <summary>Why it cannot be used with Microsoft's plug-in; null where it can.</summary>
+            /// <summary>Why the version does not work with Microsoft's plug-in; null if it does.</summary>
             public string Failure { get; }
         }
     }

@@ -7,7 +7,7 @@ using UnityEditor.PackageManager;
 using UnityEditor.PackageManager.Requests;
 using UnityEngine;
 using UnityEngine.Rendering;
-// UnityEditor has another of that name.
+// UnityEditor has a type of the same name.
 using PackageInfo = UnityEditor.PackageManager.PackageInfo;
 
 namespace Nowpose.Editor.Setup
@@ -135,7 +135,7 @@ namespace Nowpose.Editor.Setup
 
         public void OpenProjectSettings() => EditorApplication.ExecuteMenuItem("Edit/Project Settings...");
 
-        // The Package Manager adds no registry by API; it reads the manifest again when it resolves.
+        // The Package Manager has no API to add a registry; it reads the manifest again when it resolves.
         void AddToManifest(PackageOrigin package)
         {
             try

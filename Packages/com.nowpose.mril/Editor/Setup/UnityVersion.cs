@@ -16,10 +16,10 @@ namespace Nowpose.Editor.Setup
             Number = number;
         }
 
-        /// <summary>The version as Unity writes it.</summary>
+        /// <summary>The version in Unity's notation.</summary>
         public string Text { get; }
 
-        /// <summary>Year or generation, release and patch; without the letter behind them.</summary>
+        /// <summary>Year or generation, release and patch, without the letter after them.</summary>
         public Version Number { get; }
 
         /// <returns>Null if the text is not a version of Unity.</returns>
@@ -31,7 +31,7 @@ namespace Nowpose.Editor.Setup
         }
 
         /// <summary>Reads the version in the text of a project's ProjectSettings/ProjectVersion.txt.</summary>
-        /// <returns>Null where there is none.</returns>
+        /// <returns>Null if the text contains no version.</returns>
         public static UnityVersion? InProjectFile(string text)
         {
             var line = ProjectLine.Match(text);

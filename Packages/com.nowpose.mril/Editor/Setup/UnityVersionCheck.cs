@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Whether this editor is among the versions that the package was tried with.</summary>
+    /// <summary>Checks whether this editor is a version that the package was tried with.</summary>
     sealed class UnityVersionCheck : ProjectCheck
     {
         public UnityVersionCheck()

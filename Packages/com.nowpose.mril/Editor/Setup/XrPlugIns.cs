@@ -6,14 +6,14 @@ namespace Nowpose.Editor.Setup
 {
     /// <summary>Reads which XR plug-ins a player starts from the settings asset of XR Plug-in Management.</summary>
     /// <remarks>
-    /// By the names of the serialised fields that stand in every project's XRGeneralSettings.asset: m_LoaderManagerInstance, m_Loaders.
+    /// Uses the serialised field names of XRGeneralSettings.asset: m_LoaderManagerInstance and m_Loaders.
     /// </remarks>
     static class XrPlugIns
     {
         const string SettingsType = "XRGeneralSettingsPerBuildTarget";
         const string LoaderType = "OpenXRLoaderBase";
 
-        /// <summary>Null where the project has no settings for that player.</summary>
+        /// <summary>Returns whether OpenXR starts in a player; null if the project has no settings for it.</summary>
         public static bool? UseOpenXr(BuildTargetGroup player) =>
             HasOpenXr(Referenced(PlayerAsset.Find(SettingsType, player), "m_LoaderManagerInstance"));
 
@@ -34,7 +34,7 @@ namespace Nowpose.Editor.Setup
             }
         }
 
-        // The UWP player's is OpenXRLoaderNoPreInit, other players' OpenXRLoader; this is the base that they have in common.
+        // The UWP player uses OpenXRLoaderNoPreInit, other players OpenXRLoader; this is their common base class.
         static bool IsOpenXr(Object loader)
         {
             for (var type = loader == null ? null : loader.GetType(); type != null; type = type.BaseType)

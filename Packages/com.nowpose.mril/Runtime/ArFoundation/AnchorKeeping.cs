@@ -3,12 +3,12 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.ArFoundation
 {
-    /// <summary>Brings one anchor into the store, as soon as there is one, and tries again when it does not take it.</summary>
+    /// <summary>Saves one anchor in the store as soon as a store is ready, and retries if the store refuses it.</summary>
     sealed class AnchorKeeping
     {
         const int Tries = 10;
 
-        /// <summary>A store that refuses an anchor may take it once the device has seen more of the place.</summary>
+        /// <summary>Interval of the attempts: a store may accept an anchor once the device has seen more of the place.</summary>
         const float TryEverySeconds = 1;
 
         readonly ArSpatialAnchors _owner;
@@ -23,10 +23,10 @@ namespace Nowpose.ArFoundation
             _anchor = anchor;
         }
 
-        /// <summary>Null while it is not kept.</summary>
+        /// <summary>Name in the store; null while the anchor is not saved.</summary>
         public string KeptAs { get; set; }
 
-        /// <summary>Null when nothing is wrong.</summary>
+        /// <summary>Why the anchor is not saved; null if there is no problem.</summary>
         public string Problem { get; private set; }
 
         public void Keep(string name)
@@ -49,7 +49,7 @@ namespace Nowpose.ArFoundation
             if (_wanted == name) _wanted = null;
         }
 
-        /// <summary>Once a frame while it is held.</summary>
+        /// <summary>Called once a frame while the device has the anchor.</summary>
         public void Follow(TrackableId id)
         {
             if (_wanted == null || Time.unscaledTime < _next) return;

@@ -1,12 +1,12 @@
 namespace Nowpose.ArFoundation
 {
-    /// <summary>What an anchor may be kept as: a cell's name as it is.</summary>
+    /// <summary>Checks names of saved anchors. The name of a cell is used unchanged.</summary>
     static class AnchorNames
     {
-        /// <summary>A cell has a name, no text; what stores take beyond was not found out.</summary>
+        /// <summary>Maximum length in characters: enough for the name of a cell. The stores' own limits are not known.</summary>
         public const int Longest = 128;
 
-        /// <summary>Null when it may be.</summary>
+        /// <summary>Returns why a name cannot be used; null if it can.</summary>
         public static string FaultOf(string name)
         {
             if (string.IsNullOrWhiteSpace(name)) return "an anchor needs a name to be kept; give the cell one";

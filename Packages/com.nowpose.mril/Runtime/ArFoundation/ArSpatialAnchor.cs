@@ -7,13 +7,13 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.ArFoundation
 {
-    /// <summary>One anchor of AR Foundation, made or loaded.</summary>
+    /// <summary>One anchor of AR Foundation, created or loaded.</summary>
     sealed class ArSpatialAnchor : ISpatialAnchor
     {
-        /// <summary>A device that has not taken an anchor by then takes none: scanning a new room lasts some seconds.</summary>
+        /// <summary>Timeout for creating an anchor: scanning a new room takes some seconds.</summary>
         const float PatienceSeconds = 10;
 
-        /// <summary>An anchor that was nearer than this to the session's origin may be there.</summary>
+        /// <summary>An anchor within this distance of the session's origin may really be there.</summary>
         const float NearMetres = 0.1f;
 
         readonly ArSpatialAnchors _owner;
@@ -25,7 +25,7 @@ namespace Nowpose.ArFoundation
         ARAnchor _anchor;
         bool _wasThere;
 
-        /// <summary>To be made.</summary>
+        /// <summary>Constructs an anchor to be created.</summary>
         public ArSpatialAnchor(ArSpatialAnchors owner, Pose world, in RigidTransform room)
             : this(owner)
         {
@@ -33,7 +33,7 @@ namespace Nowpose.ArFoundation
             Pose = room;
         }
 
-        /// <summary>Loaded already; the manager has it later.</summary>
+        /// <summary>Constructs a loaded anchor; the anchor manager lists it later.</summary>
         public ArSpatialAnchor(ArSpatialAnchors owner, TrackableId id, string keptAs)
             : this(owner)
         {
@@ -63,7 +63,7 @@ namespace Nowpose.ArFoundation
 
         public void Dispose()
         {
-            // One that stands for the same anchor goes on with it.
+            // Another object for the same anchor keeps using it.
             var isLast = _owner.Remove(this);
             if (State == SpatialAnchorState.Failed) return;
             if (_anchor != null && isLast) Object.Destroy(_anchor.gameObject);
@@ -75,7 +75,7 @@ namespace Nowpose.ArFoundation
 
         public void Renounce(string name) => _keeping.Renounce(name);
 
-        /// <summary>Once a frame.</summary>
+        /// <summary>Called once a frame.</summary>
         public void Follow()
         {
             if (State == SpatialAnchorState.Failed) return;
@@ -89,7 +89,7 @@ namespace Nowpose.ArFoundation
             _wasThere = true;
             if (_anchor.trackableId == TrackableId.invalidId)
             {
-                // Newer versions of AR Foundation switch one off that was not taken.
+                // Newer versions of AR Foundation disable an anchor that the device refused.
                 if (!_anchor.enabled || IsLate) End("the device takes no anchor here");
                 return;
             }

@@ -10,7 +10,7 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.ArFoundation
 {
-    /// <summary>Holds places in the room by AR Foundation's anchors; keeps them over restarts where a store is on the same object.</summary>
+    /// <summary>Anchors places in the room with AR Foundation; saves them over restarts if a store is on the same object.</summary>
     [AddComponentMenu("Nowpose/Spatial Anchors")]
     [DisallowMultipleComponent]
     public sealed class ArSpatialAnchors : MonoBehaviour, ISpatialAnchors
@@ -25,7 +25,7 @@ namespace Nowpose.ArFoundation
         readonly List<string> _unwanted = new List<string>();
         IAnchorStore _store;
 
-        /// <summary>Why the device holds no anchors, or keeps none, in one line; null when nothing is wrong.</summary>
+        /// <summary>Why the device cannot create or save anchors, in one line; null if there is no problem.</summary>
         public string Problem => _manager.Problem ?? Store?.Problem;
 
         public bool IsReady => Store?.IsReady ?? false;
@@ -36,7 +36,7 @@ namespace Nowpose.ArFoundation
 
         internal bool IsSessionOrigin(Vector3 world) => _manager.IsSessionOrigin(world);
 
-        /// <summary>Null where there is none, or it was destroyed. It may have been added after this.</summary>
+        /// <summary>The store; null if there is none, or it was destroyed. It may be added after this component.</summary>
         internal IAnchorStore Store => IsThere(_store) || TryGetComponent(out _store) ? _store : null;
 
         public ISpatialAnchor Hold(in RigidTransform pose) => Add(new ArSpatialAnchor(this, UnityPoses.ToWorld(pose), pose));
@@ -56,16 +56,16 @@ namespace Nowpose.ArFoundation
             else _unwanted.Add(name);
         }
 
-        /// <summary>An anchor is kept under a name no longer, for another one is, or none.</summary>
+        /// <summary>Removes a name from all anchors except its new owner, because the store uses it for another anchor or for none.</summary>
         internal void Renounce(string name, ArSpatialAnchor keeper)
         {
-            // What was to be forgotten before the store was known is wanted again.
+            // A new use of the name cancels a request to forget it that was waiting for the store.
             _unwanted.Remove(name);
             foreach (var anchor in _anchors)
                 if (anchor != keeper) anchor.Renounce(name);
         }
 
-        /// <returns>Whether no other one stands for the same anchor of the device.</returns>
+        /// <returns>Whether no other object uses the same anchor of the device.</returns>
         internal bool Remove(ArSpatialAnchor anchor)
         {
             _anchors.Remove(anchor);

@@ -1,7 +1,7 @@
 using System.Runtime.CompilerServices;
 
-// Microsoft's markers and its anchor store work on the managers that this assembly finds.
+// Microsoft's markers and its anchor store use the managers that this assembly finds.
 [assembly: InternalsVisibleTo("Nowpose.OpenXR.Anchoring")]
 
-// Only this package's repository has it.
+// This assembly exists only in this package's repository.
 [assembly: InternalsVisibleTo("Nowpose.Unity.Tests")]

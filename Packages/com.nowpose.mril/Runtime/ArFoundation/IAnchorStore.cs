@@ -2,26 +2,26 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.ArFoundation
 {
-    /// <summary>Keeps AR Foundation's anchors over restarts of the application, for <see cref="ArSpatialAnchors"/> on the same object.</summary>
-    /// <remarks>Belongs to the frame's thread; never throws.</remarks>
+    /// <summary>Saves AR Foundation's anchors over restarts of the application, for <see cref="ArSpatialAnchors"/> on the same object.</summary>
+    /// <remarks>Call it on the frame's thread only; it never throws.</remarks>
     public interface IAnchorStore
     {
-        /// <summary>Whether it is known by now what was kept.</summary>
+        /// <summary>Whether the store has reported the names of its anchors.</summary>
         bool IsReady { get; }
 
-        /// <summary>Why it is not ready, or what failed last, in one line; null when nothing is wrong.</summary>
+        /// <summary>Why the store is not ready, or the last failure, in one line; null if there is no problem.</summary>
         string Problem { get; }
 
         bool Has(string name);
 
-        /// <summary>Begins to load an anchor, which the anchor manager has among its trackables later.</summary>
-        /// <returns>Its id there; <see cref="TrackableId.invalidId"/> when it cannot be loaded.</returns>
+        /// <summary>Starts to load an anchor; the anchor manager lists it among its trackables later.</summary>
+        /// <returns>Id of the trackable; <see cref="TrackableId.invalidId"/> if the anchor cannot be loaded.</returns>
         TrackableId Load(string name);
 
-        /// <summary>Keeps an anchor under a name, in place of what was kept under it.</summary>
+        /// <summary>Saves an anchor under a name and replaces the previous anchor of that name.</summary>
         bool TryKeep(TrackableId anchor, string name);
 
-        /// <summary>Does nothing when nothing is kept under it.</summary>
+        /// <summary>Deletes the anchor of that name; does nothing if there is none.</summary>
         void Forget(string name);
     }
 }

@@ -3,7 +3,7 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.ArFoundation
 {
-    /// <summary>What a source remembers of its trackables, for as long as the device has them. Allocates only for new ones.</summary>
+    /// <summary>The states of a source's trackables, for as long as the device lists them. Allocates only for new ones.</summary>
     sealed class MarkerRecords
     {
         readonly Dictionary<TrackableId, MarkerRecord> _records = new Dictionary<TrackableId, MarkerRecord>();
@@ -12,7 +12,7 @@ namespace Nowpose.ArFoundation
 
         public int Count => _records.Count;
 
-        /// <summary>A new reading begins.</summary>
+        /// <summary>Starts a new reading.</summary>
         public void Begin() => _reading++;
 
         public MarkerRecord Of(TrackableId id)
@@ -26,7 +26,7 @@ namespace Nowpose.ArFoundation
             return record;
         }
 
-        /// <summary>The reading is over: what was not asked for is forgotten, for the device has it no longer.</summary>
+        /// <summary>Ends a reading: removes the records that were not requested, because the device no longer lists them.</summary>
         public void End()
         {
             foreach (var pair in _records)

@@ -7,16 +7,16 @@ using UnityEngine.XR.ARFoundation;
 
 namespace Nowpose.ArFoundation
 {
-    /// <summary>A manager of AR Foundation on the XR Origin's object: found there, or put there, and watched.</summary>
+    /// <summary>Finds or adds a manager of AR Foundation on the XR Origin's object, and monitors it.</summary>
     /// <remarks>Allocates only when something changes.</remarks>
     sealed class OriginManager<T> where T : MonoBehaviour
     {
-        /// <summary>While the scene and the runtime start nothing is wrong yet.</summary>
+        /// <summary>Delay before a problem is reported, because the scene and the runtime take time to start.</summary>
         const float PatienceSeconds = 3;
 
         static readonly List<XRDisplaySubsystem> Displays = new List<XRDisplaySubsystem>();
 
-        /// <summary>Nothing real is known to be so near to where the device's session began.</summary>
+        /// <summary>A pose within this distance of the session's origin is a default value, not a measurement.</summary>
         const float OriginMetres = 0.001f;
 
         readonly Func<T, ISubsystem> _subsystemOf;
@@ -27,9 +27,9 @@ namespace Nowpose.ArFoundation
         float? _since;
         bool _wasDisplaying, _isOurs;
 
-        /// <param name="subsystemOf">What the device's runtime does the manager's work with; null where it offers none.</param>
-        /// <param name="isAdded">Whether a missing one is added; false where it needs what only the user can give it.</param>
-        /// <param name="need">What the manager is for and what the user has to see to, for a message.</param>
+        /// <param name="subsystemOf">Gets the runtime's subsystem of the manager; null if the runtime has none.</param>
+        /// <param name="isAdded">Whether a missing manager is added; false if it needs settings that only the user can supply.</param>
+        /// <param name="need">What the manager needs and the user has to provide, for a message.</param>
         public OriginManager(Func<T, ISubsystem> subsystemOf, bool isAdded, string need)
         {
             _subsystemOf = subsystemOf;
@@ -37,18 +37,18 @@ namespace Nowpose.ArFoundation
             _need = need;
         }
 
-        /// <summary>Null where there is none.</summary>
+        /// <summary>The manager; null if there is none.</summary>
         public T Manager { get; private set; }
 
-        /// <summary>Whether it works: what it knows is as of this frame.</summary>
+        /// <summary>Whether the manager runs, so its data is current in this frame.</summary>
         public bool IsRunning { get; private set; }
 
-        /// <summary>Why it does not work, in one line; null when nothing is wrong, or while everything starts.</summary>
+        /// <summary>Why the manager does not run, in one line; null if it runs, and during the start.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Once a frame.</summary>
-        /// <param name="assigned">Null: the origin above the main camera.</param>
-        /// <returns>Whether <see cref="Problem"/> is another one than before.</returns>
+        /// <summary>Called once a frame.</summary>
+        /// <param name="assigned">The XR Origin; null for the one above the main camera.</param>
+        /// <returns>Whether <see cref="Problem"/> has changed.</returns>
         public bool Follow(XROrigin assigned)
         {
             if (Manager == null)
@@ -68,16 +68,16 @@ namespace Nowpose.ArFoundation
             return true;
         }
 
-        /// <summary>Whether a pose of the device's is the origin of its session, where devices put what they do not know.</summary>
-        /// <remarks>In the session's own space: in the world that is where the XR Origin has it.</remarks>
-        /// <param name="world">Where it is in the scene, metres.</param>
+        /// <summary>Returns whether a position is the origin of the device's session, where devices put objects of unknown pose.</summary>
+        /// <remarks>Compares in the session's own space, which the XR Origin places in the scene.</remarks>
+        /// <param name="world">Position in the scene, in metres.</param>
         public bool IsSessionOrigin(Vector3 world)
         {
             var space = _origin != null ? _origin.TrackablesParent : null;
             return space != null && space.InverseTransformPoint(world).magnitude < OriginMetres;
         }
 
-        /// <summary>Lets the device rest, unless the manager is the user's; <see cref="Wake"/> undoes it.</summary>
+        /// <summary>Stops the manager unless the user added it; <see cref="Wake"/> undoes it.</summary>
         public void Sleep()
         {
             IsRunning = false;
@@ -98,7 +98,7 @@ namespace Nowpose.ArFoundation
             return _isOurs ? origin.gameObject.AddComponent<T>() : found;
         }
 
-        // A manager looks for its subsystem only when it is enabled; XR may begin later.
+        // A manager looks for its subsystem only when it is enabled, and XR may start later.
         void TryAgainWhenXrStarts()
         {
             SubsystemManager.GetSubsystems(Displays);

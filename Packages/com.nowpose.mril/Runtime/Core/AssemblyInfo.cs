@@ -3,16 +3,16 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Nowpose.NativeWebSocket")]
 [assembly: InternalsVisibleTo("Nowpose.Cli")]
 
-// It converts the runtime's times and reports what the display does.
+// Converts the runtime's times and reports the properties of the display.
 [assembly: InternalsVisibleTo("Nowpose.OpenXR")]
 
-// It writes session files by the same classes.
+// Writes session files with the same classes.
 [assembly: InternalsVisibleTo("Nowpose.Gateway")]
 
-// What tells an overtaken sample from a clock that went back has laws of its own, which a whole session would blur.
+// Tests internals such as the distinction between an overtaken sample and a clock that went back.
 [assembly: InternalsVisibleTo("Nowpose.Tests")]
 
-// Only this package's repository has it: the same in the studies' simulated conditions.
+// These exist only in this package's repository: internals under simulated conditions.
 [assembly: InternalsVisibleTo("Nowpose.Headless.Tests")]
 [assembly: InternalsVisibleTo("Nowpose.Unity.Tests")]
 
@@ -22,7 +22,7 @@ using System.Runtime.CompilerServices;
 // Only this package's repository has it: it emulates links by the same profiles as the tests.
 [assembly: InternalsVisibleTo("Nowpose.Benchmarks")]
 
-// The package's other assemblies and tools share what is not an interface for users.
+// The package's other assemblies and tools use internals that are not an interface for users.
 [assembly: InternalsVisibleTo("Nowpose.Unity")]
 [assembly: InternalsVisibleTo("Nowpose.Editor")]
 [assembly: InternalsVisibleTo("Nowpose.ArFoundation")]

@@ -2,7 +2,7 @@ namespace Nowpose
 {
     static class ClockStateWord
     {
-        /// <summary>As protocol, pages, logs and command lines spell it.</summary>
+        /// <summary>Returns the spelling in the protocol, pages, logs and command lines.</summary>
         public static string Word(this ClockState state) => state.ToString().ToLowerInvariant();
     }
 }

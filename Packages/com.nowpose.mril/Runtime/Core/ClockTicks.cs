@@ -15,7 +15,7 @@ namespace Nowpose
             return nanoseconds / NanosecondsPerTick + (remainder + half) / NanosecondsPerTick;
         }
 
-        /// <summary>A length from seconds. <see cref="TimeSpan"/>'s own method rounds to milliseconds under Mono.</summary>
+        /// <summary>Converts seconds to a length. <see cref="TimeSpan"/>'s own method rounds to milliseconds under Mono.</summary>
         public static TimeSpan Span(double seconds)
         {
             var ticks = Math.Round(seconds * TimeSpan.TicksPerSecond);

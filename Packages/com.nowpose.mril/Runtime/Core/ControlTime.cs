@@ -5,8 +5,8 @@ namespace Nowpose
 {
     /// <summary>A point in time on the control clock C1, the master clock of the control system.</summary>
     /// <remarks>
-    /// Kept in ticks of 100 ns since the control clock's own epoch, whatever that is: only differences and the
-    /// clock model give it a meaning. <c>default</c> is the epoch itself. Cannot be mixed with
+    /// Stored in ticks of 100 ns since the control clock's own epoch, which is arbitrary: only differences and the
+    /// clock model have a meaning. <c>default</c> is the epoch itself. Cannot be mixed with
     /// <see cref="HeadsetTime"/>; only the clock model converts.
     /// </remarks>
     public readonly struct ControlTime : IEquatable<ControlTime>, IComparable<ControlTime>

@@ -5,8 +5,8 @@ namespace Nowpose
 {
     /// <summary>A point in time on the headset clock C2, the monotonic clock of the headset.</summary>
     /// <remarks>
-    /// Kept in ticks of 100 ns since the headset clock's own epoch (often its start): only differences and the
-    /// clock model give it a meaning. <c>default</c> is the epoch itself. Cannot be mixed with
+    /// Stored in ticks of 100 ns since the headset clock's own epoch (often its start): only differences and the
+    /// clock model have a meaning. <c>default</c> is the epoch itself. Cannot be mixed with
     /// <see cref="ControlTime"/>; only the clock model converts.
     /// </remarks>
     public readonly struct HeadsetTime : IEquatable<HeadsetTime>, IComparable<HeadsetTime>

@@ -1,6 +1,6 @@
 namespace Nowpose
 {
-    /// <summary>The headset clock C2. Never jumps, never goes back; may be read from any thread.</summary>
+    /// <summary>The headset clock C2. It never jumps or goes back; any thread may read it.</summary>
     public interface IHeadsetClock
     {
         HeadsetTime Now { get; }

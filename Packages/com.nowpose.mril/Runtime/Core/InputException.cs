@@ -3,18 +3,18 @@ using System;
 namespace Nowpose
 {
     /// <summary>
-    /// Something a user gave (a file, a setting) cannot be used. The message is one line that names the file, line and
-    /// field or the setting, the value with its unit, and what is allowed; it is meant to be shown as it is.
+    /// The exception for an unusable user input (a file, a setting). The message is one line that names the file, line and
+    /// field or the setting, the value with its unit, and what is allowed; it can be shown unchanged.
     /// </summary>
     public class InputException : FormatException
     {
-        /// <summary>What is longer quotes something that nobody would read; the middle goes, for the end says what is allowed.</summary>
+        /// <summary>Maximum length in characters. A longer message is cut in the middle, because its end says what is allowed.</summary>
         const int LongestMessage = 1000;
 
         public InputException(string message) : base(OneLine(message, LongestMessage)) { }
         public InputException(string message, Exception innerException) : base(OneLine(message, LongestMessage), innerException) { }
 
-        /// <summary>What was given by somebody else, line ends and all, as one line of bounded length.</summary>
+        /// <summary>Returns a text from another source as one line of bounded length; line ends become blanks.</summary>
         internal static string OneLine(string message, int longest)
         {
             if (message == null) return null;

@@ -3,11 +3,11 @@ using System.Globalization;
 
 namespace Nowpose
 {
-    /// <summary>Checks settings once: one that is out of range is one line that names it, its value with unit, and what is allowed.</summary>
+    /// <summary>Checks settings. An error is one line with the name, the value with its unit, and what is allowed.</summary>
     static class SettingRange
     {
-        /// <param name="unit">Empty for none.</param>
-        /// <exception cref="InputException">Out of range, or not a number.</exception>
+        /// <param name="unit">Empty for a value without unit.</param>
+        /// <exception cref="InputException">The value is out of range or not a number.</exception>
         public static double Require(double value, double least, double greatest, string name, string unit)
         {
             if (value >= least && value <= greatest) return value;

@@ -3,7 +3,7 @@ using System.Diagnostics;
 
 namespace Nowpose
 {
-    /// <summary>The device's monotonic high-resolution counter as headset clock; its epoch is the device's own.</summary>
+    /// <summary>Uses the device's monotonic high-resolution counter as headset clock; its epoch is the device's own.</summary>
     public sealed class StopwatchHeadsetClock : IPerformanceCounterClock
     {
         static readonly double TicksPerCount = TimeSpan.TicksPerSecond / (double)Stopwatch.Frequency;
@@ -12,7 +12,7 @@ namespace Nowpose
 
         public HeadsetTime At(long count)
         {
-            // Whole seconds apart: the product of a large count and a fraction would lose the last digits.
+            // Converts whole seconds separately: the product of a large count and a fraction would lose the last digits.
             var seconds = count / Stopwatch.Frequency;
             var rest = count % Stopwatch.Frequency;
             return new HeadsetTime(new TimeSpan(seconds * TimeSpan.TicksPerSecond + (long)(rest * TicksPerCount)));

@@ -4,12 +4,12 @@ using System.Text;
 
 namespace Nowpose
 {
-    /// <summary>Small text files. Whatever happens while one is saved, the file is the old or the new one, whole.</summary>
+    /// <summary>Reads and writes small text files. Writing is atomic: after a failure the file is complete, old or new.</summary>
     static class WholeFile
     {
-        /// <param name="greatestBytes">What is larger is something else.</param>
-        /// <param name="what">It should be, for messages.</param>
-        /// <exception cref="InputException">It cannot be read; one line names it.</exception>
+        /// <param name="greatestBytes">Maximum size; a larger file is rejected.</param>
+        /// <param name="what">Kind of the content, for messages.</param>
+        /// <exception cref="InputException">The file cannot be read; the message is one line that names it.</exception>
         public static string Read(string path, int greatestBytes, string what)
         {
             try
@@ -25,10 +25,10 @@ namespace Nowpose
             }
         }
 
-        /// <summary>Writes a temporary file beside it, down to the disk, and then puts it into the place of the old one.</summary>
-        /// <param name="path">Its folder is made where there is none.</param>
-        /// <param name="what">It is, for messages.</param>
-        /// <exception cref="InputException">It cannot be written; the old file stays as it is.</exception>
+        /// <summary>Writes a temporary file beside the old one, flushes it to the disk and then replaces the old one.</summary>
+        /// <param name="path">Path of the file. Creates its folder if there is none.</param>
+        /// <param name="what">Kind of the content, for messages.</param>
+        /// <exception cref="InputException">The file cannot be written; the old file is unchanged.</exception>
         public static void Write(string path, string text, string what)
         {
             var temporary = path + ".new";
@@ -46,8 +46,8 @@ namespace Nowpose
             }
         }
 
-        /// <summary>Renames a file that cannot be used, in place of an older one of that name: a user may want to look into it.</summary>
-        /// <returns>Where it is now; null where it could not be renamed.</returns>
+        /// <summary>Renames an unusable file, so that the user can examine it; replaces an older one of the new name.</summary>
+        /// <returns>The new path; null if the file could not be renamed.</returns>
         public static string PutAside(string path)
         {
             var aside = path + ".bad";
@@ -68,7 +68,7 @@ namespace Nowpose
             var bytes = Encoding.UTF8.GetBytes(text);
             using var file = new FileStream(path, FileMode.Create, FileAccess.Write, FileShare.None);
             file.Write(bytes, 0, bytes.Length);
-            // Else the name could reach the disk before what it names does.
+            // Without the flush, the name could reach the disk before the content does.
             file.Flush(flushToDisk: true);
         }
 

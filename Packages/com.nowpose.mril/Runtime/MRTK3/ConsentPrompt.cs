@@ -6,8 +6,8 @@ using UnityEngine;
 
 namespace Nowpose.Mrtk3
 {
-    /// <summary>Shows what the pairing asks, with buttons to answer: pressed, never spoken.</summary>
-    /// <remarks>A word is heard where nobody said it, or said by somebody else; agreeing to a gateway takes a hand or a pinch.</remarks>
+    /// <summary>Shows the pairing's question, with buttons for the answer; voice commands are disabled for them.</summary>
+    /// <remarks>Speech recognition has false positives, and other people may be heard; accepting a gateway requires a hand or a pinch.</remarks>
     [AddComponentMenu("Nowpose/Consent Prompt")]
     [DisallowMultipleComponent]
     public sealed class ConsentPrompt : MonoBehaviour
@@ -30,19 +30,19 @@ namespace Nowpose.Mrtk3
         /// <summary>Maximum width of a line as a multiple of the font size, so that the question fits its ground.</summary>
         const float LineWidth = 30;
 
-        /// <summary>Nobody reads a question faster: what is pressed before was meant for something else.</summary>
+        /// <summary>Minimum time to read a question, in s: an earlier press was intended for something else.</summary>
         const float ReadingSeconds = 0.5f;
 
         string _shown = "";
         float _shownAt;
 
-        /// <summary>For the button that agrees; does nothing in the first half second of a question.</summary>
+        /// <summary>Called by the button that accepts; does nothing in the first half second of a question.</summary>
         public void Accept()
         {
             if (IsRead) _pairing.Accept();
         }
 
-        /// <summary>For the button that declines; does nothing in the first half second of a question.</summary>
+        /// <summary>Called by the button that declines; does nothing in the first half second of a question.</summary>
         public void Refuse()
         {
             if (IsRead) _pairing.Refuse();

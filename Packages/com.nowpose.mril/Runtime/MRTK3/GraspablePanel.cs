@@ -7,7 +7,7 @@ using UnityEngine.XR.Interaction.Toolkit;
 
 namespace Nowpose.Mrtk3
 {
-    /// <summary>A panel that stays where it is put: once grasped it follows the wearer no longer, until it is told to again.</summary>
+    /// <summary>A panel that stays where the wearer puts it: once grasped, it stops following until it is unpinned.</summary>
     [AddComponentMenu("Nowpose/Graspable Panel")]
     [DisallowMultipleComponent]
     public sealed class GraspablePanel : MonoBehaviour
@@ -21,7 +21,7 @@ namespace Nowpose.Mrtk3
         [SerializeField, Tooltip("Toggle that is on while the panel stays; its event calls Toggle Pinned. Empty: none.")]
         StatefulInteractable _pin = null;
 
-        /// <summary>Whether the panel stays where it is.</summary>
+        /// <summary>Whether the panel stays at its place.</summary>
         public bool IsPinned => _follow != null && !_follow.enabled;
 
         public void TogglePinned() => SetPinned(!IsPinned);

@@ -8,9 +8,9 @@ using UnityEngine;
 
 namespace Nowpose.Mrtk3
 {
-    /// <summary>Keeps the toggles and sliders of an MRTK3 menu as the cell is, whoever changed it.</summary>
+    /// <summary>Keeps the toggles and sliders of an MRTK3 menu consistent with the cell's state, independent of what changed it.</summary>
     /// <remarks>
-    /// What a button does stands in its own events, which call <see cref="CellActions"/>; the events of the sliders call this
+    /// The buttons' own events call <see cref="CellActions"/>; the sliders' events call this
     /// component, which passes their values on.
     /// </remarks>
     [AddComponentMenu("Nowpose/Headset Menu")]
@@ -47,19 +47,19 @@ namespace Nowpose.Mrtk3
         int _shownOpacity = int.MinValue, _shownNudge = int.MinValue;
         bool _isShowing;
 
-        /// <summary>For the slider's event.</summary>
+        /// <summary>Called by the opacity slider's event.</summary>
         public void SlideOpacity(SliderEventData data)
         {
             if (IsUsers(data)) _actions.SetOpacity(data.NewValue);
         }
 
-        /// <summary>For the slider's event.</summary>
+        /// <summary>Called by the nudge slider's event.</summary>
         public void SlideNudge(SliderEventData data)
         {
             if (IsUsers(data)) _actions.SetNudgeMs(data.NewValue);
         }
 
-        // A slider also tells its value when it starts, and when it is set here, perhaps to the end of its range.
+        // A slider also raises its event when it starts, and when this component sets it, perhaps clamped to its range.
         bool IsUsers(SliderEventData data) => _actions != null && !_isShowing && data.NewValue != data.OldValue;
 
         void OnEnable()
@@ -81,7 +81,7 @@ namespace Nowpose.Mrtk3
             SayNudge(_actions.IsNudgeIdle ? int.MaxValue : (int)Math.Round(10 * _actions.NudgeMs));
         }
 
-        // A toggle switches when it is pressed; where the action could not be done it has to go back.
+        // A toggle switches when it is pressed; this resets it if the action failed.
         static void Show(StatefulInteractable toggle, bool isOn)
         {
             if (toggle != null && toggle.IsToggled.Active != isOn) toggle.ForceSetToggled(isOn);
@@ -104,7 +104,7 @@ namespace Nowpose.Mrtk3
             _opacityWords.text = string.Format(CultureInfo.InvariantCulture, "Gripper {0} %", percent);
         }
 
-        /// <param name="tenths">Of a millisecond; the greatest number where nothing would be seen of it.</param>
+        /// <param name="tenths">Nudge in tenths of a millisecond; <see cref="int.MaxValue"/> if the nudge has no effect.</param>
         void SayNudge(int tenths)
         {
             if (_nudgeWords == null || tenths == _shownNudge) return;

@@ -4,7 +4,7 @@ using UnityEngine.Events;
 
 namespace Nowpose.Mrtk3
 {
-    /// <summary>Words, and what they do.</summary>
+    /// <summary>A keyword and its action.</summary>
     [Serializable]
     public sealed class VoiceCommand
     {

@@ -8,11 +8,11 @@ using UnityEngine.Events;
 
 namespace Nowpose.Mrtk3
 {
-    /// <summary>Does by voice what a menu does by hand, also while the menu is hidden, wherever the wearer looks.</summary>
+    /// <summary>Triggers the menu's actions by voice, also while the menu is hidden, independent of where the wearer looks.</summary>
     /// <remarks>
-    /// Registers its keywords with MRTK3's keyword recognition as soon as that runs, and unregisters them when it is disabled. A keyword
-    /// that something else had registered before stays registered. The keyword of a button is heard only while the button is there:
-    /// those of a hand menu would need the hand.
+    /// Registers its keywords with MRTK3's keyword recognition as soon as that runs, and unregisters them when it is disabled. Keywords
+    /// that were already registered stay registered. The keyword of a button is recognised only while the button is active, and
+    /// those of a hand menu need the hand.
     /// </remarks>
     [AddComponentMenu("Nowpose/Voice Commands")]
     [DisallowMultipleComponent]
@@ -21,10 +21,10 @@ namespace Nowpose.Mrtk3
         [SerializeField, Tooltip("What is said, and what it does. None: nothing is listened for.")]
         List<VoiceCommand> _commands = new List<VoiceCommand>();
 
-        /// <summary>Speech starts some seconds after the scene, or never: without microphone, or where its package is missing.</summary>
+        /// <summary>Delay before a problem is reported: speech starts some seconds after the scene, or never without microphone or package.</summary>
         const float PatienceSeconds = 10;
 
-        // The event that each keyword was registered with, and the keywords that were not registered before.
+        // The event with which each keyword was registered, and the keywords that were not registered before.
         readonly Dictionary<string, UnityEvent> _registered = new Dictionary<string, UnityEvent>();
         readonly HashSet<string> _own = new HashSet<string>();
         IKeywordRecognitionSubsystem _recognition;
@@ -33,7 +33,7 @@ namespace Nowpose.Mrtk3
 
         public IReadOnlyList<VoiceCommand> Commands => _commands;
 
-        /// <summary>Whether keywords are listened for.</summary>
+        /// <summary>Whether keyword recognition runs.</summary>
         public bool IsListening => _recognition != null && _recognition.running;
 
         void OnEnable()
@@ -61,13 +61,13 @@ namespace Nowpose.Mrtk3
             ConsoleLog.Say(this, "voice commands '" + name + "': no keyword recognition runs; the menu does the same");
         }
 
-        // Checked in each frame: another component that unregisters the same keyword takes the listeners of all away.
+        // Checked in each frame: another component that unregisters the same keyword removes all its listeners.
         void Register()
         {
             var known = _recognition.GetAllKeywords();
             if (known == null)
             {
-                // MRTK3's recognition for Windows on another platform: it logs an error for each call.
+                // MRTK3's recognition for Windows on another platform logs an error for each call.
                 ConsoleLog.Warn(this, "voice commands '" + name + "': keyword recognition is not supported on this platform; the menu does the same");
                 _recognition = null;
                 _isUnsupported = true;

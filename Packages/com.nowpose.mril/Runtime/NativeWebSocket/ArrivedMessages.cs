@@ -6,10 +6,10 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>Messages between the thread that reads them and the one that takes them; beyond its room the oldest go, counted.</summary>
+    /// <summary>Queue between the receiving thread and the consumer. Drops the oldest message when full, and counts it.</summary>
     sealed class ArrivedMessages
     {
-        /// <summary>More than half a second of a robot that publishes at 100 Hz, at most 64 MiB of the longest messages.</summary>
+        /// <summary>Capacity: more than half a second of a robot that publishes at 100 Hz; at most 64 MiB for messages of maximum length.</summary>
         const int Room = 64;
 
         readonly Queue<ReceivedText> _waiting = new Queue<ReceivedText>();
@@ -34,8 +34,8 @@ namespace Nowpose.Network
             }
         }
 
-        /// <summary>Nothing comes any more; what waits is still handed out. Only the first end counts.</summary>
-        /// <param name="failure">Why; null for an end in order.</param>
+        /// <summary>Ends the queue; waiting messages are still delivered. Only the first call counts.</summary>
+        /// <param name="failure">The reason; null for an orderly end.</param>
         public void End(Exception failure)
         {
             lock (_gate)
@@ -47,8 +47,8 @@ namespace Nowpose.Network
             }
         }
 
-        /// <summary>The next message, as soon as there is one; null at the end. One caller at a time.</summary>
-        /// <exception cref="Exception">What the end was told.</exception>
+        /// <summary>Returns the next message as soon as there is one; null at the end. One caller at a time.</summary>
+        /// <exception cref="Exception">The failure passed to <see cref="End"/>.</exception>
         public async Task<ReceivedText?> NextAsync(CancellationToken cancel)
         {
             ReceivedText? message;

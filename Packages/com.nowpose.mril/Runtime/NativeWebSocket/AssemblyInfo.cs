@@ -1,8 +1,8 @@
 using System.Runtime.CompilerServices;
 
-// It chooses between the links.
+// Chooses between the links.
 [assembly: InternalsVisibleTo("Nowpose.Unity")]
 
-// Only this package's repository has them.
+// These exist only in this package's repository.
 [assembly: InternalsVisibleTo("Nowpose.NativeWebSocket.Tests")]
 [assembly: InternalsVisibleTo("Nowpose.Unity.Tests")]

@@ -2,10 +2,10 @@ using System.Threading;
 
 namespace Nowpose.Network
 {
-    /// <summary>Runs what is posted to it at once, on the thread that posts it.</summary>
+    /// <summary>Runs posted callbacks immediately, on the posting thread.</summary>
     /// <remarks>
-    /// NativeWebSocket posts its events to the context it was made under: Unity's waits for the next frame, and without any
-    /// they wait until somebody asks for them. Here they come on the thread that has just read them from the socket.
+    /// NativeWebSocket posts its events to the context in which it was created. Unity's context waits for the next frame, and without a
+    /// context the events wait for a call. With this context they run on the thread that has just read them from the socket.
     /// </remarks>
     sealed class AtOnce : SynchronizationContext
     {

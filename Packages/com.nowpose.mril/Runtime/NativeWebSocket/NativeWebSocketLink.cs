@@ -8,13 +8,13 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>ws://, or wss:// with a certificate that the device's own store trusts, over the NativeWebSocket package.</summary>
+    /// <summary>A ws:// link, or a wss:// link with a certificate that the device's own store trusts, over the NativeWebSocket package.</summary>
     /// <remarks>
-    /// Messages are stamped where that package reads them, not when a frame comes round. It hands messages over whole, so of
-    /// the protocol's limits these are not held here: fragments are not counted, a message has to be complete before it is
-    /// refused for its length (one that never ends is noticed as silence), and a binary message passes for text and is
-    /// refused only if it is none. It sends no pings of the protocol's interval either; the client asks the gateway's time
-    /// instead. A pin cannot be checked through it.
+    /// Messages are stamped when that package reads them, not at the next frame. The package delivers whole messages, so some of
+    /// the protocol's limits are not enforced: fragments are not counted, and a message must be complete before it is
+    /// rejected for its length (one that never ends is detected as silence). A binary message is treated as text and is
+    /// rejected only if it is not valid. The package sends no pings at the protocol's interval; the client calls the gateway's time
+    /// service instead. This link cannot check a pin.
     /// </remarks>
     sealed class NativeWebSocketLink : IWebSocketLink
     {
@@ -28,7 +28,7 @@ namespace Nowpose.Network
         volatile string _error = "the connection was lost";
         volatile int _isDisposed;
 
-        /// <exception cref="ArgumentException">The settings ask for a pin.</exception>
+        /// <exception cref="ArgumentException">The settings contain a pin.</exception>
         public NativeWebSocketLink(ConnectionSettings settings, IHeadsetClock clock)
         {
             if (settings.Security == TransportSecurity.Pinned)
@@ -41,9 +41,9 @@ namespace Nowpose.Network
         {
             cancel.ThrowIfCancellationRequested();
             _socket = NewSocket();
-            // Ends with the connection, and never fails: failures come as events.
+            // Completes with the connection and never fails, because failures are raised as events.
             _ = _socket.Connect();
-            // Who disposed of the link before the connection was begun had nothing to cancel.
+            // A disposal before the connection was started had nothing to cancel.
             if (_isDisposed != 0) _socket.CancelConnection();
             using (cancel.Register(Cancel)) await _opening.Task.ConfigureAwait(false);
 
@@ -56,7 +56,7 @@ namespace Nowpose.Network
 
         public async Task SendAsync(string text, CancellationToken cancel)
         {
-            // It would be lost without a word.
+            // The package would drop the text silently.
             if (_socket.State != WebSocketState.Open) throw new IOException(_error);
             await _socket.SendText(text).OrCancelled(cancel).ConfigureAwait(false);
         }
@@ -70,10 +70,10 @@ namespace Nowpose.Network
             }
         }
 
-        /// <summary>Says goodbye and closes, in the background and within a second.</summary>
+        /// <summary>Closes the connection orderly, in the background and within a second.</summary>
         public void Dispose()
         {
-            // First: an opening that sees that this was disposed of cancels, which would be another end.
+            // First, because an opening that detects the disposal cancels, which would report another end.
             _arrived.End(null);
             if (Interlocked.Exchange(ref _isDisposed, 1) != 0) return;
             if (_socket != null) Task.Run(CloseAsync);
@@ -129,7 +129,7 @@ namespace Nowpose.Network
                 }
                 catch (Exception)
                 {
-                    // It is over either way.
+                    // The connection is closed in any case.
                 }
             }
             _socket.CancelConnection();

@@ -11,12 +11,12 @@ using ReprojectionMode = Nowpose.Latency.ReprojectionMode;
 namespace Nowpose.OpenXR
 {
     /// <summary>
-    /// An experiment: asks the display to correct frames for one plane, through the tool of a rig and facing the viewer, that moves with the
-    /// predicted tool.
+    /// Experiment: requests that the display corrects frames for one plane, through the tool of a rig and facing the viewer, that moves with
+    /// the predicted tool.
     /// </summary>
     /// <remarks>
-    /// The request holds for one frame, so it is made for each. Disabled, it is made no more, and the runtime goes back to its earlier mode.
-    /// The velocity may count motion twice: the pose is predicted to the display time already.
+    /// A request is valid for one frame, so it is repeated in each. When this component is disabled, the runtime returns to its earlier mode.
+    /// The velocity may count motion twice, because the pose is already predicted to the display time.
     /// </remarks>
     [AddComponentMenu("Nowpose/Experimental Planar Reprojection")]
     [DisallowMultipleComponent]
@@ -39,10 +39,10 @@ namespace Nowpose.OpenXR
         bool _isMissing;
         int _requestFrame;
 
-        /// <summary>Why the plane is not in use, in one line; null when it is, or the runtime's session has not begun.</summary>
+        /// <summary>Why the plane is not in use, in one line; null if it is, or the runtime's session has not begun.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Also sends the velocity of the predicted tool.</summary>
+        /// <summary>Whether to send the velocity of the predicted tool too.</summary>
         public bool SendVelocity
         {
             get => _sendVelocity;
@@ -71,7 +71,7 @@ namespace Nowpose.OpenXR
             Problem = null;
         }
 
-        // A request lasts one frame. The rig may move after this component does, so the frame before still counts.
+        // A request is valid for one frame. The rig may move after this component runs, so a request in the previous frame also counts.
         void Update()
         {
             if (_check.Imposed == null || Time.frameCount - _requestFrame <= 1) return;
@@ -79,7 +79,7 @@ namespace Nowpose.OpenXR
             Problem = Paused;
         }
 
-        // Each time the pose was computed: a second time right before rendering, where the session does that.
+        // Called for each computed pose, a second time right before rendering if the session does that.
         void Ask()
         {
             if (_isMissing) return;
@@ -95,7 +95,7 @@ namespace Nowpose.OpenXR
             }
             catch (TypeLoadException fault)
             {
-                // A build may lack the plugin's native library; the frame must not.
+                // A build may lack the plugin's native library; the frame must continue.
                 _isMissing = true;
                 Refuse("is refused: " + fault.Message);
             }
@@ -119,7 +119,7 @@ namespace Nowpose.OpenXR
             _check.Imposed = ReprojectionMode.PlanarManual;
         }
 
-        // A rig that a script moves, or one that shows the newest samples, has no predicted velocity.
+        // A rig that a script moves, or that shows the newest samples, has no predicted velocity.
         void FollowVelocity()
         {
             var session = _source.IsFollowing && _source.Shows == RigPose.Displayed ? _source.Session.Session : null;

@@ -10,14 +10,14 @@ using UnityEngine;
 namespace Nowpose.OpenXR
 {
     /// <summary>
-    /// Tells the session when each frame's light appears, as OpenXR's runtime predicts it; needs Microsoft's Mixed Reality
+    /// Supplies the session with each frame's display time, as predicted by the OpenXR runtime. Needs Microsoft's Mixed Reality
     /// OpenXR plugin.
     /// </summary>
     /// <remarks>
     /// The runtime's times are counts of the performance counter of Windows, at that counter's own frequency. They are converted to
-    /// <see cref="System.Diagnostics.Stopwatch"/>, which Unity scales to 10 MHz, and so to the session's clock. The calibrated L_visu counts
-    /// wherever the runtime gives no time (in the Editor, before its session runs), where the platform has no such counter, and when the
-    /// session's clock does not run with the stopwatch.
+    /// <see cref="System.Diagnostics.Stopwatch"/>, which Unity scales to 10 MHz, and from there to the session's clock. The calibrated L_visu
+    /// is used if the runtime returns no time (in the Editor, before its session runs), if the platform has no such counter, and if the
+    /// session's clock is not based on the stopwatch.
     /// </remarks>
     [AddComponentMenu("Nowpose/Display Time")]
     [DisallowMultipleComponent]
@@ -30,15 +30,15 @@ namespace Nowpose.OpenXR
         CounterPairing _pairing;
         bool _isUnusable, _isMissing;
 
-        /// <summary>Opens the counter that the runtime's times are counts of; tests replace it.</summary>
+        /// <summary>Opens the counter of the runtime's times; tests replace it.</summary>
         internal Func<ICounter> OpenCounter { get; set; } = () => new WindowsPerformanceCounter();
 
-        /// <summary>The counter that the session's clock runs with; tests replace it.</summary>
+        /// <summary>The counter of the session's clock; tests replace it.</summary>
         internal ICounter Stopwatch { get; set; } = new StopwatchCounter();
 
         /// <summary>
-        /// As the runtime predicts it: for the first computation of a frame from the frame before, right before rendering for
-        /// this one.
+        /// Returns the predicted display time: for the first computation of a frame predicted from the previous frame, right before rendering
+        /// from this one.
         /// </summary>
         public HeadsetTime? LightOf(HeadsetTime frameStart)
         {
@@ -51,20 +51,20 @@ namespace Nowpose.OpenXR
             }
             catch (TypeLoadException fault)
             {
-                // A build may lack the plugin's native library; the frame must not.
+                // A build may lack the plugin's native library; the frame must continue.
                 GiveUp(fault.Message);
                 return null;
             }
         }
 
-        /// <returns>0 where the runtime tells none.</returns>
+        /// <returns>0 if the runtime returns no time.</returns>
         static long PredictedCount(FrameTime tick)
         {
             var predicted = OpenXRTime.Current.GetPredictedDisplayTimeInXrTime(tick);
             return predicted > 0 ? OpenXRTime.Current.ConvertXrTimeToQpcTime(predicted) : 0;
         }
 
-        // Once: both counters run on one oscillator.
+        // Measured once, because both counters use the same oscillator.
         bool IsPaired()
         {
             if (_pairing != null) return true;

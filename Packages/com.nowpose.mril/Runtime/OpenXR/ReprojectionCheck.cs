@@ -14,17 +14,17 @@ using ReprojectionMode = Nowpose.Latency.ReprojectionMode;
 namespace Nowpose.OpenXR
 {
     /// <summary>
-    /// Reports how the display corrects finished frames for head motion, and whether the depth buffer that it needs is really submitted;
-    /// needs Microsoft's Mixed Reality OpenXR plugin.
+    /// Reports how the display corrects finished frames for head motion, and whether the depth buffer that this needs is submitted.
+    /// Needs Microsoft's Mixed Reality OpenXR plugin.
     /// </summary>
-    /// <remarks>No runtime reports the mode in use. It is concluded from what was asked for, and is unknown where that does not suffice.</remarks>
+    /// <remarks>No runtime reports the mode in use. It is inferred from the requested mode, and is unknown if that is not sufficient.</remarks>
     [AddComponentMenu("Nowpose/Reprojection Check")]
     [DisallowMultipleComponent]
     public sealed class ReprojectionCheck : MonoBehaviour
     {
         const string DepthExtension = "XR_KHR_composition_layer_depth";
 
-        /// <summary>Reading the runtime's name costs a string.</summary>
+        /// <summary>Interval of the checks, because reading the runtime's name allocates a string.</summary>
         static readonly TimeSpan Interval = TimeSpan.FromMilliseconds(250);
 
         [SerializeField, Tooltip("The session that reports the result. Empty: the one on this object or above.")]
@@ -37,13 +37,13 @@ namespace Nowpose.OpenXR
         HeadsetTime? _looked;
         bool _isRunning, _isMissing, _isLacking;
 
-        /// <summary>Whether depth is submitted; a change counts once it has lasted a second.</summary>
+        /// <summary>Whether depth is submitted; a change is reported after one second.</summary>
         public DepthSubmission Depth => _watch.State;
 
         /// <summary>How the display corrects frames.</summary>
         public ReprojectionMode Mode { get; private set; }
 
-        /// <summary>The mode that another component asks the runtime for, frame by frame; null for none.</summary>
+        /// <summary>The mode that another component requests from the runtime in each frame; null for none.</summary>
         internal ReprojectionMode? Imposed
         {
             get => _imposed;
@@ -82,7 +82,7 @@ namespace Nowpose.OpenXR
             }
             catch (TypeLoadException fault)
             {
-                // A build may lack a plugin's native library; the frame must not.
+                // A build may lack a plugin's native library; the frame must continue.
                 _isMissing = true;
                 _watch.Reset();
                 Report();
@@ -141,7 +141,7 @@ namespace Nowpose.OpenXR
             return Depth == DepthSubmission.Active && Supports(PluginMode.Depth) ? ReprojectionMode.Depth : ReprojectionMode.Unknown;
         }
 
-        /// <returns>False where the runtime's session has not begun. Allocates nothing.</returns>
+        /// <returns>False also if the runtime's session has not begun. Allocates nothing.</returns>
         internal static bool Supports(PluginMode mode)
         {
             var modes = ViewConfiguration.Primary?.SupportedReprojectionModes;

@@ -11,13 +11,13 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.OpenXR
 {
-    /// <summary>Keeps spatial anchors over restarts, in the store of Windows Mixed Reality; needs Microsoft's Mixed Reality OpenXR plugin.</summary>
+    /// <summary>Saves spatial anchors over restarts in the store of Windows Mixed Reality; needs Microsoft's Mixed Reality OpenXR plugin.</summary>
     [AddComponentMenu("Nowpose/Anchor Store")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(ArSpatialAnchors))]
     public sealed class OpenXrAnchorStore : MonoBehaviour, IAnchorStore
     {
-        /// <summary>The plugin gives no store before its session runs; then it has to be asked again.</summary>
+        /// <summary>Interval of the attempts to open the store: the plugin has none before its session runs.</summary>
         const float AskEverySeconds = 1;
 
         const int AskedInVain = 5;
@@ -51,7 +51,7 @@ namespace Nowpose.OpenXR
         public bool TryKeep(TrackableId anchor, string name) => Try("keep '" + name + "'", store =>
         {
             if (store.TryPersistAnchor(anchor, name)) return true;
-            // A name that is taken may be why.
+            // The store may have refused the anchor because the name is in use.
             if (!IsAmong(store.PersistedAnchorNames, name)) return false;
             store.UnpersistAnchor(name);
             return store.TryPersistAnchor(anchor, name);
@@ -75,7 +75,7 @@ namespace Nowpose.OpenXR
             else if (_anchors.IsRunning && Time.unscaledTime >= _next) Ask();
         }
 
-        // The runtime was started anew: its store is another one.
+        // The runtime was restarted, so its store is a new one.
         void StartAnew(XRAnchorSubsystem subsystem)
         {
             _of = subsystem;
@@ -92,7 +92,7 @@ namespace Nowpose.OpenXR
             try
             {
                 _loading = _anchors.Manager.LoadAnchorStoreAsync();
-                // Whoever is destroyed meanwhile reads no fault.
+                // Observes the exception, which is not reported if this component is destroyed first.
                 _loading.ContinueWith(Observe, TaskContinuationOptions.OnlyOnFaulted | TaskContinuationOptions.ExecuteSynchronously);
             }
             catch (Exception fault)
@@ -115,7 +115,7 @@ namespace Nowpose.OpenXR
             else if (_asked == AskedInVain) Say("the runtime gives no store of anchors; they are lost with the next start");
         }
 
-        // The plugin's calls go into native code of the system.
+        // Catches every exception, because the plugin calls native code of the system.
         bool Try(string what, Func<XRAnchorStore, bool> action)
         {
             if (_store == null) return false;

@@ -15,17 +15,17 @@ using TransformMode = Microsoft.MixedReality.OpenXR.TransformMode;
 
 namespace Nowpose.OpenXR
 {
-    /// <summary>The QR codes that a HoloLens 2 finds as markers; needs Microsoft's Mixed Reality OpenXR plugin and the capability WebCam.</summary>
+    /// <summary>Provides a HoloLens 2's QR codes as markers; needs Microsoft's Mixed Reality OpenXR plugin and the capability WebCam.</summary>
     /// <remarks>
-    /// The plugin's pose of a code is in its upper left corner, x to the right, y down, z out of the print. Its own mode for the centre
-    /// (<see cref="TransformMode.Center"/>) shifts by half the size along the axes of the room, so it is right only for an upright code
-    /// that faces one of them; here the mode for the corner is used, and the shift is along the code's own axes.
+    /// The plugin reports a code's pose at its upper left corner, x to the right, y down, z out of the print. Its own mode for the centre
+    /// (<see cref="TransformMode.Center"/>) shifts by half the size along the axes of the room, so it is correct only for an upright code
+    /// that faces one of these axes. This component therefore uses the corner mode, and shifts along the code's own axes.
     /// </remarks>
     [AddComponentMenu("Nowpose/QR Markers")]
     [DisallowMultipleComponent]
     public sealed class QrMarkers : MonoBehaviour, IMarkerSource, IMarkerProblem
     {
-        /// <summary>Marker frame in the code's, by the URDF's axes of that frame.</summary>
+        /// <summary>Marker frame in the code's frame, in URDF axes of that frame.</summary>
         static readonly RigidTransform MarkerInCode = RigidTransform.FromXyzRpy(0, 0, 0, -Math.PI / 2, 0, -Math.PI / 2);
 
         [SerializeField, Tooltip("The session whose clock tells when a code was seen. Empty: the one on this object or above.")]
@@ -42,7 +42,7 @@ namespace Nowpose.OpenXR
         MrilSession _source;
         ARMarkerManager _setUp;
 
-        /// <summary>Why no codes are found, in one line; null when nothing is wrong.</summary>
+        /// <summary>Why no codes are found, in one line; null if there is no problem.</summary>
         public string Problem => _codes.Problem;
 
         public void Read(List<MarkerSighting> markers)
@@ -95,8 +95,8 @@ namespace Nowpose.OpenXR
             var rotation = corner.rotation;
             var shift = rotation * new Vector3(code.center.x, code.center.y, 0);
             var isCentre = code.transformMode == TransformMode.Center;
-            // Of what the device itself says: where it knows nothing, a shift to the centre looks like a place. At the origin nothing is
-            // turned, so that the plugin's shift is the same there.
+            // Checks the pose of the device itself, because a shift to the centre would make an unknown pose look valid. The pose at the origin has
+            // no rotation, so the plugin's shift is the same there.
             var isNowhere = _codes.IsSessionOrigin(corner.position) || (isCentre && _codes.IsSessionOrigin(corner.position - shift));
             var centre = isCentre ? corner.position : corner.position + shift;
             return new MarkerSighting(
@@ -104,18 +104,18 @@ namespace Nowpose.OpenXR
                 isNowhere ? MarkerTracking.None : code.trackingState.OfMarker());
         }
 
-        // Brought to the headset clock once for each time it was seen: else the same sighting would have another time in each frame.
+        // Converts to headset time once per sighting; otherwise the same sighting would have a different time in each frame.
         static void Follow(ARMarker code, MarkerRecord record, HeadsetTime now, float seconds)
         {
             if (code.lastSeenTime == record.LastSeenSeconds) return;
             record.LastSeenSeconds = code.lastSeenTime;
             var ago = (double)seconds - code.lastSeenTime;
-            // The plugin's time is rounded more coarsely than a frame is long once the device has run for days.
+            // After days of operation, the plugin's time is rounded to more than a frame.
             record.LastSeen = now - new TimeSpan((long)(Math.Max(0, ago) * TimeSpan.TicksPerSecond));
             if (string.IsNullOrEmpty(record.Payload)) record.Payload = Text(code.GetDecodedString());
         }
 
-        // A code that is found but not read yet has none.
+        // A code that is found but not decoded yet has no text.
         static string Text(string decoded) => string.IsNullOrEmpty(decoded) ? null : decoded;
     }
 }

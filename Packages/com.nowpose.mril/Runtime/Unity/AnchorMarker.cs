@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>A marker fixed to the robot's base, as it is filled in in the Inspector.</summary>
+    /// <summary>A marker that is fixed to the robot's base, as entered in the Inspector.</summary>
     [Serializable]
     public sealed class AnchorMarker
     {
@@ -24,8 +24,8 @@ namespace Nowpose.Unity
 
         public AnchorMarker() { }
 
-        /// <param name="positionMetres">In the robot's base frame.</param>
-        /// <param name="turnedDegrees">Roll, pitch and yaw.</param>
+        /// <param name="positionMetres">Position in the robot's base frame, in metres.</param>
+        /// <param name="turnedDegrees">Roll, pitch and yaw in degrees.</param>
         public AnchorMarker(string payload, Vector3 positionMetres, Vector3 turnedDegrees, float sizeMetres = 0)
         {
             _payload = payload;
@@ -36,12 +36,12 @@ namespace Nowpose.Unity
 
         internal float SizeMetres => _sizeMetres;
 
-        /// <summary>In the robot's base frame.</summary>
+        /// <summary>Pose in the robot's base frame.</summary>
         internal RigidTransform Place => RigidTransform.FromXyzRpy(
             _positionMetres.x, _positionMetres.y, _positionMetres.z,
             _turnedDegrees.x * Mathf.Deg2Rad, _turnedDegrees.y * Mathf.Deg2Rad, _turnedDegrees.z * Mathf.Deg2Rad);
 
-        /// <exception cref="InputException">It lacks a payload, or a number is out of range.</exception>
+        /// <exception cref="InputException">The payload is missing, or a number is out of range.</exception>
         public BaseMarker Read() => new BaseMarker(_payload, Place, _sizeMetres);
     }
 }

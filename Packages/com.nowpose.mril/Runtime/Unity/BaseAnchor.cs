@@ -9,10 +9,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Where the robot's base frame is in the room. Everything that shows the robot hangs below.</summary>
+    /// <summary>Places the robot's base frame in the room. All objects that show the robot are below it.</summary>
     /// <remarks>
-    /// Stands where it was placed until markers that are fixed to the base say where it is. What tells of markers, and what holds places
-    /// in the room, is found below the session, or without one below the uppermost object above this one.
+    /// Keeps its initial place until markers that are fixed to the base determine the pose. Marker sources and spatial anchors are found
+    /// below the session, or if there is none, below the root object of this one.
     /// </remarks>
     [AddComponentMenu("Nowpose/Base Anchor")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder - 1)]
@@ -69,29 +69,29 @@ namespace Nowpose.Unity
         bool _toldCorrected;
         bool _isGiven;
 
-        /// <summary>The anchor was placed or nudged by <see cref="Place"/> or <see cref="Nudge"/>.</summary>
+        /// <summary>Raised when <see cref="Place"/> or <see cref="Nudge"/> moves the anchor.</summary>
         public event Action Moved;
 
-        /// <summary><see cref="State"/> is another one than before, or <see cref="Words"/> are.</summary>
+        /// <summary>Raised when <see cref="State"/> or <see cref="Words"/> changes.</summary>
         public event Action StateChanged;
 
-        /// <summary>Name of the robot cell, under which the headset keeps the place; empty for none.</summary>
+        /// <summary>Name of the robot cell, under which the headset saves the pose; empty for none.</summary>
         public string Cell => Tracker?.Cell ?? _cell;
 
-        /// <summary>How it is known where the base is.</summary>
+        /// <summary>How the base's pose is determined.</summary>
         public BaseAnchorState State => Tracker?.State ?? BaseAnchorState.Placed;
 
-        /// <summary>The state in one line, with what is to be done about it.</summary>
+        /// <summary>Description of the state in one line, with what to do.</summary>
         public string Words => _fault ?? Tracker?.Words ?? "placed by hand";
 
-        /// <summary>What the markers say, in detail; null before this component was enabled, and while its fields cannot be used.</summary>
+        /// <summary>Details of the markers; null before this component was first enabled, and while its fields are invalid.</summary>
         public BaseTracker Tracker { get; private set; }
 
-        /// <summary>Takes other markers from now on, instead of those of the Inspector.</summary>
-        /// <remarks>A lock stays while the cell is the same and the markers that it was made with are among them.</remarks>
-        /// <param name="cell">Its name, under which the headset keeps the place over restarts; empty or null not to.</param>
+        /// <summary>Replaces the markers of the Inspector.</summary>
+        /// <remarks>A lock is kept if the cell is the same and the markers of the lock are among the new ones.</remarks>
+        /// <param name="cell">Name of the cell, under which the headset saves the pose over restarts; empty or null not to save it.</param>
         /// <param name="markers">Empty for a base that is placed by hand.</param>
-        /// <exception cref="InputException">Two of them have the same payload, or there are too many.</exception>
+        /// <exception cref="InputException">Two markers have the same payload, or there are too many.</exception>
         public void Use(string cell, IReadOnlyList<BaseMarker> markers)
         {
             if (markers == null) throw new ArgumentNullException(nameof(markers));
@@ -102,18 +102,18 @@ namespace Nowpose.Unity
             Tell();
         }
 
-        /// <summary>Lets the markers say anew where the base is; until they have, it stays where it is and looks so.</summary>
-        /// <remarks>Where there are none, what was restored from an earlier run is taken for right.</remarks>
+        /// <summary>Starts a new search for the base by its markers; until it succeeds, the base keeps its place and looks not locked.</summary>
+        /// <remarks>If there are no markers, a pose restored from an earlier run is accepted.</remarks>
         public void Relock()
         {
             Tracker?.Relock();
             Tell();
         }
 
-        /// <summary>Puts the base frame to a place in the world, at once. A lock by markers is let go of; a search for them goes on.</summary>
-        /// <param name="position">Of its origin, metres.</param>
-        /// <param name="rotation">Turns Unity's axes (x right, y up, z forward) to the robot's; of any length but zero.</param>
-        /// <exception cref="ArgumentException">Not finite, or no rotation.</exception>
+        /// <summary>Moves the base frame to a pose in the world at once. Releases a lock by markers; a running search continues.</summary>
+        /// <param name="position">Position of its origin, in metres.</param>
+        /// <param name="rotation">Rotation from Unity's axes (x right, y up, z forward) to the robot's; any length except zero.</param>
+        /// <exception cref="ArgumentException">A value is not finite, or the rotation is zero.</exception>
         public void Place(Vector3 position, Quaternion rotation)
         {
             var length = Mathf.Sqrt(Quaternion.Dot(rotation, rotation));
@@ -126,10 +126,10 @@ namespace Nowpose.Unity
             Tell();
         }
 
-        /// <summary>Corrects the placement by a little, along and about the anchor's own axes.</summary>
-        /// <param name="metres">Right, up and forward as seen from the robot.</param>
-        /// <param name="degreesAboutUp">Clockwise seen from above, as Unity turns.</param>
-        /// <exception cref="ArgumentException">Not finite.</exception>
+        /// <summary>Adjusts the pose along and about the anchor's own axes.</summary>
+        /// <param name="metres">Offset to the right, up and forward as seen from the robot, in metres.</param>
+        /// <param name="degreesAboutUp">Rotation in degrees, clockwise seen from above, as in Unity.</param>
+        /// <exception cref="ArgumentException">A value is not finite.</exception>
         public void Nudge(Vector3 metres, float degreesAboutUp)
         {
             if (!float.IsFinite(degreesAboutUp)) throw new ArgumentException(degreesAboutUp + "° is not finite", nameof(degreesAboutUp));
@@ -187,7 +187,7 @@ namespace Nowpose.Unity
             StateChanged?.Invoke();
         }
 
-        // What is wrong although the state is the same: said once for each.
+        // Returns whether there is a new problem although the state is the same, so that each is reported once.
         bool IsNews()
         {
             if (Tracker == null) return false;

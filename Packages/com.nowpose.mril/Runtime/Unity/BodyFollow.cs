@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Keeps an object before its reader without fixing it to the head: it stays put until the head has turned or moved too
-    /// far, then glides over. Always upright.
+    /// Keeps an object in front of its reader without fixing it to the head: it stays in place until the head has turned or moved too
+    /// far, then glides to the new place. Always upright.
     /// </summary>
     [AddComponentMenu("Nowpose/Body Follow")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder + 1)]
@@ -34,7 +34,7 @@ namespace Nowpose.Unity
 
         BodyFollowing _following;
 
-        /// <summary>Whom it follows; null where there is nobody.</summary>
+        /// <summary>The transform to follow; null if there is none.</summary>
         internal Transform Head => _head != null ? _head : Viewer.Head;
 
         internal bool IsGliding => _following.IsGliding;

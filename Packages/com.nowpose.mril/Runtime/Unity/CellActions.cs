@@ -8,12 +8,12 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// What a wearer can do with a robot cell, as methods that a button, toggle, slider or voice command of any user interface
+    /// The wearer's actions on a robot cell, as methods that a button, toggle, slider or voice command of any user interface
     /// can call.
     /// </summary>
     /// <remarks>
-    /// One for each session. What it acts on is looked for below the session unless assigned. <see cref="Changed"/> tells a user
-    /// interface when to show another state, whoever brought it about.
+    /// One for each session. Finds the objects that it acts on below the session unless they are assigned. <see cref="Changed"/> is raised
+    /// for every change of state, so that a user interface can update.
     /// </remarks>
     [AddComponentMenu("Nowpose/Cell Actions")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder - 1)]
@@ -46,26 +46,26 @@ namespace Nowpose.Unity
         MrilSession _source;
         CellState _told;
 
-        /// <summary>One of the properties of this class is another one than before; at most once a frame.</summary>
+        /// <summary>Raised when a property of this class has changed; at most once a frame.</summary>
         public event Action Changed;
 
-        /// <summary>Whether the session is to be connected; the status panel tells whether it is.</summary>
+        /// <summary>Whether a connection is requested; the status panel shows whether it is established.</summary>
         public bool IsConnecting => _source != null && _source.IsConnecting;
 
         public bool IsGhostShown => _ghost != null && _ghost.Visible;
 
-        /// <summary>Whether what is behind the real arm is hidden.</summary>
+        /// <summary>Whether the real arm hides virtual objects behind it.</summary>
         public bool IsOcclusionOn => _occlusion.IsOn;
 
         public bool IsPanelShown => _panel != null && _panel.gameObject.activeSelf;
 
-        /// <summary>Of the displayed robot and its gripper, 0 to 1, as <see cref="PoseAppearance.Opacity"/>.</summary>
+        /// <summary>Opacity of the displayed robot and its gripper, 0 to 1, as in <see cref="PoseAppearance.Opacity"/>.</summary>
         public float Opacity => _appearance != null ? _appearance.Opacity : 1;
 
-        /// <summary>What is added to the calibrated L_visu, ms.</summary>
+        /// <summary>Offset added to the calibrated L_visu, in ms.</summary>
         public float NudgeMs => (float)_nudge.Ms;
 
-        /// <summary>Whether the runtime predicts when light appears: the nudge changes nothing that is seen then.</summary>
+        /// <summary>Whether the runtime predicts display times, so that the nudge has no visible effect.</summary>
         public bool IsNudgeIdle => _nudge.IsIdle;
 
         /// <summary>Connects to the gateway.</summary>
@@ -74,7 +74,7 @@ namespace Nowpose.Unity
             if (Has(_source, "session")) _source.Connect();
         }
 
-        /// <summary>Leaves the gateway; the pose is held, and said to be.</summary>
+        /// <summary>Disconnects from the gateway; the pose is held and marked as such.</summary>
         public void Disconnect()
         {
             if (Has(_source, "session")) _source.Disconnect();
@@ -86,13 +86,13 @@ namespace Nowpose.Unity
             else Connect();
         }
 
-        /// <summary>Lets the markers say anew where the base is.</summary>
+        /// <summary>Starts a new search for the base by its markers.</summary>
         public void LockBase()
         {
             if (Has(_anchor, "base anchor")) _anchor.Relock();
         }
 
-        /// <summary>Asks whether to forget the cell in use; the answer is given as to any question of the pairing.</summary>
+        /// <summary>Asks whether to forget the cell in use; it is answered like any other question of the pairing.</summary>
         public void ForgetCell()
         {
             if (Has(_pairing, "cell pairing")) _pairing.AskToForget();
@@ -107,7 +107,7 @@ namespace Nowpose.Unity
 
         public void ToggleOcclusion() => SetOcclusion(!IsOcclusionOn);
 
-        /// <summary>Off: the whole gripper is drawn, also what is behind the real arm.</summary>
+        /// <summary>Switches occlusion. Off: the whole gripper is drawn, including parts behind the real arm.</summary>
         public void SetOcclusion(bool on) => _occlusion.Set(on);
 
         public void TogglePanel() => SetPanel(!IsPanelShown);
@@ -117,19 +117,19 @@ namespace Nowpose.Unity
             if (Has(_panel, "status panel")) _panel.gameObject.SetActive(shown);
         }
 
-        /// <summary>For a slider: 1 is as it is, 0 the fifth that a fade leaves; a pose that is not current stays as visible as it must.</summary>
+        /// <summary>For a slider: 1 is full opacity, 0 leaves a fifth; a pose that is not current keeps its minimum visibility.</summary>
         public void SetOpacity(float opacity)
         {
             if (Has(_appearance, "pose appearance")) _appearance.Opacity = opacity;
         }
 
-        /// <summary>For a button: fainter (negative) or stronger by that.</summary>
+        /// <summary>For a button: changes the opacity by a difference; negative is fainter.</summary>
         public void ChangeOpacity(float by) => SetOpacity(Opacity + by);
 
-        /// <summary>For a slider: predicts further ahead (positive) or less far, at most 50 ms; another calibration ends it.</summary>
+        /// <summary>For a slider: predicts further ahead (positive) or less far, at most 50 ms; another calibration resets it.</summary>
         public void SetNudgeMs(float ms) => _nudge.Ms = ms;
 
-        /// <summary>For a button: <see cref="SetNudgeMs"/> that much more or less.</summary>
+        /// <summary>For a button: changes <see cref="NudgeMs"/> by a difference, in ms.</summary>
         public void ChangeNudgeMs(float by) => SetNudgeMs(NudgeMs + by);
 
         void OnEnable()
@@ -151,7 +151,7 @@ namespace Nowpose.Unity
             _source = null;
         }
 
-        // After what calibrates a session that has begun anew, before the session computes its frame.
+        // After the calibration of a restarted session, and before the session computes its frame.
         void LateUpdate()
         {
             if (_source == null) return;

@@ -11,10 +11,10 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Sets a session up by codes that the wearer looks at: the robot's marker, and once the code that the gateway shows.</summary>
+    /// <summary>Sets a session up from codes that the wearer looks at: the robot's marker, and once the code that the gateway shows.</summary>
     /// <remarks>
-    /// Reads what the marker sources on the session's object or below it see. Before a gateway is contacted that the wearer did not agree
-    /// to, it asks. What was agreed to, and the token of this headset, are kept on the device.
+    /// Reads the marker sources on the session's object or below it. Asks the wearer before it contacts a new gateway.
+    /// Accepted cells and this headset's tokens are saved on the device.
     /// </remarks>
     [AddComponentMenu("Nowpose/Cell Pairing")]
     [DisallowMultipleComponent]
@@ -50,48 +50,48 @@ namespace Nowpose.Unity
         string _fileProblem, _name, _path;
         bool _isApplied;
 
-        /// <summary>Question, words, problem or cell are others than before.</summary>
+        /// <summary>Raised when question, words, problem or cell have changed.</summary>
         public event Action Changed;
 
-        /// <summary>What the wearer has to answer, in one line; null when nothing is asked.</summary>
+        /// <summary>The question to the wearer, in one line; null if there is none.</summary>
         public string Question => Flow?.Question;
 
-        /// <summary>Where things stand, in one line for a panel; the question while there is one.</summary>
+        /// <summary>Status in one line for a panel; the question if there is one.</summary>
         public string Words => Question ?? _fileProblem ?? Flow?.Words ?? "";
 
-        /// <summary>What went wrong, in one line; null when nothing did.</summary>
+        /// <summary>The problem in one line; null if there is none.</summary>
         public string Problem => _fileProblem ?? Flow?.Problem;
 
-        /// <summary>What the wearer has to answer or to do, or waits for, before the session can connect, in one line; null for nothing.</summary>
-        /// <remarks>None, either, while a session is connected by its settings and no cell was paired.</remarks>
+        /// <summary>The next step of the wearer or the gateway before the session can connect, in one line; null if none is needed.</summary>
+        /// <remarks>Also null while a session is connected by its settings and no cell is paired.</remarks>
         public string Guidance => Flow == null || Flow.IsSettled || (Question == null && Cell == null && _source.IsConnecting) ? null : Flow.Words;
 
-        /// <summary><see cref="Problem"/> without that of the file, which keeps nobody from connecting.</summary>
+        /// <summary><see cref="Problem"/> without that of the file, which does not prevent a connection.</summary>
         internal string Obstacle => Flow?.Problem;
 
         /// <summary>Name of the cell in use; null for none.</summary>
         public string Cell => Flow?.Cells.Used?.Cell;
 
-        /// <summary>Agrees to the question. Does nothing when nothing is asked.</summary>
+        /// <summary>Accepts the question. Does nothing if there is none.</summary>
         public void Accept() => Flow?.Accept();
 
-        /// <summary>Declines the question; a gateway until the application starts anew or <see cref="AskToForget"/>.</summary>
+        /// <summary>Declines the question; a gateway stays declined until the application restarts or <see cref="AskToForget"/>.</summary>
         public void Refuse() => Flow?.Refuse();
 
-        /// <summary>Asks whether to forget the cell in use: a <see cref="Question"/> like any other.</summary>
-        /// <remarks>What was declined is asked again at the next look, whatever the answer.</remarks>
+        /// <summary>Asks whether to forget the cell in use, by a <see cref="Question"/>.</summary>
+        /// <remarks>Declined gateways and cells are asked about again at the next look, independent of the answer.</remarks>
         public void AskToForget() => Flow?.AskToForget();
 
-        /// <summary>Leaves the cell in use and forgets it without a question, with its token; the next look at a marker asks anew.</summary>
+        /// <summary>Forgets the cell in use and its token without a question; the next look at a marker asks again.</summary>
         public void Forget() => Flow?.Forget();
 
-        /// <summary>Takes a text as though a marker in view held it: typed, scanned or handed over. White space around it is ignored.</summary>
+        /// <summary>Processes a text like that of a marker in view, for typed or scanned codes. Ignores surrounding white space.</summary>
         public void ReadCode(string text)
         {
             if (_source != null) Flow?.See(text?.Trim(), _source.HeadsetClock.Now);
         }
 
-        // Null while disabled, and where there is no session.
+        // Null while disabled, and if there is no session.
         PairingFlow Flow { get; set; }
 
         void OnEnable()
@@ -123,7 +123,7 @@ namespace Nowpose.Unity
             _view.Show(_source, Flow, now);
             Flow.IsTokenRefused = IsTokenRefused(_source);
             var changes = Flow.Tick(now);
-            // Before anybody hears of it: whoever listens to anchor or session may throw, or disable this.
+            // Saved before the events, because a listener of anchor or session may throw or disable this component.
             if ((changes & PairingChange.Kept) != 0) Keep();
             try
             {
@@ -150,7 +150,7 @@ namespace Nowpose.Unity
         {
             if ((changes & PairingChange.Problem) != 0) ConsoleLog.Warn(this, Flow.Problem ?? _fileProblem);
             if ((changes & PairingChange.Paired) != 0) ConsoleLog.Say(this, Flow.Words);
-            // Whoever hears of it may disable this.
+            // A listener may disable this component.
             Changed?.Invoke();
             if ((changes & PairingChange.Asked) != 0) _onAsked.Invoke();
             if ((changes & PairingChange.Paired) != 0) _onPaired.Invoke();

@@ -4,12 +4,12 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Gives a text whose material has the shader <c>Nowpose/Text</c> the texture of its font, also when the font replaces the texture.
+    /// Assigns the texture of its font to a text with the shader <c>Nowpose/Text</c>, also when the font replaces the texture.
     /// </summary>
     /// <remarks>
-    /// The font's own material shows through everything and writes no depth, so the texts of the package have another one. Letters are
-    /// in the texture of the font's material, which reaches the text's renderer by property block: the text's material may be shared by
-    /// texts of several fonts.
+    /// The font's own material is visible through everything and writes no depth, so the package's texts use another one. The letters are
+    /// in the texture of the font's material. It is set on the text's renderer by property block, because texts of several fonts may share
+    /// the text's material.
     /// </remarks>
     [AddComponentMenu("Nowpose/Font Texture")]
     [ExecuteAlways]
@@ -27,7 +27,7 @@ namespace Nowpose.Unity
         MaterialPropertyBlock _block;
         Texture _shown;
 
-        // Added in the editor to a new text, whose renderer has the font's own material: that one is it.
+        // Called by the editor for a new component: the text's renderer still has the font's own material.
         void Reset()
         {
             var renderer = GetComponent<Renderer>();

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>A second rig that shows the newest samples as they came: what the wearer would see without Nowpose.</summary>
+    /// <summary>A second rig that shows the newest samples unchanged, as without Nowpose.</summary>
     [AddComponentMenu("Nowpose/Ghost")]
     [RequireComponent(typeof(RobotRig))]
     [DisallowMultipleComponent]
@@ -14,7 +14,7 @@ namespace Nowpose.Unity
 
         RobotRig _own, _other;
 
-        /// <summary>Whether the ghost is shown; it costs nothing while it is not.</summary>
+        /// <summary>Whether the ghost is shown; a hidden ghost costs no time.</summary>
         public bool Visible
         {
             get => gameObject.activeSelf;
@@ -22,8 +22,8 @@ namespace Nowpose.Unity
         }
 
         /// <summary>
-        /// Distance of the two rigs' tools, metres: what the compensation moves the displayed pose by. Null while the ghost is
-        /// hidden or one of them shows no robot.
+        /// Distance between the two rigs' tools, in metres: the displacement by the compensation. Null while the ghost is
+        /// hidden or a rig shows no robot.
         /// </summary>
         public float? GapMetres
         {

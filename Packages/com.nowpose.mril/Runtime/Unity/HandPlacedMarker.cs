@@ -6,10 +6,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>A marker that somebody holds to where it is to be, instead of one that the device sees.</summary>
+    /// <summary>A marker that the user places by hand, instead of one that the device detects.</summary>
     /// <remarks>
-    /// What moves it (a hand, a controller, a script) says when it begins and when it has ended. The base follows it meanwhile, and
-    /// is locked when it is put down.
+    /// The object that moves it (a hand, a controller, a script) reports the start and the end of the move. The base follows during the
+    /// move and is locked at the end.
     /// </remarks>
     [AddComponentMenu("Nowpose/Hand Placed Marker")]
     [DisallowMultipleComponent]
@@ -22,16 +22,16 @@ namespace Nowpose.Unity
         MrilSession _session;
         HeadsetTime? _placed;
 
-        /// <summary>Whether somebody moves it at the moment.</summary>
+        /// <summary>Whether the marker is being moved.</summary>
         public bool IsMoving { get; private set; }
 
-        /// <summary>Text of the marker that it stands for; empty for the base frame itself.</summary>
+        /// <summary>Text of the marker that it represents; empty for the base frame itself.</summary>
         public string Payload => _payload;
 
-        /// <summary>From now on the transform is moved, and the base with it.</summary>
+        /// <summary>Starts a move: the base follows the transform.</summary>
         public void BeginMove() => IsMoving = isActiveAndEnabled;
 
-        /// <summary>It has been put down. Does nothing unless it was being moved.</summary>
+        /// <summary>Ends the move. Does nothing unless the marker is being moved.</summary>
         public void EndMove()
         {
             if (!IsMoving) return;
@@ -44,15 +44,15 @@ namespace Nowpose.Unity
         {
             if (!isActiveAndEnabled) return;
             if (IsMoving) _placed = _session.ClockOrDevices().Now;
-            // Where a scene has it before anybody touched it says nothing about the room.
+            // The initial place in a scene gives no information about the room.
             if (!(_placed is HeadsetTime placed)) return;
             var pose = UnityPoses.ToRoom(transform.position, transform.rotation);
             markers.Add(new MarkerSighting(_id, _payload.Length == 0 ? null : _payload, pose, 0, placed, MarkerTracking.Placed));
         }
 
-        /// <summary>Goes along with the base unless somebody moves it.</summary>
-        /// <param name="place">Of the base.</param>
-        /// <param name="markers">Of the base; one that it has not, this one does not stand for.</param>
+        /// <summary>Moves the marker with the base unless the user moves it.</summary>
+        /// <param name="place">Pose of the base.</param>
+        /// <param name="markers">Markers of the base; the one with the same payload determines the pose.</param>
         internal void Rest(Pose place, IReadOnlyList<TrackedMarker> markers)
         {
             if (IsMoving) return;

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Moves one transform as one joint moves what it carries, in the axes of the transform's parent.</summary>
+    /// <summary>Moves one transform according to one joint, in the axes of the transform's parent.</summary>
     public sealed class JointDrive
     {
         readonly Transform _moved;
@@ -12,15 +12,15 @@ namespace Nowpose.Unity
         readonly Vector3 _restPosition, _direction;
         readonly Quaternion _rest, _halfTurn;
 
-        /// <param name="moved">Its parent stands for the joint's parent link.</param>
-        /// <param name="joint">One that moves.</param>
+        /// <param name="moved">The transform to move; its parent represents the joint's parent link.</param>
+        /// <param name="joint">A joint that is not fixed.</param>
         public JointDrive(Transform moved, RobotJoint joint)
             : this(moved, joint, UnityFrame.ToUnity(joint.Origin).Position(), UnityFrame.ToUnity(joint.Origin).Rotation()) { }
 
-        /// <param name="moved">Any transform.</param>
-        /// <param name="joint">One that moves; its axis is taken in the transform's own axes.</param>
-        /// <param name="restPosition">Where the transform is at joint position 0, in its parent's axes, metres.</param>
-        /// <param name="restRotation">How it is turned there.</param>
+        /// <param name="moved">The transform to move.</param>
+        /// <param name="joint">A joint that is not fixed; its axis is relative to the transform's own axes.</param>
+        /// <param name="restPosition">Position of the transform at joint position 0, in its parent's axes, in metres.</param>
+        /// <param name="restRotation">Rotation of the transform at joint position 0.</param>
         public JointDrive(Transform moved, RobotJoint joint, Vector3 restPosition, Quaternion restRotation)
         {
             if (joint.Kind == JointKind.Fixed) throw new ArgumentException("joint '" + joint.Name + "' is fixed", nameof(joint));
@@ -34,14 +34,14 @@ namespace Nowpose.Unity
             moved.PlaceLocally(restPosition, restRotation);
         }
 
-        /// <param name="position">Of the joint, rad or m.</param>
+        /// <param name="position">Position of the joint, in rad or m.</param>
         public void Apply(double position)
         {
             if (_slides) _moved.localPosition = _restPosition + _direction * (float)position;
             else _moved.localRotation = Turned(position / 2);
         }
 
-        // Half angles straight into the quaternion: degrees in float and back would cost digits at the end of an arm.
+        // Uses half angles directly: a conversion to degrees in float would lose precision at the end of an arm.
         Quaternion Turned(double half)
         {
             float s = (float)Math.Sin(half), c = (float)Math.Cos(half);

@@ -11,12 +11,12 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Calibrates L_visu by eye: while the robot moves to and fro at constant speed, shift the displayed one along its way until
-    /// both agree, and mark that, forward and backward.
+    /// Calibrates L_visu by eye: while the robot moves to and fro at constant speed, the user shifts the displayed robot along its path
+    /// until both agree, and marks the shift, forward and backward.
     /// </summary>
     /// <remarks>
-    /// Half the difference of the two shifts over the speed is the error of L_visu; half their sum is how far the base is
-    /// misplaced. For those without a camera: exact to some ms, see <see cref="NudgeCalibration"/>.
+    /// Half the difference of the two shifts divided by the speed is the error of L_visu; half their sum is the error of the base
+    /// position. For users without a camera: accurate to some ms, see <see cref="NudgeCalibration"/>.
     /// </remarks>
     [AddComponentMenu("Nowpose/Latency Nudge")]
     [DisallowMultipleComponent]
@@ -45,7 +45,7 @@ namespace Nowpose.Unity
         Vector3 _home;
         float _offsetMm;
 
-        /// <summary>By how much the displayed robot is shifted along the axis, mm: −500 to 500. For a slider.</summary>
+        /// <summary>Shift of the displayed robot along the axis, in mm: −500 to 500. For a slider.</summary>
         public float OffsetMm
         {
             get => _offsetMm;
@@ -56,7 +56,7 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>Another one ends what was marked.</summary>
+        /// <summary>Axis of the shift; a change discards the marks.</summary>
         public NudgeAxis Axis
         {
             get => _axis;
@@ -68,33 +68,33 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>Of the displayed tool along the axis, negative backward; null while it is not known.</summary>
+        /// <summary>Speed of the displayed tool along the axis in mm/s, negative backward; null while it is unknown.</summary>
         public double? SpeedMmPerS => _speed.MmPerS;
 
-        /// <summary>Whether the tool moves steadily: only then a mark means anything.</summary>
+        /// <summary>Whether the tool moves at constant speed, which a mark requires.</summary>
         public bool IsSteady => _speed.IsConstant;
 
         public int ForwardCount => _marks?.ForwardCount ?? 0;
 
         public int BackwardCount => _marks?.BackwardCount ?? 0;
 
-        /// <summary>Why the last mark or result was refused, in one line; null when it was not.</summary>
+        /// <summary>Why the last mark or result was rejected, in one line; null if it was not.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>What the last result was, in one line; null before the first.</summary>
+        /// <summary>Description of the last result, in one line; null before the first.</summary>
         public string Report { get; private set; }
 
-        /// <summary>Shifts by a little more. For buttons.</summary>
+        /// <summary>Changes the shift by a difference, in mm. For buttons.</summary>
         public void Step(float mm) => OffsetMm += mm;
 
-        /// <summary>Displayed and real robot agree now. Which direction it is, the speed tells.</summary>
-        /// <returns>Whether it was marked; <see cref="Problem"/> says why not.</returns>
+        /// <summary>Marks that displayed and real robot agree now. The sign of the speed gives the direction.</summary>
+        /// <returns>Whether the mark was accepted; otherwise <see cref="Problem"/> gives the reason.</returns>
         public bool Mark() => Try(() =>
         {
             var session = NudgedSession();
             if (!(_speed.MmPerS is double speed) || !_speed.IsConstant)
                 throw new InputException("nudge: the tool does not move steadily; mark while it moves at constant speed");
-            // Marks that were made with another L_visu say something else.
+            // Marks with another L_visu cannot be combined.
             if (_marks == null || session.Visualisation.Length != _told)
             {
                 _told = session.Visualisation.Length;
@@ -103,7 +103,7 @@ namespace Nowpose.Unity
             _marks.Add(_offsetMm, speed);
         });
 
-        /// <summary>Forgets all marks.</summary>
+        /// <summary>Discards all marks.</summary>
         public void Clear()
         {
             _marks?.Clear();
@@ -112,10 +112,10 @@ namespace Nowpose.Unity
         }
 
         /// <summary>
-        /// Calibrates the session by the marks, keeps that as a profile, and takes the shift back. A render-time limit that was
-        /// known stays.
+        /// Calibrates the session from the marks, saves the result as a profile, and resets the shift. Keeps a known
+        /// render-time limit.
         /// </summary>
-        /// <returns>Whether it was kept; <see cref="Problem"/> says why not. Where it only cannot be saved it is used all the same.</returns>
+        /// <returns>Whether it was saved; otherwise <see cref="Problem"/> gives the reason. An unsaved result is still used.</returns>
         public bool Apply() => Try(() =>
         {
             var session = NudgedSession();
@@ -128,7 +128,7 @@ namespace Nowpose.Unity
                 result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, result.Count, result.OffsetMm, _axis);
             ConsoleLog.Say(this, Report);
             Clear();
-            // It is in use now, kept or not: with the shift the robot would be corrected twice.
+            // The result is in use, saved or not: the shift would correct the robot twice.
             OffsetMm = 0;
             if (!isKept) throw new InputException(_loader.Problem);
         });
@@ -192,13 +192,13 @@ namespace Nowpose.Unity
         {
             var session = _source != null ? _source.Session : null;
             if (session == null) throw new InputException("nudge: there is no session to calibrate");
-            // The robot is drawn with what is predicted: the constant changes nothing that an eye could see.
+            // The robot is drawn with the predicted display time, so the constant has no visible effect.
             if (session.Statistics(default).IsLightPredicted)
                 throw new InputException("nudge: the runtime predicts display times; there is nothing to nudge");
             return session;
         }
 
-        // What limits the render time has nothing to do with how it was found how late light is.
+        // The render-time limit is independent of the method that measured L_visu.
         static LatencyProfile ProfileOf(in NudgeResult result, CompensationSession session)
         {
             var range = session.Range;

@@ -9,11 +9,11 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Gives a session what the calibration of this device found, and keeps what is found on the device.</summary>
+    /// <summary>Loads the latency profile of this device into a session, and saves new profiles on the device.</summary>
     /// <remarks>
-    /// Looks below the persistent data path, then in StreamingAssets, then at its asset. A profile that is torn, of a newer
-    /// version, of another device or of another display rate is refused in one line and the next place is looked at; what was
-    /// in use stays.
+    /// Searches below the persistent data path, then in StreamingAssets, then its asset. A profile that is damaged, of a newer
+    /// version, of another device or of another display rate is rejected with a message of one line, and the next place is searched. The
+    /// profile in use stays.
     /// </remarks>
     [AddComponentMenu("Nowpose/Latency Profile Loader")]
     [DisallowMultipleComponent]
@@ -35,16 +35,16 @@ namespace Nowpose.Unity
         CompensationSession _calibrated;
         DisplayConditions _judged;
 
-        /// <summary>What is in use; null while the session has what its settings say.</summary>
+        /// <summary>The profile in use; null while the session uses the value of its settings.</summary>
         public LatencyProfile Profile { get; private set; }
 
-        /// <summary>The file or asset that <see cref="Profile"/> came from, or that it is not kept, in a few words; null before the first.</summary>
+        /// <summary>The file or asset of <see cref="Profile"/>, or a note that it is not saved; null before the first.</summary>
         public string From { get; private set; }
 
-        /// <summary>Why a profile was refused or could not be saved, in one line; null when nothing is wrong.</summary>
+        /// <summary>Why a profile was rejected or could not be saved, in one line; null if there is no problem.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Looks for a profile anew: somebody may have put one there. What is in use stays where none can be used.</summary>
+        /// <summary>Searches again, for a profile that was added since. Keeps the profile in use if none is valid.</summary>
         public void Reload()
         {
             var places = Places;
@@ -54,8 +54,8 @@ namespace Nowpose.Unity
             if (profile != null) Use(profile, from);
         }
 
-        /// <summary>Keeps a profile on the device, and uses it from the next frame on, also where it cannot be kept.</summary>
-        /// <returns>Whether it is kept; <see cref="Problem"/> says why not. One of another device is not even used.</returns>
+        /// <summary>Saves a profile on the device, and uses it from the next frame on, even if it cannot be saved.</summary>
+        /// <returns>Whether it was saved; otherwise <see cref="Problem"/> gives the reason. A profile of another device is not used.</returns>
         public bool Save(LatencyProfile profile)
         {
             Problem = profile.RefusalFor(ThisDevice.Conditions);
@@ -75,7 +75,7 @@ namespace Nowpose.Unity
             Reload();
         }
 
-        // Before the session computes its frame. A session that begins anew has its settings' L_visu.
+        // Before the session computes its frame. A restarted session has the L_visu of its settings.
         void Update()
         {
             if (_source == null) return;
@@ -85,7 +85,7 @@ namespace Nowpose.Unity
             _calibrated?.Calibrate(Profile);
         }
 
-        // A display that starts late reports another rate than the profile's. Other mismatches are warnings, which the session gives.
+        // A display that starts late may report another rate than the profile's. Other mismatches are only warnings of the session.
         void Judge(DisplayConditions conditions)
         {
             if (conditions == null || ReferenceEquals(conditions, _judged)) return;

@@ -6,11 +6,11 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Gives the GPU as much to draw as asked for: a wall of tiny triangles, to find out where the constant-latency range ends.</summary>
+    /// <summary>Loads the GPU with a wall of a given number of small triangles, to find the end of the constant-latency range.</summary>
     /// <remarks>
-    /// The wall stands where its transform is, seen along its z axis, and loads the GPU only while it is in view. It is built in
-    /// steps, as many a frame as its time allows, so that building itself makes no frame late, and each part once: going back to a
-    /// load costs nothing.
+    /// The wall is at its transform, facing along its z axis, and loads the GPU only while it is in view. It is built in
+    /// steps, within a time budget per frame, so that building makes no frame late. Each part is built once: returning to a
+    /// previous load costs no time.
     /// </remarks>
     [AddComponentMenu("Nowpose/Load Generator")]
     [DisallowMultipleComponent]
@@ -33,8 +33,8 @@ namespace Nowpose.Unity
 
         LoadPatches _patches;
 
-        /// <summary>Vertices to draw, 0 to 2 000 000; it takes some frames until they are. 1 or 2 more than a multiple of 25 000 are not drawn.</summary>
-        /// <exception cref="InputException">Out of range; what is drawn stays.</exception>
+        /// <summary>Vertices to draw, 0 to 2 000 000; reached after some frames. 1 or 2 more than a multiple of 25 000 are not drawn.</summary>
+        /// <exception cref="InputException">Out of range; the drawn load is unchanged.</exception>
         public int Vertices
         {
             get => _vertices;
@@ -45,13 +45,13 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>Vertices that this frame draws, if the wall is in view.</summary>
+        /// <summary>Number of vertices that this frame draws if the wall is in view.</summary>
         public int VerticesShown => _patches?.VerticesShown ?? 0;
 
-        /// <summary>Whether <see cref="Vertices"/> are drawn.</summary>
+        /// <summary>Whether all <see cref="Vertices"/> are drawn.</summary>
         public bool IsReady => _patches != null && VerticesShown == LoadMesh.DrawnOf(_vertices);
 
-        /// <summary>Why nothing is drawn, in one line; null when nothing is wrong.</summary>
+        /// <summary>Why nothing is drawn, in one line; null if there is no problem.</summary>
         public string Problem { get; private set; }
 
         void OnEnable()

@@ -13,17 +13,17 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Steps through loads and logs, for each frame, the load, the render time and the control time that its code shows.</summary>
+    /// <summary>Steps through loads and logs, for each frame, the load, the render time and the control time of its timestamp code.</summary>
     /// <remarks>
-    /// Schnierle &amp; Röck 2022, Fig. 11. The log is joined with a camera's pictures by the codes in them. A load counts from when it is there in full
-    /// and the clock is synchronised. No frame waits for the disk, and none allocates but at the change of a load, or where a load takes so
-    /// long that its rows need more room.
+    /// Schnierle &amp; Röck 2022, Fig. 11. The codes in a camera's pictures relate the pictures to the log. A load counts once it is complete
+    /// and the clock is synchronised. No frame waits for the disk. Allocates only when the load changes, or when a load takes so
+    /// long that its rows need more space.
     /// </remarks>
     [AddComponentMenu("Nowpose/Load Sweep")]
     [DisallowMultipleComponent]
     public sealed class LoadSweep : MonoBehaviour
     {
-        /// <summary>Rows for which there is room: displays of up to so many Hz, and a load that takes so long to build.</summary>
+        /// <summary>Capacity for rows: maximum display rate in Hz, and maximum time to build a load, in s.</summary>
         const int MostHz = 144, SecondsToBuild = 3;
 
         [SerializeField, Tooltip("The session whose frames are logged. Empty: the one on this object or above.")]
@@ -78,28 +78,28 @@ namespace Nowpose.Unity
         int _verticesBefore;
         (int Index, int Phase) _told;
 
-        /// <summary><see cref="Words"/> are others than before.</summary>
+        /// <summary>Raised when <see cref="Words"/> changes.</summary>
         public event Action Progressed;
 
-        /// <summary>Whether it is going through the loads.</summary>
+        /// <summary>Whether a sweep is running.</summary>
         public bool IsRunning => _run != null;
 
-        /// <summary>How far it is, in a few words; null before the first sweep.</summary>
+        /// <summary>Short description of the progress; null before the first sweep.</summary>
         public string Words { get; private set; }
 
-        /// <summary>The log that is written, or was written last; null before the first.</summary>
+        /// <summary>Path of the current or last log; null before the first.</summary>
         public string Path { get; private set; }
 
-        /// <summary>Whether the last sweep's render time sees load; null until one is done.</summary>
+        /// <summary>Whether the render time of the last sweep depends on the load; null until a sweep is complete.</summary>
         public LoadSensitivity Verdict { get; private set; }
 
-        /// <summary>Why there is no sweep although it was asked for, or why it ended early, in one line; null when nothing is wrong.</summary>
+        /// <summary>Why a requested sweep did not start or ended early, in one line; null if there is no problem.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Completes when nothing more is written by the sweep that ended last.</summary>
+        /// <summary>Completes when the log of the last sweep is closed.</summary>
         internal Task Closed => _closing;
 
-        /// <summary>Goes through the loads from the first one, into a log of its own. Does nothing while it is running.</summary>
+        /// <summary>Starts a sweep from the first load, with a new log. Does nothing while a sweep is running.</summary>
         public void StartSweep()
         {
             if (IsRunning || !isActiveAndEnabled) return;
@@ -115,7 +115,7 @@ namespace Nowpose.Unity
             else Begin();
         }
 
-        /// <summary>Ends the sweep; what was logged is still written. There is no verdict.</summary>
+        /// <summary>Ends the sweep without a verdict; the logged rows are still written.</summary>
         public void StopSweep()
         {
             if (!IsRunning) return;
@@ -167,7 +167,7 @@ namespace Nowpose.Unity
             ConsoleLog.Say(this, SweepWords.Begun(_plan, Path));
         }
 
-        // The session may have looked before the display reported its rate.
+        // The session may have read the conditions before the display reported its rate.
         DisplayConditions Conditions
         {
             get
@@ -178,19 +178,19 @@ namespace Nowpose.Unity
             }
         }
 
-        // A frame that is computed anew before rendering comes twice.
+        // Called twice for a frame that is computed again before rendering.
         void Keep(DisplayFrame frame) => _frame = new SweepFrame(_source, frame, _run, _generator, _measures);
 
-        // The frame before: by now it is known which code it showed.
+        // Logs the previous frame, because only now its final code is known.
         void Follow()
         {
-            // Not at the start: whoever is switched on together with the sweep may be so a moment later.
+            // Not checked at the start: components that are enabled together with the sweep may be enabled a moment later.
             if (ProblemOfLoad() is string problem)
             {
                 Abandon(problem);
                 return;
             }
-            // Also while a load is built: a picture whose frame is missing could be taken for one a period of the code later.
+            // Also while a load is built: otherwise a picture of a missing frame could match a frame one code period later.
             if (_frame?.Control != null) _file.Add(_frame.Value.ToRow(_conditions.Device, _displayHz));
             TellPhase();
             var isOver = _run.Advance(_frame?.Start ?? default, _frame?.IsReady ?? false);
@@ -215,12 +215,12 @@ namespace Nowpose.Unity
                 Abandon(SweepWords.Changed(changes[0]));
                 return;
             }
-            // A display tells its rate some frames after the scene begins.
+            // A display reports its rate some frames after the scene begins.
             if (double.IsNaN(_displayHz)) _displayHz = now.DisplayHz ?? double.NaN;
             _generator.Vertices = _run.Vertices;
         }
 
-        // The load would never be there, and the sweep would wait for it for ever.
+        // Without this check, the sweep would wait forever for a load that cannot be built.
         string ProblemOfLoad()
         {
             if (_generator == null) return "load sweep '" + name + "' has lost its load generator; what it logged is kept";
@@ -240,7 +240,7 @@ namespace Nowpose.Unity
         {
             _source.Shown -= Keep;
             _run = null;
-            // Destroyed with the scene, it minds no load.
+            // When the scene is destroyed, the generator may be gone.
             if (_generator != null) _generator.Vertices = _verticesBefore;
             var closing = _file.CloseAsync();
             _closing = closing;

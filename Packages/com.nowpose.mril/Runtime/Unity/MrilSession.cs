@@ -11,13 +11,13 @@ using UnityEngine.Events;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Runs a session while it is enabled: connects to the gateway, and once a frame computes where the robot is when the
-    /// frame's light appears.
+    /// Runs a session while it is enabled: connects to the gateway, and computes in each frame where the robot is at the
+    /// frame's display time.
     /// </summary>
     /// <remarks>
-    /// Runs late in LateUpdate, so that what a frame displays is computed as late as sensible and after users' scripts.
-    /// Whatever shows the robot follows <see cref="Shown"/>. While the application is paused, or has lost the focus and does
-    /// not run in the background, there is no session; afterwards a new one synchronises anew, so that nothing from before
+    /// Runs late in LateUpdate, so that the displayed pose is computed as late as possible and after users' scripts.
+    /// Components that show the robot follow <see cref="Shown"/>. There is no session while the application is paused, or has lost the focus
+    /// and does not run in the background. Afterwards a new session synchronises its clock again, so that no earlier data
     /// can look current.
     /// </remarks>
     [AddComponentMenu("Nowpose/Session")]
@@ -25,7 +25,7 @@ namespace Nowpose.Unity
     [DisallowMultipleComponent]
     public sealed class MrilSession : MonoBehaviour
     {
-        /// <summary>Place of this component among all: after scripts that leave theirs at 0.</summary>
+        /// <summary>Execution order of this component: after scripts with the default order 0.</summary>
         public const int ExecutionOrder = 10_000;
 
         [SerializeField, Tooltip("Where the gateway is, and how the display is calibrated.")]
@@ -53,13 +53,13 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("The arm is held, for its samples are too old or too few.")]
         UnityEvent _onStale = new UnityEvent();
 
-        // What runs until the gateway has described a robot: it has no joints, and nothing shows it.
+        // Used until the gateway has described a robot: it has no joints and is not shown.
         static readonly RobotModel NoRobot = UrdfReader.Read("<robot name='none'><link name='base'/></robot>", "no robot");
 
         readonly SessionWatch _watch = new SessionWatch();
         readonly SessionStatistics _statistics = new SessionStatistics();
         readonly DeviceWatch _device = new DeviceWatch();
-        // With room from the start: no frame allocates.
+        // With sufficient initial capacity, so that no frame allocates.
         readonly Queue<SessionChange> _changes = new Queue<SessionChange>(4);
         SessionLog _log;
         SessionSettings _given, _used;
@@ -73,33 +73,33 @@ namespace Nowpose.Unity
         bool _isRunning, _isWanted, _isFilled;
 
         /// <summary>
-        /// The pose has been computed: once a frame, and a second time right before rendering where the settings ask for it. Not
-        /// while the robot is unknown. The frame is the session's own: read it at once.
+        /// Raised when the pose has been computed: once a frame, and again right before rendering if the settings request it. Not raised
+        /// while the robot is unknown. The session reuses the frame object: read it at once.
         /// </summary>
         public event Action<DisplayFrame> Shown;
 
-        /// <summary>There is no frame any more (paused, disabled, another robot): what was shown last is not current.</summary>
+        /// <summary>Raised when there is no frame (paused, disabled, another robot): the pose shown last is not current.</summary>
         public event Action Hidden;
 
-        /// <summary><see cref="Robot"/> is another one than before.</summary>
+        /// <summary>Raised when <see cref="Robot"/> changes.</summary>
         public event Action RobotChanged;
 
-        /// <summary>What the UnityEvents tell, for scripts.</summary>
+        /// <summary>Raised for the same changes as the UnityEvents, for scripts.</summary>
         public event Action<SessionChange> Changed;
 
-        /// <summary>Null while disabled, paused, or when the settings cannot be used. Another one after each pause.</summary>
+        /// <summary>The running session; null while disabled or paused, or if the settings are invalid. A new one after each pause.</summary>
         public CompensationSession Session { get; private set; }
 
         /// <summary>The asset's robot, or the one that the gateway described, as of the newest start; null before.</summary>
         public RobotModel Robot { get; private set; }
 
-        /// <summary>What was computed last; null while there is no session or no robot.</summary>
+        /// <summary>The last computed frame; null while there is no session or no robot.</summary>
         public DisplayFrame Frame { get; private set; }
 
-        /// <summary>Why there is no session although this component is enabled, in one line; null when nothing is wrong.</summary>
+        /// <summary>Why this component is enabled but has no session, in one line; null if there is no problem.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>How the session does, as of this frame; null while there is none. One object, filled anew when asked in a later frame.</summary>
+        /// <summary>Statistics of the session in this frame; null while there is no session. The object is reused in later frames.</summary>
         public SessionStatistics Statistics
         {
             get
@@ -111,7 +111,7 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>What the session runs with: the asset's, unless set. Setting it starts the session anew; null goes back to the asset.</summary>
+        /// <summary>Settings of the session: the asset's, unless set. Setting them restarts the session; null restores the asset's.</summary>
         public SessionSettings Settings
         {
             get => _given ?? _used;
@@ -122,7 +122,7 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>Describes the robot; null to take the gateway's. Setting it starts the session anew.</summary>
+        /// <summary>Description of the robot; null to use the gateway's. Setting it restarts the session.</summary>
         public RobotDescriptionAsset RobotAsset
         {
             get => _robot;
@@ -134,19 +134,19 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>The headset clock of sessions that begin from now on; a stopwatch unless set.</summary>
+        /// <summary>Headset clock of later sessions; a stopwatch unless set.</summary>
         public IHeadsetClock HeadsetClock
         {
             get => _nextClock;
             set => _nextClock = value ?? throw new ArgumentNullException(nameof(value));
         }
 
-        /// <summary>Whether it is to be connected: since <see cref="Connect"/>, until <see cref="Disconnect"/>.</summary>
+        /// <summary>Whether a connection is requested: from <see cref="Connect"/> until <see cref="Disconnect"/>.</summary>
         public bool IsConnecting => _isWanted;
 
         /// <summary>
-        /// Tells when light appears, frame by frame, and is believed before the calibrated L_visu; null for none. Set once, it serves every
-        /// session from now on.
+        /// Source of each frame's display time, which takes precedence over the calibrated L_visu; null for none. Used by this and all later
+        /// sessions.
         /// </summary>
         public IDisplayTimeSource DisplayTimeSource
         {
@@ -171,7 +171,7 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>Whether the depth buffer reaches the display. Set by a component that observes the display; kept for every later session.</summary>
+        /// <summary>Whether the depth buffer reaches the display. Set by a component that observes the display; kept for later sessions.</summary>
         public DepthSubmission DepthSubmission
         {
             get => _depth;
@@ -183,19 +183,19 @@ namespace Nowpose.Unity
         }
 
         /// <summary>
-        /// Whether the pose is being computed right before rendering, for the second time in its frame: a runtime knows the frame's display
-        /// time better then.
+        /// Whether the pose is being computed right before rendering, for the second time in its frame: a runtime predicts the frame's display
+        /// time more accurately then.
         /// </summary>
         public bool IsBeforeRender { get; private set; }
 
-        /// <summary>Connects to the gateway, now and after each pause. Returns at once; comes back by itself when the connection is lost.</summary>
+        /// <summary>Connects to the gateway, now and after each pause. Returns at once; reconnects when the connection is lost.</summary>
         public void Connect()
         {
             _isWanted = true;
             Session?.Connect();
         }
 
-        /// <summary>Leaves the gateway. The pose is held, and said to be.</summary>
+        /// <summary>Disconnects from the gateway. The pose is held and marked as such.</summary>
         public void Disconnect()
         {
             _isWanted = false;
@@ -207,7 +207,7 @@ namespace Nowpose.Unity
             _log ??= new SessionLog(this);
             _isRunning = true;
             _isWanted |= _connectOnEnable;
-            // Messages about pauses need not have reached it while it was disabled.
+            // A component may not receive messages about pauses while it is disabled.
             _presence = default;
             Application.onBeforeRender += ShowAgain;
             Begin();
@@ -255,7 +255,7 @@ namespace Nowpose.Unity
             }
             catch (Exception fault)
             {
-                // The engine calls all that wait for this moment in one go: a listener's fault would cost the others their frame.
+                // The engine calls all handlers of this event in sequence: an exception would skip the others in this frame.
                 Debug.LogException(fault, this);
             }
             finally
@@ -277,8 +277,8 @@ namespace Nowpose.Unity
             Begin();
         }
 
-        // Whoever hears an event may disable or destroy this, or give it other settings: so an event comes when all is as it
-        // will stay, and what is done after it asks anew.
+        // A listener may disable or destroy this component or change its settings. So events are raised when the state is
+        // complete, and the code after an event checks the state again.
         void Begin()
         {
             if (!_isRunning || _presence.IsAway || Session != null) return;
@@ -328,7 +328,7 @@ namespace Nowpose.Unity
             ? _settings.ToSettings()
             : throw new InputException("session '" + name + "' has no settings; assign a Session Settings asset");
 
-        // The same text is not read anew: rigs that are bound to its robot stay so.
+        // Reads the same text only once, so that rigs stay bound to the robot.
         RobotModel ReadRobot() => Robot?.SourceHash == UrdfHash.Of(_robot.Urdf) ? Robot : _robot.Read();
 
         void Tell(SessionChange change)
@@ -336,7 +336,7 @@ namespace Nowpose.Unity
             if (change == SessionChange.None) return;
             _log.Say(change, Session, Statistics);
             _changes.Enqueue(change);
-            // What a listener brings about is told once all have heard what it was told.
+            // A change caused by a listener is raised after all listeners have received the current one.
             if (_changes.Count > 1) return;
             try
             {
@@ -358,7 +358,7 @@ namespace Nowpose.Unity
             Changed?.Invoke(change);
         }
 
-        /// <returns>Null when a listener ended the session.</returns>
+        /// <returns>Null if a listener ended the session.</returns>
         DisplayFrame Show(bool isLast)
         {
             if (Session == null) return null;

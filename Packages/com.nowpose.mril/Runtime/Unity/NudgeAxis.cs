@@ -1,6 +1,6 @@
 namespace Nowpose.Unity
 {
-    /// <summary>An axis of the robot's base frame, as URDF has it.</summary>
+    /// <summary>An axis of the robot's base frame in URDF axes.</summary>
     public enum NudgeAxis
     {
         /// <summary>Forward.</summary>

@@ -8,14 +8,14 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Makes a pose that is not current, or whose base is not certain, look different. Everything below this object is striped and
-    /// fainter, and words say why. Before the first joint positions only the words are drawn. Parts of a rig or gripper that no longer
-    /// follows the session are hidden.
+    /// Changes the look of a pose that is not current or whose base is uncertain. Everything below this object is striped and
+    /// fainter, and words state the reason. Before the first joint positions only the words are drawn. Parts of a rig or gripper that no
+    /// longer follows the session are hidden.
     /// </summary>
     /// <remarks>
-    /// Sets <c>_Fade</c> (0 to 1) and <c>_Hatch</c> (0 or 1) of the materials' shaders, which the package's have, by property
-    /// blocks: the materials stay as they are. A material without both gets a lower alpha if it is blended by its alpha. Any other is
-    /// replaced by the substitute, or hidden, while the pose is not current. Once disabled, everything has the values again that it had before.
+    /// Sets <c>_Fade</c> (0 to 1) and <c>_Hatch</c> (0 or 1) of the materials' shaders, which the package's shaders have, by property
+    /// blocks; the materials are not changed. A material without both gets a lower alpha if it is blended by its alpha. Any other is
+    /// replaced by the substitute, or hidden, while the pose is not current. Disabling this component restores all previous values.
     /// </remarks>
     [AddComponentMenu("Nowpose/Pose Appearance")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder + 1)]
@@ -50,7 +50,7 @@ namespace Nowpose.Unity
         float _opacity = 1;
 
         /// <summary>
-        /// How much of their opacity the parts keep, for a wearer who wants to see what is behind: 1 (all) to 0 (the fifth that a fade
+        /// Opacity that the parts keep, so that the wearer can see what is behind them: 1 (full) to 0 (the fifth that a complete fade
         /// leaves). A pose that is not current stays as visible as <see cref="PoseAppearance"/> makes it, and striped.
         /// </summary>
         public float Opacity
@@ -84,10 +84,10 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>Renderers that take part, the words' apart.</summary>
+        /// <summary>Number of renderers, not including the words.</summary>
         internal int PartCount => _parts.Count;
 
-        /// <summary>Whether something below cannot show a pose that is not current by its own material.</summary>
+        /// <summary>Whether a renderer below this object cannot show a pose that is not current by its own material.</summary>
         internal bool NeedsSubstitute
         {
             get
@@ -99,10 +99,10 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>Takes up renderers that have come or gone below this object; done by itself when a rig is built, and when enabled.</summary>
+        /// <summary>Updates the list of renderers below this object; called automatically when a rig is built, and when enabled.</summary>
         public void Refresh()
         {
-            // Not enabled, as in an edited scene: it does so itself then.
+            // If not enabled, as in an edited scene, OnEnable updates the list.
             if (!_isOn) return;
             GetComponentsInChildren(true, _found);
             _found.RemoveAll(IsWords);
@@ -198,7 +198,7 @@ namespace Nowpose.Unity
             Say(look.Words);
         }
 
-        /// <summary>Something to be seen that does not follow, the rig before its gripper; null for none.</summary>
+        /// <summary>A visible carrier that does not follow the session, the rig before its gripper; null for none.</summary>
         PoseCarrier Unmoved
         {
             get
@@ -215,7 +215,7 @@ namespace Nowpose.Unity
             if (_words != null) _words.text = words;
         }
 
-        // Of a component that is edited, too.
+        // Also used while the component is edited, outside play mode.
         bool IsWords(Renderer renderer) => _words != null && renderer.gameObject == _words.gameObject;
 
         /// <param name="material">Null for a missing one.</param>
@@ -243,7 +243,7 @@ namespace Nowpose.Unity
             _carriers.Add(carrier);
         }
 
-        // What is elsewhere now is not this one's any more.
+        // Restores renderers that are no longer below this object.
         void Leave()
         {
             foreach (var known in new List<Renderer>(_parts.Keys))

@@ -8,13 +8,13 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Measures how long each frame's render job takes, by the best means that the device has, and tells the session: beyond
+    /// Measures the duration of each frame's render job with the best available source, and reports it to the session: beyond
     /// the constant-latency range poses are not current.
     /// </summary>
     /// <remarks>
-    /// In order: the GPU's time by the headset's runtime; the GPU's time by Unity (Frame Timing Stats in the player
-    /// settings); from trigger to GPU completion, by a readback; the processor's time on the cameras (built-in render pipeline
-    /// only), which is unverified, for it does not see the GPU. A limit found with one of them means nothing for another.
+    /// In order of preference: the GPU time from the headset's runtime; the GPU time from Unity (Frame Timing Stats in the player
+    /// settings); the time from trigger to GPU completion, by a readback; the CPU time of the cameras (built-in render pipeline
+    /// only), which is unverified because it does not include the GPU. A limit measured with one source is not valid for another.
     /// </remarks>
     [AddComponentMenu("Nowpose/Render Time Source")]
     [DisallowMultipleComponent]
@@ -36,10 +36,10 @@ namespace Nowpose.Unity
         CameraTime _cameras;
         HeadsetTime? _trigger;
 
-        /// <summary>What the render times are measured with; none until thirty frames were measured, and when nothing measures any more.</summary>
+        /// <summary>Source of the render times; none before thirty frames were measured, and when no source works any more.</summary>
         public RenderTimeSourceKind Source => _choice?.Source ?? RenderTimeSourceKind.None;
 
-        /// <summary>Δt_render that became known last; null when none did in this frame.</summary>
+        /// <summary>The newest Δt_render; null if none became known in this frame.</summary>
         public TimeSpan? RenderTime => _choice?.RenderTime;
 
         void OnEnable()
@@ -79,7 +79,7 @@ namespace Nowpose.Unity
             Tell();
         }
 
-        // After everyone else who writes transforms here: rendering begins now.
+        // After all other handlers that change transforms: rendering begins now.
         [BeforeRenderOrder(int.MaxValue)]
         void Trigger() => _trigger = _clock.Now;
 
@@ -93,7 +93,7 @@ namespace Nowpose.Unity
             if (IsOfTheGame(camera)) _cameras.End(_clock.Now);
         }
 
-        // The editor's own, of scene views and previews, render in the same frames.
+        // Excludes the editor's cameras of scene views and previews, which render in the same frames.
         static bool IsOfTheGame(Camera camera) => (camera.hideFlags & HideFlags.DontSave) == 0;
 
         IEnumerator WatchSubmissions()
@@ -101,7 +101,7 @@ namespace Nowpose.Unity
             while (true)
             {
                 yield return _endOfFrame;
-                // The GPU's own time needs no readbacks beside it, until it is missing.
+                // The GPU's own time needs no additional readbacks unless it is missing.
                 var isGpuTime = Source == RenderTimeSourceKind.DisplayGpuTime || Source == RenderTimeSourceKind.EngineGpuTime;
                 var isNeeded = !isGpuTime || RenderTime == null;
                 if (isNeeded && _trigger is HeadsetTime triggered) _completion.Submitted(triggered);

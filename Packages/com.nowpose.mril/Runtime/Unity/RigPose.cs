@@ -1,12 +1,12 @@
 namespace Nowpose.Unity
 {
-    /// <summary>Which of a frame's two poses a rig shows.</summary>
+    /// <summary>The pose of a frame that a rig shows.</summary>
     public enum RigPose
     {
-        /// <summary>Where the robot is when the light reaches the eye.</summary>
+        /// <summary>The robot's pose at the display time.</summary>
         Displayed,
 
-        /// <summary>The newest samples as they came: what a headset without compensation shows.</summary>
+        /// <summary>The newest samples unchanged, as without compensation.</summary>
         Held,
     }
 }

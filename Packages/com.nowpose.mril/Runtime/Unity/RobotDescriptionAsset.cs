@@ -7,15 +7,15 @@ namespace Nowpose.Unity
     [CreateAssetMenu(menuName = "Nowpose/Robot Description", fileName = "Robot")]
     public sealed class RobotDescriptionAsset : ScriptableObject
     {
-        // Text fields of the Inspector fail at about 16 000 characters, which a URDF may well have: the inspector is its own.
+        // Hidden, because text fields of the Inspector fail at about 16 000 characters, which a URDF may exceed; the asset has its own inspector.
         [SerializeField, HideInInspector]
         string _urdf = "";
 
         /// <summary>The text of the URDF.</summary>
         public string Urdf => _urdf;
 
-        /// <summary>For a URDF that is known at run time only. Checked by <see cref="Read"/>.</summary>
-        /// <param name="name">What errors call it.</param>
+        /// <summary>Creates an asset for a URDF that is known only at run time. <see cref="Read"/> checks it.</summary>
+        /// <param name="name">Name in error messages.</param>
         public static RobotDescriptionAsset Create(string name, string urdf)
         {
             var asset = CreateInstance<RobotDescriptionAsset>();
@@ -24,7 +24,7 @@ namespace Nowpose.Unity
             return asset;
         }
 
-        /// <exception cref="InputException">Not a robot that can be computed; names this asset, the line and the element.</exception>
+        /// <exception cref="InputException">Not a robot that can be computed; the message names this asset, the line and the element.</exception>
         public RobotModel Read()
         {
             if (string.IsNullOrWhiteSpace(_urdf)) throw new InputException("'" + name + "': holds no URDF; load the robot's into it");

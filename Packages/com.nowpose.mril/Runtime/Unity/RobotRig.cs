@@ -7,10 +7,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Shows a robot: transforms named and nested as its links, moved by a session or by a script.</summary>
+    /// <summary>Shows a robot by transforms that are named and nested as its links, moved by a session or by a script.</summary>
     /// <remarks>
-    /// Its own transform is the robot's base frame. Where none of its children is named as the robot's root link, and nothing
-    /// is drawn there, it builds the robot of primitives.
+    /// Its own transform is the robot's base frame. If no child has the name of the robot's root link, and nothing
+    /// is drawn below the rig, it builds the robot from primitives.
     /// </remarks>
     [AddComponentMenu("Nowpose/Robot Rig")]
     [DisallowMultipleComponent]
@@ -37,41 +37,41 @@ namespace Nowpose.Unity
         bool _toldOfMaterials;
         double[] _joints = Array.Empty<double>();
 
-        /// <summary>The transforms were bound to a robot, or to another one than before.</summary>
+        /// <summary>Raised when the transforms were bound to a robot.</summary>
         public event Action Bound;
 
-        /// <summary>The transforms have been moved; raised each time, so possibly twice a frame.</summary>
+        /// <summary>Raised whenever the transforms have been moved, possibly twice a frame.</summary>
         public event Action Posed;
 
-        /// <summary>The robot that is shown; null before <see cref="Bind"/>.</summary>
+        /// <summary>The displayed robot; null before <see cref="Bind"/>.</summary>
         public RobotModel Model { get; private set; }
 
-        /// <summary>The session that moves this rig; null while disabled, or where a script moves it.</summary>
+        /// <summary>The session that moves this rig; null while disabled, or if a script moves it.</summary>
         public MrilSession Session => _source;
 
-        /// <summary>Whether what the session computes is what this rig shows: false while disabled, or bound to no robot or to another.</summary>
+        /// <summary>Whether this rig shows the session's robot: false while disabled, or if bound to no robot or another one.</summary>
         public bool IsFollowing => _source != null && Model != null && Model == _source.Robot;
 
         public RigPose Shows => _shows;
 
-        /// <summary>Of the links up to the flange of a robot built of primitives; null for none.</summary>
+        /// <summary>Material of the links up to the flange of a robot built from primitives; null for none.</summary>
         internal Material ArmMaterial => _armMaterial;
 
-        /// <summary>Joint positions shown last, one per moving joint of the model, rad or m; zeros before the first.</summary>
+        /// <summary>The joint positions shown last, one per moving joint of the model, rad or m; zeros before the first.</summary>
         public ReadOnlySpan<double> Joints => _joints;
 
-        /// <summary>The tool centre point, or the flange where the robot has no tool; null before <see cref="Bind"/>.</summary>
+        /// <summary>The tool centre point, or the flange if the robot has no tool; null before <see cref="Bind"/>.</summary>
         public Transform Tool => _hierarchy?.Tool;
 
         /// <summary>The link that a tool is mounted on; null before <see cref="Bind"/>.</summary>
         public Transform Flange => _hierarchy?.Flange;
 
-        /// <returns>Null when the robot has no such link, or before <see cref="Bind"/>.</returns>
+        /// <returns>Null if the robot has no such link, or before <see cref="Bind"/>.</returns>
         public Transform Link(string name) => _hierarchy?.Link(name);
 
-        /// <summary>Takes the children as the robot's links, or builds them, and puts all joints to 0.</summary>
+        /// <summary>Binds the children as the robot's links, or builds them, and sets all joints to 0.</summary>
         /// <exception cref="InputException">
-        /// A link is missing, elsewhere or scaled, or the children show another robot; the rig is bound to none then.
+        /// A link is missing, misplaced or scaled, or the children show another robot; the rig is then not bound.
         /// </exception>
         public void Bind(RobotModel model)
         {
@@ -98,10 +98,10 @@ namespace Nowpose.Unity
             Posed?.Invoke();
         }
 
-        /// <summary>Builds the robot as a part of its scene or prefab, which a rig then finds and never takes away.</summary>
-        /// <returns>Its root link; null where the links are there already.</returns>
+        /// <summary>Builds the robot as a part of its scene or prefab; a rig finds these links and never removes them.</summary>
+        /// <returns>The root link; null if the links already exist.</returns>
         /// <exception cref="InputException">The children show another robot, or only a part of this one.</exception>
-        /// <param name="plain">In place of a missing material: an asset, for a material in memory is not saved with a prefab.</param>
+        /// <param name="plain">Replaces a missing material; must be an asset, because a material in memory is not saved with a prefab.</param>
         internal GameObject BuildToStay(RobotModel model, Material plain) =>
             RigHierarchy.Find(model, transform) == null ? NewLinks(model, plain, out _) : null;
 
@@ -137,7 +137,7 @@ namespace Nowpose.Unity
             if (IsFollowing) Apply(_shows == RigPose.Held ? frame.HeldJoints : frame.Joints);
         }
 
-        // Not while objects are being enabled: the engine lets nobody take children away then.
+        // Not called while objects are being enabled: the engine does not allow children to be removed then.
         void FollowRobot()
         {
             var robot = _source.Robot;
@@ -174,7 +174,7 @@ namespace Nowpose.Unity
             return links;
         }
 
-        // Taken out at once: it is destroyed at the end of the frame, and until then its links would be found.
+        // Detaches the links at once: they are destroyed at the end of the frame, and a search would find them until then.
         void Unbuild()
         {
             if (_built == null) return;

@@ -7,10 +7,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Records what a session receives, displays and makes of it to a file on the device, to be looked into afterwards.</summary>
+    /// <summary>Records the received data, displayed poses and statistics of a session to a file on the device, for later analysis.</summary>
     /// <remarks>
-    /// One file for each session: the session begins anew after a pause and when the gateway describes another robot, and so does
-    /// the recording. No frame waits for the disk, and none allocates but the one that begins a file.
+    /// One file for each session: session and recording restart after a pause and when the gateway describes another robot.
+    /// No frame waits for the disk. Only the frame that begins a file allocates.
     /// </remarks>
     [AddComponentMenu("Nowpose/Session Recording")]
     [DisallowMultipleComponent]
@@ -35,16 +35,16 @@ namespace Nowpose.Unity
         CompensationSession _recorded;
         bool _isWanted, _isSettled;
 
-        /// <summary>Whether a file is being written at this moment; not while the session is paused or its robot unknown.</summary>
+        /// <summary>Whether a file is being written; false while the session is paused or its robot is unknown.</summary>
         public bool IsRecording => Recorder != null && Recorder.State == RecordingState.Recording;
 
-        /// <summary>The file that is written, or was written last; null before the first.</summary>
+        /// <summary>Path of the current or last file; null before the first.</summary>
         public string Path { get; private set; }
 
-        /// <summary>Why nothing is recorded although it was asked for, in one line; null when nothing is wrong.</summary>
+        /// <summary>Why a requested recording does not run, in one line; null if there is no problem.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Records from now on, each session to a file of its own. Also tries again after a problem.</summary>
+        /// <summary>Starts recording, each session to its own file. Also retries after a problem.</summary>
         public void StartRecording()
         {
             if (IsRecording) return;
@@ -54,14 +54,14 @@ namespace Nowpose.Unity
             Follow();
         }
 
-        /// <summary>Ends the file; returns at once, while the rest is written.</summary>
+        /// <summary>Ends the file; returns at once while the rest is written.</summary>
         public void StopRecording()
         {
             _isWanted = false;
             End();
         }
 
-        // Disposed of when this component is disabled, which always comes before it is destroyed.
+        // Disposed of when this component is disabled, which always precedes its destruction.
         SessionRecorder Recorder { get; set; }
 
         void OnEnable()
@@ -73,7 +73,7 @@ namespace Nowpose.Unity
 
         void OnDisable() => StopRecording();
 
-        // Before the session computes its frame: what it begins with is in the file.
+        // Before the session computes its frame, so that the file contains its first frame.
         void Update()
         {
             Follow();
@@ -83,7 +83,7 @@ namespace Nowpose.Unity
         void Follow()
         {
             var session = _isWanted && isActiveAndEnabled && _source != null ? _source.Session : null;
-            // Until the gateway has described the robot there is nothing to record.
+            // Nothing can be recorded until the gateway has described the robot.
             if (session != null && session.Robot.MovingJoints.Count == 0) session = null;
             if (session == _recorded) return;
             End();

@@ -9,7 +9,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>The form in which a user fills in <see cref="SessionSettings"/>. Nothing writes back into it.</summary>
+    /// <summary>User-editable asset with <see cref="SessionSettings"/>. Code never writes to it.</summary>
     [CreateAssetMenu(menuName = "Nowpose/Session Settings", fileName = "Session Settings")]
     public sealed class SessionSettingsAsset : ScriptableObject
     {
@@ -114,8 +114,8 @@ namespace Nowpose.Unity
 
         static double Known(double limit) => limit == 0 ? double.PositiveInfinity : limit;
 
-        /// <param name="token">Takes the place of this asset's, which it need not hold then; null for this asset's, empty for none.</param>
-        /// <exception cref="InputException">A value cannot be used; names this asset, the value and what is allowed.</exception>
+        /// <param name="token">Replaces this asset's token; null to use the asset's, empty for none.</param>
+        /// <exception cref="InputException">A value is invalid; the message names this asset, the value and what is allowed.</exception>
         public SessionSettings ToSettings(string token = null)
         {
             try

@@ -4,11 +4,11 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Tells in the scene how a session does: clock, latencies, render time, connection, and how much of the error is removed.</summary>
+    /// <summary>Shows the status of a session in the scene: clock, latencies, render time, connection and removed error.</summary>
     /// <remarks>
-    /// Copies its <c>Cell</c>, a text, into rows of label, value and note. Capital letters are at least 0.5° high from where the
-    /// viewer is, times the scale of this object. The lower edge is 7 font sizes below this object; the message stands on top.
-    /// Stands wherever its transform is put; <see cref="BodyFollow"/> beside it keeps it with the viewer.
+    /// Copies its <c>Cell</c>, a text, into rows of label, value and note. Capital letters are at least 0.5° high from the viewer's
+    /// position, times the scale of this object. The lower edge is 7 font sizes below this object; the message is at the top.
+    /// Stays at its transform; <see cref="BodyFollow"/> on the same object keeps it with the viewer.
     /// </remarks>
     [AddComponentMenu("Nowpose/Status Panel")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder + 2)]
@@ -45,7 +45,7 @@ namespace Nowpose.Unity
 
         internal StatusTexts Texts => _texts;
 
-        /// <summary>From how far its letters are high enough; null before it was drawn for a viewer.</summary>
+        /// <summary>Maximum distance at which its letters are high enough, in metres; null before it was drawn for a viewer.</summary>
         internal float? LegibleMetres => _distance.Metres > 0 ? _distance.Metres : (float?)null;
 
         void OnEnable()
@@ -58,7 +58,7 @@ namespace Nowpose.Unity
             if (_cell == null) ConsoleLog.Fail(this, "status panel '" + name + "' has no cell to copy; assign a text below it");
         }
 
-        // Numbers that nobody keeps up are none.
+        // Hides numbers that are no longer updated.
         void OnDisable() => _cells?.Hide();
 
         void OnDestroy() => _cells?.Destroy();
@@ -78,7 +78,7 @@ namespace Nowpose.Unity
             Resize(LetterSize.At(_distance.Metres));
         }
 
-        // What is above it does not change its size; its own scale, which a user sets, does.
+        // Compensates the scale of the parents; the panel's own scale, which a user sets, still applies.
         void Resize(float size)
         {
             var above = transform.parent != null ? Mathf.Abs(transform.parent.lossyScale.x) : 1;
@@ -89,8 +89,8 @@ namespace Nowpose.Unity
             _bar.localPosition = new Vector3(0, PanelCells.LowerEdge * size, 0);
         }
 
-        // Not while objects are being enabled: none may be added then. And not once only: scripts that are compiled anew while
-        // playing leave the objects, and forget them.
+        // Not called while objects are being enabled, because none may be added then. Removes old cells first: when scripts are recompiled in
+        // play mode, the objects remain but the references are lost.
         void MakeCells()
         {
             PanelCells.RemoveFrom(transform);

@@ -6,12 +6,12 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Shows when each frame began, on the control system's clock: as a code for a camera, and as text. Beside the same code by the control
-    /// system, in one picture, it tells the visualisation latency.
+    /// Shows the start time of each frame on the control clock, as a code for a camera and as text. A picture of it beside the same code
+    /// of the control system gives the visualisation latency.
     /// </summary>
     /// <remarks>
-    /// Schnierle &amp; Röck 2022, Fig. 9 and Eq. (7): C2(t_MR), mapped to C1. The code belongs to the very frame that it is drawn in:
-    /// it changes within <see cref="MrilSession.Shown"/>, also where the session computes a frame anew right before rendering.
+    /// Schnierle &amp; Röck 2022, Fig. 9 and Eq. (7): C2(t_MR), mapped to C1. The code belongs to the frame in which it is drawn:
+    /// it changes within <see cref="MrilSession.Shown"/>, also when the session computes a frame again right before rendering.
     /// </remarks>
     [AddComponentMenu("Nowpose/Timestamp Display")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder + 2)]
@@ -36,7 +36,7 @@ namespace Nowpose.Unity
         MrilSession _source;
         TimestampSheet _sheet;
 
-        /// <summary>The control time that the code and the text show, when the frame began; null while they show none.</summary>
+        /// <summary>The displayed control time, that of the frame's start; null while none is displayed.</summary>
         public ControlTime? FrameStart { get; private set; }
 
         void OnEnable()
@@ -64,7 +64,7 @@ namespace Nowpose.Unity
             _sheet = null;
         }
 
-        // Not while objects are being enabled: none may be added then. Until there is a frame, say so.
+        // Not in OnEnable, because no objects may be added while objects are being enabled. Shows a message until there is a frame.
         void LateUpdate()
         {
             if (_sheet == null) Hide();

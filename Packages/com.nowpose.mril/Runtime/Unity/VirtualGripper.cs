@@ -6,10 +6,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>The virtual tool: rides on the flange of a rig, and its fingers move as the robot's joints of their names.</summary>
+    /// <summary>The virtual tool: follows the flange of a rig; its fingers move with the robot's joints of the given names.</summary>
     /// <remarks>
-    /// On a robot without those joints the fingers stay as they are. Fingers that are links of the rig, moved by it already,
-    /// are left to it.
+    /// On a robot without those joints the fingers do not move. Fingers that are links of the rig, which already moves them,
+    /// are not driven.
     /// </remarks>
     [AddComponentMenu("Nowpose/Virtual Gripper")]
     [DisallowMultipleComponent]
@@ -28,15 +28,15 @@ namespace Nowpose.Unity
         Transform _flange;
         FingerDrive[] _drives = Array.Empty<FingerDrive>();
 
-        /// <summary>The rig it rides on; null while it rides on none.</summary>
+        /// <summary>The rig that the gripper follows; null for none.</summary>
         public RobotRig Rig => _source;
 
-        /// <summary>The link it rides on; null until the rig is bound to a robot that has it.</summary>
+        /// <summary>The link that the gripper follows; null until the rig is bound to a robot that has it.</summary>
         public Transform Flange => _flange;
 
         internal IReadOnlyList<GripperFinger> Fingers => _fingers;
 
-        /// <summary>Rides on a rig from now on, whichever it rode on before; done by itself when enabled.</summary>
+        /// <summary>Follows a rig from now on in place of the previous one; called automatically when enabled.</summary>
         public void Mount(RobotRig rig)
         {
             Unmount();
@@ -46,7 +46,7 @@ namespace Nowpose.Unity
             if (rig.Model != null) Fit();
         }
 
-        /// <summary>Stays where it is, its fingers at rest; done by itself when disabled.</summary>
+        /// <summary>Stops following; the fingers return to rest. Called automatically when disabled.</summary>
         public void Unmount()
         {
             Rest();
@@ -77,7 +77,7 @@ namespace Nowpose.Unity
             foreach (var finger in _fingers)
                 if (TryDrive(finger, ref unknown, out var drive)) drives.Add(drive);
             _drives = drives.ToArray();
-            // No warning: on a robot that has no gripper this is how it should be.
+            // Not a warning, because this is correct for a robot without a gripper.
             if (unknown.Length > 0)
                 ConsoleLog.Say(this, "gripper '" + name + "': robot '" + _source.Model.Name + "' has no moving joint " + unknown
                     + ", so what that moves stays as it is");
@@ -99,7 +99,7 @@ namespace Nowpose.Unity
             return true;
         }
 
-        // Whenever a finger is taken for moving, now or after scripts were compiled anew while playing, it stands as it was made.
+        // Resets the fingers, so that each drive starts from the rest pose, also after scripts were recompiled in play mode.
         void Rest()
         {
             foreach (var drive in _drives)

@@ -5,12 +5,12 @@ namespace Nowpose.Counter
 {
     /// <summary>Converts counts of one counter to readings of another that runs on the same oscillator.</summary>
     /// <remarks>
-    /// On Windows, <see cref="System.Diagnostics.Stopwatch"/> is the performance counter, scaled and possibly shifted by a constant. So the
-    /// two never drift apart, in sleep neither, and one measurement of the offset serves as long as the process runs.
+    /// On Windows, <see cref="System.Diagnostics.Stopwatch"/> is the performance counter, scaled and possibly shifted by a constant. The
+    /// two therefore never drift apart, even in sleep, and one measurement of the offset is valid as long as the process runs.
     /// </remarks>
     sealed class CounterPairing
     {
-        /// <summary>An interrupt spoils one bracket, or a few; never all.</summary>
+        /// <summary>Number of readings: an interrupt disturbs one or a few of them, never all.</summary>
         const int Brackets = 32;
 
         readonly long _frequency, _targetFrequency, _count, _reading;
@@ -30,10 +30,10 @@ namespace Nowpose.Counter
         /// <summary>Upper bound of the offset's error: half the shortest bracket and one count of each counter.</summary>
         public TimeSpan Uncertainty { get; }
 
-        /// <summary>Reads both counters several times and keeps the reading that took least time.</summary>
-        /// <param name="open">Returns the counter whose counts are to be converted; throws where the platform has none.</param>
+        /// <summary>Reads both counters several times and keeps the reading with the shortest duration.</summary>
+        /// <param name="open">Returns the counter whose counts are to be converted; throws if the platform has none.</param>
         /// <param name="target">The counter to convert to.</param>
-        /// <param name="fault">Reason of the failure, in one line; null otherwise.</param>
+        /// <param name="fault">Reason of the failure, in one line; null on success.</param>
         public static bool TryMeasure(Func<ICounter> open, ICounter target, out CounterPairing pairing, out string fault)
         {
             pairing = null;
@@ -42,7 +42,7 @@ namespace Nowpose.Counter
             {
                 counter = open();
             }
-            // What a platform lacks is a library or an entry point; both are such.
+            // A missing library and a missing entry point both derive from this exception.
             catch (TypeLoadException missing)
             {
                 fault = "this platform has no performance counter of Windows (" + missing.Message + ")";
@@ -55,11 +55,11 @@ namespace Nowpose.Counter
             return pairing != null;
         }
 
-        /// <summary>Converts a count, exactly to the count of the target, rounded towards the time of the pairing. Allocates nothing.</summary>
-        /// <param name="count">A count that no device can reach gives a meaningless result, not an exception.</param>
+        /// <summary>Converts a count, exactly to one count of the target, rounded towards the time of the pairing. Allocates nothing.</summary>
+        /// <param name="count">A count that a device cannot reach gives a meaningless result, not an exception.</param>
         public long ToTarget(long count)
         {
-            // Whole seconds apart: the product of a large count and the other frequency would not fit.
+            // Converts whole seconds separately: the product of a large count and the other frequency would overflow.
             var since = count - _count;
             return _reading + since / _frequency * _targetFrequency + since % _frequency * _targetFrequency / _frequency;
         }

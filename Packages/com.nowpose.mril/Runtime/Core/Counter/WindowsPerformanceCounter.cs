@@ -6,7 +6,7 @@ namespace Nowpose.Counter
     /// <summary>The performance counter of Windows, unscaled; UWP apps may call both functions.</summary>
     sealed class WindowsPerformanceCounter : ICounter
     {
-        /// <exception cref="TypeLoadException">The platform has no kernel32, or not these functions: it is not Windows.</exception>
+        /// <exception cref="TypeLoadException">The platform is not Windows: kernel32 or its functions are missing.</exception>
         public WindowsPerformanceCounter() => Frequency = QueryPerformanceFrequency(out var frequency) ? frequency : 0;
 
         public long Frequency { get; }

@@ -2,9 +2,9 @@ using System;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>Joint positions to the poses of all links.</summary>
+    /// <summary>Computes the poses of all links from the joint positions.</summary>
     /// <remarks>
-    /// Everything that does not depend on the positions is computed once. Afterwards immutable: one object serves any thread.
+    /// The constructor computes all constants. Immutable afterwards, so any thread may use it.
     /// </remarks>
     sealed class ForwardKinematics
     {
@@ -18,8 +18,8 @@ namespace Nowpose.Kinematics
             for (var i = 0; i < _motions.Length; i++) _motions[i] = new JointMotion(model.Links[i + 1]);
         }
 
-        /// <summary>Poses relative to the root link, right-handed as in the URDF. Limits do not apply; allocates nothing.</summary>
-        /// <param name="positions">One per <see cref="RobotModel.MovingJoints"/>, rad or m; mimic joints are taken as given.</param>
+        /// <summary>Computes poses relative to the root link, right-handed as in the URDF. Ignores limits; allocates nothing.</summary>
+        /// <param name="positions">One per <see cref="RobotModel.MovingJoints"/>, in rad or m; mimic joints use their own value.</param>
         /// <param name="linkPoses">One per <see cref="RobotModel.Links"/>, in that order.</param>
         public void Compute(ReadOnlySpan<double> positions, Span<RigidTransform> linkPoses)
         {

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>A joint that was told to be where its limits do not let it be. Immutable.</summary>
+    /// <summary>A joint whose received position is outside its limits. Immutable.</summary>
     public sealed class JointBeyondLimits
     {
         internal JointBeyondLimits(RobotJoint joint, double position)
@@ -14,10 +14,10 @@ namespace Nowpose.Kinematics
 
         public RobotJoint Joint { get; }
 
-        /// <summary>Where it was when that was found, rad or m.</summary>
+        /// <summary>Position at the time of detection, in rad or m.</summary>
         public double Position { get; }
 
-        /// <summary>All that in one line, with what to look at.</summary>
+        /// <summary>A message of one line with the joint, its position, its limits and the possible causes.</summary>
         public string Words { get; }
 
         static string WordsOf(RobotJoint joint, double position)

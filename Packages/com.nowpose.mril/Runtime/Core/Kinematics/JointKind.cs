@@ -1,6 +1,6 @@
 namespace Nowpose.Kinematics
 {
-    /// <summary>How a joint moves. Positions are radians, for <see cref="Prismatic"/> metres.</summary>
+    /// <summary>The motion of a joint. Positions are in radians, for <see cref="Prismatic"/> in metres.</summary>
     public enum JointKind
     {
         Fixed,

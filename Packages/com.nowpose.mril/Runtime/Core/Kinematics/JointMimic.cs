@@ -10,12 +10,12 @@ namespace Nowpose.Kinematics
             Offset = offset;
         }
 
-        /// <summary>Name of the joint that is followed; it moves, and may follow another itself.</summary>
+        /// <summary>Name of the joint that is followed; that joint moves, and may itself follow another.</summary>
         public string Master { get; }
 
         public double Multiplier { get; }
 
-        /// <summary>Radians, for a prismatic follower metres.</summary>
+        /// <summary>Offset in radians, for a prismatic follower in metres.</summary>
         public double Offset { get; }
     }
 }

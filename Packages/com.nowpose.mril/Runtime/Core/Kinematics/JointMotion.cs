@@ -3,10 +3,10 @@ using System.Runtime.CompilerServices;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>A link's pose in its parent's frame as a function of its joint's position, with all constants worked out.</summary>
+    /// <summary>A link's pose in its parent's frame as a function of its joint's position, with precomputed constants.</summary>
     /// <remarks>
-    /// Rodrigues' formula sorted by what depends on q: R0·R(a, q) = R0·aaᵀ + R0·[a]× · sin q + R0·(1 − aaᵀ) · cos q.
-    /// Sliding along the axis adds R0·a · q to the translation.
+    /// Rodrigues' formula sorted by the terms in q: R0·R(a, q) = R0·aaᵀ + R0·[a]× · sin q + R0·(1 − aaᵀ) · cos q.
+    /// A prismatic joint adds R0·a · q to the translation.
     /// </remarks>
     readonly struct JointMotion
     {
@@ -15,11 +15,11 @@ namespace Nowpose.Kinematics
         /// <summary>Index of the parent link.</summary>
         public readonly int Parent;
 
-        /// <summary>Index of the position it depends on; -1 on a fixed joint.</summary>
+        /// <summary>Index of the joint's position; -1 for a fixed joint.</summary>
         public readonly int Position;
         public readonly RigidTransform Origin;
 
-        // Rotation parts; Sine's translation is R0·a, the direction of sliding, the others' is zero.
+        // The terms of the rotation. The translation of _sine is R0·a, the direction of sliding; the others' is zero.
         readonly RigidTransform _constant, _sine, _cosine;
 
         public JointMotion(RobotLink link)

@@ -3,11 +3,11 @@ using System.Collections.Generic;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>Finds joints whose samples lie where the robot's description does not let them be: another robot's, or another unit.</summary>
+    /// <summary>Detects joints whose samples are outside the limits of the robot description: a sign of another robot or unit.</summary>
     /// <remarks>
-    /// A joint is beyond its limits from the third sample in a row that is, and until a hundred in a row are not, so that a joint
-    /// that swings is said once. Noise at a stop, and limits that are rounded, do not count: 0.02 rad or 2 mm. Allocates only where
-    /// it finds a joint for the first time; not thread-safe.
+    /// A joint is beyond its limits after three consecutive samples outside, until a hundred consecutive samples inside, so that an
+    /// oscillating joint is reported once. A tolerance of 0.02 rad or 2 mm covers noise at a stop and rounded limits. Allocates only
+    /// at the first detection of a joint; not thread-safe.
     /// </remarks>
     sealed class LimitWatch
     {
@@ -28,10 +28,10 @@ namespace Nowpose.Kinematics
             _inARow = new int[_joints.Count];
         }
 
-        /// <summary>All that were ever found, in that order, each joint once.</summary>
+        /// <summary>All joints detected so far, each once, in the order of detection.</summary>
         public IReadOnlyList<JointBeyondLimits> Found => _found;
 
-        /// <summary>The first that is beyond its limits now, in the robot's order; null for none.</summary>
+        /// <summary>The first joint in the robot's order that is beyond its limits now; null if there is none.</summary>
         public JointBeyondLimits Present
         {
             get
@@ -41,14 +41,14 @@ namespace Nowpose.Kinematics
             }
         }
 
-        /// <summary>Whether a joint is beyond its limits now.</summary>
+        /// <summary>Returns whether a joint is beyond its limits now.</summary>
         public bool IsBeyond(JointBeyondLimits found) => _isBeyond[found.Joint.MovingIndex];
 
-        /// <param name="joint">Index among the moving ones.</param>
-        /// <param name="position">Of a sample, rad or m.</param>
+        /// <param name="joint">Index among the moving joints.</param>
+        /// <param name="position">Position of a sample, in rad or m.</param>
         public void Add(int joint, double position)
         {
-            // Of samples that say otherwise than before.
+            // Number of consecutive samples that contradict the current state.
             _inARow[joint] = IsOutside(_joints[joint], position) == _isBeyond[joint] ? 0 : _inARow[joint] + 1;
             if (_inARow[joint] < (_isBeyond[joint] ? SamplesToForget : SamplesToFind)) return;
             _inARow[joint] = 0;

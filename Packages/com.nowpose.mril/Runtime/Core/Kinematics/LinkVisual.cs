@@ -1,6 +1,6 @@
 namespace Nowpose.Kinematics
 {
-    /// <summary>One shape that shows a link.</summary>
+    /// <summary>One visual shape of a link.</summary>
     sealed class LinkVisual
     {
         internal LinkVisual(
@@ -18,13 +18,13 @@ namespace Nowpose.Kinematics
         /// <summary>The shape's frame in the link's.</summary>
         public RigidTransform Origin { get; }
 
-        /// <summary>Whole extent along the shape's own axes in metres (diameters, not radii); for a mesh its scale, without unit.</summary>
+        /// <summary>Full extent along the shape's own axes in metres (diameters, not radii); for a mesh its scale, without unit.</summary>
         public (double X, double Y, double Z) Size { get; }
 
-        /// <summary>As the URDF names it (<c>package://…</c> or a path); null unless <see cref="VisualShape.Mesh"/>.</summary>
+        /// <summary>Name in the URDF (<c>package://…</c> or a path); null unless <see cref="VisualShape.Mesh"/>.</summary>
         public string MeshFile { get; }
 
-        /// <summary>Null where the URDF gives none.</summary>
+        /// <summary>Null if the URDF specifies none.</summary>
         public VisualColour? Colour { get; }
     }
 }

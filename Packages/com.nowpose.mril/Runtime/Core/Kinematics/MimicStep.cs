@@ -1,6 +1,6 @@
 namespace Nowpose.Kinematics
 {
-    /// <summary>One mimic joint with indices instead of names. A model keeps them masters first.</summary>
+    /// <summary>One mimic joint with indices instead of names. In a model, masters precede their followers.</summary>
     readonly struct MimicStep
     {
         public MimicStep(int joint, int master, double multiplier, double offset)

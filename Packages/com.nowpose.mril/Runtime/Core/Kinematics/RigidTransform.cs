@@ -5,12 +5,12 @@ namespace Nowpose.Kinematics
 {
     /// <summary>A rotation followed by a translation in metres: the pose of one right-handed frame in another.</summary>
     /// <remarks>
-    /// <c>parent * child</c> is the child's pose seen from where the parent's is seen from. 96 bytes: pass it by <c>in</c>.
-    /// <c>default</c> is no pose (its rotation is zero); start from <see cref="Identity"/>.
+    /// <c>parent * child</c> is the child's pose in the reference frame of the parent's pose. 96 bytes: pass it by <c>in</c>.
+    /// <c>default</c> is not a valid pose (its rotation is zero); start from <see cref="Identity"/>.
     /// </remarks>
     public readonly struct RigidTransform
     {
-        // Rotation row by row; the columns are the child's axes in the parent's frame.
+        // Rotation in row-major order; the columns are the child's axes in the parent's frame.
         internal readonly double R00, R01, R02, R10, R11, R12, R20, R21, R22;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -35,7 +35,7 @@ namespace Nowpose.Kinematics
         /// <summary>Translation along the parent's z, metres.</summary>
         public double Z { get; }
 
-        /// <summary>A URDF origin: metres, and radians turned about the parent's fixed x, then y, then z axis.</summary>
+        /// <summary>Makes a pose from a URDF origin: metres, and radians about the parent's fixed x, then y, then z axis.</summary>
         public static RigidTransform FromXyzRpy(double x, double y, double z, double roll, double pitch, double yaw)
         {
             double sr = Math.Sin(roll), cr = Math.Cos(roll);

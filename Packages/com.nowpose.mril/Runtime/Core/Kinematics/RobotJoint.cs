@@ -1,6 +1,6 @@
 namespace Nowpose.Kinematics
 {
-    /// <summary>What connects a link to its parent.</summary>
+    /// <summary>The connection of a link to its parent.</summary>
     public sealed class RobotJoint
     {
         internal RobotJoint(
@@ -23,19 +23,19 @@ namespace Nowpose.Kinematics
         public string ParentLink { get; }
         public string ChildLink { get; }
 
-        /// <summary>Place of its value among the positions (<see cref="RobotModel.MovingJoints"/>), -1 for a fixed joint.</summary>
+        /// <summary>Index of its value among the positions (<see cref="RobotModel.MovingJoints"/>), -1 for a fixed joint.</summary>
         public int MovingIndex { get; }
 
-        /// <summary>The joint's frame in the parent link's, which is also the child link's pose at position 0.</summary>
+        /// <summary>The joint's frame in the parent link's frame, which is also the child link's pose at position 0.</summary>
         public RigidTransform Origin { get; }
 
         /// <summary>
         /// Unit vector in the joint's own frame; positive positions turn about it by the right-hand rule or slide along
-        /// it. Without meaning on a fixed joint.
+        /// it. Meaningless for a fixed joint.
         /// </summary>
         public (double X, double Y, double Z) Axis { get; }
 
-        /// <summary><see cref="JointLimits.None"/> on a fixed joint.</summary>
+        /// <summary><see cref="JointLimits.None"/> for a fixed joint.</summary>
         public JointLimits Limits { get; }
 
         /// <summary>Null unless the joint follows another.</summary>

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>A robot as a tree of links: what a URDF says, checked and put in order. Immutable, so any thread may use it.</summary>
+    /// <summary>A robot as a tree of links: the checked and ordered content of a URDF. Immutable, so any thread may use it.</summary>
     public sealed class RobotModel
     {
         readonly MimicStep[] _mimics;
@@ -26,43 +26,43 @@ namespace Nowpose.Kinematics
             while (FlangeLink.ParentIndex >= 0 && FlangeLink.ParentJoint.Kind == JointKind.Fixed) FlangeLink = links[FlangeLink.ParentIndex];
         }
 
-        /// <summary>Empty where the URDF gives none.</summary>
+        /// <summary>Name of the robot; empty if the URDF specifies none.</summary>
         public string Name { get; }
 
-        /// <summary>Of the URDF text that was read: whether another text describes the same robot.</summary>
+        /// <summary>Hash of the URDF text, to check whether another text describes the same robot.</summary>
         internal UrdfHash SourceHash { get; }
 
-        /// <summary>Root first, parents before their children.</summary>
+        /// <summary>The links: the root first, parents before their children.</summary>
         public IReadOnlyList<RobotLink> Links { get; }
 
-        /// <summary>All joints as the URDF orders them.</summary>
+        /// <summary>All joints, in the order of the URDF.</summary>
         public IReadOnlyList<RobotJoint> Joints { get; }
 
-        /// <summary>The joints that are not fixed, those that mimic included, as the URDF orders them: one position each, in rad or m.</summary>
+        /// <summary>The joints that are not fixed, including mimic joints, in the order of the URDF: one position each, in rad or m.</summary>
         public IReadOnlyList<RobotJoint> MovingJoints { get; }
 
         public RobotLink Root => Links[0];
 
         /// <summary>
-        /// The link that works: <c>tool_centre_point</c>, else <c>tool0</c>, else <c>flange</c>, else the leaf with the most
+        /// The link of the tool: <c>tool_centre_point</c>, else <c>tool0</c>, else <c>flange</c>, else the leaf with the most
         /// moving joints above it (the first in the URDF of several).
         /// </summary>
         public RobotLink ToolLink { get; }
 
         /// <summary>
-        /// The link that a tool is mounted on: what the last moving joint before <see cref="ToolLink"/> carries, the root where none moves.
+        /// The link that a tool is mounted on: the child of the last moving joint before <see cref="ToolLink"/>; the root if no joint moves.
         /// </summary>
         public RobotLink FlangeLink { get; }
 
-        /// <summary>Index in <see cref="Links"/>, -1 if there is no such link.</summary>
+        /// <summary>Returns an index in <see cref="Links"/>, -1 if there is no such link.</summary>
         public int IndexOfLink(string name) => _linkIndices.TryGetValue(name, out var index) ? index : -1;
 
-        /// <summary>Index in <see cref="MovingJoints"/>, -1 if there is no such joint or it is fixed.</summary>
+        /// <summary>Returns an index in <see cref="MovingJoints"/>, -1 if there is no such joint or it is fixed.</summary>
         public int IndexOfMovingJoint(string name) => _movingIndices.TryGetValue(name, out var index) ? index : -1;
 
-        /// <summary>Sets the position of each mimic joint that was not given from its master's; allocates nothing.</summary>
-        /// <param name="positions">One per moving joint, rad or m.</param>
-        /// <param name="given">One per moving joint: whether its position came from elsewhere and stays.</param>
+        /// <summary>Computes the position of each mimic joint that was not given from its master's; allocates nothing.</summary>
+        /// <param name="positions">One per moving joint, in rad or m.</param>
+        /// <param name="given">One per moving joint: whether its position was given and stays.</param>
         public void CompleteMimics(Span<double> positions, ReadOnlySpan<bool> given)
         {
             RequireOnePerMovingJoint(positions.Length, nameof(positions));

@@ -2,14 +2,14 @@ using System;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>The one place where right-handed URDF poses (x forward, y left, z up) become Unity's left-handed ones and back.</summary>
+    /// <summary>The only conversion between right-handed URDF poses (x forward, y left, z up) and Unity's left-handed ones.</summary>
     /// <remarks>
     /// Unity's (x, y, z) is (−y, z, x) of the URDF. That mirrors, so a rotation keeps its angle while its axis maps
     /// with the opposite sign: (y, −z, −x). Poses convert one by one: ToUnity(a * b) is ToUnity(a) followed by ToUnity(b).
     /// </remarks>
     public static class UnityFrame
     {
-        /// <summary>The rotation has w ≥ 0.</summary>
+        /// <summary>Converts a pose to Unity's axes; the rotation has w ≥ 0.</summary>
         public static UnityPose ToUnity(in RigidTransform pose)
         {
             var (x, y, z, w) = Quaternion(pose);
@@ -18,7 +18,7 @@ namespace Nowpose.Kinematics
             return new UnityPose(at.X, at.Y, at.Z, axis.X, axis.Y, axis.Z, w);
         }
 
-        /// <param name="pose">Its rotation need not be of unit length, but not zero.</param>
+        /// <param name="pose">A pose in Unity's axes; its rotation must not be zero, but need not be of unit length.</param>
         public static RigidTransform FromUnity(in UnityPose pose)
         {
             double x = -pose.RotationZ, y = pose.RotationX, z = -pose.RotationY, w = pose.RotationW;
@@ -30,11 +30,11 @@ namespace Nowpose.Kinematics
                 pose.Z, -pose.X, pose.Y);
         }
 
-        /// <summary>A direction, or a position, of the URDF in Unity's axes.</summary>
+        /// <summary>Converts a direction or a position of the URDF to Unity's axes.</summary>
         public static (double X, double Y, double Z) DirectionToUnity((double X, double Y, double Z) vector) =>
             (-vector.Y, vector.Z, vector.X);
 
-        /// <summary>The axis about which Unity turns by an angle as the URDF, by the right-hand rule, turns about the given one by the same.</summary>
+        /// <summary>Converts a right-handed rotation axis of the URDF to the Unity axis of the same rotation by the same angle.</summary>
         public static (double X, double Y, double Z) TurningAxisToUnity((double X, double Y, double Z) axis) =>
             (axis.Y, -axis.Z, -axis.X);
 

@@ -1,6 +1,6 @@
 namespace Nowpose.Kinematics
 {
-    /// <summary>A pose in Unity's left-handed frame (x right, y up, z forward), in plain numbers because Core knows no engine types.</summary>
+    /// <summary>A pose in Unity's left-handed frame (x right, y up, z forward) as numbers, because Core has no engine types.</summary>
     public readonly struct UnityPose
     {
         public UnityPose(double x, double y, double z, double rotationX, double rotationY, double rotationZ, double rotationW)

@@ -5,10 +5,10 @@ using System.Text;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>What tells whether two URDF texts are the same one: SHA-256, whatever way the text travelled.</summary>
+    /// <summary>SHA-256 of a URDF text, independent of how the text was transferred.</summary>
     /// <remarks>
-    /// Line ends, a byte order mark and white space around the document do not count, since editors, version control and
-    /// publishers change them. Everything else does, comments too. <c>default</c> is the hash of no text.
+    /// It ignores line ends, a byte order mark and white space around the document, which editors, version control and
+    /// publishers change. Everything else counts, including comments. <c>default</c> is the hash of no text.
     /// </remarks>
     readonly struct UrdfHash : IEquatable<UrdfHash>
     {

@@ -3,7 +3,7 @@ using System.Xml.Linq;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>A joint as read, with the element that errors point to.</summary>
+    /// <summary>A joint of the URDF, with the element for error messages.</summary>
     sealed class UrdfJoint
     {
         const double ShortestAxis = 1e-9;
@@ -92,7 +92,7 @@ namespace Nowpose.Kinematics
                 Bound(source, limit, "jerk"));
         }
 
-        // Exporters write 0 or -1 for "not known"; a joint that cannot move would be fixed.
+        // Exporters write 0 or -1 for unknown limits; a joint that cannot move would be fixed.
         static double Bound(UrdfSource source, XElement limit, string attribute)
         {
             var value = source.Number(limit, attribute, 0);

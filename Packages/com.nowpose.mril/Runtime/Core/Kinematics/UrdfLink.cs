@@ -4,7 +4,7 @@ using System.Xml.Linq;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>A link as read, before it has a place in the tree.</summary>
+    /// <summary>A link of the URDF, before it has a place in the tree.</summary>
     sealed class UrdfLink
     {
         readonly UrdfSource _source;
@@ -23,7 +23,7 @@ namespace Nowpose.Kinematics
         public string Name { get; }
         public IReadOnlyList<LinkVisual> Visuals { get; }
 
-        // A shape that is not known is not drawn; the robot still moves.
+        // An unknown shape is not drawn; the robot still moves.
         LinkVisual Visual(XElement visual)
         {
             var shape = UrdfSource.Child(visual, "geometry")?.Elements().FirstOrDefault();

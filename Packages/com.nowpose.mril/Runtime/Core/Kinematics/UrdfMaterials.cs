@@ -4,7 +4,7 @@ using System.Xml.Linq;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>Colours by material name. A visual may define one for the others to use, so all are collected first.</summary>
+    /// <summary>Colours by material name. A visual may define a colour for others, so all are collected first.</summary>
     sealed class UrdfMaterials
     {
         readonly UrdfSource _source;
@@ -21,7 +21,7 @@ namespace Nowpose.Kinematics
             }
         }
 
-        /// <summary>Null without a material, or with one that has no colour.</summary>
+        /// <summary>Returns the colour of a visual; null if it has no material or its material has no colour.</summary>
         public VisualColour? ColourOf(XElement visual)
         {
             var material = UrdfSource.Child(visual, "material");
@@ -30,7 +30,7 @@ namespace Nowpose.Kinematics
             return _colours.TryGetValue((string)material.Attribute("name") ?? "", out colour) ? colour : (VisualColour?)null;
         }
 
-        // gazebo's <material> elements hold a name as text and belong to another format.
+        // The <material> elements of gazebo contain a name as text and belong to another format.
         static bool IsOfTheRobot(XElement material, XElement root) =>
             material.Parent == root || material.Parent.Name.LocalName == "visual" && material.Parent.Parent.Parent == root;
 

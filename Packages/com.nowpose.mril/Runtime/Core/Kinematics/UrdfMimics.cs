@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>Puts mimic joints in an order in which each follows its master.</summary>
+    /// <summary>Sorts mimic joints so that masters precede their followers.</summary>
     static class UrdfMimics
     {
         public static MimicStep[] InOrder(UrdfSource source, UrdfJoint[] joints)
@@ -14,7 +14,7 @@ namespace Nowpose.Kinematics
             var done = new HashSet<UrdfJoint>();
             foreach (var joint in joints)
             {
-                // Followed up to a joint that moves by itself or is in the list already, then taken back down.
+                // Follows the masters up to a joint that moves by itself or is in the list already; the stack reverses the order.
                 var chain = new Stack<UrdfJoint>();
                 var at = joint;
                 for (; at.Joint.Mimic != null && done.Add(at); at = Master(source, at, byName)) chain.Push(at);

@@ -5,15 +5,15 @@ namespace Nowpose.Kinematics
 {
     /// <summary>Reads robots in the Unified Robot Description Format of ROS.</summary>
     /// <remarks>
-    /// Links with their visuals and joints; fixed, revolute, continuous and prismatic joints, mimic and limits. Everything
-    /// else (collision, inertia, transmissions, gazebo) is passed over. Document types and entities are refused.
+    /// Supports links with their visuals; fixed, revolute, continuous and prismatic joints; mimic and limits. Ignores all other
+    /// elements (collision, inertia, transmissions, gazebo). Rejects document types and entities.
     /// </remarks>
     public static class UrdfReader
     {
         /// <param name="text">The whole document, xacro already expanded.</param>
-        /// <param name="sourceName">What errors call it, usually the file's name.</param>
+        /// <param name="sourceName">Name in error messages, usually the file's.</param>
         /// <exception cref="InputException">
-        /// Not a robot that can be computed; names the line, the element and what is wrong with it.
+        /// The text is not a robot that can be computed; the message names the line, the element and the error.
         /// </exception>
         public static RobotModel Read(string text, string sourceName)
         {

@@ -7,7 +7,7 @@ using System.Xml.Linq;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>Reads attributes of one URDF and words what is wrong with them, always with its name and the line.</summary>
+    /// <summary>Reads attributes of one URDF, and makes error messages with its name and the line.</summary>
     sealed class UrdfSource
     {
         const int DeepestElement = 100;
@@ -18,7 +18,7 @@ namespace Nowpose.Kinematics
 
         public XElement ParseRoot(string text)
         {
-            // A byte order mark survives in text that did not come from a file.
+            // A text that does not come from a file may still contain a byte order mark.
             text = text.TrimStart('\uFEFF');
             try
             {
@@ -31,7 +31,7 @@ namespace Nowpose.Kinematics
             }
         }
 
-        /// <summary>Children of a name in the root's own namespace: gazebo's and others' extensions may reuse the names.</summary>
+        /// <summary>Returns a child in the parent's own namespace, because extensions such as gazebo's may reuse the names.</summary>
         public static XElement Child(XElement parent, string name) => parent.Element(parent.Name.Namespace + name);
 
         public InputException Error(XElement at, string message)
@@ -93,7 +93,7 @@ namespace Nowpose.Kinematics
         static XmlReader Reader(string text) => XmlReader.Create(
             new StringReader(text), new XmlReaderSettings { DtdProcessing = DtdProcessing.Prohibit, XmlResolver = null });
 
-        // XDocument walks up to the root for each node it adds: what is nested 100 000 deep would take minutes.
+        // XDocument walks up to the root for each node that it adds, so a nesting of 100 000 levels would take minutes.
         void RequireShallow(XmlReader reader)
         {
             while (reader.Read())
@@ -107,7 +107,7 @@ namespace Nowpose.Kinematics
         InputException Malformed(string text, XmlException e)
         {
             var isDtd = e.Message.Contains("DTD", StringComparison.OrdinalIgnoreCase);
-            // The reader gives the line before the document type's own.
+            // The reader reports a line before that of the document type.
             var line = isDtd ? 1 + text.Take(text.IndexOf("<!DOCTYPE", StringComparison.Ordinal)).Count(c => c == '\n') : e.LineNumber;
             var reason = isDtd ? "a document type (DTD) with its entities is not allowed in a URDF" : "not well-formed XML: " + e.Message;
             return new InputException(OneLine(_name + ":" + Math.Max(1, line) + ": " + reason), e);

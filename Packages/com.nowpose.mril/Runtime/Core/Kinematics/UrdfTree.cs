@@ -5,7 +5,7 @@ using System.Xml.Linq;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>Joins links by joints and insists on one tree.</summary>
+    /// <summary>Connects links by joints and checks that they form one tree.</summary>
     sealed class UrdfTree
     {
         static readonly string[] ToolNames = { "tool_centre_point", "tool0", "flange" };
@@ -28,10 +28,10 @@ namespace Nowpose.Kinematics
             if (Array.Find(links, link => !reached.Contains(link.Name)) is UrdfLink unreached) throw Cycle(unreached);
         }
 
-        /// <summary>Root first, parents before children, children as the URDF orders their joints.</summary>
+        /// <summary>The links: the root first, parents before children, children in the order of their joints in the URDF.</summary>
         public RobotLink[] Links { get; }
 
-        /// <param name="links">In the URDF's order, which decides between equals.</param>
+        /// <param name="links">The links in the URDF's order; the first of several equal candidates is chosen.</param>
         public RobotLink ToolLink(UrdfLink[] links)
         {
             foreach (var name in ToolNames)
@@ -83,7 +83,7 @@ namespace Nowpose.Kinematics
             return links.ToArray();
         }
 
-        // Going up from a link the root does not reach ends in the cycle, if not at once.
+        // The path upwards from a link that the root does not reach ends in the cycle.
         InputException Cycle(UrdfLink unreached)
         {
             var passed = new HashSet<string>();

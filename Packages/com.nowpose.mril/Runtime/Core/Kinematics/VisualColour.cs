@@ -1,6 +1,6 @@
 namespace Nowpose.Kinematics
 {
-    /// <summary>Red, green, blue and opacity, each meant to lie in 0…1 and kept as written.</summary>
+    /// <summary>Red, green, blue and opacity, as written in the URDF; the valid range is 0…1, which is not enforced.</summary>
     readonly struct VisualColour
     {
         public VisualColour(double red, double green, double blue, double alpha)

@@ -4,7 +4,7 @@ namespace Nowpose.Kinematics
     {
         Box,
 
-        /// <summary>About its own z axis, its middle at the origin.</summary>
+        /// <summary>A cylinder about its own z axis with its centre at the origin.</summary>
         Cylinder,
         Sphere,
         Mesh,

@@ -4,19 +4,19 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Motion
 {
-    /// <summary>A cycle for a robot of which only the limits are known: a long swing of the first joint between two small dips of the others.</summary>
+    /// <summary>A cycle for a robot with known limits only: long swings of the first joint between short dips of the others.</summary>
     static class DerivedWaypoints
     {
-        // rad and m to either side of a joint's middle: far enough for full speed, and the others less so that it looks like a
-        // robot at work. Nothing is known of tables and walls.
+        // Rad and m to either side of a joint's middle: enough for the first joint to reach full speed; less for the others, so that the
+        // motion looks like work. Tables and walls are unknown and not considered.
         const double Swing = 1.2;
         const double Dip = 0.5;
         const double Stroke = 0.1;
 
-        // At most this share of a joint's range, so that a little is left at both ends.
+        // Maximum share of a joint's range, which leaves a margin at both ends.
         const double RangeShare = 0.4;
 
-        // Per waypoint: where the swing is, and whether the others dip.
+        // Per waypoint: the swing of the first joint, and the dip of the others.
         static readonly (double Swing, double Dip)[] Cycle =
         {
             (0, 0), (-1, 0.3), (-1, 1), (-1, 0.3), (1, -0.2), (1, -1), (1, -0.2),
@@ -31,7 +31,7 @@ namespace Nowpose.Motion
             var isFirst = true;
             foreach (var joint in robot.MovingJoints.Where(joint => joint.Mimic == null))
             {
-                // Neighbours dip against each other, which keeps the tool near where it was.
+                // Neighbouring joints dip in opposite directions, which keeps the tool near its place.
                 var share = isFirst ? swing : joint.MovingIndex % 2 == 0 ? -dip : dip;
                 positions[joint.MovingIndex] = Middle(joint.Limits) + share * Reach(joint, isFirst ? Swing : Dip);
                 isFirst = false;
@@ -40,7 +40,7 @@ namespace Nowpose.Motion
             return positions;
         }
 
-        // Zero where the joint can stand there: the pose its URDF was drawn in.
+        // Zero if it is within the range with margins, because the URDF was drawn in that pose.
         static double Middle(JointLimits limits)
         {
             if (double.IsInfinity(limits.Lower) || double.IsInfinity(limits.Upper))

@@ -3,17 +3,17 @@ using System.Collections.Generic;
 
 namespace Nowpose.Motion
 {
-    /// <summary>Where a simulated robot truly is at any time. Immutable, any thread.</summary>
+    /// <summary>The true positions of a simulated robot as a function of time. Immutable, so any thread may use it.</summary>
     public interface IMotion
     {
         /// <summary>All moving joints, mimic joints included, in the order of <see cref="At"/>.</summary>
         IReadOnlyList<string> JointNames { get; }
 
-        /// <summary>After this long, s, the motion repeats.</summary>
+        /// <summary>Period of the motion, in s.</summary>
         double CycleSeconds { get; }
 
-        /// <summary>Fills one position, rad or m, for each joint; allocates nothing.</summary>
-        /// <param name="seconds">Since the cell's start; before it the robot stands where it begins.</param>
+        /// <summary>Computes the position of each joint, in rad or m; allocates nothing.</summary>
+        /// <param name="seconds">Time since the cell's start, in s; before the start the robot is at its first position.</param>
         /// <param name="positions">As long as <see cref="JointNames"/>.</param>
         void At(double seconds, Span<double> positions);
     }

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Motion
 {
-    /// <summary>A straight move in joint space from rest to rest, all joints starting and stopping together.</summary>
+    /// <summary>A straight move in joint space from rest to rest; all joints start and stop together.</summary>
     sealed class JointMove
     {
         readonly double[] _from;
@@ -14,8 +14,8 @@ namespace Nowpose.Motion
         {
             _from = from;
             _to = to;
-            // One profile for the share of the way, within what the joint with the longest way for its limits allows: every
-            // other joint then stays within its own at every moment.
+            // One profile for the share of the way. Its limits are the minimum over all joints of limit ÷ way, so every joint stays
+            // within its own limits at every moment.
             double velocity = double.PositiveInfinity, acceleration = double.PositiveInfinity, jerk = double.PositiveInfinity;
             for (var i = 0; i < from.Length; i++)
             {
@@ -31,10 +31,10 @@ namespace Nowpose.Motion
                 _share = new SevenPhaseProfile(1, velocity, acceleration, jerk);
         }
 
-        /// <summary>s; zero when nothing moves.</summary>
+        /// <summary>Duration in s; zero if no joint moves.</summary>
         public double Duration => _share.Duration;
 
-        /// <param name="seconds">Since the move's start.</param>
+        /// <param name="seconds">Time since the move's start, in s.</param>
         public void At(double seconds, Span<double> positions)
         {
             var share = _share.PositionAt(seconds);

@@ -6,7 +6,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Motion
 {
-    /// <summary>A robot that picks and places over and over, in jerk-limited moves from rest to rest.</summary>
+    /// <summary>A robot that repeats a pick-and-place cycle, in jerk-limited moves from rest to rest.</summary>
     public sealed class PickAndPlaceMotion : IMotion
     {
         readonly RobotModel _robot;
@@ -14,8 +14,8 @@ namespace Nowpose.Motion
         readonly double[] _ends;
         readonly bool[] _given;
 
-        /// <param name="robot">The youBot gets waypoints of its own; any other a cycle derived from its limits.</param>
-        /// <exception cref="InputException">The robot has no moving joint or too many, or cannot reach a waypoint.</exception>
+        /// <param name="robot">The youBot uses its own waypoints; any other robot a cycle derived from its limits.</param>
+        /// <exception cref="InputException">The robot has no moving joints or too many, or cannot reach a waypoint.</exception>
         public PickAndPlaceMotion(RobotModel robot)
         {
             _robot = robot;

@@ -4,10 +4,10 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Motion
 {
-    /// <summary>The joints a plant publishes: all that move, mimic joints included.</summary>
+    /// <summary>The joints that a plant publishes: all moving joints, including mimic joints.</summary>
     static class PlantJoints
     {
-        /// <exception cref="InputException">More than one message may carry.</exception>
+        /// <exception cref="InputException">The robot has more moving joints than one message can contain.</exception>
         public static string[] NamesOf(RobotModel robot)
         {
             if (robot.MovingJoints.Count > ProtocolLimits.Joints)

@@ -7,9 +7,9 @@ namespace Nowpose.Motion
     /// Schnierle &amp; Röck 2022, Fig. 12: seven phases of constant jerk, fewer when the stroke is short.
     /// </summary>
     /// <remarks>
-    /// Any unit of length (mm, m, rad) as long as distance and limits share it; times in seconds from the start of the
-    /// move. Before the start it stands at 0, after <see cref="Duration"/> at the distance. <c>default</c> is a move over no
-    /// distance, which takes no time. Immutable, any thread.
+    /// Any unit of length (mm, m, rad) if distance and limits share it; times in seconds from the start of the
+    /// move. The position is 0 before the start, and the distance after <see cref="Duration"/>. <c>default</c> is a move of zero
+    /// distance and duration. Immutable, so any thread may use it.
     /// </remarks>
     readonly struct SevenPhaseProfile
     {
@@ -19,7 +19,7 @@ namespace Nowpose.Motion
         readonly double _rampTime;
         readonly double _peakVelocity;
 
-        /// <param name="distance">Signed stroke; 0 makes a move that takes no time.</param>
+        /// <param name="distance">Signed stroke; 0 gives a move of zero duration.</param>
         /// <param name="maxVelocity">Per second, positive.</param>
         /// <param name="maxAcceleration">Per second squared, positive.</param>
         /// <param name="maxJerk">Per second cubed, positive.</param>
@@ -38,7 +38,7 @@ namespace Nowpose.Motion
             _peakVelocity = Math.Min(maxVelocity, VelocityOfStroke(stroke, maxAcceleration, maxJerk));
             if (_peakVelocity == 0) return;
 
-            // Constant acceleration is reached only by ramps that gain more than a²/j.
+            // A ramp reaches the maximum acceleration only if it gains more than a²/j of velocity.
             var reachesAcceleration = _peakVelocity * maxJerk >= maxAcceleration * maxAcceleration;
             _jerkTime = reachesAcceleration ? maxAcceleration / maxJerk : Math.Sqrt(_peakVelocity / maxJerk);
             _jerk = maxJerk;
@@ -46,7 +46,7 @@ namespace Nowpose.Motion
             Duration = _rampTime + Math.Max(_rampTime, stroke / _peakVelocity);
         }
 
-        /// <summary>Length of the move, s.</summary>
+        /// <summary>Duration of the move, in s.</summary>
         public double Duration { get; }
 
         /// <summary>Distance covered since the start, signed.</summary>
@@ -78,16 +78,16 @@ namespace Nowpose.Motion
         /// <summary>The peak velocity at which acceleration and deceleration alone cover the stroke.</summary>
         static double VelocityOfStroke(double stroke, double acceleration, double jerk)
         {
-            // Without constant acceleration: stroke = 2 v sqrt(v/j). Roots first, so that no tiny stroke underflows.
+            // Without constant acceleration: stroke = 2 v sqrt(v/j). Takes roots first, so that a tiny stroke does not underflow.
             var root = Math.Cbrt(stroke);
             var withoutPlateau = root * root * Math.Cbrt(jerk / 4);
             if (withoutPlateau * jerk <= acceleration * acceleration) return withoutPlateau;
-            // With it: stroke = v²/a + v a/j, solved in the form that does not cancel.
+            // With constant acceleration: stroke = v²/a + v a/j, solved in the form without cancellation.
             var jerkTime = acceleration / jerk;
             return 2 * stroke / (jerkTime + Math.Sqrt(jerkTime * jerkTime + 4 * stroke / acceleration));
         }
 
-        // The second half of the move mirrors the first, so only the first is written down.
+        // The second half of the move mirrors the first, so only the first is computed.
         double Covered(double t)
         {
             if (t >= _rampTime) return _peakVelocity * (t - _rampTime / 2);

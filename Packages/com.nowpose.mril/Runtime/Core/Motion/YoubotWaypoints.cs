@@ -3,7 +3,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Motion
 {
-    /// <summary>The youBot's cycle: from home to the pick, over to the place, and back.</summary>
+    /// <summary>The youBot's cycle: from home to the pick, to the place, and back.</summary>
     static class YoubotWaypoints
     {
         const double Open = 0.0115;
@@ -14,9 +14,9 @@ namespace Nowpose.Motion
             "arm_joint_1", "arm_joint_2", "arm_joint_3", "arm_joint_4", "arm_joint_5", "gripper_finger_joint_l",
         };
 
-        // rad. Joints 2 to 4 point the gripper straight down, the palm at these distances from joint 1's axis and heights above
-        // the base: pick 220 and 90 mm, above it 220 and 150 mm, place 200 and 110 mm, above it 200 and 150 mm. The arm stands
-        // straight up at 1.1345, -2.5482, 1.7890; it looks ahead at joint 1 = 2.9671, and turns 1.3 rad to one side for the
+        // In rad. Joints 2 to 4 point the gripper straight down. The palm is at these distances from joint 1's axis and heights above
+        // the base: pick 220 and 90 mm, above it 220 and 150 mm, place 200 and 110 mm, above it 200 and 150 mm. The arm is
+        // upright at 1.1345, -2.5482, 1.7890. It points forward at joint 1 = 2.9671, and turns 1.3 rad to one side for the
         // pick and 1.5 rad to the other for the place.
         static readonly double[] Home = { 2.9671, 0.8345, -1.3482, 2.9890, 2.9234 };
         static readonly double[] AbovePick = { 1.6671, 1.4863, -1.4741, 3.5047, 2.9234 };

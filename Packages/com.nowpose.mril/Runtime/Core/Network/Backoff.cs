@@ -4,8 +4,8 @@ using Nowpose.Protocol;
 namespace Nowpose.Network
 {
     /// <summary>
-    /// Waits between attempts to connect: 0.2 s doubling to 1.5 s, each varied by ±20 % so that headsets do not return
-    /// all at once.
+    /// Delays between connection attempts: 0.2 s doubling to 1.5 s, each with a random variation of ±20 % so that headsets do not
+    /// reconnect all at once.
     /// </summary>
     sealed class Backoff
     {
@@ -26,7 +26,7 @@ namespace Nowpose.Network
             return wait;
         }
 
-        /// <summary>The connection worked: the next failure starts with the shortest wait again.</summary>
+        /// <summary>Resets to the shortest delay after a successful connection.</summary>
         public void Reset() => _seconds = ClockTicks.Seconds(ProtocolLimits.BackoffFirst);
     }
 }

@@ -4,20 +4,20 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>Where the gateway is and how to reach it. Immutable, checked once.</summary>
+    /// <summary>Address of the gateway and the transport to it. Immutable; checked in the constructor.</summary>
     public sealed class ConnectionSettings
     {
         /// <param name="host">Name or address of the gateway.</param>
         /// <param name="syncPort">TCP port of the clock sync.</param>
         /// <param name="webSocketPort">Port of the joint positions.</param>
-        /// <param name="pin">The gateway's public key; its presence means wss and TLS, trusted by this pin only.</param>
-        /// <param name="deviceTrust">wss and TLS trusted by the device's store; ignored when there is a pin.</param>
-        /// <param name="token">What proves this headset to the gateway; null for none. Travels over TLS or loopback only.</param>
-        /// <param name="insecureLan">Allows plain connections beyond loopback; the status says so.</param>
-        /// <param name="headsetName">Names this headset in its diagnostics.</param>
-        /// <param name="publishesDisplayed">Tells the gateway what is shown, for those who watch from outside.</param>
-        /// <param name="clockSource">Whom to ask for the control time; by ROS's time nothing uses the sync port.</param>
-        /// <exception cref="InputException">A value is out of range, or plain text would leave this machine unasked.</exception>
+        /// <param name="pin">The gateway's public key. If given, connections use wss and TLS, and trust only this key.</param>
+        /// <param name="deviceTrust">Use wss and TLS, trusting the device's store; ignored if there is a pin.</param>
+        /// <param name="token">Authenticates this headset to the gateway; null for none. Sent over TLS or loopback only.</param>
+        /// <param name="insecureLan">Allows plain connections beyond loopback; the status then shows a warning.</param>
+        /// <param name="headsetName">Name of this headset in its diagnostics.</param>
+        /// <param name="publishesDisplayed">Publishes the displayed joints to the gateway, for external observers.</param>
+        /// <param name="clockSource">Source of the control time; with ROS time the sync port is not used.</param>
+        /// <exception cref="InputException">A value is out of range, or the connection would be plain text without permission.</exception>
         public ConnectionSettings(
             string host, int syncPort = ProtocolLimits.SyncPort, int webSocketPort = ProtocolLimits.WebSocketPort,
             CertificatePin pin = null, bool deviceTrust = false, string token = null, bool insecureLan = false,
@@ -42,10 +42,10 @@ namespace Nowpose.Network
         public int WebSocketPort { get; }
         internal TransportSecurity Security { get; }
 
-        /// <summary>Null unless <see cref="Security"/> is pinned.</summary>
+        /// <summary>The gateway's public key; null unless <see cref="Security"/> is pinned.</summary>
         public CertificatePin Pin { get; }
 
-        /// <summary>Null for none. Never shown or logged.</summary>
+        /// <summary>The headset's token; null for none. Never shown or logged.</summary>
         public string Token { get; }
 
         public string HeadsetName { get; }

@@ -11,7 +11,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>Opens a byte stream to the gateway: TCP without delay, inside TLS when the settings say so.</summary>
+    /// <summary>Opens a byte stream to the gateway: TCP with NoDelay, inside TLS if the settings require it.</summary>
     sealed class GatewayDialer
     {
         readonly ConnectionSettings _settings;
@@ -23,8 +23,8 @@ namespace Nowpose.Network
             _trust = new ServerTrust(settings.Pin);
         }
 
-        /// <exception cref="GatewayRefusalException">The certificate is not trusted, or nothing was answered in time.</exception>
-        /// <exception cref="SocketException">Nobody listens there, or the network is down.</exception>
+        /// <exception cref="GatewayRefusalException">The certificate is not trusted, or there was no answer in time.</exception>
+        /// <exception cref="SocketException">The gateway refused the connection, or the network is down.</exception>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
         public async Task<Stream> OpenAsync(int port, CancellationToken cancel)
         {
@@ -58,12 +58,12 @@ namespace Nowpose.Network
                 }
                 catch (SocketException) when (i + 1 < addresses.Length)
                 {
-                    // The gateway may listen on another of its addresses, or this machine may not speak this one's protocol.
+                    // The gateway may listen on another of its addresses, or this machine may not support this address's protocol.
                 }
             }
         }
 
-        // IPv4 first: it is what a gateway listens on unless told otherwise, and an address nobody answers at takes all the time there is.
+        // IPv4 first, because a gateway listens on it by default and an address without an answer uses up the timeout.
         async Task<IPAddress[]> AddressesAsync()
         {
             if (IPAddress.TryParse(_settings.Host, out var literal)) return new[] { literal };
@@ -74,7 +74,7 @@ namespace Nowpose.Network
 
         async Task<Stream> OpenAsync(IPAddress address, int port, CancellationToken cancel)
         {
-            // Made for the address: without a family a client is for IPv4 only under Mono and IL2CPP, for both elsewhere.
+            // With the address's family: without it, a client supports only IPv4 under Mono and IL2CPP, and both elsewhere.
             var tcp = new TcpClient(address.AddressFamily) { NoDelay = true };
             try
             {
@@ -103,7 +103,7 @@ namespace Nowpose.Network
             });
             try
             {
-                // None lets the platform choose the best it has; .NET Standard 2.1 has no name for TLS 1.3.
+                // None lets the platform choose its best version; .NET Standard 2.1 has no constant for TLS 1.3.
                 await secure.AuthenticateAsClientAsync(
                     _settings.Host, null, SslProtocols.None, checkCertificateRevocation: false).ConfigureAwait(false);
                 if (secure.SslProtocol < SslProtocols.Tls12)

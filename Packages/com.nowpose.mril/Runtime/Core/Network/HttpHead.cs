@@ -6,7 +6,7 @@ using System.Threading.Tasks;
 
 namespace Nowpose.Network
 {
-    /// <summary>Status and fields of an HTTP/1.1 answer.</summary>
+    /// <summary>Status and fields of an HTTP/1.1 response.</summary>
     sealed class HttpHead
     {
         const int LongestHead = 8 * 1024;
@@ -21,9 +21,9 @@ namespace Nowpose.Network
 
         public int Status { get; }
 
-        /// <summary>Reads to the blank line and no byte further: what follows may belong to a WebSocket already.</summary>
-        /// <exception cref="GatewayRefusalException">Not HTTP/1.1, or too long.</exception>
-        /// <exception cref="EndOfStreamException">The connection was closed before.</exception>
+        /// <summary>Reads up to the blank line and no byte further, because WebSocket data may follow.</summary>
+        /// <exception cref="GatewayRefusalException">The response is not HTTP/1.1, or too long.</exception>
+        /// <exception cref="EndOfStreamException">The connection was closed before the blank line.</exception>
         public static async Task<HttpHead> ReadAsync(Stream stream)
         {
             var lines = (await TextAsync(stream).ConfigureAwait(false)).Split("\r\n", StringSplitOptions.RemoveEmptyEntries);
@@ -34,7 +34,7 @@ namespace Nowpose.Network
             return new HttpHead(status, lines);
         }
 
-        /// <summary>Value of the first field of that name, whatever its case; null where there is none.</summary>
+        /// <summary>Returns the value of the first field of that name (ignoring case); null if there is none.</summary>
         public string Field(string name)
         {
             foreach (var line in _lines)

@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>Lets several tasks send over a link that bears one sender.</summary>
+    /// <summary>Serialises the sends of several tasks over a link that supports one sender.</summary>
     sealed class LinkSender : IDisposable
     {
         readonly IWebSocketLink _link;
@@ -21,8 +21,8 @@ namespace Nowpose.Network
 
         public void Dispose() => _turn.Dispose();
 
-        /// <returns>When it was this text's turn: just before its first byte went out.</returns>
-        /// <exception cref="IOException">The link took nothing for as long as it may be silent.</exception>
+        /// <returns>Time just before the text's first byte was sent.</returns>
+        /// <exception cref="IOException">The text could not be sent within the timeout.</exception>
         public async Task<HeadsetTime> SendAsync(string text, CancellationToken cancel)
         {
             using (var inTime = CancellationTokenSource.CreateLinkedTokenSource(cancel))
@@ -43,9 +43,9 @@ namespace Nowpose.Network
         {
             await _turn.WaitAsync(cancel).ConfigureAwait(false);
             var begun = _clock.Now;
-            // Whether the link heeds it or not: with a full buffer and nobody at the other end, a send may never come back.
+            // Also returns if the link ignores the cancellation: with a full buffer and a lost peer, a send may never complete.
             await _link.SendAsync(text, cancel).OrCancelled(cancel).ConfigureAwait(false);
-            // Not after a failure: the link may still be at that text, and bears no other.
+            // Not released after a failure: the link may still be sending that text and supports only one send at a time.
             _turn.Release();
             return begun;
         }

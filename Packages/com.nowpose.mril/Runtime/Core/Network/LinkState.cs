@@ -1,17 +1,17 @@
 namespace Nowpose.Network
 {
-    /// <summary>Where a connection stands.</summary>
+    /// <summary>State of a connection.</summary>
     public enum LinkState
     {
-        /// <summary>Not asked to connect.</summary>
+        /// <summary>No connection is requested.</summary>
         Idle,
 
         Connecting,
 
-        /// <summary>Open, and the other side has answered.</summary>
+        /// <summary>The connection is open, and the other side has answered.</summary>
         Connected,
 
-        /// <summary>Failed or lost; tries again by itself.</summary>
+        /// <summary>The connection failed or was lost; it is retried automatically.</summary>
         Waiting,
     }
 }

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Network
 {
-    /// <summary>Where a connection stands, and why. Immutable.</summary>
+    /// <summary>State of a connection with its reason. Immutable.</summary>
     public sealed class LinkStatus
     {
         public static readonly LinkStatus Idle = new LinkStatus(LinkState.Idle, "not connected");
@@ -18,16 +18,16 @@ namespace Nowpose.Network
 
         public LinkState State { get; }
 
-        /// <summary>One line for the user: while waiting, what went wrong.</summary>
+        /// <summary>One line for the user; while waiting, the reason of the failure.</summary>
         public string Detail { get; }
 
-        /// <summary>Whether it waits because the gateway does not accept the headset's token, or because there is none.</summary>
+        /// <summary>Whether the connection waits because the gateway rejects the headset's token, or the headset has none.</summary>
         public bool IsTokenRefused { get; }
 
         public static LinkStatus Waiting(string reason) => new LinkStatus(LinkState.Waiting, reason);
 
-        /// <param name="what">Which connection.</param>
-        /// <param name="failure">Tasks that were waited for wrap it, as Mono's TLS streams do.</param>
+        /// <param name="what">Name of the connection.</param>
+        /// <param name="failure">The failure; an AggregateException, as of awaited tasks and Mono's TLS streams, is unwrapped.</param>
         internal static LinkStatus Waiting(string what, Exception failure)
         {
             var cause = failure is AggregateException ? failure.GetBaseException() : failure;

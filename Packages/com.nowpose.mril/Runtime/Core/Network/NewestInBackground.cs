@@ -3,8 +3,8 @@ using System.Threading.Tasks;
 
 namespace Nowpose.Network
 {
-    /// <summary>Handles what takes its time on a thread of the pool: one at a time, and of several that wait only the newest.</summary>
-    /// <remarks>However many come, one is being handled and one waits.</remarks>
+    /// <summary>Handles texts that take long on the thread pool: one at a time, and of the waiting ones only the newest.</summary>
+    /// <remarks>At any time at most one text is being handled and one waits.</remarks>
     sealed class NewestInBackground
     {
         readonly Action<string> _handle;

@@ -5,8 +5,8 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>wss:// with a pinned certificate: our own TLS check and HTTP upgrade, then the library's WebSocket on top.</summary>
-    /// <remarks>Unity's WebSocket clients never ask a validation callback, so a pin cannot be checked through them.</remarks>
+    /// <summary>A wss:// link with a pinned certificate: its own TLS check and HTTP upgrade, then .NET's WebSocket on the stream.</summary>
+    /// <remarks>Unity's WebSocket clients never call a validation callback, so they cannot check a pin.</remarks>
     sealed class PinnedWebSocketLink : SystemWebSocketLink
     {
         readonly ConnectionSettings _settings;

@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>A message that came over a WebSocket, with its moment of arrival; or why it was dropped.</summary>
+    /// <summary>A message received over a WebSocket with its arrival time, or the reason why it was dropped.</summary>
     readonly struct ReceivedText
     {
         ReceivedText(ReadOnlyMemory<byte> utf8, DropReason dropped, HeadsetTime arrival)
@@ -13,13 +13,13 @@ namespace Nowpose.Network
             Arrival = arrival;
         }
 
-        /// <summary>The message as it was received. Valid only during the call: the next message is read into the same memory.</summary>
+        /// <summary>The message as received. Valid only during the call, because the next message uses the same memory.</summary>
         public ReadOnlyMemory<byte> Utf8 { get; }
 
-        /// <summary>Why the message was dropped; <see cref="DropReason.None"/> when it was not.</summary>
+        /// <summary>Why the message was dropped; <see cref="DropReason.None"/> if it was not.</summary>
         public DropReason Dropped { get; }
 
-        /// <summary>When its last byte was read from the socket.</summary>
+        /// <summary>Time at which its last byte was read from the socket.</summary>
         public HeadsetTime Arrival { get; }
 
         public static ReceivedText Message(ReadOnlyMemory<byte> utf8, HeadsetTime arrival) => new ReceivedText(utf8, DropReason.None, arrival);

@@ -2,24 +2,24 @@ using System;
 
 namespace Nowpose.Network
 {
-    /// <summary>What the answers of a ROS clock tell of its resolution, which ROS does not say. One thread.</summary>
+    /// <summary>Estimates the resolution of a ROS clock from its answers, because ROS does not report it. One thread.</summary>
     /// <remarks>
-    /// A simulated clock moves in whole steps, so every answer is a multiple of one; and it shows the newest message on
-    /// /clock, so it stands still from one message to the next. The greater of both is its resolution. A wall clock's answers have
-    /// nothing in common, and none is the same as the one before. Only answers in quick succession show how long a clock stands
-    /// still, so it is measured now and then (<see cref="IsMeasuring"/>); of the past, the last measurement counts.
+    /// A simulated clock advances in whole steps, so every answer is a multiple of the step. It shows the newest message on
+    /// /clock, so it stands still between messages. The larger of step and standstill is its resolution. The answers of a wall clock
+    /// have no common divisor and never repeat. Only answers in quick succession show the length of a standstill, so it is measured
+    /// at intervals (<see cref="IsMeasuring"/>); the value includes the previous measurement.
     /// </remarks>
     sealed class RosClockResolution
     {
-        /// <summary>Of a measurement. By so many answers chance has left hardly any multiple of the step.</summary>
+        /// <summary>Minimum answers of a measurement: with this many, a common multiple of the step is very unlikely.</summary>
         const int FewestAnswers = 16;
 
-        /// <summary>Between the first two changes lies one whole standstill.</summary>
+        /// <summary>Minimum changes of a measurement: there is one complete standstill between the first two.</summary>
         const int FewestChanges = 2;
 
         static readonly TimeSpan MeasuredEvery = new TimeSpan(20 * TimeSpan.TicksPerSecond);
 
-        /// <summary>A clock that stands still for longer is stopped, not coarse: a simulation that is paused.</summary>
+        /// <summary>Maximum standstill of a running clock; after a longer one it counts as stopped, as in a paused simulation.</summary>
         static readonly TimeSpan Longest = new TimeSpan(TimeSpan.TicksPerSecond);
 
         long _step = TimeSpan.TicksPerSecond;
@@ -28,10 +28,10 @@ namespace Nowpose.Network
         TimeSpan _still, _longestStill, _longestStillBefore;
         int _answers, _changes;
 
-        /// <summary>Whether it has been measured once.</summary>
+        /// <summary>Whether a measurement was completed.</summary>
         public bool IsKnown { get; private set; }
 
-        /// <summary>Whether the next answers are wanted in quick succession.</summary>
+        /// <summary>Whether the next exchanges should follow in quick succession.</summary>
         public bool IsMeasuring { get; private set; } = true;
 
         /// <summary>Whether the clock has shown the same time for more than a second.</summary>
@@ -39,17 +39,17 @@ namespace Nowpose.Network
 
         public TimeSpan Value => Greatest(Greatest(new TimeSpan(_step), CoarseStill), Greatest(_longestStill, _longestStillBefore));
 
-        // A stop says nothing about how coarse the clock is.
+        // A stopped clock gives no information about its resolution.
         TimeSpan CoarseStill => IsStopped ? TimeSpan.Zero : _still;
 
-        /// <param name="sent">When it was asked for.</param>
-        /// <param name="arrived">When the answer was there.</param>
+        /// <param name="sent">Time of the request.</param>
+        /// <param name="arrived">Arrival time of the answer.</param>
         public void Add(ControlTime time, HeadsetTime sent, HeadsetTime arrived)
         {
             if (!IsMeasuring && arrived - _measured >= MeasuredEvery) BeginMeasurement();
             _answers++;
             _step = GreatestCommonDivisor(_step, Math.Abs(time.SinceEpoch.Ticks));
-            // Read after the earlier answer was there, and before this one was: it stood still for at least as long.
+            // Both readings lie between the first answer's arrival and this request, so the clock stood still for at least that long.
             if (time == _shown) _still = sent - _firstArrived;
             else Change(time, arrived);
             _sentLast = sent;
@@ -80,8 +80,8 @@ namespace Nowpose.Network
             _firstArrived = arrived;
         }
 
-        // It was seen to stand for less than it stood: by how much it goes on tells the length, where the answers come quickly enough.
-        // Said too small, it would be believed to the tick.
+        // The observed standstill is a lower bound. With quick answers, the clock's advance gives its length. An underestimate would
+        // be used as an error bound.
         TimeSpan LengthOfStandstill(TimeSpan advance, HeadsetTime arrived)
         {
             if (_still <= TimeSpan.Zero || IsStopped || arrived - _sentLast > _still) return TimeSpan.Zero;

@@ -2,7 +2,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>What a rosbridge server answered to a call of /rosapi/get_time.</summary>
+    /// <summary>A rosbridge server's answer to a call of /rosapi/get_time.</summary>
     sealed class RosTimeAnswer
     {
         const int LongestReason = 200;
@@ -14,13 +14,13 @@ namespace Nowpose.Network
             Problem = Time == null ? ProblemOf(response, fault) : null;
         }
 
-        /// <summary>Null when there is none in it.</summary>
+        /// <summary>The server's time; null if the answer contains none.</summary>
         public ControlTime? Time { get; }
 
-        /// <summary>When its last byte was read.</summary>
+        /// <summary>Time at which its last byte was read.</summary>
         public HeadsetTime Arrival { get; }
 
-        /// <summary>Why there is no time, and what to do; null when there is one.</summary>
+        /// <summary>Why there is no time, and what to do; null if there is one.</summary>
         public string Problem { get; }
 
         static string ProblemOf(RosbridgeMessage response, DropReason fault)

@@ -9,12 +9,12 @@ using Nowpose.Sync;
 namespace Nowpose.Network
 {
     /// <summary>
-    /// Exchanges timestamps with the clock of ROS over a rosbridge connection: what <see cref="SyncClient"/> does over TCP, where no gateway is.
+    /// Exchanges timestamps with the ROS clock over a rosbridge connection, in place of <see cref="SyncClient"/> if there is no gateway.
     /// </summary>
     /// <remarks>
-    /// The answer holds one time, read at some moment between the call and the answer: it is t2 and t3 in one. What of the round trip
-    /// the server spent before and after reading it is not known, so half the round trip bounds the error. One call is in
-    /// flight, and an answer counts only for the call whose id it bears.
+    /// The answer contains one time, read at some moment between the call and the answer: it serves as both t2 and t3. The server's
+    /// processing times before and after the reading are unknown, so half the round-trip time bounds the error. One call is in
+    /// flight at a time; answers with another id are ignored.
     /// </remarks>
     sealed class RosTimeExchanges
     {
@@ -23,7 +23,7 @@ namespace Nowpose.Network
 
         static readonly TimeSpan PauseAfterRefusal = new TimeSpan(TimeSpan.TicksPerSecond);
 
-        /// <summary>From one answer to the next question while the resolution is measured.</summary>
+        /// <summary>Interval from an answer to the next request while the resolution is measured.</summary>
         static readonly TimeSpan QuickPause = new TimeSpan(3 * TimeSpan.TicksPerMillisecond);
 
         readonly IHeadsetClock _clock;
@@ -38,7 +38,7 @@ namespace Nowpose.Network
         int _dropsInARow;
         volatile LinkStatus _status = LinkStatus.Connecting;
 
-        /// <param name="pace">When to exchange; this one's own.</param>
+        /// <param name="pace">Schedule of the exchanges; used by this object only.</param>
         public RosTimeExchanges(IHeadsetClock clock, ClockSynchroniser synchroniser, SyncFaultCounters faults, ExchangePace pace)
         {
             _clock = clock;
@@ -47,14 +47,14 @@ namespace Nowpose.Network
             _pace = pace;
         }
 
-        /// <summary>Where the exchanges stand while the connection does. Any thread.</summary>
+        /// <summary>State of the exchanges while the connection is open. Any thread may read it.</summary>
         public LinkStatus Status => _status;
 
-        /// <summary>Exchanges over one connection until that ends.</summary>
-        /// <exception cref="IOException">No answer in time, or too many in a row that were of no use: the connection has to end.</exception>
+        /// <summary>Runs exchanges over one connection until it ends.</summary>
+        /// <exception cref="IOException">No answer in time, or too many unusable answers in a row; the connection has to end.</exception>
         public async Task RunAsync(LinkSender sender, CancellationToken cancel)
         {
-            // Perhaps another server, or the same one with a simulation that it had not before.
+            // The connection may lead to another server, or the server may have started or stopped a simulation.
             _resolution = new RosClockResolution();
             _dropsInARow = 0;
             while (true)
@@ -66,7 +66,7 @@ namespace Nowpose.Network
             }
         }
 
-        /// <summary>A service response, whatever it answers; on the receiver's thread.</summary>
+        /// <summary>Receives every service response, on the receiver's thread; ignores those to other calls.</summary>
         /// <param name="fault">Why the response could not be read.</param>
         public void Answered(RosbridgeMessage response, DropReason fault, HeadsetTime arrival)
         {
@@ -78,7 +78,7 @@ namespace Nowpose.Network
             _faults.Count(SyncExchangeFault.WrongSequence);
         }
 
-        /// <returns>Time from its start to the start of the next.</returns>
+        /// <returns>Interval from the start of this exchange to the start of the next.</returns>
         async Task<TimeSpan> ExchangeAsync(LinkSender sender, CancellationToken cancel)
         {
             var (sent, answer) = await CallAsync(sender, cancel).ConfigureAwait(false);

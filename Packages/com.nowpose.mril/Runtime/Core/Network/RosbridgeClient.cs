@@ -9,13 +9,13 @@ namespace Nowpose.Network
 {
     /// <summary>
     /// Subscribes to the joint positions, the set-points ahead, the status of joints and the robot description over rosbridge, and publishes
-    /// this headset's diagnostics and what it shows; reconnects for ever.
+    /// this headset's diagnostics and its displayed joints. Reconnects after every failure.
     /// </summary>
     sealed class RosbridgeClient : IDisposable
     {
         static readonly TimeSpan DiagnosticsInterval = ClockTicks.Span(1);
 
-        /// <summary>Smooth to the eye, and a small part of what a headset receives.</summary>
+        /// <summary>Looks smooth, and is a small part of the traffic that a headset receives.</summary>
         static readonly TimeSpan DisplayedInterval = ClockTicks.Span(0.05);
 
         static readonly TimeSpan TimerStep = new TimeSpan(TimeSpan.TicksPerMillisecond);
@@ -32,13 +32,13 @@ namespace Nowpose.Network
         volatile Task _ending;
         long _lastHeard;
 
-        /// <summary>Starts at once, on threads of the pool: no frame ever waits for it.</summary>
-        /// <param name="newLink">Makes the link of each attempt.</param>
-        /// <param name="publishesDisplayed">Whether the listener is asked what it shows.</param>
+        /// <summary>Starts at once, on the thread pool; frames never wait for it.</summary>
+        /// <param name="newLink">Creates the link of each attempt.</param>
+        /// <param name="publishesDisplayed">Whether to publish the listener's displayed joints.</param>
         public RosbridgeClient(Func<IWebSocketLink> newLink, IHeadsetClock clock, IRosbridgeListener listener, bool publishesDisplayed = true)
             : this(newLink, clock, listener, publishesDisplayed, null) { }
 
-        /// <param name="rosTime">Asks the same server for its time; null where the clock is asked for elsewhere.</param>
+        /// <param name="rosTime">Exchanges timestamps with the same server; null if the control time has another source.</param>
         internal RosbridgeClient(
             Func<IWebSocketLink> newLink, IHeadsetClock clock, IRosbridgeListener listener, bool publishesDisplayed, RosTimeExchanges rosTime)
         {
@@ -48,13 +48,13 @@ namespace Nowpose.Network
             _listener = listener;
             _rosTime = rosTime;
             _descriptions = new NewestInBackground(Describe);
-            // Away from the caller's synchronisation context: under Unity, continuations there wait for the next frame.
+            // Outside the caller's synchronisation context: under Unity, its continuations would wait for the next frame.
             _running = Task.Run(RunAsync);
         }
 
         public LinkStatus Status => _ending == null ? _status : LinkStatus.Idle;
 
-        /// <summary>Where the clock exchanges over this connection stand; idle where there are none.</summary>
+        /// <summary>State of the clock exchanges over this connection; idle if there are none.</summary>
         public LinkStatus ClockStatus
         {
             get
@@ -64,13 +64,13 @@ namespace Nowpose.Network
             }
         }
 
-        /// <summary>Completes when the client has been disposed of and its socket and tasks are gone; nobody has to wait for it.</summary>
+        /// <summary>Completes after disposal, when the socket and the tasks have ended; waiting for it is optional.</summary>
         public Task Ended => _ending ?? _running;
 
-        /// <summary>Ends the connection. Returns at once: a frame's thread waits for no socket. What is under way may still arrive.</summary>
+        /// <summary>Ends the connection. Returns at once and does not wait for the socket; messages in flight may still arrive.</summary>
         public void Dispose()
         {
-            // Cancelling closes sockets on the thread that asks for it.
+            // Cancelling closes sockets on the calling thread.
             if (_ending == null) _ending = Task.Run(EndAsync);
         }
 
@@ -94,7 +94,7 @@ namespace Nowpose.Network
             }
         }
 
-        /// <returns>What the task threw, whatever it is (one that is not caught would end the session without a word); null at its end.</returns>
+        /// <returns>The task's exception of any type, because an uncaught one would end the session silently; null if it ended normally.</returns>
         static async Task<Exception> EndOfAsync(Task task)
         {
             try
@@ -124,7 +124,7 @@ namespace Nowpose.Network
                 end.Cancel();
                 link.Dispose();
                 foreach (var one in all) await EndOfAsync(one).ConfigureAwait(false);
-                // One that ends takes the others down; a limit that was broken is the reason even if its victim was quicker.
+                // A task that ends cancels the others; an exceeded limit is reported as the cause even if another task failed first.
                 var received = await EndOfAsync(receiving).ConfigureAwait(false);
                 var reason = received is MessageLimitException ? received : await EndOfAsync(first).ConfigureAwait(false);
                 if (reason != null) ExceptionDispatchInfo.Capture(reason).Throw();
@@ -175,7 +175,7 @@ namespace Nowpose.Network
 
             void Arrived(ReceivedText received)
             {
-                // Not before: a server that accepts and closes at once would be called again five times a second.
+                // Only after a message: a server that accepts and closes at once would otherwise be called five times a second.
                 _status = LinkStatus.Connected;
                 backoff.Reset();
                 Heard(received.Arrival);
@@ -195,7 +195,7 @@ namespace Nowpose.Network
             else if (message.Data != null) _descriptions.Add(message.Data);
         }
 
-        // Whatever is wrong with it: a description must not keep the next one from being read.
+        // Catches every exception: an invalid description must not prevent reading the next one.
         void Describe(string urdf)
         {
             try
@@ -225,8 +225,8 @@ namespace Nowpose.Network
             }
         }
 
-        // Publishes diagnostics, and asks the time of a gateway that has been silent: the answer tells a quiet plant from a
-        // connection that is gone without a word, as WiFi connections go.
+        // Publishes diagnostics. After a silence it also calls the gateway's time service, because an answer distinguishes an idle plant
+        // from a connection that was lost without notice, as happens on WiFi.
         async Task ReportAsync(LinkSender sender, CancellationToken cancel)
         {
             if (Silence >= ProtocolLimits.PingInterval)
@@ -237,14 +237,14 @@ namespace Nowpose.Network
                     RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, diagnostics, RosTimeForm.Sec), cancel).ConfigureAwait(false);
         }
 
-        // Apart from all that sends: over a connection that is gone a send may take for ever.
+        // Separate from the senders: over a lost connection a send may never complete.
         async Task WatchAsync(CancellationToken cancel)
         {
             while (true)
             {
                 var left = ProtocolLimits.PongTimeout - Silence;
                 if (left < TimeSpan.Zero) throw new IOException("nothing heard for " + ProtocolLimits.PongTimeout.TotalSeconds + " s");
-                // A timer's least step longer: it counts whole ones, and would ask again and again within the last.
+                // One timer step longer: the timer counts whole steps and would otherwise fire repeatedly within the last one.
                 await Task.Delay(left + TimerStep, cancel).ConfigureAwait(false);
             }
         }
@@ -261,7 +261,7 @@ namespace Nowpose.Network
             }
             catch (OperationCanceledException)
             {
-                // Stopping: the loop ends by itself.
+                // Stopping: the loop ends after this.
             }
         }
     }

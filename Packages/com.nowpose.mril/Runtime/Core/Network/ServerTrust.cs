@@ -6,18 +6,18 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>Decides whether a server's certificate is the gateway's. There is no way to accept them all.</summary>
+    /// <summary>Checks whether a server's certificate is the gateway's. The check cannot be switched off.</summary>
     sealed class ServerTrust
     {
         readonly CertificatePin _pin;
 
-        /// <param name="pin">The only key that is trusted; null to trust what the device's own store trusts.</param>
+        /// <param name="pin">The only trusted key; null to trust the device's own store.</param>
         public ServerTrust(CertificatePin pin) => _pin = pin;
 
-        /// <returns>Why the certificate is refused; null when it is trusted.</returns>
-        /// <param name="certificate">What the server showed; may be null.</param>
+        /// <returns>Why the certificate is rejected; null if it is trusted.</returns>
+        /// <param name="certificate">The server's certificate; may be null.</param>
         /// <param name="errors">
-        /// What the platform found. With a pin only the pin and the dates count: the gateway's certificate is usually
+        /// The platform's result. With a pin only the pin and the dates are checked, because the gateway's certificate is usually
         /// self-signed.
         /// </param>
         /// <param name="now">The device's time of day.</param>

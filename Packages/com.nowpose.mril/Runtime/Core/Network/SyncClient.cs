@@ -7,7 +7,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Network
 {
-    /// <summary>Exchanges timestamps with the gateway over TCP, on a thread of its own so that stamps wait for nobody; reconnects for ever.</summary>
+    /// <summary>Exchanges timestamps with the gateway over TCP; reconnects after failures. Uses its own thread to stamp without delay.</summary>
     sealed class SyncClient : IDisposable
     {
         readonly ConnectionSettings _settings;
@@ -23,8 +23,8 @@ namespace Nowpose.Network
 
         /// <summary>Starts at once.</summary>
         /// <param name="synchroniser">Receives each exchange, on this client's thread.</param>
-        /// <param name="faults">Counts what was dropped.</param>
-        /// <param name="pace">When to exchange; this client's own.</param>
+        /// <param name="faults">Counts dropped exchanges.</param>
+        /// <param name="pace">Schedule of the exchanges; used by this client only.</param>
         public SyncClient(
             ConnectionSettings settings, IHeadsetClock clock, ClockSynchroniser synchroniser, SyncFaultCounters faults, ExchangePace pace)
         {
@@ -33,19 +33,19 @@ namespace Nowpose.Network
             _synchroniser = synchroniser;
             _faults = faults;
             _pace = pace;
-            // Long-running is a thread of its own. The scheduler is named because a caller's may be the frame's.
+            // LongRunning creates a new thread. The scheduler is explicit because the caller's may be that of the frame.
             _running = Task.Factory.StartNew(Run, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
         }
 
         public LinkStatus Status => _ending == null ? _status : LinkStatus.Idle;
 
-        /// <summary>Completes when the client has been disposed of and its socket and thread are gone; nobody has to wait for it.</summary>
+        /// <summary>Completes after disposal, when the socket and the thread have ended; waiting for it is optional.</summary>
         public Task Ended => _ending ?? _running;
 
-        /// <summary>Ends the connection and the thread. Returns at once: a frame's thread waits for no socket.</summary>
+        /// <summary>Ends the connection and the thread. Returns at once and does not wait for the socket.</summary>
         public void Dispose()
         {
-            // Cancelling closes sockets on the thread that asks for it.
+            // Cancelling closes sockets on the calling thread.
             if (_ending == null) _ending = Task.Run(EndAsync);
         }
 
@@ -67,7 +67,7 @@ namespace Nowpose.Network
                 {
                     Serve(backoff);
                 }
-                // Whatever it is: a thread that dies takes the clock with it for ever. Mono's TLS streams wrap what happened.
+                // Catches every exception: if the thread ended, the clock would never be synchronised again. Mono's TLS streams wrap exceptions.
                 catch (Exception failure)
                 {
                     _status = LinkStatus.Waiting("clock sync", failure);

@@ -5,7 +5,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Network
 {
-    /// <summary>One connection to the sync server: token first, then exchanges, one in flight. Blocking; one thread.</summary>
+    /// <summary>One connection to the sync server: first the token, then one exchange at a time. Blocking; one thread.</summary>
     sealed class SyncConnection
     {
         readonly Stream _stream;
@@ -22,7 +22,7 @@ namespace Nowpose.Network
             _faults = faults;
         }
 
-        /// <exception cref="GatewayRefusalException">The gateway does not accept it.</exception>
+        /// <exception cref="GatewayRefusalException">The gateway rejects the token.</exception>
         public void ShowToken(string token)
         {
             var bytes = SyncToken.Write(token);
@@ -33,8 +33,8 @@ namespace Nowpose.Network
         }
 
         /// <summary>Sends a request and waits for its reply.</summary>
-        /// <returns>What is wrong with the reply; the exchange is valid only with <see cref="SyncExchangeFault.None"/>.</returns>
-        /// <exception cref="IOException">No reply in time, not a reply at all, or the connection is gone.</exception>
+        /// <returns>The fault of the reply; the exchange is valid only with <see cref="SyncExchangeFault.None"/>.</returns>
+        /// <exception cref="IOException">No reply in time, an invalid frame, or a lost connection.</exception>
         public SyncExchangeFault Exchange(out SyncExchange exchange)
         {
             var sequence = ++_sequence;
@@ -64,7 +64,7 @@ namespace Nowpose.Network
             var end = _clock.Now + ProtocolLimits.SyncReplyTimeout;
             for (var got = 0; got < _reply.Length;)
             {
-                // One deadline for the whole frame: a byte now and then is no answer.
+                // One deadline for the whole frame, so that single bytes at long intervals do not extend it.
                 var left = (end - _clock.Now).TotalMilliseconds;
                 if (left <= 0) throw new IOException("no reply within " + ProtocolLimits.SyncReplyTimeout.TotalSeconds + " s");
                 _stream.ReadTimeout = (int)Math.Ceiling(left);

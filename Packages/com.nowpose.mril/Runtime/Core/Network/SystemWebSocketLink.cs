@@ -7,7 +7,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>What all links over <see cref="WebSocket"/> have in common; how it is opened is the difference.</summary>
+    /// <summary>Common base of the links over <see cref="WebSocket"/>; derived classes open the socket.</summary>
     abstract class SystemWebSocketLink : IWebSocketLink
     {
         readonly IHeadsetClock _clock;
@@ -27,13 +27,13 @@ namespace Nowpose.Network
 
         public async Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel)
         {
-            // A WebSocket whose receiving is cancelled is aborted, and could not be closed in order any more.
+            // Cancels only the waiting: cancelling the receive would abort the WebSocket and prevent an orderly close.
             await _reader.ReceiveAsync(take, cancel).OrCancelled(cancel).ConfigureAwait(false);
-            // With the code that came, or with none where none came (RFC 6455, 5.5.1).
+            // Repeats the received close code, or sends the normal one if none was received (RFC 6455, 5.5.1).
             await CloseOutputAsync(_socket.CloseStatus ?? WebSocketCloseStatus.NormalClosure).ConfigureAwait(false);
         }
 
-        /// <summary>Closes in order, so that the server does not take the connection for a lost one; in the background and within a second.</summary>
+        /// <summary>Closes in the background within a second; the orderly close shows the server that the connection is not lost.</summary>
         public void Dispose()
         {
             if (_socket != null) _ = CloseAsync(_socket);
@@ -56,7 +56,7 @@ namespace Nowpose.Network
                 }
                 catch (Exception)
                 {
-                    // It ends one way or the other.
+                    // The socket is disposed in any case.
                 }
             }
         }

@@ -4,10 +4,10 @@ using System.Threading.Tasks;
 
 namespace Nowpose.Network
 {
-    /// <summary>Cancels the waiting for what cannot be cancelled itself, such as looking up a name.</summary>
+    /// <summary>Cancels waiting for tasks that cannot be cancelled themselves, such as a name lookup.</summary>
     static class TaskCancellation
     {
-        /// <exception cref="OperationCanceledException">Cancelled first; what becomes of the task is nobody's concern any more.</exception>
+        /// <exception cref="OperationCanceledException">Cancelled before the task completed; the task's result is ignored.</exception>
         public static async Task OrCancelled(this Task task, CancellationToken cancel)
         {
             var cancelled = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -15,7 +15,7 @@ namespace Nowpose.Network
                 await Task.WhenAny(task, cancelled.Task).ConfigureAwait(false);
             if (!task.IsCompleted)
             {
-                // Looked at, so that a failure nobody waits for is not reported as forgotten.
+                // Reads the exception, so that a later failure is not reported as unobserved.
                 _ = task.ContinueWith(late => late.Exception, CancellationToken.None, TaskContinuationOptions.OnlyOnFaulted, TaskScheduler.Default);
                 throw new OperationCanceledException(cancel);
             }

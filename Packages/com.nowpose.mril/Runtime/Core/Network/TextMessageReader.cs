@@ -6,19 +6,19 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>Puts the fragments of WebSocket messages together within the protocol's limits.</summary>
+    /// <summary>Assembles the fragments of WebSocket messages within the protocol's limits.</summary>
     /// <remarks>
-    /// The library hands out bytes as they come and does not tell where a fragment ends; a piece smaller than any TCP
-    /// segment is taken for one. Larger fragments are bounded by the length of a message.
-    /// A message that is too long or in too many pieces is read to its end and dropped, so the connection goes on. One that
-    /// does not come to its end in time, or is longer than sixteen times the longest allowed, ends the connection: nothing
-    /// says where the next one begins.
+    /// The library returns bytes as they arrive and does not report where a fragment ends, so a piece smaller than a TCP
+    /// segment counts as a fragment. The length of a message bounds the larger ones.
+    /// A message that is too long or has too many pieces is read to its end and dropped, and the connection continues. A message that
+    /// is not complete in time, or is longer than sixteen times the maximum length, ends the connection, because the start of the
+    /// next one is unknown.
     /// </remarks>
     sealed class TextMessageReader
     {
         const int ChunkBytes = 64 * 1024;
 
-        /// <summary>RFC 879: no host is asked for smaller segments.</summary>
+        /// <summary>Minimum TCP segment size in bytes (RFC 879).</summary>
         const int LeastSegmentBytes = 536;
 
         const int LongestDiscarded = 16 * ProtocolLimits.DescriptionBytes;
@@ -36,8 +36,8 @@ namespace Nowpose.Network
             _clock = clock;
         }
 
-        /// <summary>Hands over the messages, one after the other, until the connection is closed. Makes no garbage for one that comes in one piece.</summary>
-        /// <param name="cancel">Ends the handing over with the next message; the socket is not told, for it would be aborted.</param>
+        /// <summary>Passes on the messages in order until the connection is closed. Allocates nothing for a message of one piece.</summary>
+        /// <param name="cancel">Stops at the next message; it is not passed to the socket, which would abort the connection.</param>
         /// <exception cref="MessageLimitException">The message broke a limit that ends the connection.</exception>
         /// <exception cref="WebSocketException">The connection was lost.</exception>
         public async Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel)
@@ -75,7 +75,7 @@ namespace Nowpose.Network
                 }
                 catch (Exception failure) when (timeUp.IsCancellationRequested)
                 {
-                    // Cancelled, the library aborts the connection and reports either that or the cancellation.
+                    // On cancellation the library aborts the connection and reports either that or the cancellation.
                     throw new MessageLimitException(
                         "a message that was not complete within " + ProtocolLimits.MessageTimeout.TotalSeconds + " s", DropReason.TooSlow, failure);
                 }

@@ -1,15 +1,15 @@
 namespace Nowpose.Network
 {
-    /// <summary>How the connections to the gateway are protected.</summary>
+    /// <summary>Security of the connections to the gateway.</summary>
     enum TransportSecurity
     {
-        /// <summary>Not at all: loopback, or a network the user trusts and said so.</summary>
+        /// <summary>No encryption: loopback, or a network that the user declared as trusted.</summary>
         Plain,
 
-        /// <summary>TLS, the certificate trusted by the device's own store.</summary>
+        /// <summary>TLS with a certificate that the device's own store trusts.</summary>
         DeviceTrust,
 
-        /// <summary>TLS, the certificate trusted by the pin of its public key and nothing else.</summary>
+        /// <summary>TLS with a certificate that matches the pin of its public key; no other is trusted.</summary>
         Pinned,
     }
 }

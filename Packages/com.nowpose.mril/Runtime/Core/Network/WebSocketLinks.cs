@@ -1,6 +1,6 @@
 namespace Nowpose.Network
 {
-    /// <summary>Chooses how to open the WebSocket.</summary>
+    /// <summary>Creates the WebSocket link for the connection settings.</summary>
     static class WebSocketLinks
     {
         public static IWebSocketLink Create(ConnectionSettings settings, IHeadsetClock clock)

@@ -12,7 +12,7 @@ namespace Nowpose.Network
     {
         const string AcceptSalt = "258EAFA5-E914-47DA-95CA-C5AB0DC85B11";
 
-        /// <exception cref="GatewayRefusalException">The answer is not 101 with the right acceptance.</exception>
+        /// <exception cref="GatewayRefusalException">The response is not 101 with the expected Sec-WebSocket-Accept.</exception>
         public static async Task RequestAsync(Stream stream, Uri uri, string token)
         {
             var key = NewKey();
@@ -58,7 +58,7 @@ namespace Nowpose.Network
 
         static bool IsAcceptance(string value, string key)
         {
-#pragma warning disable CA5350 // RFC 6455 prescribes SHA-1; it proves nothing here but that the other side speaks WebSocket.
+#pragma warning disable CA5350 // RFC 6455 prescribes SHA-1; here it only shows that the other side is a WebSocket server.
             using (var sha = SHA1.Create())
                 return value == Convert.ToBase64String(sha.ComputeHash(Encoding.ASCII.GetBytes(key + AcceptSalt)));
 #pragma warning restore CA5350

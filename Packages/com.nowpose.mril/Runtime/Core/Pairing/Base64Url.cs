@@ -2,19 +2,19 @@ using System;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>Bytes as base64 with - and _ and without padding (RFC 4648, section 5), each in one form only.</summary>
+    /// <summary>Base64 with - and _ and without padding (RFC 4648, section 5). Accepts only the canonical form.</summary>
     static class Base64Url
     {
         public static string Write(ReadOnlySpan<byte> bytes) =>
             Convert.ToBase64String(bytes).TrimEnd('=').Replace('+', '-').Replace('/', '_');
 
-        /// <returns>False for anything but what <see cref="Write"/> makes of so many bytes.</returns>
+        /// <returns>False unless the text is <see cref="Write"/>'s result for that number of bytes.</returns>
         public static bool TryRead(string text, int length, out byte[] bytes)
         {
             bytes = new byte[length];
             if (text.Length != (length * 4 + 2) / 3) return false;
             var padded = text.Replace('-', '+').Replace('_', '/') + new string('=', (4 - text.Length % 4) % 4);
-            // Written again: bits beyond the last byte, and the other alphabet, would be a second form.
+            // Encodes again to reject other forms: nonzero bits after the last byte, and the standard alphabet.
             return Convert.TryFromBase64String(padded, bytes, out var read) && read == length && Write(bytes) == text;
         }
     }

@@ -7,9 +7,9 @@ using Nowpose.Protocol;
 namespace Nowpose.Pairing
 {
     /// <summary>
-    /// What the robot's marker says: which cell this is, how to reach its gateway, and where the marker is in the base frame. No secret.
+    /// Content of the robot's marker: the cell's name, the gateway's address, and the marker's pose in the base frame. Not secret.
     /// </summary>
-    /// <remarks>Immutable. Each marker of a cell has a code of its own: they differ in the offset.</remarks>
+    /// <remarks>Immutable. Each marker of a cell has its own code, because their offsets differ.</remarks>
     sealed class CellCode
     {
         public const int Version = 1;
@@ -20,11 +20,11 @@ namespace Nowpose.Pairing
         const int PinBytes = 32;
 
         /// <param name="cell">Name of the cell, 1 to 40 letters, digits, blanks, hyphens, underscores and full stops.</param>
-        /// <param name="host">Of the gateway: a name or an address in ASCII.</param>
-        /// <param name="pin">The gateway's public key; null for a gateway on the headset's own machine only, which is reached without TLS.</param>
-        /// <param name="marker">Null for a code that tells nothing of where the base frame is.</param>
-        /// <param name="sizeMetres">Edge of the printed code; 0 where it is not known.</param>
-        /// <exception cref="InputException">A value cannot be used, or all together do not fit into a code.</exception>
+        /// <param name="host">Name or address of the gateway, in ASCII.</param>
+        /// <param name="pin">The gateway's public key; null only for a gateway on the headset's own machine, which needs no TLS.</param>
+        /// <param name="marker">Null if the code does not specify the base frame.</param>
+        /// <param name="sizeMetres">Edge of the printed code in metres; 0 if it is unknown.</param>
+        /// <exception cref="InputException">A value is invalid, or the values together do not fit into a code.</exception>
         public CellCode(
             string cell, string host, CertificatePin pin, MarkerOffset marker = null, double sizeMetres = 0,
             int syncPort = ProtocolLimits.SyncPort, int webSocketPort = ProtocolLimits.WebSocketPort)
@@ -48,26 +48,26 @@ namespace Nowpose.Pairing
 
         public string Cell { get; }
 
-        /// <summary>In lower case.</summary>
+        /// <summary>Name or address of the gateway, in lower case.</summary>
         public string Host { get; }
 
         public int SyncPort { get; }
         public int WebSocketPort { get; }
 
-        /// <summary>Null only for a host on the headset's own machine.</summary>
+        /// <summary>The gateway's public key; null only for a host on the headset's own machine.</summary>
         public CertificatePin Pin { get; }
 
-        /// <summary>Null where the code does not say.</summary>
+        /// <summary>The marker's pose in the base frame; null if the code does not specify it.</summary>
         public MarkerOffset Marker { get; }
 
-        /// <summary>Edge of the printed code; 0 where it is not known.</summary>
+        /// <summary>Edge of the printed code in metres; 0 if it is unknown.</summary>
         public double SizeMetres { get; }
 
-        /// <summary>What is in the printed code, to the letter.</summary>
+        /// <summary>The exact text of the printed code.</summary>
         public string Text { get; }
 
-        /// <param name="text">Of any length; no longer than <see cref="PairingCode.GreatestLength"/> is read.</param>
-        /// <exception cref="InputException">It is no cell code of this version, or a value cannot be used; one line.</exception>
+        /// <param name="text">A text of any length; one longer than <see cref="PairingCode.GreatestLength"/> is rejected.</param>
+        /// <exception cref="InputException">The text is not a cell code of this version, or a value is invalid; the message is one line.</exception>
         public static CellCode Parse(string text)
         {
             var fields = new CodeFields(text, Kind, Version, Keys);
@@ -79,11 +79,11 @@ namespace Nowpose.Pairing
                 (int)fields.Count('w', ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort), text);
         }
 
-        /// <summary>Whether both lead to the same ports of the same host and trust the same key.</summary>
+        /// <summary>Returns whether both codes have the same host, ports and key.</summary>
         public bool HasSameGateway(CellCode other) =>
             other.Host == Host && Equals(other.Pin, Pin) && other.SyncPort == SyncPort && other.WebSocketPort == WebSocketPort;
 
-        /// <param name="token">What the gateway gave this headset; null for none.</param>
+        /// <param name="token">The headset's token for the gateway; null for none.</param>
         public ConnectionSettings ToConnection(string token, string headsetName) =>
             new ConnectionSettings(Host, SyncPort, WebSocketPort, Pin, token: token, headsetName: headsetName);
 
@@ -105,7 +105,7 @@ namespace Nowpose.Pairing
         {
             var text = fields.OptionalText('m');
             if (text == null) return 0;
-            // Zero is how a caller says "not known"; a code leaves it out.
+            // Callers use zero for an unknown size; a code omits the field instead.
             return MarkerOffset.TryReadNumber(text, out var size) && size != 0 ? size : throw fields.Fault("marker size is no number; allowed are "
                 + MarkerOffset.Write(LeastSizeMetres) + " to " + MarkerOffset.Write(GreatestSizeMetres) + " m");
         }

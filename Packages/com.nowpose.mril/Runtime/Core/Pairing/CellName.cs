@@ -4,18 +4,18 @@ using System.Text;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>Names of cells: what a person may be shown in a question, and nothing that could change how the question looks.</summary>
+    /// <summary>Checks and encodes cell names. Allows no characters that could change the appearance of a question to the wearer.</summary>
     static class CellName
     {
         public const int GreatestLength = 40;
 
-        /// <summary>Letters and marks that nobody sees: fillers, inherent vowels and selectors of variants.</summary>
+        /// <summary>Invisible letters and marks: fillers, inherent vowels and variation selectors.</summary>
         const string Invisible = "\u115F\u1160\u17B4\u17B5\u180B\u180C\u180D\u180F\u3164\uFFA0";
 
-        // Strict: bytes that are not UTF-8 are refused rather than replaced.
+        // Strict: rejects invalid UTF-8 instead of replacing it.
         static readonly UTF8Encoding Utf8 = new UTF8Encoding(false, true);
 
-        /// <exception cref="InputException">Empty, too long, or with a character that is none of those allowed.</exception>
+        /// <exception cref="InputException">The name is empty, too long, or contains a character that is not allowed.</exception>
         public static string Require(string name, string what)
         {
             if (string.IsNullOrEmpty(name) || name.Length > GreatestLength)
@@ -30,7 +30,7 @@ namespace Nowpose.Pairing
             return name;
         }
 
-        /// <summary>As it stands in a code: percent-encoded UTF-8 but for ASCII letters, digits, -, _ and full stops.</summary>
+        /// <summary>Encodes a name for a code: percent-encoded UTF-8 except ASCII letters, digits, -, _ and full stops.</summary>
         public static string Encode(string name)
         {
             var text = new StringBuilder();
@@ -40,7 +40,7 @@ namespace Nowpose.Pairing
             return text.ToString();
         }
 
-        /// <exception cref="InputException">Not what <see cref="Encode"/> writes, apart from the case of hexadecimal digits.</exception>
+        /// <exception cref="InputException">The text is not a result of <see cref="Encode"/> (hexadecimal digits may have either case).</exception>
         public static string Decode(string text, string what)
         {
             var bytes = new byte[text.Length];
@@ -65,11 +65,11 @@ namespace Nowpose.Pairing
             }
         }
 
-        // No angle brackets, which are tags in Unity's texts; no control, format or direction characters; no pairs of surrogates.
+        // Excludes angle brackets, which are tags in Unity's texts; control, format and direction characters; and surrogate pairs.
         static bool IsAllowed(char c)
         {
             if (Invisible.Contains(c) || (c >= '\uFE00' && c <= '\uFE0F')) return false;
-            // Two names that look the same are one: an accent is part of its letter. Devices differ in what they can normalise.
+            // Excludes combining accents, so that names of the same appearance are equal. Devices differ in the normalisation they support.
             if (c >= '\u0300' && c <= '\u036F') return false;
             switch (char.GetUnicodeCategory(c))
             {

@@ -6,7 +6,7 @@ using Nowpose.Network;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>The gateway's code that was seen last and waits for a cell, and the exchange of one; never two at a time.</summary>
+    /// <summary>Holds the newest gateway code until a cell needs it, and exchanges it; one exchange at a time.</summary>
     sealed class CodeExchange : IDisposable
     {
         readonly string _headsetName;
@@ -25,13 +25,13 @@ namespace Nowpose.Pairing
         /// <summary>Name of the cell that is being paired; null for none.</summary>
         public string Cell => _running?.Cell;
 
-        /// <summary>Null for none.</summary>
+        /// <summary>The code that waits for a cell; null for none.</summary>
         public TokenCode Waiting { get; private set; }
 
         /// <inheritdoc cref="TokenExchange.Trouble"/>
         public string Trouble => _running?.Trouble;
 
-        /// <summary>Whether a gateway has judged it, or none answered while it was worth something.</summary>
+        /// <summary>Returns whether a gateway has accepted or rejected the code, or none answered while it was valid.</summary>
         public bool WasTried(TokenCode code) => _tried.Contains(code.Token);
 
         public void Wait(TokenCode code, HeadsetTime now)
@@ -40,8 +40,8 @@ namespace Nowpose.Pairing
             _waitingUntil = now + PairingLimits.CodeValidity;
         }
 
-        /// <param name="cell">What the waiting code is for; null for none so far.</param>
-        /// <returns>Whether an exchange begins.</returns>
+        /// <param name="cell">The cell that needs the waiting code; null if there is none yet.</param>
+        /// <returns>Whether an exchange starts.</returns>
         public bool Offer(PairedCell cell, HeadsetTime now)
         {
             if (cell == null && now <= _waitingUntil) return false;
@@ -50,11 +50,11 @@ namespace Nowpose.Pairing
             return cell != null;
         }
 
-        /// <returns>The last answer; null while there is none.</returns>
+        /// <returns>The final answer; null while there is none.</returns>
         public PairingAnswer Follow(HeadsetTime now)
         {
             var answer = _running?.Follow(now);
-            // One that is cut short may be tried again: the gateway has perhaps not seen it.
+            // An interrupted exchange is not recorded, so it may be repeated: the gateway may not have received the code.
             if (answer != null) _tried.Add(_running.Token);
             return answer;
         }

@@ -4,21 +4,21 @@ using System.Globalization;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>The fields of a pairing code, asked for one by one. What does not fit the grammar is refused in one line.</summary>
-    /// <remarks>Nothing is skipped: a field that a reader does not know might be what makes it safe, so each new one is a new version.</remarks>
+    /// <summary>The fields of a pairing code. Rejects a text that does not match the grammar, with a message of one line.</summary>
+    /// <remarks>Unknown fields are rejected, because one might be relevant to security; each new field needs a new version.</remarks>
     sealed class CodeFields
     {
         readonly string _what;
         readonly Dictionary<char, string> _values = new Dictionary<char, string>();
 
         /// <param name="kind">"cell" or "token".</param>
-        /// <param name="version">The only one that is read.</param>
-        /// <param name="keys">All that may stand there, each once.</param>
-        /// <exception cref="InputException">Too long, of another kind or version, or not of the grammar. Never holds a field's value.</exception>
+        /// <param name="version">The only supported version.</param>
+        /// <param name="keys">All allowed keys; each may occur once.</param>
+        /// <exception cref="InputException">The text is too long, of another kind or version, or invalid. Never contains a field's value.</exception>
         public CodeFields(string text, string kind, int version, string keys)
         {
             _what = kind + " code";
-            // Before anything else is looked at: a code in view may hold thousands of characters.
+            // Checked first, because a code in view may have thousands of characters.
             if (text == null || text.Length > PairingCode.GreatestLength)
                 throw Fault((text?.Length ?? 0) + " characters; allowed are up to " + PairingCode.GreatestLength);
             RequirePlain(text);
@@ -30,13 +30,13 @@ namespace Nowpose.Pairing
             foreach (var field in text.Substring(query + 1).Split('&')) Add(field, keys);
         }
 
-        /// <exception cref="InputException">It is missing.</exception>
+        /// <exception cref="InputException">The field is missing.</exception>
         public string Text(char key) => OptionalText(key) ?? throw Fault(key + " is missing");
 
-        /// <returns>Null where it is missing.</returns>
+        /// <returns>Null if the field is missing.</returns>
         public string OptionalText(char key) => _values.TryGetValue(key, out var value) ? value : null;
 
-        /// <summary>A number of digits without sign or leading zero.</summary>
+        /// <summary>Reads a number of digits without sign or leading zero; returns <paramref name="otherwise"/> if it is missing.</summary>
         public long Count(char key, long otherwise, long least, long greatest)
         {
             var text = OptionalText(key);
@@ -44,7 +44,7 @@ namespace Nowpose.Pairing
             var isNumber = long.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var value)
                 && (text.Length == 1 || text[0] != '0');
             if (isNumber && value >= least && value <= greatest) return value;
-            // What is no number may be anything, so it is not repeated.
+            // A value that is not a number may contain anything, so the message does not repeat it.
             throw Fault(key + (isNumber ? "=" + value : " is no whole number") + "; allowed are " + least + " to " + greatest);
         }
 

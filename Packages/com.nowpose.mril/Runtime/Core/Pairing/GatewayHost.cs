@@ -5,13 +5,13 @@ using System.Net.Sockets;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>The host of a gateway as a code may name it: what a person reads is what is connected to.</summary>
+    /// <summary>Checks the host of a gateway in a code, so that the host that the wearer reads is the one that is connected to.</summary>
     static class GatewayHost
     {
         const int LongestName = 100, LongestLabel = 63;
 
-        /// <returns>In lower case.</returns>
-        /// <exception cref="InputException">No name of ASCII letters, digits and hyphens, and no address in its usual form.</exception>
+        /// <returns>The host in lower case.</returns>
+        /// <exception cref="InputException">Neither a name of ASCII letters, digits and hyphens, nor an address in its usual form.</exception>
         public static string Require(string host, string what)
         {
             var plain = (host ?? "").ToLowerInvariant();
@@ -39,7 +39,7 @@ namespace Nowpose.Pairing
             return true;
         }
 
-        // 10.1, 012.0.0.1 and 0x7f.1 are addresses to some resolvers: what ends in a number is an address, or nothing.
+        // Some resolvers accept 10.1, 012.0.0.1 and 0x7f.1 as addresses, so a host that ends in a number must be a full IPv4 address.
         static bool IsNumeric(string host)
         {
             var last = host.Substring(host.LastIndexOf('.') + 1);
@@ -67,7 +67,7 @@ namespace Nowpose.Pairing
 
         static bool IsDigit(char c) => c >= '0' && c <= '9';
 
-        // A host that is refused may hold anything, tags of Unity's texts as well.
+        // A rejected host may contain anything, including tags of Unity's texts.
         static string Shown(string host)
         {
             var shown = (host ?? "").ToCharArray();

@@ -4,10 +4,10 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>Where a marker is in the robot's base frame, as a person measures it: metres and degrees, to the sixth decimal.</summary>
+    /// <summary>A marker's pose in the robot's base frame as a person measures it: metres and degrees, with six decimals.</summary>
     /// <remarks>
-    /// A URDF origin but for the degrees: turned about the base frame's fixed x, then y, then z axis. The marker frame has its origin in
-    /// the centre of the print, x to the right along the print, y to its upper edge, z out of it.
+    /// A URDF origin except that angles are in degrees: rotated about the base frame's fixed x, then y, then z axis. The marker frame has
+    /// its origin in the centre of the print, x to the right along the print, y to its upper edge, and z out of it.
     /// </remarks>
     sealed class MarkerOffset
     {
@@ -18,7 +18,7 @@ namespace Nowpose.Pairing
 
         readonly double[] _numbers;
 
-        /// <exception cref="InputException">A number is out of range, or none.</exception>
+        /// <exception cref="InputException">A value is out of range or not a number.</exception>
         public MarkerOffset(double x, double y, double z, double rollDegrees = 0, double pitchDegrees = 0, double yawDegrees = 0)
             : this(new[] { x, y, z, rollDegrees, pitchDegrees, yawDegrees }, "marker offset") { }
 
@@ -29,15 +29,15 @@ namespace Nowpose.Pairing
             {
                 var greatest = i < 3 ? GreatestMetres : GreatestDegrees;
                 var value = SettingRange.Require(numbers[i], -greatest, greatest, what + ", " + names[i], i < 3 ? "m" : "degrees");
-                // Zero has one sign only.
+                // Adding 0.0 turns −0 into 0.
                 numbers[i] = Math.Round(value, Decimals) + 0.0;
             }
             _numbers = numbers;
         }
 
-        /// <summary>Six numbers between commas: x,y,z in metres, roll,pitch,yaw in degrees; or the first three.</summary>
-        /// <param name="what">Names them in messages.</param>
-        /// <exception cref="InputException">Anything else.</exception>
+        /// <summary>Reads numbers separated by commas: x,y,z in metres and roll,pitch,yaw in degrees, or only the first three.</summary>
+        /// <param name="what">Name of the value in messages.</param>
+        /// <exception cref="InputException">The text has another form.</exception>
         public static MarkerOffset Parse(string text, string what)
         {
             var words = (text ?? "").Split(',');
@@ -50,11 +50,11 @@ namespace Nowpose.Pairing
             return new MarkerOffset(numbers, what);
         }
 
-        /// <summary>The marker frame in the base frame.</summary>
+        /// <summary>Returns the pose of the marker frame in the base frame.</summary>
         public RigidTransform ToPose() => RigidTransform.FromXyzRpy(
             _numbers[0], _numbers[1], _numbers[2], Radians(_numbers[3]), Radians(_numbers[4]), Radians(_numbers[5]));
 
-        /// <summary>As <see cref="Parse"/> reads it: "0.25,-0.1,0" where nothing is turned, else six numbers.</summary>
+        /// <summary>Formats the offset for <see cref="Parse"/>: three numbers ("0.25,-0.1,0") if there is no rotation, else six.</summary>
         public override string ToString()
         {
             var count = _numbers[3] == 0 && _numbers[4] == 0 && _numbers[5] == 0 ? 3 : Numbers;
@@ -63,8 +63,8 @@ namespace Nowpose.Pairing
 
         internal static string Write(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
 
-        /// <summary>A plain decimal number of at most three digits, and six after a full stop.</summary>
-        /// <remarks>Neither exponents nor blanks, infinities or other alphabets' digits, which parsers differ in.</remarks>
+        /// <summary>Reads a decimal number of at most three digits, with at most six decimals after a full stop.</summary>
+        /// <remarks>Rejects exponents, blanks, infinities and digits of other alphabets, which parsers treat differently.</remarks>
         public static bool TryReadNumber(string text, out double number)
         {
             number = 0;

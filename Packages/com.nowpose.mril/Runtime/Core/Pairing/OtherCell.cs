@@ -1,21 +1,21 @@
 namespace Nowpose.Pairing
 {
-    /// <summary>Which known cell other than the one in use the wearer evidently looks at.</summary>
+    /// <summary>Detects that the wearer looks at a known cell other than the one in use.</summary>
     sealed class OtherCell
     {
         string _inView, _looked, _declined;
         bool _isUsedInView;
         HeadsetTime _since, _declinedSeen;
 
-        /// <summary>A marker of a known cell is in view.</summary>
+        /// <summary>Reports that a marker of a known cell is in view.</summary>
         public void See(string cell, bool isUsed)
         {
             if (isUsed) _isUsedInView = true;
             else if (_inView == null || cell == _looked) _inView = cell;
         }
 
-        /// <summary>Closes a frame.</summary>
-        /// <returns>Null for none: of several robots in view the one in use stays.</returns>
+        /// <summary>Ends a frame.</summary>
+        /// <returns>Name of the cell that the wearer looks at; null if there is none or the cell in use is in view too.</returns>
         public string Wanted(HeadsetTime now)
         {
             var other = _isUsedInView ? null : _inView;
@@ -28,7 +28,7 @@ namespace Nowpose.Pairing
             return other != null && other != _declined && now - _since >= PairingLimits.LookAtOther ? other : null;
         }
 
-        /// <summary>Not wanted as long as it goes on being in view, and a while after.</summary>
+        /// <summary>Ignores a cell while it stays in view, and for some time after.</summary>
         public void Decline(string cell, HeadsetTime now)
         {
             _declined = cell;

@@ -3,17 +3,17 @@ using System.Linq;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>A cell that the wearer has agreed to: its markers' codes, and the token that its gateway gave this headset. Immutable.</summary>
+    /// <summary>A cell that the wearer has accepted: the codes of its markers, and the headset's token for its gateway. Immutable.</summary>
     sealed class PairedCell
     {
-        /// <summary>More markers than this no robot has; more are not taken, for forged ones would drop the true.</summary>
+        /// <summary>Maximum number of markers. Further ones are rejected, so that forged codes cannot displace valid ones.</summary>
         public const int GreatestCodes = 16;
 
         readonly CellCode[] _codes;
 
-        /// <param name="codes">Of one cell and one gateway, oldest first.</param>
-        /// <param name="token">Null before the exchange, and for a gateway that asks for none.</param>
-        /// <exception cref="InputException">None, too many, or of several cells or gateways; or no token that can be sent.</exception>
+        /// <param name="codes">Codes of one cell and one gateway, oldest first.</param>
+        /// <param name="token">Null before the exchange, and for a gateway that requires none.</param>
+        /// <exception cref="InputException">No codes, too many, or of several cells or gateways; or an invalid token.</exception>
         public PairedCell(IEnumerable<CellCode> codes, string token)
         {
             _codes = codes.ToArray();
@@ -27,15 +27,15 @@ namespace Nowpose.Pairing
 
         public string Cell => Newest.Cell;
 
-        /// <summary>Of each of its markers that was seen so far, oldest first.</summary>
+        /// <summary>Codes of the markers seen so far, oldest first.</summary>
         public IReadOnlyList<CellCode> Codes => _codes;
 
         public CellCode Newest => _codes[_codes.Length - 1];
 
-        /// <summary>Null for none. Secret.</summary>
+        /// <summary>The headset's token for the gateway; null for none. Secret.</summary>
         public string Token { get; }
 
-        /// <summary>Whether a connection makes sense: a gateway on the headset's own machine may ask for no token.</summary>
+        /// <summary>Whether a connection can succeed: a gateway on the headset's own machine may require no token.</summary>
         public bool IsReady => Token != null || Newest.Pin == null;
 
         public bool IsFull => _codes.Length == GreatestCodes;
@@ -47,7 +47,7 @@ namespace Nowpose.Pairing
             return false;
         }
 
-        /// <exception cref="InputException">It is full, holds the code already, or is another cell or gateway than the code's.</exception>
+        /// <exception cref="InputException">The cell has the maximum number of codes or already this one, or differs in cell or gateway.</exception>
         public PairedCell With(CellCode code) => new PairedCell(_codes.Append(code), Token);
 
         public PairedCell WithToken(string token) => new PairedCell(_codes, token);

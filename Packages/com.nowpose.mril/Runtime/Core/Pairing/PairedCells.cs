@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>All cells that the wearer has agreed to, by name, and the one in use. Immutable.</summary>
+    /// <summary>All cells that the wearer has accepted, by name, and the one in use. Immutable.</summary>
     sealed class PairedCells
     {
         public const int GreatestCount = 64;
@@ -13,7 +13,7 @@ namespace Nowpose.Pairing
         readonly PairedCell[] _cells;
 
         /// <param name="used">Name of the cell in use; null for none.</param>
-        /// <exception cref="InputException">Too many, two of one name, or none of the name in use.</exception>
+        /// <exception cref="InputException">There are too many cells, two have the same name, or the cell in use is not among them.</exception>
         public PairedCells(IEnumerable<PairedCell> cells, string used)
         {
             _cells = cells.ToArray();
@@ -25,10 +25,10 @@ namespace Nowpose.Pairing
 
         public IReadOnlyList<PairedCell> All => _cells;
 
-        /// <summary>Null for none.</summary>
+        /// <summary>The cell in use; null for none.</summary>
         public PairedCell Used { get; }
 
-        /// <returns>Null where there is none. Allocates nothing.</returns>
+        /// <returns>Null if there is none. Allocates nothing.</returns>
         public PairedCell Find(string cell)
         {
             foreach (var known in _cells)
@@ -36,8 +36,8 @@ namespace Nowpose.Pairing
             return null;
         }
 
-        /// <summary>The cell that a gateway's code is of use for: the one in use before others, for several may share a gateway.</summary>
-        /// <param name="isUsedRefused">Whether the gateway does not accept the token of the cell in use.</param>
+        /// <summary>Finds the cell that needs a gateway's code. The cell in use takes precedence, because several may share a gateway.</summary>
+        /// <param name="isUsedRefused">Whether the gateway rejects the token of the cell in use.</param>
         /// <returns>Null for none. Allocates nothing.</returns>
         internal PairedCell TakerOf(TokenCode code, bool isUsedRefused)
         {
@@ -58,7 +58,7 @@ namespace Nowpose.Pairing
             return false;
         }
 
-        /// <summary>With a cell in place of the one of its name, and in use. Of too many the one that was put longest ago is dropped.</summary>
+        /// <summary>Adds or replaces a cell by its name and makes it the one in use. Drops the least recently added if there are too many.</summary>
         public PairedCells Use(PairedCell cell) => new PairedCells(
             Without(cell.Cell)._cells.Reverse().Take(GreatestCount - 1).Reverse().Append(cell), cell.Cell);
 

@@ -2,14 +2,14 @@ using System.IO;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>Paired cells in a file. Whatever happens while they are saved, the file is the old or the new one, whole.</summary>
+    /// <summary>Loads and saves paired cells. Saving is atomic: after a failure the file is complete, old or new.</summary>
     static class PairedCellsFile
     {
         const int GreatestBytes = 1024 * 1024;
         const string What = "list of paired cells";
 
-        /// <summary>No file is no cells. A file that cannot be used is kept beside it under another name, and said to be.</summary>
-        /// <param name="problem">One line; null when nothing is wrong.</param>
+        /// <summary>Loads the cells; a missing file gives none. Renames a file that cannot be used, and reports it.</summary>
+        /// <param name="problem">One line; null if there is no problem.</param>
         public static PairedCells Load(string path, out string problem)
         {
             problem = null;
@@ -26,7 +26,7 @@ namespace Nowpose.Pairing
             }
         }
 
-        /// <exception cref="InputException">It cannot be written; the old file stays as it is.</exception>
+        /// <exception cref="InputException">The file cannot be written; the old file is unchanged.</exception>
         public static void Save(string path, PairedCells cells) => WholeFile.Write(path, PairedCellsJson.Write(cells), What);
     }
 }

@@ -8,7 +8,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>Paired cells as JSON text, version 1: the codes of their markers as they are printed, and the tokens.</summary>
+    /// <summary>Paired cells as JSON text, version 1: the exact codes of their markers, and the tokens.</summary>
     static class PairedCellsJson
     {
         const string Format = "nowpose-paired-cells";
@@ -33,8 +33,8 @@ namespace Nowpose.Pairing
             return text + "\n";
         }
 
-        /// <param name="name">Stands for the text in messages: a file's name.</param>
-        /// <exception cref="InputException">No such text, one of a newer version, or a value that cannot be used. Never holds a token.</exception>
+        /// <param name="name">Name of the text in messages, such as a file's name.</param>
+        /// <exception cref="InputException">Another format, a newer version, or an invalid value. Never contains a token.</exception>
         public static PairedCells Read(string text, string name)
         {
             try

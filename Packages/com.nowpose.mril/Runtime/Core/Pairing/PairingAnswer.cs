@@ -1,6 +1,6 @@
 namespace Nowpose.Pairing
 {
-    /// <summary>What came of an exchange: the headset's own token, or why there is none.</summary>
+    /// <summary>Result of an exchange: the headset's own token, or why there is none.</summary>
     sealed class PairingAnswer
     {
         PairingAnswer(string token, string problem, bool isWorthRetrying)
@@ -10,13 +10,13 @@ namespace Nowpose.Pairing
             IsWorthRetrying = isWorthRetrying;
         }
 
-        /// <summary>Null when there is a problem. Secret.</summary>
+        /// <summary>The headset's own token; null if there is a problem. Secret.</summary>
         public string Token { get; }
 
-        /// <summary>One line for the wearer; null when there is a token.</summary>
+        /// <summary>One line for the wearer; null if there is a token.</summary>
         public string Problem { get; }
 
-        /// <summary>Whether the same code may still be worth something: the gateway has not judged it.</summary>
+        /// <summary>Whether the same code may be sent again, because the gateway has neither accepted nor rejected it.</summary>
         public bool IsWorthRetrying { get; }
 
         public static PairingAnswer Accepted(string token) => new PairingAnswer(token, null, false);

@@ -2,28 +2,28 @@ using System;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>What has happened since it was asked last.</summary>
+    /// <summary>Changes since the last tick.</summary>
     [Flags]
     enum PairingChange
     {
         None = 0,
 
-        /// <summary>There is a question that was not there.</summary>
+        /// <summary>There is a new question.</summary>
         Asked = 1,
 
-        /// <summary>The cell in use is another one, or has another marker or token.</summary>
+        /// <summary>The cell in use has changed, or has another marker or token.</summary>
         Applied = 2,
 
         /// <summary>The gateway gave this headset a token.</summary>
         Paired = 4,
 
-        /// <summary>There is a problem that was not there.</summary>
+        /// <summary>There is a new problem.</summary>
         Problem = 8,
 
-        /// <summary>The cells are others than those that were loaded or saved.</summary>
+        /// <summary>The cells differ from those that were loaded or saved last.</summary>
         Kept = 16,
 
-        /// <summary>The words are others.</summary>
+        /// <summary>The status text has changed.</summary>
         Words = 32,
     }
 }

@@ -2,22 +2,22 @@ using System;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>What the codes that pair a headset with a gateway have in common: "nowpose:KIND/VERSION?a=…&amp;b=…" in printable ASCII.</summary>
+    /// <summary>Common form of the codes that pair a headset with a gateway: "nowpose:KIND/VERSION?a=…&amp;b=…" in printable ASCII.</summary>
     static class PairingCode
     {
-        /// <summary>Codes that begin otherwise are not ours.</summary>
+        /// <summary>Start of every pairing code; other codes are ignored.</summary>
         public const string Scheme = "nowpose:";
 
         /// <summary>
-        /// Longest code: what a QR code of version 10 (57 modules an edge) holds at error correction M, the greatest version
-        /// that HoloLens 2 finds.
+        /// Maximum length of a code in characters: the capacity of a QR code of version 10 (57 modules per edge) at error correction M. It
+        /// is the largest version that HoloLens 2 finds.
         /// </summary>
         public const int GreatestLength = 213;
 
-        /// <summary>What a code says it is. Looks at its beginning only, however long it is, and allocates nothing.</summary>
+        /// <summary>Returns the kind that a code declares. Reads only the beginning of the text and allocates nothing.</summary>
         public static PairingCodeKind KindOf(string text)
         {
-            // Whatever its case: an upper-case one is ours, and refused in words.
+            // Ignores case: a code in upper case is a pairing code too, and is rejected with a message.
             if (text == null || !text.StartsWith(Scheme, StringComparison.OrdinalIgnoreCase)) return PairingCodeKind.Foreign;
             if (StartsWith(text, CellCode.Kind)) return PairingCodeKind.Cell;
             return StartsWith(text, TokenCode.Kind) ? PairingCodeKind.Token : PairingCodeKind.Unknown;

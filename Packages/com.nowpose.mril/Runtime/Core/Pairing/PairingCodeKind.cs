@@ -1,9 +1,9 @@
 namespace Nowpose.Pairing
 {
-    /// <summary>What a code in view says it is.</summary>
+    /// <summary>The kind that a code in view declares.</summary>
     enum PairingCodeKind
     {
-        /// <summary>Somebody else's: none of our business.</summary>
+        /// <summary>A code of another application; ignored.</summary>
         Foreign,
 
         /// <summary>The robot's marker, see <see cref="CellCode"/>.</summary>
@@ -12,7 +12,7 @@ namespace Nowpose.Pairing
         /// <summary>The gateway's code that is valid once, see <see cref="TokenCode"/>.</summary>
         Token,
 
-        /// <summary>Ours by its beginning, and neither.</summary>
+        /// <summary>A pairing code of another kind.</summary>
         Unknown,
     }
 }

@@ -7,10 +7,10 @@ using Nowpose.Network;
 namespace Nowpose.Pairing
 {
     /// <summary>
-    /// Decides what codes in view lead to: asks before a gateway is contacted that the wearer did not agree to, exchanges the gateway's code
-    /// for the headset's own token, and says which cell to connect to.
+    /// Evaluates the codes in view: asks the wearer before it contacts a new gateway, exchanges the gateway's code
+    /// for the headset's own token, and selects the cell to connect to.
     /// </summary>
-    /// <remarks>Belongs to the frame's thread. A frame shows it all texts in view, then ticks it; neither allocates where nothing is new.</remarks>
+    /// <remarks>Call it on the frame's thread: pass all texts in view, then tick it, once a frame. Allocates only if something has changed.</remarks>
     sealed class PairingFlow : IDisposable
     {
         readonly CodeExchange _exchange;
@@ -23,8 +23,8 @@ namespace Nowpose.Pairing
         bool _isTokenRefused;
         PairingChange _changes;
 
-        /// <param name="cells">Agreed to in earlier runs.</param>
-        /// <param name="headsetName">The gateway lists this headset under it.</param>
+        /// <param name="cells">Cells accepted in earlier runs.</param>
+        /// <param name="headsetName">Name of this headset in the gateway's list.</param>
         /// <param name="send">Exchanges a token without blocking: <see cref="PairingRequest.SendAsync"/> on another thread.</param>
         public PairingFlow(
             PairedCells cells, string headsetName, Func<ConnectionSettings, string, CancellationToken, Task<PairingAnswer>> send)
@@ -37,16 +37,16 @@ namespace Nowpose.Pairing
 
         public PairedCells Cells { get; private set; }
 
-        /// <summary>What the wearer has to answer; null when nothing is asked.</summary>
+        /// <summary>The question to the wearer; null if there is none.</summary>
         public string Question => _asked?.Text;
 
-        /// <summary>What went wrong, in one line; null when nothing did.</summary>
+        /// <summary>The problem in one line; null if there is none.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Where things stand, in one line for a panel.</summary>
+        /// <summary>Status of the pairing in one line, for a panel.</summary>
         public string Words { get; private set; }
 
-        /// <summary>Set while the gateway does not accept the token of the cell in use: a code may bring another one.</summary>
+        /// <summary>Whether the gateway rejects the token of the cell in use, so that a new code is needed.</summary>
         public bool IsTokenRefused
         {
             get => _isTokenRefused;
@@ -58,10 +58,10 @@ namespace Nowpose.Pairing
             }
         }
 
-        /// <summary>Whether neither the wearer nor the gateway has to do anything before there can be a connection.</summary>
+        /// <summary>Whether a connection is possible without an action of the wearer or the gateway.</summary>
         public bool IsSettled => _asked == null && _exchange.Cell == null && !_isTokenRefused && Cells.Used?.IsReady == true;
 
-        /// <summary>A text that a marker in view holds, whoever hung it up.</summary>
+        /// <summary>Reads the text of a code in view, which may come from any source.</summary>
         public void See(string text, HeadsetTime now)
         {
             _now = now;
@@ -71,8 +71,8 @@ namespace Nowpose.Pairing
             else if (seen?.Token != null) SeeToken(seen.Token, now);
         }
 
-        /// <summary>Goes on with what was seen; once a frame.</summary>
-        /// <returns>What has happened since it was asked last.</returns>
+        /// <summary>Processes the codes seen; called once a frame.</summary>
+        /// <returns>Changes since the last tick.</returns>
         public PairingChange Tick(HeadsetTime now)
         {
             _now = now;
@@ -85,7 +85,7 @@ namespace Nowpose.Pairing
             return changes;
         }
 
-        /// <summary>Agrees to the question. Does nothing when nothing is asked.</summary>
+        /// <summary>Accepts the question. Does nothing if there is none.</summary>
         public void Accept()
         {
             var asked = _asked;
@@ -96,7 +96,7 @@ namespace Nowpose.Pairing
             else if (Cells.Find(asked.Used) is PairedCell other) Use(other);
         }
 
-        /// <summary>Declines the question; to connect to a gateway for this run. Does nothing when nothing is asked.</summary>
+        /// <summary>Declines the question; a declined gateway stays declined for this run. Does nothing if there is no question.</summary>
         public void Refuse()
         {
             if (_asked == null) return;
@@ -106,8 +106,8 @@ namespace Nowpose.Pairing
         }
 
         /// <summary>
-        /// Asks whether to forget the cell in use, in place of any other question. What was declined is asked again at the next look, whatever
-        /// the answer: that is all where no cell is in use.
+        /// Asks whether to forget the cell in use, in place of any other question. It also clears the declined gateways and cells, independent
+        /// of the answer, so the next look at a marker asks again. If no cell is in use, that is the only effect.
         /// </summary>
         public void AskToForget()
         {
@@ -115,7 +115,7 @@ namespace Nowpose.Pairing
             if (Cells.Used != null) Ask(PairingQuestion.Forget(Cells.Used));
         }
 
-        /// <summary>Forgets the cell in use, with its token, and what was declined: the next look at a marker asks anew.</summary>
+        /// <summary>Forgets the cell in use with its token, and clears what was declined: the next look at a marker asks again.</summary>
         public void Forget()
         {
             Reconsider();
@@ -138,7 +138,7 @@ namespace Nowpose.Pairing
 
         bool MayAsk => _asked == null && _now >= _quietUntil;
 
-        // Without a question it would be the wearer's passing by that decides where the samples are from.
+        // Asks, because otherwise a wearer who walks past another robot would change the source of the samples.
         void ConsiderOther(HeadsetTime now)
         {
             var name = _other.Wanted(now);
@@ -168,7 +168,7 @@ namespace Nowpose.Pairing
         {
             var used = Cells.Used;
             Cells = Cells.Use(cell);
-            // Another marker of another robot's does not make it the one in use.
+            // A new marker of another robot does not make that robot the one in use.
             if (used != null && used.Cell != cell.Cell) Cells = Cells.Use(used);
             Change(PairingChange.Applied | PairingChange.Kept);
         }
@@ -183,9 +183,9 @@ namespace Nowpose.Pairing
         void Connect(CellCode code)
         {
             var known = Cells.Find(code.Cell);
-            // What another gateway of that name may still give is no token of this one.
+            // The running exchange is with the previous gateway of that name; its token would not be valid for this one.
             if (_exchange.Cell == code.Cell) _exchange.End();
-            // The same key is the same gateway: what it gave this headset still counts.
+            // The same key means the same gateway, so the headset's token stays valid.
             var token = known != null && Equals(known.Newest.Pin, code.Pin) ? known.Token : null;
             Use(new PairedCell(new[] { code }, token));
         }
@@ -224,7 +224,7 @@ namespace Nowpose.Pairing
             if (Words != PairingWords.MarkerFirst && Question == null) Say(PairingWords.MarkerFirst);
         }
 
-        // The order in which the wearer looks at the two does not matter.
+        // The wearer may look at marker and code in either order.
         void Offer(HeadsetTime now)
         {
             if (_exchange.Waiting == null || _exchange.Cell != null || !_exchange.Offer(Cells.TakerOf(_exchange.Waiting, _isTokenRefused), now)) return;
@@ -254,7 +254,7 @@ namespace Nowpose.Pairing
             if (cell.Cell == Cells.Used?.Cell) IsTokenRefused = false;
             Learn(cell.WithToken(token));
             _changes |= PairingChange.Paired;
-            // One token of a gateway's serves all its cells.
+            // A gateway's token is valid for all its cells.
             foreach (var other in Cells.All)
                 if (other.Token == null && other.Newest.HasSameGateway(cell.Newest)) Learn(other.WithToken(token));
             Say(PairingWords.Paired(cell.Cell));
@@ -275,7 +275,7 @@ namespace Nowpose.Pairing
 
         void ClearProblem()
         {
-            // One that nobody was told of yet stays until its time is over.
+            // Keeps a problem that was not reported yet.
             if (Problem == null || (_changes & PairingChange.Problem) != 0) return;
             _faultUntil = null;
             Problem = null;

@@ -1,23 +1,23 @@
 namespace Nowpose.Pairing
 {
-    /// <summary>What the wearer has to answer, and what agreeing to it is about: one of the other properties.</summary>
+    /// <summary>A question to the wearer and its subject; exactly one of the other properties is set.</summary>
     sealed class PairingQuestion
     {
         PairingQuestion(string text) => Text = text;
 
-        /// <summary>One line.</summary>
+        /// <summary>The question, in one line.</summary>
         public string Text { get; }
 
-        /// <summary>Whose gateway is to be agreed to; null where something else is asked.</summary>
+        /// <summary>The code of the gateway to accept; null for another question.</summary>
         public SeenCode Code { get; private set; }
 
-        /// <summary>Name of the cell to forget; null where something else is asked.</summary>
+        /// <summary>Name of the cell to forget; null for another question.</summary>
         public string Forgotten { get; private set; }
 
-        /// <summary>Name of the known cell to use from now on; null where something else is asked.</summary>
+        /// <summary>Name of the known cell to use from now on; null for another question.</summary>
         public string Used { get; private set; }
 
-        /// <param name="known">What was agreed to under that name before; null for nothing.</param>
+        /// <param name="known">The accepted cell of the same name; null for none.</param>
         public static PairingQuestion Connect(SeenCode code, PairedCell known) =>
             new PairingQuestion(PairingWords.Question(code.Cell, known?.Newest)) { Code = code };
 

@@ -10,19 +10,19 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>Exchanges a code's token for the headset's own: one HTTP/1.1 request over the stream that the pin is checked on.</summary>
-    /// <remarks>Unity's HTTP clients do not ask reliably about certificates, so a token would travel to whoever answers.</remarks>
+    /// <summary>Exchanges a code's token for the headset's own: one HTTP/1.1 request over a stream with its own check of the pin.</summary>
+    /// <remarks>Unity's HTTP clients do not check certificates reliably, so the token could reach any server.</remarks>
     static class PairingRequest
     {
         const int Nesting = 2;
 
         static readonly JsonNames AnswerFields = new JsonNames("token");
 
-        /// <param name="gateway">Pinned, or on this machine; its own token is not used.</param>
-        /// <param name="codeToken">Of the gateway's code.</param>
-        /// <returns>Never fails otherwise than by an answer that says so.</returns>
+        /// <param name="gateway">Settings with a pin, or for this machine; their token is not used.</param>
+        /// <param name="codeToken">Token of the gateway's code.</param>
+        /// <returns>The answer, which also reports failures.</returns>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
-        /// <exception cref="InputException">The connection would be plain to another machine.</exception>
+        /// <exception cref="InputException">The connection would be plain text to another machine.</exception>
         public static async Task<PairingAnswer> SendAsync(ConnectionSettings gateway, string codeToken, CancellationToken cancel)
         {
             if (gateway.Security == TransportSecurity.Plain && !gateway.IsLoopback)
@@ -121,7 +121,7 @@ namespace Nowpose.Pairing
             if (!json.EndObject(seen, 1) || !json.End()) return null;
             try
             {
-                // What could not be sent is no token.
+                // Rejects a token that could not be sent.
                 return new ConnectionSettings("127.0.0.1", token: token).Token;
             }
             catch (InputException)

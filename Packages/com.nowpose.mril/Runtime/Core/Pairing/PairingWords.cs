@@ -3,14 +3,14 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>What the wearer is asked and told.</summary>
+    /// <summary>Questions and messages to the wearer.</summary>
     static class PairingWords
     {
         public const string LookAtMarker = "look at the robot's marker";
         public const string CodeWasTried = "this code was tried; ask for another on the gateway's page or terminal";
         public const string MarkerFirst = "the gateway's code is read; now look at the robot's marker";
 
-        /// <param name="known">What was agreed to under that name before; null for nothing.</param>
+        /// <param name="known">The accepted code of the same name; null for none.</param>
         public static string Question(CellCode code, CellCode known)
         {
             if (known == null)

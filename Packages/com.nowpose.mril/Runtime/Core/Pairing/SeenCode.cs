@@ -1,6 +1,6 @@
 namespace Nowpose.Pairing
 {
-    /// <summary>What one text in view turned out to be: looked at once, however often it is seen.</summary>
+    /// <summary>The parsed content of one text in view; each text is parsed once.</summary>
     sealed class SeenCode
     {
         SeenCode(CellCode cell, TokenCode token, string fault)
@@ -11,21 +11,21 @@ namespace Nowpose.Pairing
             Gateway = cell == null ? null : cell.Cell + "\n" + cell.Host + "\n" + cell.Pin + "\n" + cell.SyncPort + "\n" + cell.WebSocketPort;
         }
 
-        /// <summary>Null where it is none.</summary>
+        /// <summary>The parsed code; null if the text is another one.</summary>
         public CellCode Cell { get; }
 
         /// <inheritdoc cref="Cell"/>
         public TokenCode Token { get; }
 
-        /// <summary>Why it is neither, in one line.</summary>
+        /// <summary>Why the text is neither, in one line.</summary>
         public string Fault { get; }
 
-        /// <summary>The same for all markers of a cell that lead to one gateway.</summary>
+        /// <summary>Key of the gateway: the same for all markers of a cell that have the same gateway.</summary>
         public string Gateway { get; }
 
         public HeadsetTime LastSeen { get; set; }
 
-        /// <summary>Whether it was said that it is one marker too many.</summary>
+        /// <summary>Whether it was reported that this marker exceeds the maximum number.</summary>
         public bool IsTooManyTold { get; set; }
 
         public static SeenCode Read(string text, PairingCodeKind kind)

@@ -3,21 +3,21 @@ using System.Collections.Generic;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>The codes of ours that were in view, each read once. Allocates nothing for one that is known.</summary>
+    /// <summary>The pairing codes in view, each parsed once. Allocates nothing for a known code.</summary>
     sealed class SeenCodes
     {
-        /// <summary>Different codes at a time; whoever hangs up more is not listened to.</summary>
+        /// <summary>Maximum number of different codes at a time; further ones are ignored.</summary>
         public const int GreatestCount = 256;
 
-        /// <summary>One that was out of view for so long makes room where there is none: a gateway's code is worth nothing then.</summary>
+        /// <summary>Codes out of view for this time may be dropped when the list is full: a gateway's code has expired by then.</summary>
         static readonly TimeSpan Memory = PairingLimits.CodeValidity;
 
         readonly Dictionary<string, SeenCode> _codes = new Dictionary<string, SeenCode>(StringComparer.Ordinal);
         readonly List<string> _old = new List<string>();
         bool _isOversizedTold, _isFullTold;
 
-        /// <param name="fault">What is wrong, told once; null for nothing.</param>
-        /// <returns>Null where it is none of ours, or not kept.</returns>
+        /// <param name="fault">The problem, reported once; null for none.</param>
+        /// <returns>Null if the text is not a pairing code, or was not stored.</returns>
         public SeenCode Read(string text, HeadsetTime now, out string fault)
         {
             fault = null;
@@ -25,7 +25,7 @@ namespace Nowpose.Pairing
             if (kind == PairingCodeKind.Foreign) return null;
             if (text.Length > PairingCode.GreatestLength)
             {
-                // Not remembered: it would be the room that somebody else decides on.
+                // Not stored, because the text's source would determine the memory that it needs.
                 if (!_isOversizedTold) fault = "pairing code: " + text.Length + " characters; allowed are up to " + PairingCode.GreatestLength;
                 _isOversizedTold = true;
                 return null;

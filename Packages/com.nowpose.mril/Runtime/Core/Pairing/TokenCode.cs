@@ -6,25 +6,25 @@ using Nowpose.Protocol;
 namespace Nowpose.Pairing
 {
     /// <summary>
-    /// What the gateway shows for five minutes: a token that one headset may exchange for its own, and the key of that gateway. Secret.
+    /// The code that the gateway shows for five minutes: a token that one headset may exchange for its own, and the gateway's key. Secret.
     /// </summary>
     sealed class TokenCode
     {
         public const int Version = 1;
 
-        /// <summary>Nobody guesses 128 bits.</summary>
+        /// <summary>128 bits, which cannot be guessed.</summary>
         public const int TokenBytes = 16;
 
         internal const string Kind = "token";
         const string Keys = "ptx";
-        const long LastUnixSeconds = 253402300799; // 9999-12-31, the last a DateTime knows
+        const long LastUnixSeconds = 253402300799; // 9999-12-31, the maximum of DateTime
 
         static readonly DateTime UnixEpoch = new DateTime(1970, 1, 1, 0, 0, 0, DateTimeKind.Utc);
 
-        /// <param name="pin">The gateway's public key; null for a gateway without TLS, which is on the headset's own machine.</param>
+        /// <param name="pin">The gateway's public key; null for a gateway without TLS, which must be on the headset's own machine.</param>
         /// <param name="token">Base64url of 16 bytes.</param>
-        /// <param name="validToUtc">By the gateway's time of day: a hint, for the headset's may be wrong.</param>
-        /// <exception cref="InputException">A value cannot be used.</exception>
+        /// <param name="validToUtc">Expiry by the gateway's time of day; only a hint, because the headset's time may be wrong.</param>
+        /// <exception cref="InputException">A value is invalid.</exception>
         public TokenCode(CertificatePin pin, string token, DateTime? validToUtc = null)
             : this(pin, token, validToUtc, null) { }
 
@@ -38,20 +38,20 @@ namespace Nowpose.Pairing
             Text = text ?? Write();
         }
 
-        /// <summary>Null for a gateway without TLS.</summary>
+        /// <summary>The gateway's public key; null for a gateway without TLS.</summary>
         public CertificatePin Pin { get; }
 
-        /// <summary>Never shown or logged.</summary>
+        /// <summary>Token of the code. Never shown or logged.</summary>
         public string Token { get; }
 
-        /// <summary>By the gateway's time of day; null where the code does not say.</summary>
+        /// <summary>Expiry by the gateway's time of day; null if the code does not specify it.</summary>
         public DateTime? ValidToUtc { get; }
 
-        /// <summary>What is in the shown code, to the letter. Secret.</summary>
+        /// <summary>The exact text of the code. Secret.</summary>
         public string Text { get; }
 
-        /// <param name="text">Of any length; no longer than <see cref="PairingCode.GreatestLength"/> is read.</param>
-        /// <exception cref="InputException">It is no token code of this version, or a value cannot be used; one line without the token.</exception>
+        /// <param name="text">A text of any length; one longer than <see cref="PairingCode.GreatestLength"/> is rejected.</param>
+        /// <exception cref="InputException">Not a token code of this version, or an invalid value; one line without the token.</exception>
         public static TokenCode Parse(string text)
         {
             var fields = new CodeFields(text, Kind, Version, Keys);
@@ -60,10 +60,10 @@ namespace Nowpose.Pairing
                 CellCode.PinOf(fields), fields.Text('t'), validTo < 0 ? (DateTime?)null : UnixEpoch.AddSeconds(validTo), text);
         }
 
-        /// <summary>Whether the token is that cell's gateway's: it is sent nowhere else.</summary>
+        /// <summary>Returns whether the token belongs to the cell's gateway; it is sent only there.</summary>
         public bool IsFor(CellCode cell) => Equals(cell.Pin, Pin);
 
-        /// <summary>Says what it is, not what it holds.</summary>
+        /// <summary>Returns the kind of the code, without its content.</summary>
         public override string ToString() => "token code";
 
         string Write()

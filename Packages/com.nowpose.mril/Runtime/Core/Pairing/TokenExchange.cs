@@ -5,7 +5,7 @@ using Nowpose.Network;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>Sends one code's token until the gateway has judged it, the code is too old, or nobody wants it any more.</summary>
+    /// <summary>Sends one code's token until the gateway has accepted or rejected it, the code has expired, or the exchange is disposed.</summary>
     sealed class TokenExchange : IDisposable
     {
         readonly ConnectionSettings _gateway;
@@ -30,13 +30,13 @@ namespace Nowpose.Pairing
 
         public string Cell { get; }
 
-        /// <summary>Of the code. Secret.</summary>
+        /// <summary>Token of the code. Secret.</summary>
         public string Token { get; }
 
-        /// <summary>Why it did not work so far, and that it goes on; null for nothing.</summary>
+        /// <summary>Why the last attempt failed, and that it is repeated; null if none has failed.</summary>
         public string Trouble { get; private set; }
 
-        /// <returns>The last answer; null while it goes on.</returns>
+        /// <returns>The final answer; null until there is one.</returns>
         public PairingAnswer Follow(HeadsetTime now)
         {
             if (_running == null && now >= _nextStart) _running = _send(_gateway, Token, _cancel.Token);

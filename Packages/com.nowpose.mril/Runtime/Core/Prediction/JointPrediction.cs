@@ -8,7 +8,7 @@ namespace Nowpose.Prediction
         /// <summary>No sample yet: the position is a placeholder (0) and must not be shown as a pose.</summary>
         None,
 
-        /// <summary>A value that stands still: the newest sample's, or the section's at the horizon cap or at its oldest sample.</summary>
+        /// <summary>A constant value: the newest sample's position, or the section's value at the horizon cap or at its oldest sample.</summary>
         Held,
 
         /// <summary>At or before the newest sample.</summary>
@@ -17,11 +17,11 @@ namespace Nowpose.Prediction
         /// <summary>Ahead of the newest sample.</summary>
         Predicted,
 
-        /// <summary>Where the control system means the joint to be, as late as it follows: nothing is predicted.</summary>
+        /// <summary>The position that the control system plans, delayed by the joint's lag behind the plan; not predicted.</summary>
         Planned
     }
 
-    /// <summary>One joint's position at a time asked for, and how it was made.</summary>
+    /// <summary>One joint's position at a requested time, and its origin.</summary>
     /// <remarks><c>default</c> is "no sample yet": position 0, <see cref="PredictionKind.None"/>. Always finite.</remarks>
     public readonly struct JointPrediction
     {
@@ -31,7 +31,7 @@ namespace Nowpose.Prediction
             Kind = kind;
         }
 
-        /// <summary>In the unit of the samples: rad for revolute joints, m for prismatic ones.</summary>
+        /// <summary>Position in the unit of the samples: rad for revolute joints, m for prismatic ones.</summary>
         public double Position { get; }
 
         public PredictionKind Kind { get; }

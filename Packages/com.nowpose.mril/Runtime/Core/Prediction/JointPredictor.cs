@@ -8,54 +8,54 @@ namespace Nowpose.Prediction
     /// <summary>Outcome of adding a sample to a predictor.</summary>
     public enum SampleOutcome
     {
-        /// <summary>The newest sample.</summary>
+        /// <summary>The sample is the newest one.</summary>
         Accepted,
 
-        /// <summary>Overtaken by newer samples. It takes its place among them when the next sample arrives.</summary>
+        /// <summary>Newer samples have overtaken it. It is inserted among them when the next sample arrives.</summary>
         Late,
 
         /// <summary>
-        /// Dropped: a sample with the same time (within 1 µs) arrived before. It is used all the same if the next ones show that the
+        /// Dropped: a sample with the same time (within 1 µs) arrived before. It is used after all if the next samples show that the
         /// clock went back.
         /// </summary>
         Duplicate,
 
-        /// <summary>Dropped: older than all samples that the prediction uses, with the same exception.</summary>
+        /// <summary>Dropped: older than all samples that the prediction uses; the same exception applies.</summary>
         TooOld,
 
-        /// <summary>The clock of the samples went back. All samples before are discarded, and this one is the newest.</summary>
+        /// <summary>The clock of the samples went back. All earlier samples are discarded, and this one is the newest.</summary>
         StartedAnew
     }
 
-    /// <summary>Predicts one joint's position at a time near its newest samples, usually ahead of them.</summary>
+    /// <summary>Predicts one joint's position at times near its newest samples, usually ahead of them.</summary>
     /// <remarks>
-    /// A sample that arrives in order passes the buffer and is solved for by the forecaster; its forecast until the next sample is the section
-    /// (Schnierle &amp; Röck 2022, Eq. 8), and a new section is blended with what was displayed. Times are seconds of control time since an
-    /// epoch the caller chooses near by (within 1e6 s costs no accuracy that matters). One thread at a time. Nothing allocates
+    /// A sample that arrives in order passes through the buffer, and the forecaster solves for it. Its forecast until the next sample is
+    /// the section (Schnierle &amp; Röck 2022, Eq. 8); a new section is blended with the displayed one. Times are seconds of control time
+    /// since an epoch that the caller chooses near them (within 1e6 s, rounding is negligible). One thread at a time. Allocates nothing
     /// after construction.
     /// </remarks>
     public sealed class JointPredictor
     {
         /// <summary>
-        /// Greatest time constant of the blend, as a share of the sampling interval: residuals of several sections add up, and beyond a
+        /// Maximum time constant of the blend, as a share of the sampling interval: residuals of several sections add up, and beyond a
         /// fifth the RMS error grows by more than 5 % (display.md).
         /// </summary>
         const double MaxShareOfInterval = 0.2;
 
         /// <summary>
-        /// A larger difference between two sections, relative to the greatest speed times the age of the section, is not blended: it comes
-        /// from a joint that was set elsewhere or an angle that wrapped, and blended it would look like a motion. A prediction for a
-        /// joint that reversed errs by 2, polynomials overshoot that by half and more.
+        /// Maximum difference between two sections that is blended, relative to the maximum speed times the age of the section. A larger one
+        /// comes from a joint that was repositioned or an angle that wrapped, and blending would show it as a motion. A prediction for a
+        /// joint that reversed has an error of 2; polynomials overshoot that by half and more.
         /// </summary>
         const double MaxError = 4;
 
         /// <summary>
-        /// Time constant with which the section changes from the newest sample to a forecast that does not pass through it, s: short
-        /// against every latency worth compensating.
+        /// Time constant, in s, of the transition from the newest sample to a forecast that does not pass through it: short
+        /// compared with every latency worth compensating.
         /// </summary>
         const double SeamTimeConstant = 0.005;
 
-        /// <summary>A larger displacement overflows when squared, which would stay in every running mean.</summary>
+        /// <summary>The square of a larger displacement overflows, and would remain in every running mean.</summary>
         const double MaxDisplacement = 1e50;
 
         readonly PredictionLimits _limits;
@@ -69,14 +69,14 @@ namespace Nowpose.Prediction
         bool _isSolved;
         double _seam;
 
-        // Difference of the section before to the newest one at the moment displayed last; it decays from then on.
+        // Difference between the previous section and the newest one at the last displayed moment; it decays from then on.
         double _residual, _residualFrom, _residualTimeConstant;
         double _lastDisplayed, _sectionOf;
 
-        /// <param name="forecaster">Used by this joint only.</param>
-        /// <param name="kept">Samples kept for it.</param>
+        /// <param name="forecaster">Forecaster of this joint only.</param>
+        /// <param name="kept">Number of samples to keep.</param>
         /// <param name="parts">
-        /// How samples are treated; without interpolation the forecaster is used before the newest sample too, as in the paper.
+        /// Treatment of the samples; without interpolation the forecaster is used before the newest sample too, as in the paper.
         /// </param>
         internal JointPredictor(Forecaster forecaster, int kept, PredictionParts parts, PredictionLimits limits, double blend)
         {
@@ -93,19 +93,19 @@ namespace Nowpose.Prediction
             Reset();
         }
 
-        /// <summary>The newest sample's position, what a display without compensation shows; 0 before the first.</summary>
+        /// <summary>Position of the newest sample, which a display without compensation shows; 0 before the first sample.</summary>
         public double Hold => _buffer.NewestPosition;
 
-        /// <summary>Stamp of the newest sample, uncorrected, s; negative infinity before the first.</summary>
+        /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first sample.</summary>
         public double NewestTime => _buffer.NewestTime;
 
-        /// <summary>Mean time from the newest sample to what is displayed, for which forecasts are weighed, s.</summary>
+        /// <summary>Mean time from the newest sample to the display time, in s; forecasts are weighted for it.</summary>
         public double Horizon => _motion.Horizon;
 
-        /// <summary>Takes a sample in any order, and solves again when the samples have changed.</summary>
+        /// <summary>Adds a sample in any order, and solves again if the used samples have changed.</summary>
         /// <param name="displayed">
-        /// The latest moment displayed so far, in the time of the samples, s: the prediction horizon follows from it, and the new section is
-        /// blended from there. NaN where nothing is displayed.
+        /// The last displayed moment, on the time line of the samples, in s: it determines the prediction horizon, and the start of the blend
+        /// to the new section. NaN if nothing is displayed.
         /// </param>
         public SampleOutcome Add(in JointSample sample, double displayed = double.NaN)
         {
@@ -115,10 +115,10 @@ namespace Nowpose.Prediction
             return outcome;
         }
 
-        /// <summary>The position at a time; never NaN: at worst the newest sample's, held. Does not change the state.</summary>
+        /// <summary>Returns the position at a time. Never NaN: the fallback is the newest sample's position. Does not change the state.</summary>
         /// <returns>
-        /// <see cref="PredictionKind.None"/> with position 0 before the first sample. Of an endless joint, in the newest sample's turn;
-        /// beyond π where the joint goes on beyond it.
+        /// <see cref="PredictionKind.None"/> with position 0 before the first sample. For an endless joint, the angle is in the newest sample's
+        /// turn; it exceeds π if the joint moves beyond it.
         /// </returns>
         public JointPrediction At(double time)
         {
@@ -126,7 +126,7 @@ namespace Nowpose.Prediction
             return prediction.Kind == PredictionKind.None ? prediction : new JointPrediction(prediction.Position - _buffer.Shift, prediction.Kind);
         }
 
-        /// <summary>Standard deviation of a prediction, in the samples' unit.</summary>
+        /// <summary>Returns the standard deviation of a prediction, in the samples' unit.</summary>
         /// <param name="time">As in <see cref="At"/>.</param>
         /// <returns>
         /// NaN where it is unknown: for every predictor except <c>gp</c>, before the newest sample, beyond the horizon cap, and before
@@ -138,9 +138,9 @@ namespace Nowpose.Prediction
             return _isSolved && ahead >= 0 && ahead <= _limits.HorizonCap ? _forecaster.DeviationAt(ahead) : double.NaN;
         }
 
-        /// <summary>Takes a plan of the control system in place of the one before.</summary>
-        /// <param name="path">Null when what was planned is off.</param>
-        /// <param name="start">The plan's stamp, s since the epoch of the samples.</param>
+        /// <summary>Replaces the plan of the control system.</summary>
+        /// <param name="path">Null if the plan is cancelled.</param>
+        /// <param name="start">Stamp of the plan, in s since the epoch of the samples.</param>
         /// <param name="displayed">As in <see cref="Add"/>.</param>
         internal void Follow(PlannedPath path, double start, double displayed = double.NaN)
         {
@@ -150,7 +150,7 @@ namespace Nowpose.Prediction
             Carry(displayed, shown);
         }
 
-        /// <summary>Forgets all samples and plans, for a restart of the control system or its clock.</summary>
+        /// <summary>Discards all samples and plans, after a restart of the control system or its clock.</summary>
         public void Reset()
         {
             _arrivals.Clear();
@@ -179,7 +179,7 @@ namespace Nowpose.Prediction
             if (isNewest) _plan.Add(sample.Time, sample.Position + _buffer.Shift);
             if (hasChanged)
             {
-                // With several samples between two frames, the displayed section is the one before the first of them.
+                // If several samples arrive between two frames, the displayed section is the one before the first of them.
                 if (displayed != _lastDisplayed) (_lastDisplayed, _sectionOf) = (displayed, before);
                 _motion.Take(_buffer.History.NewestTime > newest, displayed);
                 Solve();
@@ -189,9 +189,9 @@ namespace Nowpose.Prediction
 
         void Plan(PlannedPath path, double start, double displayed)
         {
-            // A plan whose first set-point comes later leads there from where the joint is when it begins.
+            // A plan with a later first set-point starts from the joint's position at the plan's start.
             var here = _plan.HasPlan && _plan.IsFollowedAt(start, NewestTime) ? _plan.At(start) : SectionAt(start).Position;
-            // A plan gives an endless joint's angle in one turn; the samples are unwrapped.
+            // A plan contains an endless joint's angle within one turn; the samples are unwrapped.
             var turns = _limits.IsEndless ? SampleBuffer.WholeTurns(Hold + _buffer.Shift - path.FirstPosition) : 0;
             var from = path.First <= 0 ? path.FirstPosition : here - _plan.Offset - turns;
             _plan.Follow(path, start, from, turns, double.IsNaN(displayed) ? double.NegativeInfinity : displayed, NewestTime);
@@ -212,12 +212,12 @@ namespace Nowpose.Prediction
             _seam = _isSolved && _interpolates ? _forecaster.At(0) : 0;
         }
 
-        // Needed only where sections are blended.
+        // Only blending needs it.
         JointPrediction ShownAt(double displayed) => _timeConstant == 0 || double.IsNaN(displayed) ? default : UnwrappedAt(displayed);
 
         double TimeConstant => Math.Min(_timeConstant, MaxShareOfInterval * _motion.MeanInterval);
 
-        // What remained of the residual before is part of the displayed position, and so of the new residual.
+        // The rest of the previous residual is part of the displayed position, and therefore of the new residual.
         void Carry(double displayed, in JointPrediction shown)
         {
             _residual = 0;
@@ -260,7 +260,7 @@ namespace Nowpose.Prediction
             var kind = ahead <= 0 ? PredictionKind.Interpolated : PredictionKind.Predicted;
             var furthest = Math.Min(_limits.HorizonCap, _forecaster.Span);
             if (ahead > furthest) (ahead, kind) = (furthest, PredictionKind.Held);
-            // Before its oldest sample a section extrapolates as wildly as after its newest one.
+            // Before its oldest sample a section extrapolates as badly as after its newest one.
             else if (ahead < 0 && !double.IsPositiveInfinity(_limits.HorizonCap) && ahead < Oldest) (ahead, kind) = (Oldest, PredictionKind.Held);
             if (!_isSolved || double.IsNaN(time)) return new JointPrediction(held, PredictionKind.Held);
             var position = held + _forecaster.At(ahead);

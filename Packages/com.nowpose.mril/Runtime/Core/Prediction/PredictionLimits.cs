@@ -3,16 +3,16 @@ using System;
 namespace Nowpose.Prediction
 {
     /// <summary>Bounds of a joint's prediction: maximum horizon, maximum gap between samples, and the joint's own limits.</summary>
-    /// <remarks>Immutable; may be shared by all joints of a kind.</remarks>
+    /// <remarks>Immutable; several joints may share it.</remarks>
     public sealed class PredictionLimits
     {
-        /// <param name="lower">Least position, rad or m.</param>
-        /// <param name="upper">Greatest position, rad or m.</param>
+        /// <param name="lower">Minimum position, rad or m.</param>
+        /// <param name="upper">Maximum position, rad or m.</param>
         /// <param name="horizonCap">Seconds, 0 or more; infinity for none.</param>
         /// <param name="maximumGap">Seconds, positive; infinity for none.</param>
-        /// <param name="velocity">Greatest speed, per second, positive; infinity where it is not known.</param>
-        /// <param name="acceleration">Greatest acceleration, per second squared, positive; infinity where it is not known.</param>
-        /// <param name="jerk">Greatest jerk, per second cubed, positive; infinity where it is not known.</param>
+        /// <param name="velocity">Maximum speed, per second, positive; infinity if it is unknown.</param>
+        /// <param name="acceleration">Maximum acceleration, per second squared, positive; infinity if it is unknown.</param>
+        /// <param name="jerk">Maximum jerk, per second cubed, positive; infinity if it is unknown.</param>
         /// <param name="isEndless">As <see cref="IsEndless"/>.</param>
         /// <exception cref="ArgumentException">A value is outside its range, or lower is above upper.</exception>
         public PredictionLimits(double lower = double.NegativeInfinity, double upper = double.PositiveInfinity,
@@ -41,38 +41,38 @@ namespace Nowpose.Prediction
             IsEndless = isEndless;
         }
 
-        /// <summary>Neither joint limits nor horizon cap nor gap rule: the bare polynomial, for studies.</summary>
+        /// <summary>No joint limits, horizon cap or maximum gap: the plain polynomial, for studies.</summary>
         public static PredictionLimits Unlimited { get; } =
             new PredictionLimits(horizonCap: double.PositiveInfinity, maximumGap: double.PositiveInfinity);
 
-        /// <summary>Least position shown, rad or m.</summary>
+        /// <summary>Minimum displayed position, rad or m.</summary>
         public double Lower { get; }
 
-        /// <summary>Greatest position shown, rad or m.</summary>
+        /// <summary>Maximum displayed position, rad or m.</summary>
         public double Upper { get; }
 
         /// <summary>
         /// Maximum prediction ahead of the newest sample, s. Beyond it the section's value at the cap is held, and before
-        /// its oldest sample the section's value there. Infinite, neither end of a section bounds it.
+        /// its oldest sample the section's value there. If infinite, a section is not bounded at either end.
         /// </summary>
         public double HorizonCap { get; }
 
         /// <summary>
-        /// Maximum interval between neighbouring samples over which a motion counts as one, s. Samples before a
-        /// longer one are not used: a polynomial through a pause of the transmission swings far out.
+        /// Maximum interval between consecutive samples of one motion, s. Samples before a
+        /// longer interval are not used, because a polynomial through a pause of the transmission overshoots.
         /// </summary>
         public double MaximumGap { get; }
 
         /// <summary>Maximum speed, rad/s or m/s; bounds the mixture of <c>adaptive</c>.</summary>
         public double Velocity { get; }
 
-        /// <summary>Maximum acceleration, rad/s² or m/s²; bounds the change of speed of that mixture.</summary>
+        /// <summary>Maximum acceleration, rad/s² or m/s²; bounds the change of speed of the <c>adaptive</c> mixture.</summary>
         public double Acceleration { get; }
 
-        /// <summary>Maximum jerk, rad/s³ or m/s³; with the other two it gives S-curve profiles.</summary>
+        /// <summary>Maximum jerk, rad/s³ or m/s³; S-curve profiles need it with maximum speed and acceleration.</summary>
         public double Jerk { get; }
 
-        /// <summary>Whether positions are angles in rad of a joint that turns without end, and may come back from π to −π.</summary>
+        /// <summary>Whether positions are angles in rad of a joint that turns without end, and may wrap from π to −π.</summary>
         public bool IsEndless { get; }
 
         internal double Clamp(double position) => position < Lower ? Lower : position > Upper ? Upper : position;

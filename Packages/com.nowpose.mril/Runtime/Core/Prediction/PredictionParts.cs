@@ -6,16 +6,16 @@ namespace Nowpose.Prediction
     [Flags]
     enum PredictionParts
     {
-        /// <summary>The paper's pipeline: one forecaster on the samples as they are.</summary>
+        /// <summary>The paper's pipeline: one forecaster on the unmodified samples.</summary>
         None = 0,
 
-        /// <summary>Stamps of a periodic source are corrected.</summary>
+        /// <summary>Corrects stamps of a periodic source.</summary>
         StampCorrection = 1,
 
-        /// <summary>Samples less than 5.5 ms apart are left out.</summary>
+        /// <summary>Skips samples less than 5.5 ms apart.</summary>
         Thinning = 2,
 
-        /// <summary>Between samples the position is interpolated.</summary>
+        /// <summary>Interpolates the position between samples.</summary>
         Interpolation = 4,
 
         /// <summary>Treatment of samples by all predictors except the paper's polynomials.</summary>
@@ -29,22 +29,22 @@ namespace Nowpose.Prediction
         /// <summary>The Gaussian process.</summary>
         Process = 32,
 
-        /// <summary>The parabola from velocity and acceleration in the samples, through three samples without them.</summary>
+        /// <summary>The parabola from reported velocity and acceleration, or through three samples if they are not reported.</summary>
         Reported = 64,
 
         /// <summary>Template matching with the motion of the last two minutes.</summary>
         Repetition = 128,
 
-        /// <summary>S-curve profiles where the drive's limits are known.</summary>
+        /// <summary>S-curve profiles if the drive's limits are known.</summary>
         Profiles = 256,
 
-        /// <summary>Samples before a change point are not used.</summary>
+        /// <summary>Ignores samples before a change point.</summary>
         ChangePoints = 512,
 
         /// <summary>Separate weights at rest.</summary>
         RestWeights = 1024,
 
-        /// <summary>Errors are limited by an outlier threshold.</summary>
+        /// <summary>Limits errors by an outlier threshold.</summary>
         OutlierThreshold = 2048,
 
         /// <summary>A motion much faster than any before starts with a line and continues with the prior weights.</summary>

@@ -7,42 +7,42 @@ using Nowpose.Prediction.Repetition;
 
 namespace Nowpose.Prediction
 {
-    /// <summary>The predictors by the names that settings and command lines use.</summary>
+    /// <summary>Creates predictors by the names in settings and on command lines.</summary>
     public static class Predictors
     {
-        /// <summary>Default predictor: minimum error on unseen motions.</summary>
+        /// <summary>Default predictor: the one with the minimum error on unseen motions.</summary>
         public const string Default = "adaptive";
 
-        /// <summary>Samples kept where more than a polynomial looks at them: what is laid over the history of a repeating motion.</summary>
+        /// <summary>Number of samples kept for predictors other than polynomials; template matching compares them with the history.</summary>
         const int Kept = 24;
 
         /// <summary>
-        /// Shares of the mixture's mean square below which a candidate replaces it: a false repetition is far off (with .36 a robot of
-        /// ten different moves erred 5 % more), a profile only a little.
+        /// Maximum ratio of a candidate's mean square error to the mixture's at which it replaces the mixture. A false repetition has a large
+        /// error (with 0.36, the error for a robot with ten different moves was 5 % larger), a profile a small one.
         /// </summary>
         const double TemplateGate = 0.3, ProfileGate = 0.8;
 
-        /// <summary>Share of the line in the prior: on first moves of real machines a process alone overshoots more.</summary>
+        /// <summary>Weight of the line in the prior: on first moves of real machines, a Gaussian process alone overshoots more.</summary>
         const double ShareOfLine = 0.4;
 
-        /// <summary>Share in the prior of the forecast from reported velocity and acceleration, where they are reported.</summary>
+        /// <summary>Prior weight of the forecast from reported velocity and acceleration, if they are reported.</summary>
         const double ShareOfReported = 0.7;
 
         const string HistoryMark = "-h";
 
         static readonly string[] Degrees = { "hold", "linear", "quadratic", "cubic" };
 
-        /// <summary>All names: the polynomials in the order of their degree, then what learns from the motion.</summary>
+        /// <summary>All names: the polynomials in the order of their degree, then the predictors that learn from the motion.</summary>
         public static IReadOnlyList<string> Names { get; } = Array.AsReadOnly(new[]
         {
             "hold", "linear", "quadratic", "cubic", "quadratic-h3", "quadratic-h4", "gp", "adaptive"
         });
 
-        /// <summary>A fresh predictor for one joint.</summary>
+        /// <summary>Creates a predictor for one joint.</summary>
         /// <param name="name">One of <see cref="Names"/>, or a degree with another history h: linear-h4.</param>
         /// <param name="limits">Bounds of time and position.</param>
         /// <param name="blend">
-        /// Within which the difference between two sections falls to 1/e when one replaces the other, s; less where samples come in
+        /// Time constant of the blend between two sections, in s; shorter if samples arrive in
         /// quick succession. 0: the joint jumps.
         /// </param>
         /// <exception cref="InputException">The name is unknown.</exception>
@@ -56,8 +56,8 @@ namespace Nowpose.Prediction
             return new JointPredictor(new PolynomialForecaster(degree, history), history + 1, PredictionParts.None, limits, blend);
         }
 
-        /// <summary>Creates the mixture and its candidates; prediction.md lists the worth of each part.</summary>
-        /// <param name="more">Further forecasters of the mixture, to be tried.</param>
+        /// <summary>Creates the mixture and its candidates; prediction.md lists the effect of each part.</summary>
+        /// <param name="more">Additional forecasters of the mixture, for experiments.</param>
         internal static JointPredictor Adaptive(PredictionLimits limits, PredictionParts parts, double blend = 0, params Forecaster[] more)
         {
             bool Has(PredictionParts part) => (parts & part) != 0;
@@ -76,7 +76,7 @@ namespace Nowpose.Prediction
             return new JointPredictor(new Mixer(limits, parts, forecasters.ToArray(), candidates.ToArray()), Kept, parts, limits, blend);
         }
 
-        // Degree and history that go together; histories go up to what a predictor takes.
+        // Accepts valid pairs of degree and history; a history is at most the maximum of a forecaster.
         static bool TryReadPolynomial(string name, out int degree, out int history)
         {
             var mark = name?.IndexOf(HistoryMark, StringComparison.Ordinal) ?? -1;

@@ -4,7 +4,7 @@ using System.Security.Cryptography.X509Certificates;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>SHA-256 of a certificate's public key (SubjectPublicKeyInfo), as RFC 7469 pins it: survives renewal with the same key.</summary>
+    /// <summary>SHA-256 of a certificate's public key (SubjectPublicKeyInfo), as in RFC 7469; unchanged by a renewal with the same key.</summary>
     public sealed class CertificatePin : IEquatable<CertificatePin>
     {
         const string Prefix = "sha256/";
@@ -14,35 +14,35 @@ namespace Nowpose.Protocol
 
         CertificatePin(byte[] hash) => _hash = hash;
 
-        /// <summary>What a person compares: the first characters after "sha256/", and an ellipsis. The same wherever it is shown.</summary>
+        /// <summary>The part that a person compares: the first characters after "sha256/", and an ellipsis. The same everywhere.</summary>
         public string Beginning => Convert.ToBase64String(_hash).Substring(0, ComparedCharacters) + "…";
 
-        /// <summary>Reads base64 of 32 bytes, with or without "sha256/" before it; blanks around it are ignored.</summary>
-        /// <exception cref="InputException">It is something else.</exception>
+        /// <summary>Reads base64 of 32 bytes, with or without the prefix "sha256/"; ignores surrounding blanks.</summary>
+        /// <exception cref="InputException">The text has another form.</exception>
         public static CertificatePin Parse(string text)
         {
             var trimmed = (text ?? "").Trim();
             var base64 = trimmed.StartsWith(Prefix, StringComparison.Ordinal) ? trimmed.Substring(Prefix.Length) : trimmed;
             var hash = new byte[HashBytes + 1];
-            // Longer than the buffer is refused too: one byte of slack tells 33 bytes from 32.
+            // The buffer has one byte of slack, to distinguish 33 bytes from 32; longer values are rejected as well.
             if (!Convert.TryFromBase64String(base64, hash, out var length) || length != HashBytes)
                 throw new InputException(
                     "certificate pin \"" + trimmed + "\": allowed is the base64 of 32 bytes, as the gateway prints it (sha256/…=)");
             return new CertificatePin(hash.AsSpan(0, HashBytes).ToArray());
         }
 
-        /// <summary>The pin of a certificate's public key.</summary>
-        /// <exception cref="InputException">The certificate is not one.</exception>
+        /// <summary>Computes the pin of a certificate's public key.</summary>
+        /// <exception cref="InputException">The bytes are not an X.509 certificate.</exception>
         public static CertificatePin Of(X509Certificate certificate)
         {
-            // Unity's Mono has no ExportSubjectPublicKeyInfo, so the key is cut out of the certificate's own bytes.
+            // Unity's Mono has no ExportSubjectPublicKeyInfo, so the key is extracted from the certificate's bytes.
             if (!SubjectPublicKeyInfo.TryFind(certificate.GetRawCertData(), out var info))
                 throw new InputException("certificate: its bytes are not those of an X.509 certificate, so it has no public key to pin");
             using (var sha = SHA256.Create())
                 return new CertificatePin(sha.ComputeHash(info.ToArray()));
         }
 
-        /// <summary>Whether the certificate has the pinned key; false for bytes that are no certificate. Says nothing of its dates.</summary>
+        /// <summary>Returns whether the certificate has the pinned key; false for invalid bytes. Does not check the dates.</summary>
         public bool Matches(X509Certificate certificate) =>
             certificate != null && SubjectPublicKeyInfo.TryFind(certificate.GetRawCertData(), out _) && Equals(Of(certificate));
 

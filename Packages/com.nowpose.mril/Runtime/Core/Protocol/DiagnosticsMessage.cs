@@ -18,7 +18,7 @@ namespace Nowpose.Protocol
             Message = message;
         }
 
-        /// <summary>When it was written; the epoch (zero) while the headset is unsynchronised. Never used as t_k.</summary>
+        /// <summary>Time of writing; the epoch (zero) while the headset is unsynchronised. Never used as t_k.</summary>
         public ControlTime Stamp { get; }
 
         /// <summary>0 ok, 1 warning, 2 error, 3 stale, as in DiagnosticStatus.</summary>
@@ -33,7 +33,7 @@ namespace Nowpose.Protocol
         /// <summary>Name of the headset or adapter.</summary>
         public string HardwareId { get; }
 
-        /// <summary>Keys with their values as text, units in the key (offset_ns, rtt_ms).</summary>
+        /// <summary>Keys with their values as text; units are in the key (offset_ns, rtt_ms).</summary>
         public IReadOnlyList<KeyValuePair<string, string>> Values { get; }
     }
 }

@@ -4,16 +4,16 @@ using System.Threading;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Counts what was dropped, by reason. Any thread may count and read; counting allocates nothing.</summary>
+    /// <summary>Counts drops by reason. Any thread may count and read; counting allocates nothing.</summary>
     sealed class DropCounters
     {
         static readonly int ReasonCount = Enum.GetValues(typeof(DropReason)).Length;
         readonly long[] _counts = new long[ReasonCount];
 
-        /// <summary>How many were dropped for that reason.</summary>
+        /// <summary>Number of drops for a reason.</summary>
         public long this[DropReason reason] => Interlocked.Read(ref _counts[(int)reason]);
 
-        /// <summary>How many were dropped for any reason.</summary>
+        /// <summary>Number of drops for any reason.</summary>
         public long Total
         {
             get
@@ -25,17 +25,17 @@ namespace Nowpose.Protocol
             }
         }
 
-        /// <summary>Counts one drop; <see cref="DropReason.None"/> is not one.</summary>
+        /// <summary>Counts one drop; ignores <see cref="DropReason.None"/>.</summary>
         public void Count(DropReason reason) => Count(reason, 1);
 
-        /// <summary>Counts so many drops for the same reason; <see cref="DropReason.None"/> is not one.</summary>
+        /// <summary>Counts several drops for the same reason; ignores <see cref="DropReason.None"/>.</summary>
         public void Count(DropReason reason, int drops)
         {
             if (reason != DropReason.None)
                 Interlocked.Add(ref _counts[(int)reason], drops);
         }
 
-        /// <summary>The reasons that occurred, with their counts, in the order of the enumeration.</summary>
+        /// <summary>Returns the reasons that occurred with their counts, in the order of the enumeration.</summary>
         public IReadOnlyList<KeyValuePair<DropReason, long>> Snapshot()
         {
             var occurred = new List<KeyValuePair<DropReason, long>>();

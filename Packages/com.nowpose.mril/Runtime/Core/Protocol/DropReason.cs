@@ -1,12 +1,12 @@
 namespace Nowpose.Protocol
 {
-    /// <summary>Why a message or a sample was dropped; one for each rule of the protocol.</summary>
+    /// <summary>Why a message or a sample was dropped; one reason for each rule of the protocol.</summary>
     enum DropReason
     {
         /// <summary>Nothing was dropped.</summary>
         None,
 
-        /// <summary>Not one JSON object: syntax, something after it, not text at all.</summary>
+        /// <summary>Not exactly one JSON object: a syntax error, trailing content, or invalid text.</summary>
         NotJson,
 
         /// <summary>More bytes of UTF-8 than the topic allows.</summary>
@@ -21,33 +21,33 @@ namespace Nowpose.Protocol
         /// <summary>Not complete within <see cref="ProtocolLimits.MessageTimeout"/>.</summary>
         TooSlow,
 
-        /// <summary>More messages within a second than the receiver takes from one client.</summary>
+        /// <summary>The client exceeded the rate limit in messages per second.</summary>
         TooManyMessages,
 
-        /// <summary>A field the message needs is not there, or is empty.</summary>
+        /// <summary>A required field is missing or empty.</summary>
         MissingField,
 
-        /// <summary>A field has another JSON type than the message type says.</summary>
+        /// <summary>A field has another JSON type than the message type requires.</summary>
         WrongType,
 
-        /// <summary>A field the message type knows stands there twice.</summary>
+        /// <summary>A field of the message type occurs twice.</summary>
         DuplicateField,
 
-        /// <summary>A number outside what its field can hold.</summary>
+        /// <summary>A number is outside the range of its field.</summary>
         OutOfRange,
 
         UnknownOp,
         UnknownService,
 
-        /// <summary>A publication on a topic the receiver has no use for.</summary>
+        /// <summary>A publication on a topic that the receiver does not support.</summary>
         UnknownTopic,
 
         TooManyTopics,
 
-        /// <summary>A position, or another number that must be one, is NaN, infinite or null.</summary>
+        /// <summary>A position, or another number that must be finite, is NaN, infinite or null.</summary>
         NotFinite,
 
-        /// <summary>position or velocity has another length than name.</summary>
+        /// <summary>position or velocity differs from name in length.</summary>
         LengthMismatch,
 
         TooManyJoints,
@@ -55,7 +55,7 @@ namespace Nowpose.Protocol
         DuplicateName,
         StampZero,
 
-        /// <summary>Negative seconds, seconds beyond 32 bits, or nanoseconds that are not 0 to 999 999 999.</summary>
+        /// <summary>Negative seconds, seconds beyond 32 bits, or nanoseconds outside 0 to 999 999 999.</summary>
         StampOutOfRange,
 
         StampInFuture,
@@ -66,22 +66,22 @@ namespace Nowpose.Protocol
         /// <summary>Another source publishes that joint.</summary>
         JointTaken,
 
-        /// <summary>A slow reader's queue was full: its oldest message.</summary>
+        /// <summary>A slow reader's queue was full, so its oldest message was dropped.</summary>
         SlowReader,
 
-        /// <summary>A joint already has a sample of that control time.</summary>
+        /// <summary>The joint already has a sample of that control time.</summary>
         DuplicateSample,
 
-        /// <summary>Older than what a joint's history can still use.</summary>
+        /// <summary>The sample is older than the joint's history.</summary>
         LateSample,
 
         /// <summary>None of the message's joints belongs to the robot.</summary>
         UnknownJoint,
 
-        /// <summary>A robot description that is no URDF, or no robot that can be computed.</summary>
+        /// <summary>The robot description is not a URDF, or not a robot that can be computed.</summary>
         NotUrdf,
 
-        /// <summary>The headset clock is unsynchronised, so no stamp can be judged.</summary>
+        /// <summary>The headset clock is unsynchronised, so stamps cannot be checked.</summary>
         Unsynchronised,
     }
 }

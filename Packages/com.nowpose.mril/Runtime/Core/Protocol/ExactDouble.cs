@@ -2,14 +2,14 @@ using System;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Decimal numbers as the nearest doubles, in integer arithmetic of 128 bits. Allocates nothing.</summary>
+    /// <summary>Converts decimal numbers to the nearest doubles, with 128-bit integer arithmetic. Allocates nothing.</summary>
     /// <remarks>
-    /// Utf8Parser and double.Parse of Unity's Mono and IL2CPP multiply by rounded powers of ten, so that the last bit may be wrong, and a
-    /// sample would not be the number that was sent.
+    /// Utf8Parser and double.Parse of Unity's Mono and IL2CPP multiply by rounded powers of ten, so the last bit may be wrong, and a
+    /// sample would differ from the number that was sent.
     /// </remarks>
     static class ExactDouble
     {
-        /// <summary>5^27 is the greatest power of five below 2^64.</summary>
+        /// <summary>5^27 is the largest power of five below 2^64.</summary>
         public const int MaxExponent = 27;
 
         const int DroppedBits = 64 - 53;
@@ -18,11 +18,11 @@ namespace Nowpose.Protocol
 
         static readonly ulong[] PowersOfFive = CreatePowers();
 
-        /// <summary>The double nearest to digits × 10^exponent; of two, the even one.</summary>
+        /// <summary>Returns the double nearest to digits × 10^exponent; for a tie, the even one.</summary>
         /// <param name="digits">Not zero.</param>
         /// <param name="exponent">-<see cref="MaxExponent"/> to <see cref="MaxExponent"/>.</param>
         public static double Of(ulong digits, int exponent) =>
-            // 10^exponent is 5^exponent · 2^exponent, and powers of two change no digit of a double.
+            // 10^exponent is 5^exponent · 2^exponent, and a power of two does not change the fraction of a double.
             exponent < 0 ? Quotient(digits, PowersOfFive[-exponent], exponent) : Product(digits, PowersOfFive[exponent], exponent);
 
         static double Product(ulong a, ulong b, int exponent)
@@ -41,7 +41,7 @@ namespace Nowpose.Protocol
 
         static double Quotient(ulong dividend, ulong divisor, int exponent)
         {
-            // Both with their highest bit set; half the dividend, so that the quotient fits 64 bits.
+            // Normalises both so that the highest bit is set, and halves the dividend so that the quotient fits 64 bits.
             var (up, down) = (LeadingZeros(dividend), LeadingZeros(divisor));
             dividend <<= up;
             divisor <<= down;
@@ -51,7 +51,7 @@ namespace Nowpose.Protocol
             return Rounded(quotient, rest != 0, exponent + down - up - 63);
         }
 
-        // Knuth's long division (The Art of Computer Programming 2, 4.3.1 D) by one digit of 32 bits.
+        // Knuth's long division (The Art of Computer Programming 2, 4.3.1 D) by one 32-bit digit.
         static ulong Digit(ref ulong rest, ulong next, ulong divisor)
         {
             var digit = rest / (divisor >> 32);
@@ -66,7 +66,7 @@ namespace Nowpose.Protocol
             return digit;
         }
 
-        // isMore: something below the lowest bit was left out.
+        // isMore: whether nonzero bits below the lowest one were left out.
         static double Rounded(ulong bits, bool isMore, int exponent)
         {
             var shift = LeadingZeros(bits);

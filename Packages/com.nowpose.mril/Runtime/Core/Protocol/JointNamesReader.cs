@@ -3,10 +3,10 @@ using System.Collections.Generic;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Reads the names of a message's joints. Names that come again, byte by byte, are the same array as before. One thread.</summary>
+    /// <summary>Reads a message's joint names. Returns the previous array if the bytes are the same. One thread.</summary>
     sealed class JointNamesReader
     {
-        /// <summary>An arm, a gripper and a few axes beside may publish in turns.</summary>
+        /// <summary>Number of cached arrays: an arm, a gripper and a few axes may publish alternately.</summary>
         const int Capacity = 4;
 
         readonly (byte[] Text, string[] Names)[] _known = new (byte[], string[])[Capacity];

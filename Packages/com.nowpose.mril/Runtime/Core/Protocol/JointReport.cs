@@ -17,7 +17,7 @@ namespace Nowpose.Protocol
 
         public JointDataState State { get; }
 
-        /// <summary>When <see cref="State"/> began.</summary>
+        /// <summary>Time at which <see cref="State"/> began.</summary>
         public ControlTime Since { get; }
 
         public string Reason { get; }

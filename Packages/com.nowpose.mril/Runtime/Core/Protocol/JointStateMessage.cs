@@ -3,10 +3,10 @@ using System.Collections.Generic;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>sensor_msgs/JointState: where some joints were at one control time. May carry a subset of a robot's joints.</summary>
+    /// <summary>sensor_msgs/JointState: positions of some joints at one control time. May contain a subset of a robot's joints.</summary>
     /// <remarks>
-    /// The arrays belong to the message; users only read them. A message that a <see cref="RosbridgeReader"/> read and a session received is
-    /// reused for a later one when the session has taken its samples and has no handler that may keep it.
+    /// The arrays belong to the message; users only read them. A message from a <see cref="RosbridgeReader"/> is
+    /// reused for a later one when the session has used its samples and has no handler that may keep it.
     /// </remarks>
     public sealed class JointStateMessage
     {
@@ -15,8 +15,8 @@ namespace Nowpose.Protocol
         double[] _accelerations;
 
         /// <param name="positions">rad or m, as many as <paramref name="names"/>, finite.</param>
-        /// <param name="velocities">rad/s or m/s, as many as <paramref name="names"/>, NaN where absent; null when all are.</param>
-        /// <param name="accelerations">rad/s² or m/s², as many as <paramref name="names"/>, NaN where absent; null when all are.</param>
+        /// <param name="velocities">rad/s or m/s, as many as <paramref name="names"/>, NaN if unknown; null if all are unknown.</param>
+        /// <param name="accelerations">rad/s² or m/s², as many as <paramref name="names"/>, NaN if unknown; null if all are unknown.</param>
         /// <param name="frameId">See <see cref="FrameId"/>.</param>
         /// <exception cref="ArgumentException">The lengths differ.</exception>
         public JointStateMessage(
@@ -37,39 +37,39 @@ namespace Nowpose.Protocol
             FrameId = frameId;
         }
 
-        /// <summary>A message to be filled.</summary>
+        /// <summary>Constructs a message to be filled.</summary>
         internal JointStateMessage(int joints, JointStatePool pool)
         {
             Positions = new double[joints];
             _pool = pool;
         }
 
-        /// <summary>t_k: when the joints were there, on the control clock C1.</summary>
+        /// <summary>t_k: time of the positions, on the control clock C1.</summary>
         public ControlTime Stamp { get; private set; }
 
-        /// <summary>The same array as of the message before where its source repeats them.</summary>
+        /// <summary>Joint names; the same array as in the previous message if its source repeats them.</summary>
         public string[] Names { get; private set; }
 
         /// <summary>rad or m, one for each name.</summary>
         public double[] Positions { get; }
 
-        /// <summary>rad/s or m/s, one for each name, NaN where absent; null when none is known.</summary>
+        /// <summary>rad/s or m/s, one for each name, NaN if unknown; null if all are unknown.</summary>
         public double[] Velocities { get; private set; }
 
         /// <summary>
-        /// rad/s² or m/s², one for each name, NaN where absent; null when none is known. Beyond sensor_msgs: for control
+        /// rad/s² or m/s², one for each name, NaN if unknown; null if all are unknown. An extension of sensor_msgs, for control
         /// systems that publish their set-points.
         /// </summary>
         public double[] Accelerations { get; private set; }
 
-        /// <summary>Of what a headset shows: its name. Empty elsewhere.</summary>
+        /// <summary>Name of the headset in a message of displayed joints; otherwise empty.</summary>
         public string FrameId { get; private set; }
 
-        /// <summary>The same positions at another time; shares the arrays.</summary>
+        /// <summary>Returns the same positions at another time; shares the arrays.</summary>
         public JointStateMessage At(ControlTime stamp) =>
             new JointStateMessage(stamp, Names, Positions, Velocities, Accelerations, FrameId);
 
-        /// <summary>Overwrites all of it. Of the lists, velocities and accelerations may be empty; the others have an element per joint.</summary>
+        /// <summary>Overwrites all values. The lists of velocities and accelerations may be empty; the others have one element per joint.</summary>
         internal void Fill(
             ControlTime stamp, string[] names, List<double> positions, List<double> velocities, List<double> accelerations, string frameId)
         {
@@ -81,7 +81,7 @@ namespace Nowpose.Protocol
             FrameId = frameId;
         }
 
-        /// <summary>Returns the message to its reader, which reuses it: the caller is its last user. Does nothing for a message that was not read.</summary>
+        /// <summary>Returns the message to its reader for reuse; call it as the last user. Does nothing if no reader created the message.</summary>
         internal void Release() => _pool?.Return(this);
 
         static double[] Filled(ref double[] array, List<double> values)

@@ -2,17 +2,17 @@ using System.Collections.Concurrent;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Keeps messages that their last user returned, for reuse. Any thread; bounded.</summary>
+    /// <summary>Keeps returned messages for reuse, up to a maximum number. Any thread may use it.</summary>
     sealed class JointStatePool
     {
-        /// <summary>A source at 1 kHz leaves 17 messages for a frame at 60 Hz. More, after a stall, are left to the garbage collector.</summary>
+        /// <summary>A source at 1 kHz sends 17 messages per frame at 60 Hz. Further ones, after a stall, are garbage-collected.</summary>
         const int Capacity = 32;
 
         readonly ConcurrentQueue<JointStateMessage> _free = new ConcurrentQueue<JointStateMessage>();
 
         public JointStateMessage Take(int joints)
         {
-            // Of sources that publish in turns, the one with as many joints is among the first.
+            // With several alternating sources, a message with the right number of joints is near the front.
             for (var left = _free.Count; left > 0 && _free.TryDequeue(out var message); left--)
             {
                 if (message.Positions.Length == joints) return message;

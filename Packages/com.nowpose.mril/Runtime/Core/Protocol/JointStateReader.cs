@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Reads sensor_msgs/JointState. Allocates nothing for a source that repeats its names and whose messages are returned.</summary>
+    /// <summary>Reads sensor_msgs/JointState. Allocates nothing if the source repeats its names and messages are returned.</summary>
     sealed class JointStateReader
     {
         static readonly JsonNames Fields = new JsonNames("header", "name", "position", "velocity", "acceleration");
@@ -14,8 +14,8 @@ namespace Nowpose.Protocol
         readonly List<double> _velocities = new List<double>();
         readonly List<double> _accelerations = new List<double>();
 
-        /// <param name="isNamed">Whether the header says whose state it is.</param>
-        /// <returns>Null when it is refused.</returns>
+        /// <param name="isNamed">Whether the header contains the name of the headset.</param>
+        /// <returns>Null if the message is rejected.</returns>
         public JointStateMessage Read(ref JsonUtf8Reader json, bool isNamed)
         {
             var stamp = default(ControlTime);
@@ -45,10 +45,10 @@ namespace Nowpose.Protocol
             return message;
         }
 
-        /// <summary>Velocities or accelerations: null where there are none, null or NaN where one is absent.</summary>
+        /// <summary>Reads velocities or accelerations: JSON null if there are none, null or NaN for a missing value.</summary>
         public static bool ReadRates(ref JsonUtf8Reader json, List<double> into) => json.TakeNull() || json.Numbers(into, areOptional: true);
 
-        /// <summary>Whether there are as many velocities and accelerations as joints, or none.</summary>
+        /// <summary>Returns whether the numbers of velocities and accelerations equal that of the joints, or are zero.</summary>
         public static bool HaveLength(int joints, List<double> velocities, List<double> accelerations) =>
             (velocities.Count == 0 || velocities.Count == joints) && (accelerations.Count == 0 || accelerations.Count == joints);
 

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>trajectory_msgs/JointTrajectory: set-points ahead of time. Efforts are not read.</summary>
+    /// <summary>trajectory_msgs/JointTrajectory: planned set-points. Efforts are not read.</summary>
     sealed class JointTrajectoryMessage
     {
         internal JointTrajectoryMessage(ControlTime stamp, string[] names, IReadOnlyList<JointTrajectoryPoint> points)
@@ -12,15 +12,15 @@ namespace Nowpose.Protocol
             Points = points;
         }
 
-        /// <summary>The control time the points' <see cref="JointTrajectoryPoint.TimeFromStart"/> counts from.</summary>
+        /// <summary>The control time to which <see cref="JointTrajectoryPoint.TimeFromStart"/> of the points is relative.</summary>
         public ControlTime Stamp { get; }
 
         public string[] Names { get; }
 
-        /// <summary>Each later than the one before. None: what was planned for these joints is off.</summary>
+        /// <summary>The set-points, each later than the one before. Empty: the plan of these joints is cancelled.</summary>
         internal IReadOnlyList<JointTrajectoryPoint> Points { get; }
 
-        /// <summary>The same set-points counted from another time; shares them.</summary>
+        /// <summary>Returns the same set-points relative to another time; shares them.</summary>
         public JointTrajectoryMessage At(ControlTime stamp) => new JointTrajectoryMessage(stamp, Names, Points);
     }
 }

@@ -13,16 +13,16 @@ namespace Nowpose.Protocol
             Accelerations = accelerations;
         }
 
-        /// <summary>After the trajectory's stamp.</summary>
+        /// <summary>Time after the trajectory's stamp.</summary>
         public TimeSpan TimeFromStart { get; }
 
         /// <summary>rad or m, one for each joint of the trajectory.</summary>
         public double[] Positions { get; }
 
-        /// <summary>rad/s or m/s, NaN where absent; null when none is known.</summary>
+        /// <summary>rad/s or m/s, NaN if unknown; null if all are unknown.</summary>
         public double[] Velocities { get; }
 
-        /// <summary>rad/s² or m/s², NaN where absent; null when none is known.</summary>
+        /// <summary>rad/s² or m/s², NaN if unknown; null if all are unknown.</summary>
         public double[] Accelerations { get; }
     }
 }

@@ -3,7 +3,7 @@ using System.Text;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>A few texts that JSON is compared with as it was received: in UTF-8, without making a string.</summary>
+    /// <summary>A few known texts in UTF-8, to compare with received JSON without creating a string.</summary>
     sealed class JsonNames
     {
         readonly string[] _names;
@@ -17,7 +17,7 @@ namespace Nowpose.Protocol
 
         public string this[int index] => _names[index];
 
-        /// <returns>-1 for none of them.</returns>
+        /// <returns>-1 if the text is none of them.</returns>
         public int IndexOf(ReadOnlySpan<byte> utf8)
         {
             for (var i = 0; i < _utf8.Length; i++)

@@ -3,13 +3,13 @@ using System.Buffers.Text;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>A number of a JSON text: what its digits say, and how long it is.</summary>
+    /// <summary>A number of a JSON text: its digits and its length.</summary>
     readonly ref struct JsonNumber
     {
         /// <summary>Maximum number of digits that always fit 64 bits.</summary>
         const int MaxDigits = 19;
 
-        /// <summary>More than any text that is read has digits; exponents beyond count as this one.</summary>
+        /// <summary>More digits than any text has; larger exponents are limited to it.</summary>
         const int MaxExponent = 10_000_000;
 
         /// <summary>Values of 10^309 and more exceed the range of a double; values below 10^-324 round to zero.</summary>
@@ -31,13 +31,13 @@ namespace Nowpose.Protocol
             _exponent = exponent;
         }
 
-        /// <summary>Whether it has neither a fraction nor an exponent.</summary>
+        /// <summary>Whether the number has neither a fraction nor an exponent.</summary>
         public bool IsInteger { get; }
 
-        /// <summary>In bytes.</summary>
+        /// <summary>Length in bytes.</summary>
         public int Length => _text.Length;
 
-        /// <summary>Scans the number that a text begins with.</summary>
+        /// <summary>Scans the number at the beginning of a text.</summary>
         public static bool TryScan(ReadOnlySpan<byte> text, out JsonNumber number)
         {
             number = default;
@@ -61,10 +61,10 @@ namespace Nowpose.Protocol
             return _count <= MaxDigits && _digits <= long.MaxValue + (_isNegative ? 1UL : 0UL);
         }
 
-        /// <summary>The nearest double, infinite beyond them.</summary>
+        /// <summary>Returns the nearest double; infinity if the number exceeds the range.</summary>
         /// <remarks>
-        /// Exact by <see cref="ExactDouble"/> for up to 19 digits from 1e-27 on, which is all that joints need. For the rest the platform's
-        /// parser: nearest on .NET, wrong in the last bit at times on Unity's Mono and IL2CPP.
+        /// Exact by <see cref="ExactDouble"/> for up to 19 digits from 1e-27 on, which is sufficient for joints. Other numbers use the
+        /// platform's parser: the nearest double on .NET, sometimes wrong in the last bit on Unity's Mono and IL2CPP.
         /// </remarks>
         public double ToDouble()
         {
@@ -88,7 +88,7 @@ namespace Nowpose.Protocol
             return true;
         }
 
-        // Leading zeros do not count as digits of the number. Returns the count with them.
+        // Leading zeros do not count as digits of the number. Returns the number of digits including them.
         static int Digits(ReadOnlySpan<byte> text, ref int at, ref ulong digits, ref int count)
         {
             var start = at;

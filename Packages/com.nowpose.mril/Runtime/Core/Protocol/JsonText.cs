@@ -3,7 +3,7 @@ using System.Text;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>A string of a JSON text as it was received, between its quotation marks: valid UTF-8 with valid escapes.</summary>
+    /// <summary>The received content of a JSON string between its quotation marks: valid UTF-8 with valid escapes.</summary>
     readonly ref struct JsonText
     {
         JsonText(ReadOnlySpan<byte> raw, bool isEscaped)
@@ -16,7 +16,7 @@ namespace Nowpose.Protocol
 
         public bool IsEscaped { get; }
 
-        /// <param name="text">Begins behind the opening quotation mark.</param>
+        /// <param name="text">A text that begins after the opening quotation mark.</param>
         public static bool TryScan(ReadOnlySpan<byte> text, out JsonText scanned)
         {
             scanned = default;
@@ -49,10 +49,10 @@ namespace Nowpose.Protocol
             return false;
         }
 
-        /// <summary>In UTF-8, without escapes.</summary>
+        /// <summary>Returns the text in UTF-8, without escapes.</summary>
         public byte[] Unescaped() => Encoding.UTF8.GetBytes(ToString());
 
-        /// <summary>The text; surrogates without their other half become U+FFFD.</summary>
+        /// <summary>Returns the text; unpaired surrogates become U+FFFD.</summary>
         public override string ToString() => IsEscaped ? Unescape() : Encoding.UTF8.GetString(Raw);
 
         string Unescape()
@@ -105,7 +105,7 @@ namespace Nowpose.Protocol
             }
         }
 
-        // 0 where it is none.
+        // Returns 0 if there is no valid escape.
         static int EscapeLength(ReadOnlySpan<byte> text)
         {
             if (text.Length < 2) return 0;
@@ -123,7 +123,7 @@ namespace Nowpose.Protocol
             return letter >= 'a' && letter <= 'f' ? letter - 'a' + 10 : -1;
         }
 
-        // Table 3-7 of Unicode: no overlong forms, no surrogates, nothing beyond U+10FFFF. 0 where it is none.
+        // Table 3-7 of Unicode: no overlong forms, no surrogates, nothing above U+10FFFF. Returns 0 for an invalid sequence.
         static int SequenceLength(ReadOnlySpan<byte> text)
         {
             var first = text[0];

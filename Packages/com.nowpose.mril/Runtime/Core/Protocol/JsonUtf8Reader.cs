@@ -4,15 +4,15 @@ using System.Collections.Generic;
 namespace Nowpose.Protocol
 {
     /// <summary>
-    /// Reads one JSON object from UTF-8 in a single pass, and checks grammar, encoding and nesting on the way. <see cref="Fault"/> is the first
-    /// violation. Allocates only the strings that a caller asks for.
+    /// Reads one JSON object from UTF-8 in a single pass, and checks grammar, encoding and nesting at the same time. <see cref="Fault"/> is
+    /// the first violation. Allocates only the strings that a caller requests.
     /// </summary>
     /// <remarks>
-    /// It replaces the decoding to a string, a syntax check of that string, and two walks with Newtonsoft's JsonTextReader. A library does not
-    /// serve: JsonTextReader reads characters, makes a string of each name and number, and accepts comments, single quotes and trailing commas;
-    /// System.Text.Json is not in Unity 2021.3. Newtonsoft.Json still writes.
-    /// NaN, Infinity and -Infinity pass as numbers: real robots send them in fields that are not read, so the reader of each field checks
-    /// them. After a fault all methods return false and loops over fields and elements end, so a caller checks once, at the end.
+    /// It replaces the decoding to a string, a syntax check of that string, and two passes with Newtonsoft's JsonTextReader. No available
+    /// library is suitable: JsonTextReader reads characters, creates a string for each name and number, and accepts comments, single quotes
+    /// and trailing commas; System.Text.Json is not in Unity 2021.3. Newtonsoft.Json is still used for writing.
+    /// NaN, Infinity and -Infinity are accepted as numbers, because real robots send them in fields that are not read; the reader of each
+    /// field checks them. After a fault all methods return false and loops over fields and elements end, so a caller checks once at the end.
     /// </remarks>
     ref struct JsonUtf8Reader
     {
@@ -22,7 +22,7 @@ namespace Nowpose.Protocol
         int _depth;
         bool _isFirst;
 
-        /// <param name="maxDepth">The outermost object is level 1.</param>
+        /// <param name="maxDepth">Maximum nesting; the outermost object is level 1.</param>
         public JsonUtf8Reader(ReadOnlySpan<byte> text, int maxDepth)
         {
             _text = text;
@@ -40,7 +40,7 @@ namespace Nowpose.Protocol
         public bool IsText => Peek() == '"';
         public bool IsNumber => IsDigit(Peek()) || Peek() == '-' || Peek() == 'N' || Peek() == 'I';
 
-        /// <summary>Whether a number without fraction and exponent comes.</summary>
+        /// <summary>Whether the next value is a number without fraction and exponent.</summary>
         public bool IsInteger
         {
             get
@@ -50,10 +50,10 @@ namespace Nowpose.Protocol
             }
         }
 
-        /// <summary>Number of bytes that were read.</summary>
+        /// <summary>Number of bytes read so far.</summary>
         public int Position => _at;
 
-        /// <summary>Whether a text is exactly one JSON object, no deeper than allowed.</summary>
+        /// <summary>Checks that a text is exactly one JSON object within the maximum nesting.</summary>
         public static DropReason Check(ReadOnlySpan<byte> text, int maxDepth)
         {
             var json = new JsonUtf8Reader(text, maxDepth);
@@ -69,7 +69,7 @@ namespace Nowpose.Protocol
             return false;
         }
 
-        /// <summary>Requires that nothing follows.</summary>
+        /// <summary>Requires the end of the text.</summary>
         public bool End()
         {
             SkipBlanks();
@@ -80,8 +80,8 @@ namespace Nowpose.Protocol
 
         public bool BeginArray() => Begin('[');
 
-        /// <summary>Goes to the value of the next known field; skips others. False at the end of the object.</summary>
-        /// <param name="seen">The fields that were there, bit by bit; 0 at first.</param>
+        /// <summary>Advances to the value of the next known field; skips others. Returns false at the end of the object.</summary>
+        /// <param name="seen">Bit mask of the fields found so far; initially 0.</param>
         public bool NextField(JsonNames known, ref int seen, out int field)
         {
             field = -1;
@@ -103,7 +103,7 @@ namespace Nowpose.Protocol
             return false;
         }
 
-        /// <summary>Goes to the value of the next field of any name. False at the end of the object.</summary>
+        /// <summary>Advances to the value of the next field of any name. Returns false at the end of the object.</summary>
         public bool NextField(out string name)
         {
             name = null;
@@ -112,14 +112,14 @@ namespace Nowpose.Protocol
             return true;
         }
 
-        /// <param name="required">Bit i: field i must have been there.</param>
+        /// <param name="required">Bit mask of the required fields.</param>
         public bool EndObject(int seen, int required) =>
             Fault == DropReason.None && ((seen & required) == required || Fail(DropReason.MissingField));
 
-        /// <summary>Goes to the next element. False at the end of the array.</summary>
+        /// <summary>Advances to the next element. Returns false at the end of the array.</summary>
         public bool NextElement() => Fault == DropReason.None && Next(']');
 
-        /// <summary>Passes over a value of any kind.</summary>
+        /// <summary>Skips a value of any type.</summary>
         public bool Skip()
         {
             switch ((char)Peek())
@@ -142,7 +142,7 @@ namespace Nowpose.Protocol
             return Fault == DropReason.None;
         }
 
-        /// <summary>Passes over bytes that were read as a value before, if just these come.</summary>
+        /// <summary>Skips the bytes of a previously read value if exactly these follow.</summary>
         public bool TryTake(ReadOnlySpan<byte> value)
         {
             if (!_text.Slice(_at).StartsWith(value)) return false;
@@ -150,7 +150,7 @@ namespace Nowpose.Protocol
             return true;
         }
 
-        /// <summary>Returns the bytes that were read since a position.</summary>
+        /// <summary>Returns the bytes read since a position.</summary>
         public ReadOnlySpan<byte> Since(int position) => _text.Slice(position, _at - position);
 
         public bool TakeNull() => Literal("null");
@@ -162,8 +162,8 @@ namespace Nowpose.Protocol
             return isRead;
         }
 
-        /// <summary>A text; one that is known makes no string.</summary>
-        /// <param name="index">-1 when it is not known.</param>
+        /// <summary>Reads a text; a known text creates no string.</summary>
+        /// <param name="index">Index of a known text; -1 for another one.</param>
         public bool Text(JsonNames known, out int index, out string text)
         {
             index = -1;
@@ -175,7 +175,7 @@ namespace Nowpose.Protocol
             return true;
         }
 
-        /// <summary>A text that names something: not empty, no longer than the protocol allows.</summary>
+        /// <summary>Reads a name: a text that is not empty and not longer than the protocol allows.</summary>
         public bool Name(out string name)
         {
             if (!Text(out name)) return false;
@@ -183,7 +183,7 @@ namespace Nowpose.Protocol
             return name.Length <= ProtocolLimits.NameLength || Fail(DropReason.NameTooLong);
         }
 
-        /// <summary>A text, or null for null: what other languages write for a field they leave out.</summary>
+        /// <summary>Reads a text, or null for JSON null, which some languages write for a missing field.</summary>
         public bool OptionalText(out string text)
         {
             text = null;
@@ -220,7 +220,7 @@ namespace Nowpose.Protocol
             return number.IsInteger ? number.TryGetInteger(out value) || Fail(DropReason.OutOfRange) : Fail(DropReason.WrongType);
         }
 
-        /// <summary>A number, NaN for null: rosbridge writes null for a number that is none.</summary>
+        /// <summary>Reads a number; NaN for null, because rosbridge writes null for a number that is not finite.</summary>
         public bool Number(out double value)
         {
             if (NotFinite(out value)) return true;
@@ -230,8 +230,8 @@ namespace Nowpose.Protocol
             return true;
         }
 
-        /// <summary>The numbers of an array, none of them infinite.</summary>
-        /// <param name="areOptional">Whether some may be absent, null or NaN; they become NaN.</param>
+        /// <summary>Reads an array of numbers; infinite ones are rejected.</summary>
+        /// <param name="areOptional">Whether null and NaN are allowed as missing values; both become NaN.</param>
         public bool Numbers(List<double> into, bool areOptional)
         {
             if (!BeginArray()) return false;
@@ -255,7 +255,7 @@ namespace Nowpose.Protocol
             return ++_depth <= _maxDepth || Fail(DropReason.TooDeep);
         }
 
-        // To the next name or element; false behind the end.
+        // Advances to the next name or element; returns false after the end.
         bool Next(char end)
         {
             SkipBlanks();
@@ -336,7 +336,7 @@ namespace Nowpose.Protocol
             return true;
         }
 
-        // Zero at the end, and for a zero in the text, which is valid nowhere.
+        // Zero at the end of the text, and for a zero byte in it, which is never valid.
         byte Peek() => _at < _text.Length ? _text[_at] : (byte)0;
 
         void SkipBlanks()

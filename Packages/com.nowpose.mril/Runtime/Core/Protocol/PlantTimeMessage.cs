@@ -2,14 +2,14 @@ using System;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>What a plant's adapter answers when it is asked for the time of its control system.</summary>
+    /// <summary>The answer of a plant's adapter to a request for the time of its control system.</summary>
     sealed class PlantTimeMessage
     {
-        /// <param name="received">t2: what the clock showed when the question arrived.</param>
-        /// <param name="sent">t3: what it showed when the answer left; the same where one reading gives one time.</param>
-        /// <param name="resolution">The step in which the clock advances; zero when unknown.</param>
-        /// <param name="errorBound">How wrong the clock may be against its own reference.</param>
-        /// <param name="isSynchronised">Whether it follows its own reference.</param>
+        /// <param name="received">t2: the clock's reading when the request arrived.</param>
+        /// <param name="sent">t3: its reading when the answer was sent; equal to t2 if the clock is read only once.</param>
+        /// <param name="resolution">The step in which the clock advances; zero if unknown.</param>
+        /// <param name="errorBound">Error bound of the clock relative to its own reference.</param>
+        /// <param name="isSynchronised">Whether the clock follows its own reference.</param>
         public PlantTimeMessage(ControlTime received, ControlTime sent, TimeSpan resolution, TimeSpan errorBound, bool isSynchronised)
         {
             Received = received;

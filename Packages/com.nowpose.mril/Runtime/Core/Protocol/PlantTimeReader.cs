@@ -5,7 +5,7 @@ namespace Nowpose.Protocol
     /// <summary>Reads the answer of a service below <see cref="RosTopics.PlantTime"/>.</summary>
     static class PlantTimeReader
     {
-        /// <summary>Beyond these it is no clock that positions could be stamped by.</summary>
+        /// <summary>Maximum resolution and error bound in ns: a clock beyond these is not accurate enough to stamp positions.</summary>
         const long GreatestResolution = 1_000_000_000, GreatestErrorBound = 60_000_000_000;
 
         static readonly JsonNames Fields = new JsonNames("received", "sent", "resolution_ns", "error_bound_ns", "synchronised");

@@ -2,65 +2,65 @@ using System;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Every number of the wire protocols, in one place for the headset and the gateway.</summary>
+    /// <summary>Limits of the wire protocols, shared by headset and gateway.</summary>
     static class ProtocolLimits
     {
         public const int SyncPort = 47010;
         public const int WebSocketPort = 47011;
 
-        /// <summary>Longest message in bytes of UTF-8, /robot_description excepted.</summary>
+        /// <summary>Maximum length of a message in bytes of UTF-8, except /robot_description.</summary>
         public const int MessageBytes = 64 * 1024;
 
-        /// <summary>Longest message in bytes of UTF-8 that publishes /robot_description.</summary>
+        /// <summary>Maximum length in bytes of UTF-8 of a message that publishes /robot_description.</summary>
         public const int DescriptionBytes = 1024 * 1024;
 
-        /// <summary>Deepest nesting of a message; its outermost object is level 1.</summary>
+        /// <summary>Maximum nesting of a message; its outermost object is level 1.</summary>
         public const int Nesting = 16;
 
         public const int Joints = 256;
 
-        /// <summary>Longest name of a joint, in UTF-16 code units.</summary>
+        /// <summary>Maximum length of a joint name, in UTF-16 code units.</summary>
         public const int NameLength = 128;
 
         public const int TopicsPerClient = 32;
         public const int FragmentsPerMessage = 64;
         public static readonly TimeSpan MessageTimeout = TimeSpan.FromSeconds(5);
 
-        /// <summary>How far a stamp may lie in the future beyond the clock's error bound.</summary>
+        /// <summary>Maximum time of a stamp in the future, in addition to the clock's error bound.</summary>
         public static readonly TimeSpan FutureAllowance = TimeSpan.FromSeconds(1);
 
         public static readonly TimeSpan PingInterval = TimeSpan.FromSeconds(2);
 
-        /// <summary>No pong for this long closes the WebSocket.</summary>
+        /// <summary>Time without a pong after which the WebSocket is closed.</summary>
         public static readonly TimeSpan PongTimeout = TimeSpan.FromSeconds(6);
 
-        /// <summary>How long the answer to a close may take to get out.</summary>
+        /// <summary>Timeout for sending the answer to a close.</summary>
         public static readonly TimeSpan GoodbyeTimeout = TimeSpan.FromSeconds(1);
 
-        /// <summary>Usual time from one sync exchange to the next, ms.</summary>
+        /// <summary>Usual interval of sync exchanges, in ms.</summary>
         public const double SyncIntervalMs = 200;
 
 
-        /// <summary>How long to wait until a connection is open, TLS included.</summary>
+        /// <summary>Timeout for opening a connection, including TLS.</summary>
         public static readonly TimeSpan DialTimeout = TimeSpan.FromSeconds(3);
 
         public static readonly TimeSpan SyncReplyTimeout = TimeSpan.FromSeconds(2);
 
-        /// <summary>How long the server bears a sync connection on which nothing comes.</summary>
+        /// <summary>Time without data after which the server closes a sync connection.</summary>
         public static readonly TimeSpan SyncSilence = TimeSpan.FromSeconds(60);
 
-        /// <summary>How long a sync connection may stay without an accepted token where one is asked for.</summary>
+        /// <summary>Time without an accepted token after which a sync connection is closed, if a token is required.</summary>
         public static readonly TimeSpan TokenTimeout = TimeSpan.FromSeconds(5);
 
         public const int SyncRequestsPerSecond = 100;
 
-        /// <summary>So many dropped exchanges in a row close the sync connection.</summary>
+        /// <summary>Number of consecutive dropped exchanges that closes the sync connection.</summary>
         public const int SyncDropsInARow = 10;
 
-        /// <summary>Longest token, in bytes of UTF-8.</summary>
+        /// <summary>Maximum length of a token, in bytes of UTF-8.</summary>
         public const int TokenBytes = 512;
 
-        /// <summary>Backoff of both connections: first wait, factor, longest wait, and the share by which each wait varies.</summary>
+        /// <summary>Backoff of both connections: first delay, factor, maximum delay, and the relative random variation of each delay.</summary>
         public static readonly TimeSpan BackoffFirst = TimeSpan.FromMilliseconds(200);
         public const double BackoffFactor = 2;
         public static readonly TimeSpan BackoffLongest = TimeSpan.FromMilliseconds(1500);

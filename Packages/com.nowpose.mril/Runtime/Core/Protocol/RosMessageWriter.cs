@@ -44,10 +44,10 @@ namespace Nowpose.Protocol
             json.WriteEndObject();
         }
 
-        /// <param name="nanoseconds">Since the epoch, or a length.</param>
+        /// <param name="nanoseconds">Time since the epoch, or a length, in ns.</param>
         public static void Write(JsonWriter json, long nanoseconds, RosTimeForm form)
         {
-            // The rest is never negative: -0.25 s is -1 s and 750 000 000 ns.
+            // The remainder is never negative: -0.25 s is -1 s and 750 000 000 ns.
             var rest = (nanoseconds % NanosecondsPerSecond + NanosecondsPerSecond) % NanosecondsPerSecond;
             json.WriteStartObject();
             json.WritePropertyName(form == RosTimeForm.Secs ? "secs" : "sec");
@@ -97,7 +97,7 @@ namespace Nowpose.Protocol
             json.WriteStartObject();
             if (form == RosTimeForm.Secs)
             {
-                // ROS 1 only; ROS 2 refuses fields it does not know.
+                // Only for ROS 1; ROS 2 rejects unknown fields.
                 json.WritePropertyName("seq");
                 json.WriteValue(0);
             }

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Reads the bodies of publications and service responses, each by its topic or service. One thread.</summary>
+    /// <summary>Reads the bodies of publications and service responses by their topic or service. One thread.</summary>
     sealed class RosMessages
     {
         static readonly JsonNames StringFields = new JsonNames("data");
@@ -37,7 +37,7 @@ namespace Nowpose.Protocol
             return into.Service.StartsWith(RosTopics.PlantTime, StringComparison.Ordinal) ? PlantTimeReader.Read(ref json, into) : json.Skip();
         }
 
-        // Why, in words; or whatever a server likes to put there.
+        // Reads the reason as text; skips other types, which a server may also send.
         static bool ReadFailure(ref JsonUtf8Reader json, RosbridgeMessage into)
         {
             if (!json.IsText) return json.Skip();
@@ -116,7 +116,7 @@ namespace Nowpose.Protocol
 
             if (!json.EndObject(seen, 0b11)) return false;
             if (!JointStateReader.HaveLength(positions.Count, velocities, accelerations)) return json.Fail(DropReason.LengthMismatch);
-            // As ROS refuses it: a path that stands still in time or goes back has no position to follow.
+            // ROS rejects it as well: if a path's time does not increase, its positions are ambiguous.
             if (afterStart < TimeSpan.Zero || (into.Count > 0 && afterStart <= into[into.Count - 1].TimeFromStart))
                 return json.Fail(DropReason.OutOfRange);
             into.Add(new JointTrajectoryPoint(afterStart, positions.ToArray(), OrNull(velocities), OrNull(accelerations)));

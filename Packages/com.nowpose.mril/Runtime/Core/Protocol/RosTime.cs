@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Reads times and lengths of time in both spellings of ROS.</summary>
+    /// <summary>Reads times and durations in the notations of ROS 1 and ROS 2.</summary>
     static class RosTime
     {
         const long NanosecondsPerSecond = 1_000_000_000;
@@ -11,7 +11,7 @@ namespace Nowpose.Protocol
         static readonly JsonNames NamedHeader = new JsonNames("stamp", "frame_id");
         static readonly JsonNames Parts = new JsonNames("secs", "nsecs", "sec", "nanosec");
 
-        /// <summary>The stamp of a header, which must be one: zero means "none" to ROS.</summary>
+        /// <summary>Reads the stamp of a header, which is required; zero is rejected, because it means "none" in ROS.</summary>
         public static bool ReadHeader(ref JsonUtf8Reader json, out ControlTime stamp)
         {
             stamp = default;
@@ -21,7 +21,7 @@ namespace Nowpose.Protocol
             return json.EndObject(seen, 1);
         }
 
-        /// <summary>The stamp of a header, and whose it is.</summary>
+        /// <summary>Reads the stamp of a header and its frame_id, which names the headset.</summary>
         public static bool ReadNamedHeader(ref JsonUtf8Reader json, out ControlTime stamp, out string frame)
         {
             stamp = default;
@@ -34,7 +34,7 @@ namespace Nowpose.Protocol
             return json.EndObject(seen, 0b11);
         }
 
-        /// <summary>The stamp of a header, or the epoch where there is none.</summary>
+        /// <summary>Reads the stamp of a header, or the epoch if there is none.</summary>
         public static bool ReadOptionalHeader(ref JsonUtf8Reader json, out ControlTime stamp)
         {
             stamp = default;
@@ -56,7 +56,7 @@ namespace Nowpose.Protocol
 
         static bool ReadPoint(ref JsonUtf8Reader json, out ControlTime point)
         {
-            // ROS 1 counts seconds in an u32, ROS 2 in an i32: what either can say fits into 64 bits of nanoseconds.
+            // ROS 1 stores seconds as u32, ROS 2 as i32: the range of either fits into 64 bits of nanoseconds.
             var isRead = Read(ref json, 0, uint.MaxValue, out var nanoseconds);
             point = ControlTime.FromNanoseconds(nanoseconds);
             return isRead;

@@ -1,13 +1,13 @@
 namespace Nowpose.Protocol
 {
-    /// <summary>One rosbridge v2 message as read; what its operation does not have is null or zero. The reader overwrites it with the next message.</summary>
+    /// <summary>One rosbridge v2 message. Fields that its operation does not have are null or zero. The reader reuses it for the next one.</summary>
     sealed class RosbridgeMessage
     {
         internal RosbridgeMessage() { }
 
         public RosbridgeOp Op { get; internal set; }
 
-        /// <summary>The operation as written, also when it is <see cref="RosbridgeOp.Unknown"/>.</summary>
+        /// <summary>The operation as written, even if it is <see cref="RosbridgeOp.Unknown"/>.</summary>
         public string OpName { get; internal set; }
 
         public string Id { get; internal set; }
@@ -15,43 +15,43 @@ namespace Nowpose.Protocol
         public string Type { get; internal set; }
         public string Service { get; internal set; }
 
-        /// <summary>Shortest time between two messages of a subscription, ms; 0 for all of them.</summary>
+        /// <summary>Minimum interval between two messages of a subscription, in ms; 0 for no limit.</summary>
         public int ThrottleRateMs { get; internal set; }
 
-        /// <summary>Messages a subscription may keep waiting; 0 leaves it to the server.</summary>
+        /// <summary>Queue capacity of a subscription in messages; 0 for the server's default.</summary>
         public int QueueLength { get; internal set; }
 
-        /// <summary>Of a status: error, warning, info or none.</summary>
+        /// <summary>Level of a status: error, warning, info or none.</summary>
         public string Level { get; internal set; }
 
-        /// <summary>Of a status: what it says. Of the response of a failed call: why.</summary>
+        /// <summary>Text of a status, or the reason in the response of a failed call.</summary>
         public string Text { get; internal set; }
 
-        /// <summary>Of a publication on /joint_states.</summary>
+        /// <summary>Body of a publication on /joint_states.</summary>
         public JointStateMessage JointState { get; internal set; }
 
-        /// <summary>Of a publication on /nowpose/displayed: what a headset shows, which is no sample of the robot.</summary>
+        /// <summary>Body of a publication on /nowpose/displayed: the displayed joints of a headset, which are not samples of the robot.</summary>
         public JointStateMessage Displayed { get; internal set; }
 
-        /// <summary>Of a publication on /joint_trajectory.</summary>
+        /// <summary>Body of a publication on /joint_trajectory.</summary>
         public JointTrajectoryMessage JointTrajectory { get; internal set; }
 
-        /// <summary>Of a publication on /robot_description: the URDF text.</summary>
+        /// <summary>URDF text of a publication on /robot_description.</summary>
         public string Data { get; internal set; }
 
-        /// <summary>Of a publication on /nowpose/diagnostics.</summary>
+        /// <summary>Body of a publication on /nowpose/diagnostics.</summary>
         public DiagnosticsMessage Diagnostics { get; internal set; }
 
-        /// <summary>Of a publication on /nowpose/joint_status.</summary>
+        /// <summary>Body of a publication on /nowpose/joint_status.</summary>
         public JointStatusMessage JointStatus { get; internal set; }
 
-        /// <summary>Of a service response: whether the call succeeded.</summary>
+        /// <summary>Whether the call of a service response succeeded.</summary>
         public bool Result { get; internal set; }
 
-        /// <summary>Of a response of /rosapi/get_time: the control time; null elsewhere and when the call failed.</summary>
+        /// <summary>Control time in a response of /rosapi/get_time; null for other messages and failed calls.</summary>
         public ControlTime? Time { get; internal set; }
 
-        /// <summary>Of a response of a service below <see cref="RosTopics.PlantTime"/>; null elsewhere and when the call failed.</summary>
+        /// <summary>Values of a response of a service below <see cref="RosTopics.PlantTime"/>; null for other messages and failed calls.</summary>
         public PlantTimeMessage PlantTime { get; internal set; }
 
         internal void Clear()

@@ -3,7 +3,7 @@ namespace Nowpose.Protocol
     /// <summary>The operations of rosbridge v2 that headset and gateway exchange.</summary>
     enum RosbridgeOp
     {
-        /// <summary>One this protocol has no use for.</summary>
+        /// <summary>An operation that this protocol does not support.</summary>
         Unknown,
 
         Subscribe,
@@ -14,13 +14,13 @@ namespace Nowpose.Protocol
         CallService,
         ServiceResponse,
 
-        /// <summary>From a plant's adapter: it answers a service from now on.</summary>
+        /// <summary>Sent by a plant's adapter to offer a service.</summary>
         AdvertiseService,
 
         UnadvertiseService,
         Status,
 
-        /// <summary>Which statuses a client wants to be told.</summary>
+        /// <summary>Sets the minimum level of the statuses that a client receives.</summary>
         SetLevel,
     }
 }

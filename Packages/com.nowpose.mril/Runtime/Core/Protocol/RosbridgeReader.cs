@@ -3,15 +3,15 @@ using System.Text;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Reads rosbridge v2 messages and holds them to every rule that needs no clock and no role. One thread.</summary>
+    /// <summary>Reads rosbridge v2 messages and checks all rules that need no clock and no role. One thread.</summary>
     /// <remarks>
-    /// One pass over the bytes as they were received, see <see cref="JsonUtf8Reader"/>; no reflection, so it runs under IL2CPP. Unknown fields
-    /// are skipped; a known field given twice is refused. It remembers the names of the newest sources' joints, so that a source that repeats
-    /// them makes no garbage. Whether a stamp lies in the future is <see cref="StampRule"/>'s, with the caller's clock.
+    /// Reads the received bytes in one pass, see <see cref="JsonUtf8Reader"/>; without reflection, so it runs under IL2CPP. Unknown fields
+    /// are skipped; a duplicate known field is rejected. It caches the joint names of the newest sources, so that a source that repeats
+    /// them causes no allocation. <see cref="StampRule"/> checks with the caller's clock whether a stamp is in the future.
     /// </remarks>
     sealed class RosbridgeReader
     {
-        // In the order of RosbridgeOp, from its second on.
+        // In the order of RosbridgeOp, without its first value.
         static readonly JsonNames Ops = new JsonNames(
             "subscribe", "unsubscribe", "advertise", "unadvertise", "publish", "call_service", "service_response", "advertise_service",
             "unadvertise_service", "status", "set_level");
@@ -29,14 +29,14 @@ namespace Nowpose.Protocol
         readonly RosMessages _bodies = new RosMessages();
         readonly RosbridgeMessage _message = new RosbridgeMessage();
 
-        /// <summary>Reads one message that is a text already.</summary>
+        /// <summary>Reads one message from a string.</summary>
         /// <inheritdoc cref="TryRead(ReadOnlySpan{byte}, out RosbridgeMessage, out DropReason)"/>
         public static bool TryRead(string text, out RosbridgeMessage message, out DropReason reason) =>
             new RosbridgeReader().TryRead(Encoding.UTF8.GetBytes(text), out message, out reason);
 
-        /// <summary>Reads one message; never throws for what came over the wire.</summary>
+        /// <summary>Reads one message; never throws for received data.</summary>
         /// <param name="message">
-        /// The message, until the next is read. When it is refused: what could be read of its envelope, so that a status can name it, or null.
+        /// The message, valid until the next is read. If it is rejected: the readable part of its envelope, for a status message, or null.
         /// </param>
         public bool TryRead(ReadOnlySpan<byte> utf8, out RosbridgeMessage message, out DropReason reason)
         {
@@ -44,7 +44,7 @@ namespace Nowpose.Protocol
             reason = DropReason.TooLarge;
             if (utf8.Length > ProtocolLimits.DescriptionBytes) return false;
             reason = Read(utf8, isOnePass: true, out message);
-            // A message that is refused is read again in the order in which its faults count: syntax, envelope, body.
+            // A rejected message is read again in the order of priority of the faults: syntax, envelope, body.
             if (reason != DropReason.None) reason = JsonUtf8Reader.Check(utf8, ProtocolLimits.Nesting);
             else return true;
             message = null;
@@ -52,7 +52,7 @@ namespace Nowpose.Protocol
             return reason == DropReason.None;
         }
 
-        // isOnePass: the body is read where it stands, if it stands behind the topic that says what it is, as it does in nearly all messages.
+        // isOnePass: reads the body in place if it follows the topic, which determines its type; nearly all messages have this order.
         DropReason Read(ReadOnlySpan<byte> utf8, bool isOnePass, out RosbridgeMessage message)
         {
             message = null;
@@ -91,7 +91,7 @@ namespace Nowpose.Protocol
             }
         }
 
-        // The words of a status, or the body of a publication, which is read once its topic is known.
+        // The text of a status, or the body of a publication, which is read once its topic is known.
         bool ReadMsg(ref JsonUtf8Reader json)
         {
             if (!json.IsText) return json.Skip();
@@ -117,7 +117,7 @@ namespace Nowpose.Protocol
 
         static DropReason Need(string field) => string.IsNullOrEmpty(field) ? DropReason.MissingField : DropReason.None;
 
-        // A second walk, for a body before its topic, and for a service's response, whose meaning depends on several fields.
+        // Second pass, for a body before its topic, and for a service response, whose meaning depends on several fields.
         DropReason ReadBody(ReadOnlySpan<byte> utf8)
         {
             var isPublication = _message.Op == RosbridgeOp.Publish;

@@ -7,12 +7,12 @@ using Newtonsoft.Json;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Writes rosbridge v2 messages: valid JSON whatever the culture, numbers in full precision. Any thread.</summary>
+    /// <summary>Writes rosbridge v2 messages: valid JSON in every culture, numbers in full precision. Any thread may use it.</summary>
     static class RosbridgeWriter
     {
-        /// <param name="type">A type name; it also chooses the spelling of times (<see cref="RosTopics.TimeFormOf"/>). Null to name none.</param>
-        /// <param name="throttleRateMs">Shortest time between two messages; 0 for all of them.</param>
-        /// <param name="queueLength">Messages the server may keep waiting; 0 leaves it to the server.</param>
+        /// <param name="type">A type name; it also determines the notation of times (<see cref="RosTopics.TimeFormOf"/>). Null for none.</param>
+        /// <param name="throttleRateMs">Minimum interval between two messages, in ms; 0 for no limit.</param>
+        /// <param name="queueLength">Queue capacity in messages; 0 for the server's default.</param>
         public static string Subscribe(string topic, string type = null, string id = null, int throttleRateMs = 0, int queueLength = 0) =>
             Write("subscribe", id, topic, json =>
             {
@@ -36,7 +36,7 @@ namespace Nowpose.Protocol
         public static string PublishJointTrajectory(string topic, JointTrajectoryMessage message, RosTimeForm form) =>
             Publish(topic, json => RosMessageWriter.Write(json, message, form));
 
-        /// <summary>std_msgs/String: the robot description.</summary>
+        /// <summary>Writes a std_msgs/String with the robot description.</summary>
         public static string PublishString(string topic, string data) => Publish(topic, json =>
         {
             json.WriteStartObject();
@@ -55,7 +55,7 @@ namespace Nowpose.Protocol
             json.WriteEndObject();
         });
 
-        /// <summary>The response of /rosapi/get_time.</summary>
+        /// <summary>Writes the response of /rosapi/get_time.</summary>
         public static string TimeResponse(string service, string id, ControlTime time, RosTimeForm form) =>
             Response(service, id, true, json =>
             {
@@ -65,8 +65,8 @@ namespace Nowpose.Protocol
                 json.WriteEndObject();
             });
 
-        /// <summary>The response of /rosapi/topics.</summary>
-        /// <param name="types">Of each topic.</param>
+        /// <summary>Writes the response of /rosapi/topics.</summary>
+        /// <param name="types">Type of each topic.</param>
         public static string TopicsResponse(string service, string id, IReadOnlyCollection<KeyValuePair<string, string>> types) =>
             Response(service, id, true, json =>
             {
@@ -82,11 +82,11 @@ namespace Nowpose.Protocol
                 json.WriteEndObject();
             });
 
-        /// <summary>The response of a service whose values are JSON text already.</summary>
+        /// <summary>Writes the response of a service whose values are already JSON text.</summary>
         internal static string ServiceResponse(string service, string id, string values) =>
             Response(service, id, true, json => json.WriteRawValue(values));
 
-        /// <summary>The response of a call that failed.</summary>
+        /// <summary>Writes the response of a failed call.</summary>
         public static string FailedResponse(string service, string id, string why) =>
             Response(service, id, false, json => json.WriteValue(why));
 

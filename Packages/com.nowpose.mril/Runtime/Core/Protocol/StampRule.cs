@@ -2,14 +2,14 @@ using System;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Which stamps are believed.</summary>
+    /// <summary>The rule for stamps in the future.</summary>
     static class StampRule
     {
-        /// <summary>Whether a stamp lies further ahead than the clock's own uncertainty and the protocol's allowance explain.</summary>
-        /// <param name="now">The control time at which the message arrived, as the receiver believes it.</param>
-        /// <param name="clockErrorBound">How wrong <paramref name="now"/> may be.</param>
+        /// <summary>Returns whether a stamp is further ahead than the clock's error bound and the protocol's allowance.</summary>
+        /// <param name="now">The receiver's estimate of the control time at which the message arrived.</param>
+        /// <param name="clockErrorBound">Error bound of <paramref name="now"/>.</param>
         public static bool IsInFuture(ControlTime stamp, ControlTime now, TimeSpan clockErrorBound) =>
-            // In ticks: a stamp from the wire minus a clock of another epoch may exceed what TimeSpan arithmetic bears.
+            // In decimal: the difference between a stamp from the wire and a clock of another epoch may overflow a TimeSpan.
             (decimal)stamp.SinceEpoch.Ticks - now.SinceEpoch.Ticks > (decimal)clockErrorBound.Ticks + ProtocolLimits.FutureAllowance.Ticks;
     }
 }

@@ -2,13 +2,13 @@ using System;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Finds the SubjectPublicKeyInfo inside a DER certificate (RFC 5280, 4.1); every length is checked.</summary>
+    /// <summary>Finds the SubjectPublicKeyInfo in a DER certificate (RFC 5280, 4.1); checks every length.</summary>
     static class SubjectPublicKeyInfo
     {
         const byte Sequence = 0x30;
         const byte ExplicitVersion = 0xA0;
 
-        /// <param name="info">The key with its tag and length: the bytes a pin hashes.</param>
+        /// <param name="info">The key with its tag and length: the bytes that a pin hashes.</param>
         public static bool TryFind(ReadOnlySpan<byte> certificate, out ReadOnlySpan<byte> info)
         {
             info = default;
@@ -39,7 +39,7 @@ namespace Nowpose.Protocol
             return true;
         }
 
-        // Short form: one byte below 0x80. Long form: 0x80 + n, then n bytes, of which three are plenty for a certificate.
+        // Short form: one byte below 0x80. Long form: 0x80 + n, then n bytes; three are sufficient for a certificate.
         static bool TryReadLength(ReadOnlySpan<byte> bytes, out int header, out int length)
         {
             header = 2;

@@ -3,17 +3,17 @@ using System.Buffers.Binary;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>One frame of the clock sync protocol: 48 bytes, little-endian, the same layout both ways.</summary>
+    /// <summary>One frame of the clock sync protocol: 48 bytes, little-endian, the same layout in both directions.</summary>
     /// <remarks>
     /// Times are raw nanoseconds: t1 on the headset clock C2, t2 and t3 on the control clock C1. They come from the wire, so any
-    /// value is possible; whoever makes an exchange of them checks their order.
+    /// value is possible; the code that creates an exchange from them checks their order.
     /// </remarks>
     readonly struct SyncFrame : IEquatable<SyncFrame>
     {
-        /// <summary>Bytes of a frame.</summary>
+        /// <summary>Size of a frame in bytes.</summary>
         public const int Size = 48;
 
-        /// <summary>"SYNC" when read as bytes.</summary>
+        /// <summary>The bytes "SYNC".</summary>
         public const uint Magic = 0x434E5953;
 
         public const byte Version = 1;
@@ -21,7 +21,7 @@ namespace Nowpose.Protocol
         /// <summary>Bit 0 of the flags of a reply: the server's own control clock is not synchronised.</summary>
         public const ushort NotSynchronisedFlag = 1;
 
-        /// <summary>Bit 0 of the flags of a token reply.</summary>
+        /// <summary>Bit 0 of the flags of a token reply: the token is accepted.</summary>
         public const ushort AcceptedFlag = 1;
 
         public SyncFrame(
@@ -41,39 +41,39 @@ namespace Nowpose.Protocol
         public ushort Flags { get; }
         public uint Sequence { get; }
 
-        /// <summary>The server's bound on the error of its own C1, µs; <see cref="uint.MaxValue"/> stands for anything longer.</summary>
+        /// <summary>The server's error bound of its own C1, in µs; <see cref="uint.MaxValue"/> for larger values.</summary>
         public uint ErrorBoundUs { get; }
 
-        /// <summary>C2 when the request was sent, ns.</summary>
+        /// <summary>C2 when the request was sent, in ns.</summary>
         public long T1Ns { get; }
 
-        /// <summary>C1 when the request arrived, ns.</summary>
+        /// <summary>C1 when the request arrived, in ns.</summary>
         public long T2Ns { get; }
 
-        /// <summary>C1 just before the reply was sent, ns.</summary>
+        /// <summary>C1 just before the reply was sent, in ns.</summary>
         public long T3Ns { get; }
 
-        /// <summary>Resolution of C1, ns; 0 when unknown. Half of it belongs to t2 and t3 each.</summary>
+        /// <summary>Resolution of C1, in ns; 0 if unknown. Half of it is added to each of t2 and t3.</summary>
         public uint ResolutionNs { get; }
 
-        /// <summary>Of a reply: whether the server's control clock follows its own reference.</summary>
+        /// <summary>Whether the server's control clock follows its own reference; valid for a reply.</summary>
         public bool IsServerSynchronised => (Flags & NotSynchronisedFlag) == 0;
 
-        /// <summary>Of a token reply.</summary>
+        /// <summary>Whether the token is accepted; valid for a token reply.</summary>
         public bool IsAccepted => (Flags & AcceptedFlag) != 0;
 
         public static SyncFrame Request(uint sequence, long t1Ns) =>
             new SyncFrame(SyncFrameKind.Request, 0, sequence, 0, t1Ns, 0, 0, 0);
 
-        /// <summary>The answer to <paramref name="request"/>, whose sequence and t1 are echoed.</summary>
-        /// <param name="errorBound">The server's bound on its own C1; saturates at 2³²−1 µs.</param>
+        /// <summary>Makes the reply to <paramref name="request"/> with its sequence and t1.</summary>
+        /// <param name="errorBound">The server's error bound of its own C1; saturates at 2³²−1 µs.</param>
         public static SyncFrame Reply(
             in SyncFrame request, long t2Ns, long t3Ns, bool isSynchronised, TimeSpan errorBound, uint resolutionNs) =>
             new SyncFrame(
                 SyncFrameKind.Reply, isSynchronised ? (ushort)0 : NotSynchronisedFlag, request.Sequence,
                 Microseconds(errorBound), request.T1Ns, t2Ns, t3Ns, resolutionNs);
 
-        /// <summary>The frame before a token.</summary>
+        /// <summary>Makes the frame that precedes a token.</summary>
         public static SyncFrame Token() => new SyncFrame(SyncFrameKind.Token, 0, 0, 0, 0, 0, 0, 0);
 
         public static SyncFrame TokenReply(bool isAccepted) =>
@@ -135,7 +135,7 @@ namespace Nowpose.Protocol
             BinaryPrimitives.ReadInt64LittleEndian(bytes.Slice(32)),
             BinaryPrimitives.ReadUInt32LittleEndian(bytes.Slice(40)));
 
-        // Rounded up: a bound may be too wide, never too narrow.
+        // Rounds up: a bound may be too large, but never too small.
         static uint Microseconds(TimeSpan length)
         {
             const long TicksPerMicrosecond = TimeSpan.TicksPerMillisecond / 1000;

@@ -1,6 +1,6 @@
 namespace Nowpose.Protocol
 {
-    /// <summary>Why bytes are not a sync frame. Any of them closes the connection.</summary>
+    /// <summary>Why bytes are not a sync frame. Each fault closes the connection.</summary>
     enum SyncFrameFault
     {
         None,

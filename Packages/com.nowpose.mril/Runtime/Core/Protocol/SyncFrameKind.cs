@@ -1,6 +1,6 @@
 namespace Nowpose.Protocol
 {
-    /// <summary>What a sync frame is; the values are those on the wire.</summary>
+    /// <summary>Kind of a sync frame; the values are those on the wire.</summary>
     enum SyncFrameKind : byte
     {
         /// <summary>t1 from the headset.</summary>
@@ -12,7 +12,7 @@ namespace Nowpose.Protocol
         /// <summary>Announces a token, which follows the frame (<see cref="SyncToken"/>).</summary>
         Token = 0x10,
 
-        /// <summary>Says whether the token was accepted.</summary>
+        /// <summary>Reports whether the token was accepted.</summary>
         TokenReply = 0x11,
     }
 }

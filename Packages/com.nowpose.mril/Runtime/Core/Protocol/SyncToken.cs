@@ -4,16 +4,16 @@ using System.Text;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>What follows a sync frame of kind <see cref="SyncFrameKind.Token"/>: a u16 length and that many bytes of UTF-8.</summary>
+    /// <summary>The data after a sync frame of kind <see cref="SyncFrameKind.Token"/>: a u16 length and that number of UTF-8 bytes.</summary>
     static class SyncToken
     {
-        /// <summary>Bytes of the length that stands between frame and token.</summary>
+        /// <summary>Size in bytes of the length field between frame and token.</summary>
         public const int LengthSize = 2;
 
-        // Strict: bytes that are not UTF-8 are no token, rather than a token with replacement characters in it.
+        // Strict: rejects invalid UTF-8 instead of inserting replacement characters.
         static readonly UTF8Encoding Utf8 = new UTF8Encoding(false, true);
 
-        /// <summary>The frame, the length and the token, ready to be sent as one.</summary>
+        /// <summary>Returns the frame, the length and the token in one buffer.</summary>
         /// <exception cref="InputException">The token is empty or longer than the protocol allows.</exception>
         public static byte[] Write(string token)
         {
@@ -25,14 +25,14 @@ namespace Nowpose.Protocol
             return bytes;
         }
 
-        /// <summary>Reads the length; false when it is beyond the protocol's limit, which closes the connection.</summary>
+        /// <summary>Reads the length; returns false if it exceeds the protocol's limit, which closes the connection.</summary>
         public static bool TryReadLength(ReadOnlySpan<byte> bytes, out int length)
         {
             length = bytes.Length == LengthSize ? BinaryPrimitives.ReadUInt16LittleEndian(bytes) : 0;
             return length > 0 && length <= ProtocolLimits.TokenBytes;
         }
 
-        /// <summary>Reads the token itself; false when the bytes are not UTF-8.</summary>
+        /// <summary>Reads the token; returns false if the bytes are not UTF-8.</summary>
         public static bool TryReadText(ReadOnlySpan<byte> bytes, out string token)
         {
             token = null;
@@ -47,7 +47,7 @@ namespace Nowpose.Protocol
             }
         }
 
-        /// <returns>Bytes of UTF-8.</returns>
+        /// <returns>Length of the token in bytes of UTF-8.</returns>
         /// <exception cref="InputException">The token is empty or longer than the protocol allows.</exception>
         internal static int RequireLength(string token)
         {

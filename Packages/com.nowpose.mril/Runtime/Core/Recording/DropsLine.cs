@@ -6,7 +6,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Recording
 {
-    /// <summary>What was dropped since the start, by reason: the counts of one line.</summary>
+    /// <summary>The numbers of one line with the drops since the start, by reason.</summary>
     static class DropsLine
     {
         static readonly LineNames Reasons = new LineNames(typeof(DropReason));
@@ -20,7 +20,7 @@ namespace Nowpose.Recording
             for (var i = 0; i < Faults.Count; i++) numbers[Reasons.Count + i] = session.SyncFaults[(SyncExchangeFault)i];
         }
 
-        /// <summary>Of messages alone.</summary>
+        /// <summary>Fills the counts of messages only.</summary>
         public static void Fill(DropCounters drops, double[] numbers)
         {
             for (var i = 0; i < Reasons.Count; i++) numbers[i] = drops[(DropReason)i];

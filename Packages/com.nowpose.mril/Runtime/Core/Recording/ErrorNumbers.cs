@@ -3,7 +3,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Recording
 {
-    /// <summary>A displayed error as numbers of a record, and as an object of a line.</summary>
+    /// <summary>Converts a displayed error to the numbers of a record, and to an object of a line.</summary>
     static class ErrorNumbers
     {
         static readonly string[] Names =
@@ -13,7 +13,7 @@ namespace Nowpose.Recording
 
         public static int Count => Names.Length;
 
-        /// <param name="numbers">Filled; NaN where nothing is known.</param>
+        /// <param name="numbers">Array to fill; unknown values become NaN.</param>
         public static void Fill(DisplayedError? error, Span<double> numbers)
         {
             numbers.Slice(0, Count).Fill(double.NaN);

@@ -8,14 +8,14 @@ using Nowpose.Session;
 
 namespace Nowpose.Recording
 {
-    /// <summary>The first line of a session file: the format, and what was in force. No token, no address.</summary>
+    /// <summary>The first line of a session file: the format, and the settings in use. Contains no token and no address.</summary>
     static class HeaderLine
     {
         static readonly LineNames Responses = new LineNames(typeof(OutsideRangeResponse));
         static readonly LineNames Sources = new LineNames(typeof(RenderTimeSourceKind));
         static readonly LineNames Securities = new LineNames(typeof(TransportSecurity));
 
-        /// <param name="startedUtc">Null when nobody knows.</param>
+        /// <param name="startedUtc">Null if it is unknown.</param>
         public static void Write(JsonLine line, SessionSettings settings, RobotModel robot, DisplayConditions conditions, DateTime? startedUtc)
         {
             line.Begin("session").Add("format", SessionFormat.Name).Add("version", SessionFormat.Version);
@@ -28,8 +28,8 @@ namespace Nowpose.Recording
             line.End();
         }
 
-        /// <summary>The first line of a file that a gateway writes: no settings of a session, but those by which one would predict.</summary>
-        /// <param name="robot">Null where none was described.</param>
+        /// <summary>Writes the first line of a gateway's file: of the settings it contains only those that a prediction would use.</summary>
+        /// <param name="robot">Null if there is no robot description.</param>
         public static void WriteOfGateway(JsonLine line, string cell, RobotModel robot, DateTime startedUtc)
         {
             line.Begin("session").Add("format", SessionFormat.Name).Add("version", SessionFormat.Version);
@@ -51,7 +51,7 @@ namespace Nowpose.Recording
             foreach (var joint in robot.MovingJoints)
             {
                 line.OpenElement().Add("name", joint.Name).Add("unit", joint.Kind == JointKind.Prismatic ? "m" : "rad");
-                // An unlimited joint has none of them: infinity is no JSON number.
+                // An unlimited joint has no limit fields, because JSON has no infinity.
                 AddLimit(line, "lower", joint.Limits.Lower);
                 AddLimit(line, "upper", joint.Limits.Upper);
                 AddLimit(line, "velocity", joint.Limits.Velocity);

@@ -3,10 +3,10 @@ using System.Globalization;
 
 namespace Nowpose.Recording
 {
-    /// <summary>One line of JSON, put together in a buffer that is used again and again: it allocates only to grow.</summary>
+    /// <summary>Builds one line of JSON in a reused buffer; allocates only to enlarge it.</summary>
     /// <remarks>
-    /// A headset collects its garbage by stopping every thread, the frame's too, so the writing thread must not make any.
-    /// Numbers come back exactly as they were; one that is not finite is null.
+    /// A garbage collection on a headset stops all threads, including that of the frame, so the writing thread must not allocate.
+    /// Numbers are written so that they are read back exactly; a number that is not finite is written as null.
     /// </remarks>
     sealed class JsonLine
     {
@@ -47,7 +47,7 @@ namespace Nowpose.Recording
             return this;
         }
 
-        /// <summary>Left out when it is unknown.</summary>
+        /// <summary>Adds a number unless it is NaN (unknown).</summary>
         public JsonLine AddKnown(string name, double value) => double.IsNaN(value) ? this : Add(name, value);
 
         public JsonLine Add(string name, bool value)
@@ -95,7 +95,7 @@ namespace Nowpose.Recording
             return Open(bracket);
         }
 
-        /// <summary>As an element of an array.</summary>
+        /// <summary>Opens an object as an element of an array.</summary>
         public JsonLine OpenElement()
         {
             Separate();
@@ -146,7 +146,7 @@ namespace Nowpose.Recording
             Reserve(LongestNumber);
             var room = _text.AsSpan(_length);
             value.TryFormat(room, out var written, "R", CultureInfo.InvariantCulture);
-            // R of some runtimes loses the last digit of some numbers.
+            // The format R loses the last digit of some numbers on some runtimes.
             if (!double.TryParse(room.Slice(0, written), NumberStyles.Float, CultureInfo.InvariantCulture, out var back) || back != value)
                 value.TryFormat(room, out written, "G17", CultureInfo.InvariantCulture);
             _length += written;

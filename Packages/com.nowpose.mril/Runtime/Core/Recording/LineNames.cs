@@ -3,8 +3,8 @@ using System.Text;
 
 namespace Nowpose.Recording
 {
-    /// <summary>Names of an enumeration's members as session files write them: lower case, words joined by underscores.</summary>
-    /// <remarks>Made once: <see cref="Enum.ToString()"/> allocates. For enumerations that count from 0.</remarks>
+    /// <summary>Names of an enumeration's members in session files: lower case, words joined by underscores.</summary>
+    /// <remarks>Created once, because <see cref="Enum.ToString()"/> allocates. For enumerations that count from 0.</remarks>
     sealed class LineNames
     {
         readonly string[] _names;

@@ -1,6 +1,6 @@
 namespace Nowpose.Recording
 {
-    /// <summary>What one line of a session file tells.</summary>
+    /// <summary>Kind of a line of a session file.</summary>
     enum RecordKind
     {
         /// <summary>A sync exchange with its verdict.</summary>
@@ -12,22 +12,22 @@ namespace Nowpose.Recording
         /// <summary>A message of set-points, as received.</summary>
         Plan,
 
-        /// <summary>What one frame displayed.</summary>
+        /// <summary>The joints that one frame displayed.</summary>
         Frame,
 
-        /// <summary>The clock model has another state, has stepped, or has become known.</summary>
+        /// <summary>The clock model has changed its state, has stepped, or has become known.</summary>
         Clock,
 
         /// <summary>L_visu, the state of the constant-latency range or the reprojection mode has changed.</summary>
         Display,
 
-        /// <summary>How the session does: once a second.</summary>
+        /// <summary>Statistics of the session, once a second.</summary>
         Statistics,
 
-        /// <summary>What was dropped by reason: once a second while it changes.</summary>
+        /// <summary>Drops by reason, once a second if they have changed.</summary>
         Drops,
 
-        /// <summary>What a headset or an adapter says of itself. In a gateway's file only.</summary>
+        /// <summary>Diagnostics of a headset or an adapter. Only in a gateway's file.</summary>
         Diagnostics,
     }
 }

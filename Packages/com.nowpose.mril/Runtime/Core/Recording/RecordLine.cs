@@ -7,7 +7,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Recording
 {
-    /// <summary>Records as lines of a session file. Times are whole nanoseconds on the clock that their name says.</summary>
+    /// <summary>Writes records as lines of a session file. Times are whole nanoseconds on the clock that their name states.</summary>
     sealed class RecordLine
     {
         static readonly LineNames Verdicts = new LineNames(typeof(SyncVerdict));
@@ -21,8 +21,8 @@ namespace Nowpose.Recording
         readonly int _joints;
         readonly StatisticsLine _statistics;
 
-        /// <param name="joints">Moving joints of the robot.</param>
-        /// <param name="statistics">What has filled the statistics' numbers.</param>
+        /// <param name="joints">Number of moving joints of the robot.</param>
+        /// <param name="statistics">The object that filled the numbers of the statistics.</param>
         public RecordLine(JsonLine line, int joints, StatisticsLine statistics)
         {
             _line = line;
@@ -50,7 +50,7 @@ namespace Nowpose.Recording
         void WriteSync(SessionRecord record)
         {
             var exchange = record.Exchange;
-            // As they came over the wire: the reader of the file adds the half resolution again.
+            // As received: the reader of the file adds half the resolution again.
             var half = new TimeSpan(exchange.Resolution.Ticks / 2);
             _line.Begin("sync").Add("t1_ns", exchange.T1.Nanoseconds).Add("t2_ns", (exchange.T2 - half).Nanoseconds)
                 .Add("t3_ns", (exchange.T3 - half).Nanoseconds).Add("t4_ns", exchange.T4.Nanoseconds)

@@ -3,12 +3,12 @@ using System.Threading;
 namespace Nowpose.Recording
 {
     /// <summary>
-    /// Records on their way from any thread to the one that writes them. Nobody waits: when it is full, records are lost and
+    /// Passes records from any thread to the writing thread. Never blocks: if it is full, records are lost and
     /// counted.
     /// </summary>
     /// <remarks>
-    /// Vyukov's bounded queue: each place carries the turn at which it may be filled or emptied next, so that a record is seen
-    /// only once it is whole and a thread that is held up between the two delays nothing but what comes after it.
+    /// Vyukov's bounded queue: each slot has the turn number at which it may next be filled or emptied, so a record is visible
+    /// only once it is complete, and a thread that is suspended in between delays only the records after it.
     /// </remarks>
     sealed class RecordRing
     {
@@ -17,7 +17,7 @@ namespace Nowpose.Recording
         long _filled, _emptied, _lost;
 
         /// <param name="capacity">A power of two.</param>
-        /// <param name="numbers">As of <see cref="SessionRecord"/>.</param>
+        /// <param name="numbers">As in <see cref="SessionRecord"/>.</param>
         public RecordRing(int capacity, int numbers)
         {
             _records = new SessionRecord[capacity];
@@ -29,10 +29,10 @@ namespace Nowpose.Recording
             }
         }
 
-        /// <summary>Records that found no room since the start.</summary>
+        /// <summary>Number of records lost since the start because the ring was full.</summary>
         public long Lost => Interlocked.Read(ref _lost);
 
-        /// <summary>A record to fill, then to hand to <see cref="Publish"/>; null when there is no room. Any thread; allocates nothing.</summary>
+        /// <summary>Gets a record to fill and pass to <see cref="Publish"/>; null if the ring is full. Any thread; allocates nothing.</summary>
         public SessionRecord TryClaim(RecordKind kind)
         {
             var place = Volatile.Read(ref _filled);
@@ -56,14 +56,14 @@ namespace Nowpose.Recording
 
         public void Publish(SessionRecord record) => Volatile.Write(ref _turns[IndexOf(record.Place)], record.Place + 1);
 
-        /// <summary>The oldest record, valid until <see cref="Release"/>. Of the writing thread only.</summary>
+        /// <summary>Gets the oldest record, valid until <see cref="Release"/>. Only for the writing thread.</summary>
         public bool TryPeek(out SessionRecord record)
         {
             record = _records[IndexOf(_emptied)];
             return Volatile.Read(ref _turns[IndexOf(_emptied)]) == _emptied + 1;
         }
 
-        /// <summary>Gives the oldest record's room free.</summary>
+        /// <summary>Frees the oldest record's slot.</summary>
         public void Release()
         {
             Volatile.Write(ref _turns[IndexOf(_emptied)], _emptied + _records.Length);

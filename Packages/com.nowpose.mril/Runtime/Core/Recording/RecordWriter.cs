@@ -9,15 +9,15 @@ using System.Threading.Tasks;
 
 namespace Nowpose.Recording
 {
-    /// <summary>Turns records into lines of a file on a thread of its own, which alone waits for the disk.</summary>
+    /// <summary>Writes records as lines of a file, on its own thread, which is the only one that waits for the disk.</summary>
     sealed class RecordWriter
     {
-        /// <summary>Room for the line that says why a file ends.</summary>
+        /// <summary>Space for the line with the reason for the end of a file.</summary>
         const int LastLineBytes = 100;
 
         static readonly TimeSpan Pace = TimeSpan.FromMilliseconds(50);
 
-        /// <summary>What a process that dies may cost.</summary>
+        /// <summary>Maximum time of data that is lost if the process crashes.</summary>
         static readonly TimeSpan FlushInterval = TimeSpan.FromSeconds(1);
 
         readonly RecordingSettings _settings;
@@ -33,7 +33,7 @@ namespace Nowpose.Recording
         volatile RecordingState _state;
         long _written, _lostTold;
 
-        /// <param name="line">Holds the first line already.</param>
+        /// <param name="line">Contains the first line already.</param>
         /// <param name="recordLine">Writes into <paramref name="line"/>.</param>
         public RecordWriter(RecordingSettings settings, RecordRing ring, JsonLine line, RecordLine recordLine)
         {
@@ -45,24 +45,24 @@ namespace Nowpose.Recording
 
         public RecordingState State => _state;
 
-        /// <summary>Why it ended before it was stopped, in one line; null otherwise.</summary>
+        /// <summary>Why the recording ended before it was stopped, in one line; null otherwise.</summary>
         public string Problem => _problem;
 
         public long Written => Interlocked.Read(ref _written);
 
         public Task Ended { get; private set; }
 
-        // The scheduler is named because a caller's may be the frame's.
+        // The scheduler is explicit because the caller's may be that of the frame.
         public void Start() => Ended = Task.Factory.StartNew(Run, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
 
-        /// <summary>What is in the ring by now is still written; returns at once.</summary>
+        /// <summary>Stops after the records that are in the ring now; returns at once.</summary>
         public void Stop()
         {
             _isStopping = true;
             Wake();
         }
 
-        /// <summary>Completes when what is in the ring by now is in the file, or the recording has ended.</summary>
+        /// <summary>Completes when the records that are in the ring now are in the file, or the recording has ended.</summary>
         public Task FlushAsync()
         {
             var flush = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -80,7 +80,7 @@ namespace Nowpose.Recording
                 using (var stream = _settings.Open()) WriteAll(stream);
                 _state = _problem == null ? RecordingState.Closed : RecordingState.Full;
             }
-            // Whatever it is: an exception that leaves a thread takes the application with it.
+            // Catches every exception: an uncaught one would end the application.
             catch (Exception failure)
             {
                 _problem = "recording " + _settings.Path + " has stopped: " + failure.Message.Replace('\r', ' ').Replace('\n', ' ');
@@ -95,7 +95,7 @@ namespace Nowpose.Recording
             for (var isLast = false; !isLast;)
             {
                 isLast = _isStopping;
-                // Before the ring is emptied: those that come meanwhile may have left something in it.
+                // Read before the ring is emptied, because later flush requests may refer to later records.
                 var asked = _flushes.Count;
                 if (!TryDrain(stream))
                 {
@@ -154,7 +154,7 @@ namespace Nowpose.Recording
             lock (_gate) Monitor.Pulse(_gate);
         }
 
-        // Nobody wakes it for a record: that would cost the frame a call into the system.
+        // Records do not wake the thread, because a wake-up would cost the frame a system call.
         void Rest()
         {
             lock (_gate)

@@ -3,25 +3,25 @@ using System.IO;
 
 namespace Nowpose.Recording
 {
-    /// <summary>Where a session is recorded to, and how much of it. Immutable, checked once.</summary>
+    /// <summary>File and maximum size of a session recording. Immutable; checked in the constructor.</summary>
     public sealed class RecordingSettings
     {
         const int BufferBytes = 64 * 1024;
 
-        /// <param name="path">The file; its folder is made where there is none, and a file of that name is replaced.</param>
-        /// <param name="maximumMegabytes">Greatest size, 0.001 to 100 000 MB of 10⁶ bytes; then the recording ends.</param>
-        /// <param name="startedUtc">Goes into the header, for whoever looks through old files; null for none.</param>
-        /// <exception cref="InputException">A value is out of range, or there is no path.</exception>
+        /// <param name="path">The file; its folder is created if there is none, and an existing file is replaced.</param>
+        /// <param name="maximumMegabytes">Maximum size, 0.001 to 100 000 MB of 10⁶ bytes; the recording ends there.</param>
+        /// <param name="startedUtc">Start time for the header, to identify old files; null for none.</param>
+        /// <exception cref="InputException">A value is out of range, or the path is empty.</exception>
         public RecordingSettings(string path, double maximumMegabytes = 500, DateTime? startedUtc = null)
             : this(path, () => OpenFile(path), maximumMegabytes, startedUtc)
         {
         }
 
-        /// <param name="name">Stands for the path in messages.</param>
-        /// <param name="open">Called once, on the recording's own thread; what it gives is disposed of there.</param>
-        /// <param name="maximumMegabytes">As of the other constructor.</param>
-        /// <param name="startedUtc">As of the other constructor.</param>
-        /// <exception cref="InputException">A value is out of range, or there is no name.</exception>
+        /// <param name="name">Name used in messages instead of the path.</param>
+        /// <param name="open">Called once, on the recording's own thread, which also disposes of the stream.</param>
+        /// <param name="maximumMegabytes">As in the other constructor.</param>
+        /// <param name="startedUtc">As in the other constructor.</param>
+        /// <exception cref="InputException">A value is out of range, or the name is empty.</exception>
         public RecordingSettings(string name, Func<Stream> open, double maximumMegabytes = 500, DateTime? startedUtc = null)
         {
             if (string.IsNullOrWhiteSpace(name)) throw new InputException("recording: no file is named; give the path of one");
@@ -41,7 +41,7 @@ namespace Nowpose.Recording
         {
             var folder = System.IO.Path.GetDirectoryName(System.IO.Path.GetFullPath(path));
             if (!string.IsNullOrEmpty(folder)) Directory.CreateDirectory(folder);
-            // Whoever wants to look on while it grows may.
+            // Other programs may read the file while it grows.
             return new FileStream(path, FileMode.Create, FileAccess.Write, FileShare.Read, BufferBytes);
         }
     }

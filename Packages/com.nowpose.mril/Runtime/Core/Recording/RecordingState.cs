@@ -1,17 +1,17 @@
 namespace Nowpose.Recording
 {
-    /// <summary>Where a recording stands. After <see cref="Recording"/> it never comes back to it.</summary>
+    /// <summary>State of a recording. It never returns to <see cref="Recording"/>.</summary>
     public enum RecordingState
     {
         Recording,
 
-        /// <summary>Ended when it was disposed of; the file is whole.</summary>
+        /// <summary>Ended by disposal; the file is complete.</summary>
         Closed,
 
-        /// <summary>Ended at its greatest size; the file is whole up to there.</summary>
+        /// <summary>Ended at the maximum size; the file is complete up to there.</summary>
         Full,
 
-        /// <summary>Ended because the file cannot be written (no permission, disk full, device gone); what was written stays.</summary>
+        /// <summary>Ended because the file cannot be written (no permission, disk full, device removed); the written part remains.</summary>
         Failed,
     }
 }

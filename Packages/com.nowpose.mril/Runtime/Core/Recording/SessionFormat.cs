@@ -1,14 +1,14 @@
 namespace Nowpose.Recording
 {
-    /// <summary>What a session file says of itself.</summary>
+    /// <summary>Name and versions in the header of a session file.</summary>
     static class SessionFormat
     {
         public const string Name = "nowpose-session";
 
-        /// <summary>Grows only when a reader of the version before would misread a file; other lines and fields may be added without.</summary>
+        /// <summary>Format version. Increased only if a reader of the previous version would misread a file, not for new lines and fields.</summary>
         public const int Version = 1;
 
-        /// <summary>Version of the package that writes.</summary>
+        /// <summary>Version of the package that writes the file.</summary>
         public const string Package = "0.1.0";
     }
 }

@@ -7,23 +7,23 @@ using Nowpose.Sync;
 namespace Nowpose.Recording
 {
     /// <summary>
-    /// One line of a session file before it is text: room for any kind, used again and again. What a kind does not name keeps an
-    /// earlier record's value.
+    /// One line of a session file before it is formatted; reused for records of any kind. Properties that a kind does not use keep
+    /// values of an earlier record.
     /// </summary>
     sealed class SessionRecord
     {
-        /// <param name="numbers">How many numbers the greatest record has.</param>
+        /// <param name="numbers">Number of values in the largest record.</param>
         public SessionRecord(int numbers) => Numbers = new double[numbers];
 
-        /// <summary>Place among all records of the ring, which owns it.</summary>
+        /// <summary>Index in the sequence of all records; set by the ring.</summary>
         public long Place { get; set; }
 
         public RecordKind Kind { get; set; }
 
-        /// <summary>Clock, display, statistics, drops and diagnostics: when. Frame: its start.</summary>
+        /// <summary>Clock, display, statistics, drops and diagnostics: the time. Frame: its start.</summary>
         public HeadsetTime At { get; set; }
 
-        /// <summary>Sync.</summary>
+        /// <summary>Used by sync.</summary>
         public SyncExchange Exchange { get; set; }
 
         /// <inheritdoc cref="Exchange"/>
@@ -32,25 +32,25 @@ namespace Nowpose.Recording
         /// <inheritdoc cref="Exchange"/>
         public SyncExchangeFault Fault { get; set; }
 
-        /// <summary>Sample. The message is kept, not copied: nobody writes into it.</summary>
+        /// <summary>Sample. The message is referenced, not copied, because nothing modifies it.</summary>
         public SampleArrival Arrival { get; set; }
 
-        /// <summary>Sample, in a gateway's file: when it arrived, on the control clock.</summary>
+        /// <summary>Sample, in a gateway's file: arrival time on the control clock.</summary>
         public ControlTime? ControlArrival { get; set; }
 
-        /// <summary>Diagnostics. Kept, likewise; arrived at <see cref="At"/>.</summary>
+        /// <summary>Diagnostics. Referenced, not copied; it arrived at <see cref="At"/>.</summary>
         public DiagnosticsMessage Diagnostics { get; set; }
 
-        /// <summary>Plan. Kept, likewise.</summary>
+        /// <summary>Plan. Referenced, not copied.</summary>
         public PlanArrival Plan { get; set; }
 
-        /// <summary>Sample, plan.</summary>
+        /// <summary>Used by sample and plan.</summary>
         public DropReason Reason { get; set; }
 
-        /// <summary>Frame: the moment of light.</summary>
+        /// <summary>Frame: the display time on the control clock.</summary>
         public ControlTime? Light { get; set; }
 
-        /// <summary>Frame.</summary>
+        /// <summary>Used by frame.</summary>
         public PoseState Pose { get; set; }
 
         /// <summary>Frame: Δt_render. Display: L_visu.</summary>
@@ -59,16 +59,16 @@ namespace Nowpose.Recording
         /// <summary>Frame: the expected error of the clock offset.</summary>
         public TimeSpan? EstimatedError { get; set; }
 
-        /// <summary>Display.</summary>
+        /// <summary>Used by display.</summary>
         public RangeState Range { get; set; }
 
         /// <inheritdoc cref="Range"/>
         public ReprojectionMode Reprojection { get; set; }
 
-        /// <summary>Clock, statistics.</summary>
+        /// <summary>Used by clock and statistics.</summary>
         public ClockModel Clock { get; set; }
 
-        /// <summary>Clock: all samples were forgotten.</summary>
+        /// <summary>Clock: all samples were discarded.</summary>
         public bool IsNewStart { get; set; }
 
         /// <summary>

@@ -7,15 +7,15 @@ using Nowpose.Sync;
 
 namespace Nowpose.Recording
 {
-    /// <summary>Records a session to a file while it runs: exchanges, samples and set-points as received, frames, and how it does.</summary>
+    /// <summary>Records a running session to a file: exchanges, samples and set-points as received, frames and statistics.</summary>
     /// <remarks>
-    /// Whoever is told of something copies it into a ring that was made before, allocates nothing and waits for nobody; a thread
-    /// of its own formats and writes. What finds no room in the ring is lost and counted. The file is described in
-    /// <c>Documentation~/session-file.md</c>. A disk that fails ends the recording, never the session.
+    /// Event handlers copy the data into a preallocated ring, allocate nothing and never block; a separate thread
+    /// formats and writes. Records that do not fit into the ring are lost and counted. <c>Documentation~/session-file.md</c> describes
+    /// the file. A disk failure ends the recording, never the session.
     /// </remarks>
     public sealed class SessionRecorder : IDisposable
     {
-        /// <summary>Ten seconds of a usual session; a power of two.</summary>
+        /// <summary>Capacity for ten seconds of a usual session; a power of two.</summary>
         const int RingLength = 2048;
 
         static readonly TimeSpan StatisticsInterval = TimeSpan.FromSeconds(1);
@@ -33,7 +33,7 @@ namespace Nowpose.Recording
         ReprojectionMode _reprojection;
         long _dropsTold;
 
-        /// <summary>Starts at once; what the session did before is not in the file.</summary>
+        /// <summary>Starts recording at once; the file does not contain earlier events of the session.</summary>
         public SessionRecorder(CompensationSession session, RecordingSettings settings)
         {
             _session = session ?? throw new ArgumentNullException(nameof(session));
@@ -49,25 +49,25 @@ namespace Nowpose.Recording
 
         public string Path { get; }
 
-        /// <summary>Any thread.</summary>
+        /// <summary>State of the recording. Any thread may read it.</summary>
         public RecordingState State => _writer.State;
 
-        /// <summary>Why the recording ended although nobody disposed of it, in one line; null otherwise. Any thread.</summary>
+        /// <summary>Why the recording ended before its disposal, in one line; null otherwise. Any thread may read it.</summary>
         public string Problem => _writer.Problem;
 
-        /// <summary>Bytes written so far. Any thread.</summary>
+        /// <summary>Number of bytes written. Any thread may read it.</summary>
         public long Bytes => _writer.Written;
 
-        /// <summary>Lines that found no room since the start; the file says where. Any thread.</summary>
+        /// <summary>Number of lines lost because the ring was full; the file marks the places. Any thread may read it.</summary>
         public long LostLines => _ring.Lost;
 
-        /// <summary>Completes when the file is closed; nobody has to wait for it.</summary>
+        /// <summary>Completes when the file is closed; waiting for it is optional.</summary>
         public Task Ended => _writer.Ended;
 
-        /// <summary>Completes when all that was recorded by now is in the file, or the recording has ended. Not for a frame to wait for.</summary>
+        /// <summary>Completes when everything recorded so far is in the file, or the recording has ended. Frames must not wait for it.</summary>
         public Task FlushAsync() => _writer.FlushAsync();
 
-        /// <summary>Ends the recording; returns at once, while the rest is written.</summary>
+        /// <summary>Ends the recording; returns at once while the rest is written.</summary>
         public void Dispose()
         {
             _session.Clock.Judged -= OnExchange;
@@ -186,7 +186,7 @@ namespace Nowpose.Recording
 
         bool TryClaim(RecordKind kind, out SessionRecord record)
         {
-            // Nobody empties the ring any more: nothing is lost that could have been kept.
+            // After the end, the ring is no longer emptied; records are not counted as lost then.
             record = _writer.State == RecordingState.Recording ? _ring.TryClaim(kind) : null;
             return record != null;
         }

@@ -3,8 +3,8 @@ using Nowpose.Session;
 
 namespace Nowpose.Recording
 {
-    /// <summary>How the session does: the numbers of one line, and what they are called.</summary>
-    /// <remarks>First those of the session, then the tool's error over the newest seconds, that of the run, and each joint's.</remarks>
+    /// <summary>The statistics of a session as the numbers of one line, and their names.</summary>
+    /// <remarks>In this order: numbers of the session, the tool's error over the newest seconds and over the run, and each joint's error.</remarks>
     sealed class StatisticsLine
     {
         static readonly string[] Names =
@@ -14,11 +14,11 @@ namespace Nowpose.Recording
 
         string[] _joints = Array.Empty<string>();
 
-        /// <summary>How many numbers it takes.</summary>
-        /// <param name="joints">No more joints have an error.</param>
+        /// <summary>Returns the required number of values.</summary>
+        /// <param name="joints">Maximum number of joints with an error.</param>
         public static int CountFor(int joints) => Names.Length + (2 + joints) * ErrorNumbers.Count;
 
-        /// <param name="numbers">Filled; NaN where nothing is known.</param>
+        /// <param name="numbers">Array to fill; unknown values become NaN.</param>
         public void Fill(SessionStatistics statistics, Span<double> numbers)
         {
             numbers[0] = Ms(statistics.RoundTripTime);
@@ -32,7 +32,7 @@ namespace Nowpose.Recording
             numbers[8] = statistics.CurrentShare ?? double.NaN;
             ErrorNumbers.Fill(statistics.ToolError, Block(numbers, 0));
             ErrorNumbers.Fill(statistics.ToolErrorOfRun, Block(numbers, 1));
-            // They are the same all the while: named in the first second, before anyone writes.
+            // The joints do not change: their names are read in the first second, before the first line is written.
             if (_joints.Length != statistics.JointErrors.Count) _joints = NamesOf(statistics);
             for (var i = 0; i < _joints.Length; i++) ErrorNumbers.Fill(statistics.JointErrors[i].Error, Block(numbers, 2 + i));
         }

@@ -2,12 +2,12 @@ using System;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>A display behind a GPU that works frames off in order, so that L_visu is constant up to a render time and longer beyond.</summary>
+    /// <summary>A display with a GPU that renders frames in order, so that L_visu is constant up to a render time and increases above it.</summary>
     /// <remarks>
-    /// The effect of Schnierle &amp; Röck 2022, Figs 10 and 11. A frame is triggered at a refresh and seen at the first one before
-    /// which it is done by the latch; two frames may be under way, then the program waits for the older one, so frames that
+    /// Models the effect of Schnierle &amp; Röck 2022, Figs 10 and 11. A frame is triggered at a refresh and displayed at the first refresh
+    /// for which it is done before the latch. Two frames may be in progress; then the program waits for the older one, so frames that
     /// take longer than a refresh queue up. Render times grow with the load and scatter a little, and one frame in a hundred is
-    /// much slower. Seeded; allocates nothing once made; not thread-safe.
+    /// much slower. Seeded; allocates nothing after construction; not thread-safe.
     /// </remarks>
     sealed class DisplayPipeline
     {
@@ -23,14 +23,14 @@ namespace Nowpose.Simulation
             _random = new Random(seed);
         }
 
-        /// <summary>A render time that is always taken leaves L_visu as it is up to here.</summary>
+        /// <summary>Maximum constant render time at which L_visu does not increase.</summary>
         public TimeSpan TrueLimit => Span(_settings.RefreshMs - _settings.LatchMs);
 
-        /// <summary>When the next frame is going to start, since the pipeline began.</summary>
+        /// <summary>Start of the next frame, since the pipeline's start.</summary>
         public TimeSpan NextStart => Span(_nextTrigger * _settings.RefreshMs);
 
         /// <summary>Renders the next frame.</summary>
-        /// <param name="vertices">The load, 0 or more.</param>
+        /// <param name="vertices">The load in vertices, 0 or more.</param>
         public PipelineFrame Next(double vertices)
         {
             if (!(vertices >= 0 && vertices < 1e9))

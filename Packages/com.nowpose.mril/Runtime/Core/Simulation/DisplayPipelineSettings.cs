@@ -2,18 +2,18 @@ using System;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>What a <see cref="DisplayPipeline"/> is like. Immutable, checked once; the tests' limits rest on the defaults.</summary>
+    /// <summary>Settings of a <see cref="DisplayPipeline"/>. Immutable; checked in the constructor. Limits in tests depend on the defaults.</summary>
     sealed class DisplayPipelineSettings
     {
-        /// <param name="refreshMs">From one refresh to the next, ms, 1 to 100; 60 Hz by default.</param>
-        /// <param name="latchMs">So long before the refresh that shows it a frame must be done, ms, 0 to 0.99 refreshes.</param>
+        /// <param name="refreshMs">Refresh interval, ms, 1 to 100; 60 Hz by default.</param>
+        /// <param name="latchMs">Time before a refresh by which its frame must be done, ms, 0 to 0.99 refreshes.</param>
         /// <param name="baseMs">Render time of an empty scene, ms, 0.1 to 100.</param>
-        /// <param name="msPerMillion">What a million vertices add to it, ms, 0 to 1000.</param>
+        /// <param name="msPerMillion">Additional render time per million vertices, ms, 0 to 1000.</param>
         /// <param name="scatter">Relative standard deviation of the render times, 0 to 0.2.</param>
         /// <param name="spikeChance">Probability that a frame takes 1.5 to 2.5 times as long, 0 to 1.</param>
         /// <param name="plateauMs">
         /// L_visu of a frame that meets the next refresh, ms, from <paramref name="refreshMs"/> to 500: scan-out, composition
-        /// and half the time in the light come after the latch and take the same for every frame.
+        /// and half the display duration follow the latch and take the same time for every frame.
         /// </param>
         /// <exception cref="InputException">A value is out of range.</exception>
         public DisplayPipelineSettings(
@@ -37,7 +37,7 @@ namespace Nowpose.Simulation
         public double SpikeChance { get; }
         public double PlateauMs { get; }
 
-        /// <summary>Vertices that take so long to render but for the scatter; negative below <see cref="BaseMs"/>.</summary>
+        /// <summary>Returns the number of vertices for a render time without scatter; negative below <see cref="BaseMs"/>.</summary>
         public double VerticesOf(double renderMs) => (renderMs - BaseMs) / MsPerMillion * 1e6;
     }
 }

@@ -6,7 +6,7 @@ namespace Nowpose.Simulation
 {
     /// <summary>Delay, jitter, loss and stalls of a packet link, the same in both directions.</summary>
     /// <remarks>
-    /// Describes single packets: what TCP makes of a lost one is up to the TCP implementation. <see cref="NetworkProfile"/> describes
+    /// Describes single packets: the TCP implementation determines the effect of a lost one. <see cref="NetworkProfile"/> describes
     /// the delays of a byte stream instead.
     /// </remarks>
     sealed class LinkProfile
@@ -26,7 +26,7 @@ namespace Nowpose.Simulation
         /// <summary>Crowded channel with a weak signal.</summary>
         public static readonly LinkProfile Bad = new LinkProfile("bad", 5, 12, 0.05);
 
-        /// <summary>Headset that changes its access point every 8 s and is without a link for 1.5 s each time.</summary>
+        /// <summary>Headset that changes its access point every 8 s and has no link for 1.5 s each time.</summary>
         public static readonly LinkProfile Roaming = new LinkProfile("roaming", 3, 5, 0, stallIntervalSeconds: 8, stallSeconds: 1.5);
 
         public static readonly IReadOnlyList<LinkProfile> All = new[] { Clean, Wifi, Lossy, Cellular, Bad, Roaming };
@@ -43,24 +43,24 @@ namespace Nowpose.Simulation
 
         public string Name { get; }
 
-        /// <summary>Smallest delay one way, ms.</summary>
+        /// <summary>Minimum one-way delay, ms.</summary>
         public double BaseMs { get; }
 
-        /// <summary>Mean of the exponentially distributed delay on top of <see cref="BaseMs"/>, ms.</summary>
+        /// <summary>Mean of the exponentially distributed delay in addition to <see cref="BaseMs"/>, ms.</summary>
         public double MeanJitterMs { get; }
 
         /// <summary>Probability that a packet is lost, 0 to 1.</summary>
         public double Loss { get; }
 
         /// <summary>
-        /// From the start of one stall to the start of the next, and from the link's start to the first; zero for a link without stalls.
+        /// Interval from the start of a stall to the start of the next, and from the link's start to the first; zero for no stalls.
         /// </summary>
         public TimeSpan StallInterval { get; }
 
-        /// <summary>How long a stall lasts. Both directions stall together, and packets wait for its end; none is lost.</summary>
+        /// <summary>Duration of a stall. Both directions stall together, and packets wait for its end; none is lost.</summary>
         public TimeSpan StallLength { get; }
 
-        /// <summary>Gets the end of the stall at a time, or the time itself where the link is not stalled.</summary>
+        /// <summary>Returns the end of the stall at a time, or the time itself if the link is not stalled.</summary>
         /// <param name="sinceStart">Time since the link's start.</param>
         public TimeSpan EndOfStall(TimeSpan sinceStart)
         {

@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>How long a simulated network takes one way: a fixed part, gamma-distributed jitter and rare bursts of long delays.</summary>
+    /// <summary>One-way delay of a simulated network: a fixed part, gamma-distributed jitter and rare bursts of long delays.</summary>
     public sealed class NetworkProfile
     {
         /// <summary>Wired network of a cell.</summary>
@@ -34,12 +34,12 @@ namespace Nowpose.Simulation
 
         public string Name { get; }
 
-        /// <summary>Delay that every packet has, ms.</summary>
+        /// <summary>Fixed delay of every packet, ms.</summary>
         public double BaseMs { get; }
 
         public double GammaShape { get; }
 
-        /// <summary>ms.</summary>
+        /// <summary>Scale of the gamma distribution, ms.</summary>
         public double GammaScaleMs { get; }
 
         /// <summary>Probability that a packet from the headset begins a burst.</summary>
@@ -48,10 +48,10 @@ namespace Nowpose.Simulation
         /// <summary>Probability that a packet to the headset begins a burst.</summary>
         public double SpikeChanceDown { get; }
 
-        /// <summary>ms.</summary>
+        /// <summary>Minimum additional delay in a burst, ms.</summary>
         public double LeastSpikeMs { get; }
 
-        /// <summary>ms.</summary>
+        /// <summary>Maximum additional delay in a burst, ms.</summary>
         public double GreatestSpikeMs { get; }
 
         /// <exception cref="InputException">No profile has that name.</exception>
@@ -59,10 +59,10 @@ namespace Nowpose.Simulation
             All.FirstOrDefault(profile => profile.Name == name)
             ?? throw new InputException("network: '" + name + "' is not known; allowed are " + string.Join(", ", All.Select(p => p.Name)));
 
-        /// <summary>Delays from the headset to the control system.</summary>
+        /// <summary>Makes the delays from the headset to the control system.</summary>
         internal PathDelay Up(int seed) => new PathDelay(this, SpikeChanceUp, seed);
 
-        /// <summary>Delays from the control system to the headset.</summary>
+        /// <summary>Makes the delays from the control system to the headset.</summary>
         internal PathDelay Down(int seed) => new PathDelay(this, SpikeChanceDown, seed);
     }
 }

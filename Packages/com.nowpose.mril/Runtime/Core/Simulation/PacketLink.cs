@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>Decides for each packet of one direction of a link whether and when it arrives. Seeded, not thread-safe.</summary>
+    /// <summary>Determines for each packet of one direction of a link whether and when it arrives. Seeded; not thread-safe.</summary>
     sealed class PacketLink
     {
         readonly LinkProfile _profile;
@@ -11,7 +11,7 @@ namespace Nowpose.Simulation
         readonly Random _random;
         HeadsetTime _newestArrival;
 
-        /// <param name="start">Stalls are counted from it. Give both directions the same.</param>
+        /// <param name="start">Time to which stalls are relative. Use the same value for both directions.</param>
         /// <param name="keepsOrder">True for a queue, as on a real link: no packet overtakes another.</param>
         public PacketLink(LinkProfile profile, HeadsetTime start, int seed, bool keepsOrder = true)
         {
@@ -22,12 +22,12 @@ namespace Nowpose.Simulation
         }
 
         /// <summary>Sends a packet.</summary>
-        /// <param name="now">Not before the previous packet's.</param>
-        /// <param name="arrival">When the packet leaves the link at the far end.</param>
-        /// <returns>False when the packet is lost.</returns>
+        /// <param name="now">Time of sending, not before that of the previous packet.</param>
+        /// <param name="arrival">Time at which the packet leaves the link at the far end.</param>
+        /// <returns>False if the packet is lost.</returns>
         public bool TrySend(HeadsetTime now, out HeadsetTime arrival)
         {
-            // Both are drawn for each packet, so that a lost one changes no other.
+            // Draws both numbers for every packet, so that a lost one does not affect others.
             var jitterMs = -_profile.MeanJitterMs * Math.Log(1 - _random.NextDouble());
             var isLost = _random.NextDouble() < _profile.Loss;
             arrival = now + ClockTicks.Span((_profile.BaseMs + jitterMs) / 1000);

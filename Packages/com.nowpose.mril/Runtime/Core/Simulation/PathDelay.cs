@@ -3,7 +3,7 @@ using MathNet.Numerics.Distributions;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>The delays of one direction of one connection, packet after packet. Seeded, not thread-safe.</summary>
+    /// <summary>Generates the delays of consecutive packets in one direction of a connection. Seeded; not thread-safe.</summary>
     sealed class PathDelay
     {
         const double ChanceThatASpikeGoesOn = 0.3;
@@ -22,7 +22,7 @@ namespace Nowpose.Simulation
 
         public TimeSpan Next()
         {
-            // MathNet's gamma has a rate where the profile has a scale.
+            // The parameter of MathNet's gamma distribution is a rate, that of the profile a scale.
             var ms = _profile.BaseMs + Gamma.Sample(_random, _profile.GammaShape, 1 / _profile.GammaScaleMs);
             _inSpike = _random.NextDouble() < (_inSpike ? ChanceThatASpikeGoesOn : _spikeChance);
             if (_inSpike)

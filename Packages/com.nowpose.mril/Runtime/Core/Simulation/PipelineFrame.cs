@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>How one frame passed through a <see cref="DisplayPipeline"/>.</summary>
+    /// <summary>Times of one frame in a <see cref="DisplayPipeline"/>.</summary>
     readonly struct PipelineFrame
     {
         internal PipelineFrame(TimeSpan start, TimeSpan renderTime, TimeSpan done, TimeSpan visualisation)
@@ -13,16 +13,16 @@ namespace Nowpose.Simulation
             Visualisation = visualisation;
         }
 
-        /// <summary>Since the pipeline began: its render job is triggered, at a refresh.</summary>
+        /// <summary>Time since the pipeline's start at which the render job is triggered, at a refresh.</summary>
         public TimeSpan Start { get; }
 
-        /// <summary>Δt_render: how long the GPU worked on it.</summary>
+        /// <summary>Δt_render: duration of the GPU's work on the frame.</summary>
         public TimeSpan RenderTime { get; }
 
-        /// <summary>Since the pipeline began: the GPU has finished it. Only now can a program know the render time.</summary>
+        /// <summary>Time since the pipeline's start at which the GPU has finished the frame; a program knows the render time only then.</summary>
         public TimeSpan Done { get; }
 
-        /// <summary>L_visu: from the trigger to the middle of its light.</summary>
+        /// <summary>L_visu: from the trigger to the middle of the frame's display duration.</summary>
         public TimeSpan Visualisation { get; }
     }
 }

@@ -5,19 +5,19 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>What a planner publishes of a motion: the set-points of the next moments, with velocities and accelerations.</summary>
+    /// <summary>Generates a planner's messages for a motion: the next set-points with velocities and accelerations.</summary>
     sealed class SetPointsAhead
     {
-        /// <summary>From one message to the next: often enough that what it says never runs out.</summary>
+        /// <summary>Interval of the messages: short enough that the set-points never run out.</summary>
         public static readonly TimeSpan Interval = new TimeSpan(TimeSpan.TicksPerSecond / 4);
 
-        /// <summary>How far a message reaches, s.</summary>
+        /// <summary>Time span of the set-points of a message, in s.</summary>
         const double Span = 1;
 
-        /// <summary>From one set-point to the next, s: what a motion planner's time parameterisation usually has, or finer.</summary>
+        /// <summary>Interval of the set-points, in s: that of a usual motion planner's time parameterisation, or finer.</summary>
         const double Step = 0.05;
 
-        /// <summary>Of the differences that velocity and acceleration are made of, s.</summary>
+        /// <summary>Step of the difference quotients for velocity and acceleration, in s.</summary>
         const double Difference = 1e-3;
 
         readonly IMotion _motion;
@@ -33,8 +33,8 @@ namespace Nowpose.Simulation
             _after = new double[_names.Length];
         }
 
-        /// <param name="stamp">When the first set-point is due.</param>
-        /// <param name="seconds">The motion's time then.</param>
+        /// <param name="stamp">Control time of the first set-point.</param>
+        /// <param name="seconds">Time of the motion at that set-point, in s.</param>
         public JointTrajectoryMessage At(ControlTime stamp, double seconds)
         {
             var points = new JointTrajectoryPoint[(int)Math.Round(Span / Step) + 1];

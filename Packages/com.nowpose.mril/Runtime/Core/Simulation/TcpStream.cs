@@ -2,11 +2,11 @@ using System;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>One direction of a TCP connection over a packet link: nothing is lost, but what is lost on the link comes late and delays all behind it.</summary>
+    /// <summary>One direction of a TCP connection over a packet link: a lost packet is retransmitted and delays all later ones.</summary>
     /// <remarks>
-    /// Retransmissions follow RFC 6298 with Linux's minimum: the first after the round-trip time and 200 ms, each further one
-    /// after twice the time. In a stream of messages the first comes earlier, by RFC 8985: the selective acknowledgement of the
-    /// next message shows the loss. Seeded, not thread-safe.
+    /// Retransmissions follow RFC 6298 with Linux's minimum: the first after the round-trip time plus 200 ms, each further one
+    /// after twice the previous timeout. In a stream of messages the first is earlier (RFC 8985), because the selective acknowledgement
+    /// of the next message reveals the loss. Seeded; not thread-safe.
     /// </remarks>
     sealed class TcpStream
     {
@@ -16,23 +16,23 @@ namespace Nowpose.Simulation
         readonly TimeSpan _timeout, _lossSeen;
         HeadsetTime _newestArrival;
 
-        /// <param name="start">Stalls of the link are counted from it.</param>
-        /// <param name="interval">Time from one message to the next; null where each waits for an answer first.</param>
+        /// <param name="start">Time to which the link's stalls are relative.</param>
+        /// <param name="interval">Interval of the messages; null if each waits for an answer first.</param>
         public TcpStream(LinkProfile profile, HeadsetTime start, int seed, TimeSpan? interval = null)
         {
-            // Each packet meets its own delay: the stream itself sees to the order.
+            // Each packet has its own delay; this class restores the order.
             _link = new PacketLink(profile, start, seed, keepsOrder: false);
             var roundTrip = ClockTicks.Span(2 * (profile.BaseMs + profile.MeanJitterMs) / 1000);
             _timeout = MinTimeout + roundTrip;
-            // RFC 8985 waits for a quarter of the round trip more, as packets may overtake each other.
+            // RFC 8985 waits for an additional quarter of the round-trip time, because packets may overtake each other.
             var seen = interval + roundTrip + new TimeSpan(roundTrip.Ticks / 4);
             _lossSeen = seen < _timeout ? seen.Value : _timeout;
             _newestArrival = start;
         }
 
         /// <summary>Sends a message.</summary>
-        /// <param name="now">Not before the previous message's.</param>
-        /// <returns>When the receiver can read it.</returns>
+        /// <param name="now">Time of sending, not before that of the previous message.</param>
+        /// <returns>Time at which the receiver can read the message.</returns>
         public HeadsetTime Send(HeadsetTime now)
         {
             var (wait, timeout) = (_lossSeen, _timeout);

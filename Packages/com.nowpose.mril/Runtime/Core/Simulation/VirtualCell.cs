@@ -5,13 +5,13 @@ using Nowpose.Session;
 namespace Nowpose.Simulation
 {
     /// <summary>
-    /// A control system with its robot and a network, all in one process and without sockets: feeds a session as a gateway
-    /// would, and knows where the robot truly is. Made of a seed: the same times give the same run. One thread.
+    /// A control system with its robot and a network, in one process and without sockets: feeds a session as a gateway
+    /// does, and computes the robot's true position. Deterministic: the same seed and times give the same run. One thread.
     /// </summary>
-    /// <remarks>Its settings and its clock may change while it runs; what is under way then arrives as it was sent.</remarks>
+    /// <remarks>Settings and clock may change at run time; packets in transit then arrive as they were sent.</remarks>
     public sealed class VirtualCell
     {
-        /// <summary>After a longer pause between two calls what happened before is lost, as it is to a headset that slept.</summary>
+        /// <summary>Maximum pause between two calls; earlier events are lost, as for a headset that was asleep.</summary>
         static readonly TimeSpan LongestPause = TimeSpan.FromSeconds(2);
 
         readonly IMotion _motion;
@@ -22,8 +22,8 @@ namespace Nowpose.Simulation
         readonly VirtualPlans _plans;
 
         /// <param name="clock">The control clock.</param>
-        /// <param name="seed">Of all delays and losses.</param>
-        /// <param name="start">When the motion begins.</param>
+        /// <param name="seed">Seed of all delays and losses.</param>
+        /// <param name="start">Start of the motion.</param>
         public VirtualCell(IMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start)
         {
             _motion = motion;
@@ -37,12 +37,12 @@ namespace Nowpose.Simulation
 
         public VirtualCellSettings Settings { get; set; }
 
-        /// <summary>How much later than its set-points the robot is; null when it does not publish any. The next are sent within 0.25 s.</summary>
+        /// <summary>Delay of the robot behind its set-points; null if it publishes none. The next are sent within 0.25 s.</summary>
         public TimeSpan? PlanLag { get; set; }
 
-        /// <summary>Hands the session what arrives until now. Allocates nothing but the messages.</summary>
-        /// <param name="now">Not before the last call's.</param>
-        /// <param name="session">May be another one than before.</param>
+        /// <summary>Passes the messages that arrive until now to the session. Allocates nothing but the messages.</summary>
+        /// <param name="now">Current time, not before that of the last call.</param>
+        /// <param name="session">The session, which may differ from that of the last call.</param>
         public void Run(HeadsetTime now, CompensationSession session)
         {
             var from = now - LongestPause;
@@ -51,7 +51,7 @@ namespace Nowpose.Simulation
             if (PlanLag.HasValue) _plans.Run(from, now, PlanLag.Value, Settings, session);
         }
 
-        /// <summary>Where the robot truly is; allocates nothing.</summary>
+        /// <summary>Computes the robot's true position; allocates nothing.</summary>
         /// <param name="joints">One per joint of the motion, rad or m.</param>
         public void TruthAt(HeadsetTime t, Span<double> joints) => _motion.At(ClockTicks.Seconds(t - _start), joints);
     }

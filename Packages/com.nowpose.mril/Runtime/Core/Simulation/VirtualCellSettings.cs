@@ -2,18 +2,18 @@ using System;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>How a <see cref="VirtualCell"/> samples and how well its network does. Immutable, checked once; no allocation.</summary>
+    /// <summary>Sampling and network conditions of a <see cref="VirtualCell"/>. Immutable; checked in the constructor; no allocation.</summary>
     public readonly struct VirtualCellSettings
     {
-        /// <param name="samplingMs">T_s, from one sample to the next, ms, 5 to 1000.</param>
-        /// <param name="latencyMinMs">Shortest time from t_k until a sample is sent, ms, 0 to 2000: subscription and middleware.</param>
-        /// <param name="latencyMaxMs">Longest; in between all are equally likely, and no sample overtakes another.</param>
+        /// <param name="samplingMs">T_s, sampling interval, ms, 5 to 1000.</param>
+        /// <param name="latencyMinMs">Minimum time from t_k until a sample is sent, ms, 0 to 2000: subscription and middleware.</param>
+        /// <param name="latencyMaxMs">Maximum of that time; uniformly distributed in between, and no sample overtakes another.</param>
         /// <param name="jitterMs">
-        /// What each packet of samples and sync exchanges takes longer at most, ms, 0 to 1000, all equally likely; samples
+        /// Maximum additional delay of each packet of samples and sync exchanges, ms, 0 to 1000, uniformly distributed; samples
         /// may overtake each other.
         /// </param>
-        /// <param name="loss">Probability that a packet never arrives, 0 to 1.</param>
-        /// <param name="network">What lies between the cell and the headset besides.</param>
+        /// <param name="loss">Probability that a packet is lost, 0 to 1.</param>
+        /// <param name="network">Additional delays of the network between the cell and the headset.</param>
         /// <exception cref="InputException">A value is out of range.</exception>
         public VirtualCellSettings(
             double samplingMs, double latencyMinMs, double latencyMaxMs, double jitterMs, double loss, NetworkProfile network)

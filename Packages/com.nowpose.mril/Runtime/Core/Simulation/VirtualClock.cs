@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>A control clock whose truth is known: it may be stepped and run at another rate while it is in use.</summary>
+    /// <summary>A control clock with known true time, whose offset and rate may be changed at run time.</summary>
     public sealed class VirtualClock
     {
         HeadsetTime _since;
@@ -10,9 +10,9 @@ namespace Nowpose.Simulation
         TimeSpan _ahead;
         double _skew;
 
-        /// <param name="start">Headset time at which both clocks show the same, but for <paramref name="ahead"/>.</param>
-        /// <param name="ahead">What the control clock is ahead of the headset's then: −Φ.</param>
-        /// <param name="skew">Its rate less one, as seen from the headset: it gains so many seconds in a second. 1e-6 is 1 ppm.</param>
+        /// <param name="start">Headset time at which the clocks differ by exactly <paramref name="ahead"/>.</param>
+        /// <param name="ahead">Control time minus headset time at the start: −Φ.</param>
+        /// <param name="skew">Rate of the control clock relative to the headset clock, minus one. 1e-6 is 1 ppm.</param>
         public VirtualClock(HeadsetTime start, TimeSpan ahead, double skew)
         {
             _since = start;
@@ -21,14 +21,14 @@ namespace Nowpose.Simulation
             _skew = skew;
         }
 
-        /// <summary>What the clock shows at a moment.</summary>
+        /// <summary>Returns the control time at a headset time.</summary>
         public ControlTime At(HeadsetTime t)
         {
             var passed = t - _since;
             return _then + passed + new TimeSpan((long)Math.Round(passed.Ticks * _skew));
         }
 
-        /// <summary>From now on it runs at another rate, and if it shall be ahead by another time than before, it steps by the difference.</summary>
+        /// <summary>Changes the rate from now on, and steps the clock by the change of <paramref name="ahead"/>.</summary>
         public void Set(HeadsetTime now, TimeSpan ahead, double skew)
         {
             if (ahead == _ahead && skew == _skew) return;

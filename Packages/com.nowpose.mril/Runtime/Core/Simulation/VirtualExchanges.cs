@@ -5,12 +5,12 @@ using Nowpose.Sync;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>The sync exchanges of a <see cref="VirtualCell"/>: one under way at a time, as over TCP. One thread.</summary>
+    /// <summary>The sync exchanges of a <see cref="VirtualCell"/>: one at a time, as over TCP. One thread.</summary>
     sealed class VirtualExchanges
     {
         static readonly TimeSpan LostInterval = ClockTicks.Span(ProtocolLimits.SyncIntervalMs / 1000);
 
-        /// <summary>From a request's arrival until its reply is sent.</summary>
+        /// <summary>Time from a request's arrival until its reply is sent.</summary>
         static readonly TimeSpan Turnaround = new TimeSpan(200);
 
         readonly VirtualClock _clock;
@@ -32,12 +32,12 @@ namespace Nowpose.Simulation
             _next = start;
         }
 
-        /// <summary>What happens until now; none is begun that would lie longer back than <paramref name="from"/>.</summary>
+        /// <summary>Simulates the exchanges until now; none begins before <paramref name="from"/>.</summary>
         public void Run(HeadsetTime from, HeadsetTime now, in VirtualCellSettings settings, CompensationSession session)
         {
             if (_session != session)
             {
-                // One that takes another's place has a connection of its own, and no exchange from before it.
+                // A new session has its own connection, without exchanges of the previous one.
                 if (_session != null) _next = now;
                 _underway = null;
                 _session = session;
@@ -59,7 +59,7 @@ namespace Nowpose.Simulation
             session.SyncFaults.Count(fault);
             var ended = _underway.Value.T4;
             _next = _begun + _pace.Next(session.Clock, ended);
-            // It waits for this one, and comes at once when it is due already.
+            // The next exchange waits for this one, and follows immediately if it is already due.
             if (_next < ended) _next = ended;
             _underway = null;
         }
@@ -67,7 +67,7 @@ namespace Nowpose.Simulation
         void Begin(in VirtualCellSettings settings)
         {
             var t1 = _begun = _next;
-            // If it is lost. Over TCP it would be late rather than lost; so it is here, by the time of another.
+            // Interval after a loss. Over TCP the exchange would be late rather than lost, so the next one starts an interval later.
             _next += LostInterval;
             var there = _up.TrySend(settings, out var up, out var upJitter);
             var back = _down.TrySend(settings, out var down, out var downJitter);

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>One direction of a network that may get better or worse while it is in use. Draws the same however it is set.</summary>
+    /// <summary>One direction of a network whose settings may change at run time. Always draws the same number of random values.</summary>
     sealed class VirtualPath
     {
         readonly Func<NetworkProfile, PathDelay> _newDelay;
@@ -17,9 +17,9 @@ namespace Nowpose.Simulation
         }
 
         /// <summary>Sends a packet.</summary>
-        /// <param name="took">What the network takes.</param>
-        /// <param name="jitter">What it takes longer.</param>
-        /// <returns>False when it is lost.</returns>
+        /// <param name="took">Delay of the network.</param>
+        /// <param name="jitter">Additional delay.</param>
+        /// <returns>False if the packet is lost.</returns>
         public bool TrySend(in VirtualCellSettings settings, out TimeSpan took, out TimeSpan jitter)
         {
             if (_network != settings.Network)

@@ -6,7 +6,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>The set-points ahead of a <see cref="VirtualCell"/>, on their way in order. One thread.</summary>
+    /// <summary>Sends the set-points ahead of a <see cref="VirtualCell"/>; they arrive in order. One thread.</summary>
     sealed class VirtualPlans
     {
         readonly VirtualClock _clock;
@@ -25,7 +25,7 @@ namespace Nowpose.Simulation
             _path = new VirtualPath(network => network.Down(seed), seed + 1);
         }
 
-        /// <param name="lag">How much later than its set-points the robot is.</param>
+        /// <param name="lag">Delay of the robot behind its set-points.</param>
         public void Run(HeadsetTime from, HeadsetTime now, TimeSpan lag, in VirtualCellSettings settings, CompensationSession session)
         {
             if (_next < from) _next = from;

@@ -6,7 +6,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>The samples of a <see cref="VirtualCell"/>: taken, sent, on their way, handed over. One thread.</summary>
+    /// <summary>Takes, sends and delivers the samples of a <see cref="VirtualCell"/>. One thread.</summary>
     sealed class VirtualSamples
     {
         readonly IMotion _motion;
@@ -15,7 +15,7 @@ namespace Nowpose.Simulation
         readonly HeadsetTime _start;
         readonly VirtualPath _path;
         readonly Random _random;
-        // By arrival.
+        // Sorted by arrival.
         readonly List<SampleArrival> _underway = new List<SampleArrival>(1000);
         HeadsetTime _lastTaken;
         HeadsetTime _inOrder;
@@ -30,7 +30,7 @@ namespace Nowpose.Simulation
             _random = new Random(seed + 2);
         }
 
-        /// <summary>What happens until now; nothing that lies longer back than <paramref name="from"/> is taken.</summary>
+        /// <summary>Simulates the samples until now; none is taken before <paramref name="from"/>.</summary>
         public void Run(HeadsetTime from, HeadsetTime now, in VirtualCellSettings settings, CompensationSession session)
         {
             if (_lastTaken < from) _lastTaken = from;
@@ -46,7 +46,7 @@ namespace Nowpose.Simulation
             var spread = settings.LatencyMax - settings.LatencyMin;
             var sent = at + settings.LatencyMin + new TimeSpan((long)(_random.NextDouble() * spread.Ticks));
             if (!_path.TrySend(settings, out var took, out var jitter)) return;
-            // As on any stream, it waits for its forerunner.
+            // As on any stream, a sample waits for the one before it.
             if (sent + took > _inOrder) _inOrder = sent + took;
             var positions = new double[_names.Length];
             _motion.At(ClockTicks.Seconds(at - _start), positions);

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Anchoring
 {
-    /// <summary>Says in the console when it is known otherwise than before where a base is.</summary>
+    /// <summary>Logs a change of a base anchor's state.</summary>
     static class AnchorLog
     {
         public static void Say(Object anchor, BaseAnchorState state, string words, bool isWrong)

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Anchoring
 {
-    /// <summary>What tells of markers and what holds places, below a session or wherever the anchor's own root is.</summary>
+    /// <summary>The marker sources and spatial anchors below a session, or below the anchor's own root object.</summary>
     sealed class AnchorSources
     {
         readonly MarkerSources _sources = new MarkerSources();
@@ -12,7 +12,7 @@ namespace Nowpose.Unity.Anchoring
 
         public bool IsEmpty => _sources.Found.Count == 0 && _anchors.Count == 0;
 
-        /// <summary>The first that is enabled; null where none is.</summary>
+        /// <summary>The first enabled spatial anchors; null if there are none.</summary>
         public ISpatialAnchors Anchors
         {
             get
@@ -23,7 +23,7 @@ namespace Nowpose.Unity.Anchoring
             }
         }
 
-        /// <summary>Of the first source that has one; null when nothing is wrong.</summary>
+        /// <summary>Problem of the first source that has one; null if there is none.</summary>
         public string Problem
         {
             get
@@ -34,7 +34,7 @@ namespace Nowpose.Unity.Anchoring
             }
         }
 
-        /// <summary>Begins anew with the next <see cref="Find"/>.</summary>
+        /// <summary>Makes the next <see cref="Find"/> search again.</summary>
         public void Forget() => _sources.Forget();
 
         public void Find(Transform root)
@@ -45,7 +45,7 @@ namespace Nowpose.Unity.Anchoring
         /// <inheritdoc cref="MarkerSources.Read"/>
         public List<MarkerSighting> Read() => _sources.Read();
 
-        /// <summary>Markers for the hand go along with the base while nobody moves them, so that a hand takes them from where it is.</summary>
+        /// <summary>Moves hand-placed markers with the base while they are not being moved, so that a hand grasps them at their place.</summary>
         public void Rest(Pose place, IReadOnlyList<TrackedMarker> markers)
         {
             foreach (var source in _sources.Found)

@@ -4,24 +4,24 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Anchoring
 {
-    /// <summary>The marker sources below an object, as they come and go.</summary>
+    /// <summary>The marker sources below an object, updated by periodic searches.</summary>
     sealed class MarkerSources
     {
-        /// <summary>Components come and go; looking for them costs a walk through all objects.</summary>
+        /// <summary>Search interval in s: components may be added and removed, and a search visits all objects.</summary>
         const float Seconds = 1;
 
         readonly List<IMarkerSource> _sources = new List<IMarkerSource>();
         readonly List<MarkerSighting> _sightings = new List<MarkerSighting>();
         float _due;
 
-        /// <summary>As of the last search; some may be switched off or destroyed by now.</summary>
+        /// <summary>Result of the last search; sources may have been disabled or destroyed since.</summary>
         public List<IMarkerSource> Found => _sources;
 
-        /// <summary>Begins anew with the next <see cref="Find"/>.</summary>
+        /// <summary>Makes the next <see cref="Find"/> search again.</summary>
         public void Forget() => _due = 0;
 
-        /// <summary>Looks for them, once a second.</summary>
-        /// <returns>Whether it looked.</returns>
+        /// <summary>Searches for the sources, once a second.</summary>
+        /// <returns>Whether it searched.</returns>
         public bool Find(Component root)
         {
             if (Time.unscaledTime < _due) return false;
@@ -30,7 +30,7 @@ namespace Nowpose.Unity.Anchoring
             return true;
         }
 
-        /// <returns>What all that are enabled tell; the same list each time.</returns>
+        /// <returns>The sightings of all enabled sources; the list is reused.</returns>
         public List<MarkerSighting> Read()
         {
             _sightings.Clear();
@@ -39,7 +39,7 @@ namespace Nowpose.Unity.Anchoring
             return _sightings;
         }
 
-        /// <summary>False for a component that was destroyed or is switched off: it tells nothing.</summary>
+        /// <summary>Returns whether a source is enabled; false for a destroyed component.</summary>
         public static bool IsOn(object component) => !(component is Behaviour behaviour) || (behaviour != null && behaviour.isActiveAndEnabled);
     }
 }

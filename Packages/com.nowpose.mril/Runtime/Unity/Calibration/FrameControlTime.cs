@@ -2,11 +2,11 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>C2 mapped to C1: what a frame's timestamp code shows, and what a sweep's log says of the same frame.</summary>
+    /// <summary>C2 mapped to C1: the time in a frame's timestamp code, and in a sweep's log of the same frame.</summary>
     static class FrameControlTime
     {
-        /// <param name="source">Whose frame it is, while it is shown.</param>
-        /// <returns>Null unless the clock is synchronised: in a holdover it may be ten times as wrong as what is measured with it.</returns>
+        /// <param name="source">The session of the frame, while the frame is shown.</param>
+        /// <returns>Null unless the clock is synchronised: in holdover its error may be ten times the measured quantity's.</returns>
         public static ControlTime? Of(MrilSession source, DisplayFrame frame)
         {
             if (source.Session == null) return null;

@@ -6,10 +6,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>The patches of a load, built in steps that take no more than a share of a frame; those that are there are kept, shown or not.</summary>
+    /// <summary>The patches of a load, built in steps within a share of each frame's time. Built patches are kept, visible or not.</summary>
     sealed class LoadPatches
     {
-        /// <summary>Computed in one step: a patch in 25.</summary>
+        /// <summary>Vertices computed in one step: 1/25 of a patch.</summary>
         const int VerticesPerStep = LoadMesh.PatchVertices / 25;
 
         static readonly int StepKinds = Enum.GetValues(typeof(LoadStep)).Length;
@@ -27,9 +27,9 @@ namespace Nowpose.Unity.Calibration
         LoadStep _next;
         int _asked, _building, _filled;
 
-        /// <param name="width">Of the whole wall, in units of the parent.</param>
-        /// <param name="clock">By which steps are measured.</param>
-        /// <param name="msPerFrame">That building may take of a frame, ms; as <see cref="FrameShare"/>.</param>
+        /// <param name="width">Width of the whole wall, in units of the parent.</param>
+        /// <param name="clock">Clock that measures the steps.</param>
+        /// <param name="msPerFrame">Time budget of building per frame, in ms; see <see cref="FrameShare"/>.</param>
         public LoadPatches(Transform parent, Material material, float width, IHeadsetClock clock, double msPerFrame)
         {
             _clock = clock;
@@ -40,13 +40,13 @@ namespace Nowpose.Unity.Calibration
             for (var i = 0; i < _normals.Length; i++) _normals[i] = Vector3.back;
         }
 
-        /// <summary>Whether all vertices that were asked for are shown.</summary>
+        /// <summary>Whether all requested vertices are shown.</summary>
         public bool IsComplete { get; private set; } = true;
 
-        /// <summary>That are drawn at this moment.</summary>
+        /// <summary>Number of vertices that are drawn now.</summary>
         public int VerticesShown { get; private set; }
 
-        /// <summary>Vertices of the load; what is no part of it is hidden at once.</summary>
+        /// <summary>Requests a load in vertices; hides patches that do not belong to it at once.</summary>
         public void Ask(int vertices)
         {
             if (vertices == _asked) return;
@@ -57,7 +57,7 @@ namespace Nowpose.Unity.Calibration
             Count();
         }
 
-        /// <summary>Goes on building for a frame's share of time.</summary>
+        /// <summary>Continues building within the frame's time budget.</summary>
         public void Advance()
         {
             if (IsComplete) return;
@@ -81,7 +81,7 @@ namespace Nowpose.Unity.Calibration
 
         int Wanted(int slot) => slot < LoadMesh.PatchesOf(_asked) ? LoadMesh.PatchOf(slot, _asked).Vertices : 0;
 
-        // Returns what is next.
+        // Returns the next step.
         LoadStep Do(LoadStep step)
         {
             switch (step)

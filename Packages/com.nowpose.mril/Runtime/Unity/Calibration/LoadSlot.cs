@@ -21,7 +21,7 @@ namespace Nowpose.Unity.Calibration
             _renderer.enabled = false;
         }
 
-        /// <summary>Of the patch that it holds, shown or not.</summary>
+        /// <summary>Number of vertices of its patch, visible or not.</summary>
         public int Vertices { get; private set; }
 
         public bool IsShown
@@ -30,11 +30,11 @@ namespace Nowpose.Unity.Calibration
             set => _renderer.enabled = value;
         }
 
-        /// <summary>Begins another patch in place of the one before.</summary>
+        /// <summary>Starts a new patch in place of the previous one.</summary>
         public void SetVertices(Vector3[] vertices, Vector3[] normals, int count)
         {
             Free();
-            // Of the whole load: as many bytes are read for each of its vertices as of one big mesh.
+            // 32-bit indices as for the whole load, so that each vertex reads as many bytes as in one large mesh.
             _mesh = new Mesh { name = "Load Patch", indexFormat = IndexFormat.UInt32 };
             _mesh.SetVertices(vertices, 0, count);
             _mesh.SetNormals(normals, 0, count);
@@ -42,7 +42,7 @@ namespace Nowpose.Unity.Calibration
 
         public void SetTriangles(int[] indices, int count) => _mesh.SetTriangles(indices, 0, count, 0);
 
-        /// <summary>Hands the patch to the GPU. What was handed over takes no more room on this side.</summary>
+        /// <summary>Uploads the patch to the GPU and frees its CPU memory.</summary>
         public void Show()
         {
             _mesh.UploadMeshData(markNoLongerReadable: true);

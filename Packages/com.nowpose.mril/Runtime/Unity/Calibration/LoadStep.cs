@@ -1,18 +1,18 @@
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>What is done of a load in one go; each takes another time.</summary>
+    /// <summary>Kinds of steps in building a load; their durations differ.</summary>
     enum LoadStep
     {
-        /// <summary>Some of a patch's vertices and their triangles.</summary>
+        /// <summary>Computes some of a patch's vertices and their triangles.</summary>
         Compute,
 
-        /// <summary>A patch's vertices become those of a mesh.</summary>
+        /// <summary>Sets the vertices of a patch's mesh.</summary>
         SetVertices,
 
-        /// <summary>A patch's triangles too.</summary>
+        /// <summary>Sets the triangles of a patch's mesh.</summary>
         SetTriangles,
 
-        /// <summary>The mesh goes to the GPU and is shown.</summary>
+        /// <summary>Uploads the mesh to the GPU and shows it.</summary>
         Show,
     }
 }

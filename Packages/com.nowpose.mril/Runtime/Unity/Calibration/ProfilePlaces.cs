@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>Looks for a latency profile where one may be, best first: saved on the device, shipped as a file, shipped as an asset.</summary>
+    /// <summary>Searches for a latency profile in order of preference: saved on the device, shipped as a file, shipped as an asset.</summary>
     sealed class ProfilePlaces
     {
         readonly string _fileName;
@@ -20,13 +20,13 @@ namespace Nowpose.Unity.Calibration
             _asset = asset;
         }
 
-        /// <summary>Where <see cref="LatencyProfileLoader.Save"/> puts it.</summary>
+        /// <summary>Path to which <see cref="LatencyProfileLoader.Save"/> writes.</summary>
         public string SavedPath => Path.Combine(Application.persistentDataPath, _fileName);
 
-        /// <summary>Why places before the one that was found, or all, could not be used; one line each.</summary>
+        /// <summary>Why the places before the result, or all places, were rejected; one line each.</summary>
         public IReadOnlyList<string> Refusals => _refusals;
 
-        /// <returns>Null where there is none that can be used on this device.</returns>
+        /// <returns>Null if there is no profile that is valid for this device.</returns>
         public LatencyProfile Find(out string from)
         {
             _refusals.Clear();
@@ -37,7 +37,7 @@ namespace Nowpose.Unity.Calibration
         {
             path = Path.Combine(Application.streamingAssetsPath, _fileName);
             if (!path.Contains("://")) return Read(path);
-            // Whoever has another place to look in need not be told.
+            // Reported only if there is no other place to search.
             if (_asset == null && _refusals.Count == 0 && !File.Exists(SavedPath))
                 _refusals.Add("latency profile: StreamingAssets is inside the app's archive here, where no file can be opened; assign the profile "
                     + "as a text asset, or copy it to " + SavedPath);

@@ -4,14 +4,14 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>What a sweep keeps of a frame until it has gone: computed twice, only the second time is seen.</summary>
+    /// <summary>The data of a frame that a sweep keeps until the next frame. If a frame is computed twice, only the second is shown.</summary>
     readonly struct SweepFrame
     {
         readonly double? _renderMs;
         readonly RenderTimeSourceKind _source;
         readonly int _vertices;
 
-        /// <param name="run">As it stands while the frame is shown.</param>
+        /// <param name="run">The sweep's state while the frame is shown.</param>
         public SweepFrame(MrilSession session, DisplayFrame frame, SweepRun run, LoadGenerator load, RenderTimeSource renderTime)
         {
             Start = frame.Start;
@@ -24,16 +24,16 @@ namespace Nowpose.Unity.Calibration
 
         public HeadsetTime Start { get; }
 
-        /// <summary>The same on the control clock; null while it is not synchronised.</summary>
+        /// <summary>The start on the control clock; null while the clock is not synchronised.</summary>
         public ControlTime? Control { get; }
 
-        /// <summary>Whether the load was there in full.</summary>
+        /// <summary>Whether the load was complete.</summary>
         public bool IsShown { get; }
 
-        /// <summary>Whether it counts for its load.</summary>
+        /// <summary>Whether the frame counts for its load.</summary>
         public bool IsReady => IsShown && Control.HasValue;
 
-        /// <summary>Where <see cref="Control"/> is known.</summary>
+        /// <summary>Makes the frame's row of the log; requires that <see cref="Control"/> is known.</summary>
         public SweepRow ToRow(string device, double displayHz) => new SweepRow(Control.Value, _vertices, _renderMs, _source, device, displayHz);
     }
 }

@@ -4,7 +4,7 @@ using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>What a sweep says of itself, once per change.</summary>
+    /// <summary>Status texts of a sweep, used once per change.</summary>
     static class SweepWords
     {
         public const string WaitingForClock = "waiting for the clock", Stopped = "sweep stopped", Judging = "sweep done, judging";

@@ -3,24 +3,24 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>A control time as text, seconds with milliseconds, letter by letter: showing another time allocates nothing.</summary>
+    /// <summary>Shows a control time as text, seconds with milliseconds, letter by letter; a change of the time allocates nothing.</summary>
     sealed class TimestampDigits
     {
-        /// <summary>What is shown repeats after so many milliseconds, a little more than a day.</summary>
+        /// <summary>Period of the displayed time in ms, a little more than a day.</summary>
         public const int PeriodMs = 100_000_000;
 
-        /// <summary>A digit stands where there is a 0.</summary>
+        /// <summary>Layout of the text; each 0 stands for a digit.</summary>
         const string Pattern = "00 000.000 s";
 
-        /// <summary>From one letter to the next, in heights of the font: wider than any digit.</summary>
+        /// <summary>Distance between letters, as a multiple of the font height: wider than any digit.</summary>
         const float Pitch = 0.6f;
 
         static readonly string[] Digits = { "0", "1", "2", "3", "4", "5", "6", "7", "8", "9" };
 
         readonly PanelCell[] _letters = new PanelCell[Pattern.Length];
 
-        /// <param name="place">Middle of the text.</param>
-        /// <param name="height">Of the font, metres.</param>
+        /// <param name="place">Centre of the text.</param>
+        /// <param name="height">Height of the font, in metres.</param>
         public TimestampDigits(Transform parent, TextMesh model, Vector3 place, float height)
         {
             for (var i = 0; i < _letters.Length; i++)
@@ -28,7 +28,7 @@ namespace Nowpose.Unity.Calibration
                     "Letter " + i, parent, model, place + (i - (Pattern.Length - 1) / 2f) * Pitch * height * Vector3.right, height);
         }
 
-        /// <summary>A copy of a text in another place and size.</summary>
+        /// <summary>Copies a text to another position and size.</summary>
         public static PanelCell Copy(string name, Transform parent, TextMesh model, Vector3 place, float height)
         {
             var copy = Object.Instantiate(model, parent);
@@ -43,10 +43,10 @@ namespace Nowpose.Unity.Calibration
             return new PanelCell(copy);
         }
 
-        /// <param name="ms">0 to <see cref="PeriodMs"/> − 1; leading zeros are not shown.</param>
+        /// <param name="ms">Time in ms, 0 to <see cref="PeriodMs"/> − 1; leading zeros are not shown.</param>
         public void Show(int ms)
         {
-            // From the right; the digit before the point is always there.
+            // From the right; the digit before the decimal point is always shown.
             for (var i = Pattern.Length - 1; i >= 0; i--)
             {
                 if (Pattern[i] != '0')

@@ -4,17 +4,17 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>A timestamp code as a mesh: 64 squares, of which the lit ones have triangles. Dark is nothing, as on the display.</summary>
+    /// <summary>A timestamp code as a mesh of 64 squares; only lit squares have triangles, because dark is transparent on the display.</summary>
     sealed class TimestampMesh
     {
         const int Corners = 4, IndicesPerCell = 6;
 
-        /// <summary>Two triangles of a square's corners, clockwise for who looks along +z.</summary>
+        /// <summary>Two triangles of a square's corners, clockwise as seen along +z.</summary>
         static readonly int[] Square = { 0, 1, 2, 1, 3, 2 };
 
         readonly int[] _indices = new int[TimestampCode.CellCount * IndicesPerCell];
 
-        /// <param name="side">Of the whole code, metres; it is centred.</param>
+        /// <param name="side">Side of the whole code, in metres; the code is centred.</param>
         public TimestampMesh(float side)
         {
             var vertices = new Vector3[TimestampCode.CellCount * Corners];
@@ -36,8 +36,8 @@ namespace Nowpose.Unity.Calibration
 
         public Mesh Mesh { get; }
 
-        /// <summary>Allocates nothing.</summary>
-        /// <param name="value">As of <see cref="TimestampCode.ValueOf"/>.</param>
+        /// <summary>Shows a value. Allocates nothing.</summary>
+        /// <param name="value">A value as from <see cref="TimestampCode.ValueOf"/>.</param>
         public void Show(int value)
         {
             Span<bool> cells = stackalloc bool[TimestampCode.CellCount];
@@ -46,7 +46,7 @@ namespace Nowpose.Unity.Calibration
             for (var cell = 0; cell < cells.Length; cell++)
                 if (cells[cell])
                     foreach (var corner in Square) _indices[count++] = cell * Corners + corner;
-            // The bounds stay: they are of all squares.
+            // The bounds do not change, because they include all squares.
             Mesh.SetTriangles(_indices, 0, count, 0, calculateBounds: false);
         }
     }

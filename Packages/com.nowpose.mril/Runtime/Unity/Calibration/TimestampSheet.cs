@@ -4,12 +4,12 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>What a timestamp display consists of: the code, the time as text below it, and words where there is no time.</summary>
+    /// <summary>The objects of a timestamp display: the code, the time as text below it, and a message if there is no time.</summary>
     sealed class TimestampSheet
     {
         const string Name = "Timestamp";
 
-        /// <summary>Of the font, as part of the code's side; and the gap below the code, one of its cells.</summary>
+        /// <summary>Font height as a share of the code's side, and the gap below the code: one of its cells.</summary>
         const float Height = 0.25f, Gap = 1f / TimestampCode.Side;
 
         readonly GameObject _object;
@@ -19,9 +19,9 @@ namespace Nowpose.Unity.Calibration
         PanelCell _words;
         int _shown = -1;
 
-        /// <param name="model">A text that is copied; null for none.</param>
-        /// <param name="light">Of the lit squares.</param>
-        /// <param name="side">Of the code, metres.</param>
+        /// <param name="model">A text to copy; null for none.</param>
+        /// <param name="light">Material of the lit squares.</param>
+        /// <param name="side">Side of the code, in metres.</param>
         public TimestampSheet(Transform parent, TextMesh model, Material light, float side)
         {
             RemoveFrom(parent);
@@ -39,7 +39,7 @@ namespace Nowpose.Unity.Calibration
             _words = TimestampDigits.Copy("Words", _object.transform, model, below, Height * side);
         }
 
-        /// <summary>Allocates nothing.</summary>
+        /// <summary>Shows a time. Allocates nothing.</summary>
         public void Show(ControlTime time)
         {
             _words.Show("");
@@ -51,7 +51,7 @@ namespace Nowpose.Unity.Calibration
             _digits?.Show(ms);
         }
 
-        /// <summary>No code, no time, only words.</summary>
+        /// <summary>Hides code and time, and shows a message.</summary>
         public void Blank(string words)
         {
             _renderer.enabled = false;
@@ -66,7 +66,7 @@ namespace Nowpose.Unity.Calibration
             Object.Destroy(_object);
         }
 
-        // Cut off, as in the code, also before the epoch.
+        // Rounds down as in the code, also before the epoch.
         static int WholeMs(ControlTime time)
         {
             var ticks = time.SinceEpoch.Ticks % (TimestampDigits.PeriodMs * System.TimeSpan.TicksPerMillisecond);
@@ -74,7 +74,7 @@ namespace Nowpose.Unity.Calibration
             return (int)(ticks / System.TimeSpan.TicksPerMillisecond);
         }
 
-        // Scripts that are compiled anew while playing leave the objects, and forget them.
+        // When scripts are recompiled in play mode, the objects remain but the references are lost.
         static void RemoveFrom(Transform parent)
         {
             var left = parent.Find(Name);

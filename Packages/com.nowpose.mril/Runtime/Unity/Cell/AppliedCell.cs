@@ -4,12 +4,12 @@ using Nowpose.Pairing;
 
 namespace Nowpose.Unity.Cell
 {
-    /// <summary>Gives session and anchor what a paired cell says, and only what is new: each costs a connection or a lock.</summary>
+    /// <summary>Applies a paired cell to session and anchor, and only what has changed: each change costs a connection or a lock.</summary>
     sealed class AppliedCell
     {
         PairedCell _connected, _anchored;
 
-        /// <summary>Whether the session was given all there is; it can be given settings only once it has some.</summary>
+        /// <summary>Applies the cell to the session; returns false if the session has no settings yet, so that the call must be repeated.</summary>
         public bool Connect(MrilSession session, PairedCell cell, string headsetName)
         {
             if (cell == null || !cell.IsReady)
@@ -20,7 +20,7 @@ namespace Nowpose.Unity.Cell
             if (_connected != null && IsSameConnection(_connected, cell)) return true;
             if (session.Settings == null) return false;
             session.Settings = session.Settings.With(cell.Newest.ToConnection(cell.Token, headsetName));
-            // Whoever hears of it may throw: it is connected all the same.
+            // Set before the event, because a listener may throw after the connection is made.
             _connected = cell;
             session.Connect();
             return true;
@@ -34,7 +34,7 @@ namespace Nowpose.Unity.Cell
             if (cell != null)
                 foreach (var code in cell.Codes)
                     if (code.Marker != null) markers.Add(new BaseMarker(code.Text, code.Marker.ToPose(), code.SizeMetres));
-            // A code without an offset says nothing of the base, which stays where a hand or the scene put it.
+            // A code without an offset does not determine the base, which stays where the user or the scene placed it.
             if (markers.Count > 0 || _anchored != null) anchor.Use(cell?.Cell ?? "", markers);
             _anchored = markers.Count > 0 ? cell : null;
         }

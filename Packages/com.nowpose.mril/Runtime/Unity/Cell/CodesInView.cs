@@ -6,10 +6,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Cell
 {
-    /// <summary>Shows a pairing what the marker sources below an object see at the moment.</summary>
+    /// <summary>Passes the codes that the marker sources below an object currently see to a pairing.</summary>
     sealed class CodesInView
     {
-        /// <summary>Devices look at a code every second or so, and go on telling of those that they saw long ago.</summary>
+        /// <summary>Maximum age of a sighting: devices scan a code about once a second, and keep reporting codes seen long ago.</summary>
         static readonly TimeSpan Freshness = TimeSpan.FromSeconds(3);
 
         readonly MarkerSources _sources = new MarkerSources();

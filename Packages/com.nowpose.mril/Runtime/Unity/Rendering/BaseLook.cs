@@ -2,7 +2,7 @@ using Nowpose.Anchoring;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>How a pose is drawn while it is not certain where the robot's base is: the arm may be right, and all of it elsewhere.</summary>
+    /// <summary>The look of a pose whose base is uncertain: the joints may be correct, but the whole robot may be displaced.</summary>
     readonly struct BaseLook
     {
         readonly BaseAnchorState _state;
@@ -14,7 +14,7 @@ namespace Nowpose.Unity.Rendering
             _isBeingPlaced = isBeingPlaced;
         }
 
-        /// <param name="anchor">Null for none: what stands below none was placed by hand.</param>
+        /// <param name="anchor">Null for none: without an anchor, the robot was placed by hand.</param>
         public static BaseLook Of(BaseAnchor anchor) =>
             anchor != null ? new BaseLook(anchor.State, anchor.Tracker != null && anchor.Tracker.IsBeingPlaced) : default;
 
@@ -24,7 +24,7 @@ namespace Nowpose.Unity.Rendering
         {
             switch (_state)
             {
-                // Who holds it against the robot has to see it.
+                // No fade while the base is being placed, because the user compares it with the robot.
                 case BaseAnchorState.Searching: return _isBeingPlaced
                     ? look.Also("being placed", "the base follows a marker that somebody moves", 0)
                     : look.Also("base not locked", "no marker has said where the base is", 0.8f);

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>The processor's time on a frame's cameras: from the first one's beginning to the last one's end.</summary>
+    /// <summary>CPU time of a frame's cameras: from the start of the first to the end of the last.</summary>
     struct CameraTime
     {
         HeadsetTime? _begun, _ended;
@@ -11,7 +11,7 @@ namespace Nowpose.Unity.Rendering
 
         public void End(HeadsetTime at) => _ended = at;
 
-        /// <summary>The time of the frame that has ended, for the next to begin; zero when no camera rendered.</summary>
+        /// <summary>Returns the time of the ended frame and resets it; zero if no camera rendered.</summary>
         public TimeSpan Take()
         {
             var length = _ended - _begun;

@@ -4,10 +4,10 @@ using UnityEngine.XR;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>Reports the conditions of this device to a session: at its start, and again when the display has begun to report its rate.</summary>
+    /// <summary>Reports the conditions of this device to a session: at its start, and again when the display starts to report its rate.</summary>
     sealed class DeviceWatch
     {
-        /// <summary>A display begins some frames after the scene.</summary>
+        /// <summary>The display starts some frames after the scene, so it is checked again at intervals.</summary>
         const int FramesBetweenLooks = 60, MaxLooks = 10;
 
         readonly List<XRDisplaySubsystem> _displays = new List<XRDisplaySubsystem>();
@@ -19,7 +19,7 @@ namespace Nowpose.Unity.Rendering
             session.Conditions = ThisDevice.Conditions;
         }
 
-        /// <summary>Once a frame. Allocates only where the rate is another one.</summary>
+        /// <summary>Called once a frame. Allocates only if the rate has changed.</summary>
         public void Follow(CompensationSession session)
         {
             if (_frames >= FramesBetweenLooks * MaxLooks || ++_frames % FramesBetweenLooks != 0) return;

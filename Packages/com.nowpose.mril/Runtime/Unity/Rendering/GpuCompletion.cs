@@ -6,13 +6,13 @@ using Object = UnityEngine.Object;
 namespace Nowpose.Unity.Rendering
 {
     /// <summary>
-    /// Measures from the trigger of a render job until the program learns that the GPU has finished it: a readback that is
-    /// asked for behind the job is done after it.
+    /// Measures the time from the trigger of a render job until the program detects that the GPU has finished it: a readback that is
+    /// requested after the job completes after it.
     /// </summary>
-    /// <remarks>The engine looks for finished readbacks once a frame, so the times come in steps of frames.</remarks>
+    /// <remarks>The engine checks for finished readbacks once a frame, so the resolution of the times is one frame.</remarks>
     sealed class GpuCompletion
     {
-        /// <summary>More frames than a GPU lets wait; while so many wait, further ones go unmeasured.</summary>
+        /// <summary>Maximum readbacks in progress, more than a GPU queues frames; further frames are not measured.</summary>
         const int MostInFlight = 4;
 
         readonly IHeadsetClock _clock;
@@ -28,7 +28,7 @@ namespace Nowpose.Unity.Rendering
             _onRead = Read;
         }
 
-        /// <summary>The newest time that was measured since the last call; zero when none was.</summary>
+        /// <summary>Returns the newest time measured since the last call; zero if there is none.</summary>
         public TimeSpan Take()
         {
             var newest = _newest;
@@ -36,7 +36,7 @@ namespace Nowpose.Unity.Rendering
             return newest;
         }
 
-        /// <summary>A render job has been handed to the GPU.</summary>
+        /// <summary>Reports that a render job was submitted to the GPU.</summary>
         public void Submitted(HeadsetTime triggered)
         {
             if (_inFlight == MostInFlight || !SystemInfo.supportsAsyncGPUReadback) return;
@@ -45,14 +45,14 @@ namespace Nowpose.Unity.Rendering
             AsyncGPUReadback.Request(_texture, 0, _onRead);
         }
 
-        /// <summary>Readbacks that are under way may still end; nobody asks for their times.</summary>
+        /// <summary>Releases the texture. Readbacks in progress may still complete; their times are ignored.</summary>
         public void Release()
         {
             if (_texture != null) Object.Destroy(_texture);
             _texture = null;
         }
 
-        // A texture that was never uploaded need not be there for the GPU to read.
+        // Without the upload, the texture might not exist on the GPU and could not be read.
         static Texture2D Uploaded()
         {
             var texture = new Texture2D(1, 1) { hideFlags = HideFlags.HideAndDontSave };
@@ -60,7 +60,7 @@ namespace Nowpose.Unity.Rendering
             return texture;
         }
 
-        // A GPU works in order: it is the oldest request that is done.
+        // A GPU works in order, so the oldest request is complete.
         void Read(AsyncGPUReadbackRequest request)
         {
             var triggered = _triggers[_first];

@@ -5,13 +5,13 @@ using UnityEngine.XR;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>How long the GPU worked on the newest frame, as its driver tells; where it does not, zero.</summary>
+    /// <summary>GPU time of the newest frame as reported by the driver; zero if it is not reported.</summary>
     sealed class GpuTimes
     {
         readonly List<XRDisplaySubsystem> _displays = new List<XRDisplaySubsystem>();
         readonly FrameTiming[] _timings = new FrameTiming[1];
 
-        /// <summary>By the headset's runtime.</summary>
+        /// <summary>Returns the time reported by the headset's runtime.</summary>
         public TimeSpan OfDisplay()
         {
             if (_displays.Count == 0 || !_displays[0].running) SubsystemManager.GetSubsystems(_displays);
@@ -19,14 +19,14 @@ namespace Nowpose.Unity.Rendering
                 ? Length(seconds) : TimeSpan.Zero;
         }
 
-        /// <summary>By Unity, where the player settings have Frame Timing Stats on; some frames late.</summary>
+        /// <summary>Returns the time reported by Unity if Frame Timing Stats are on in the player settings; some frames late.</summary>
         public TimeSpan OfEngine()
         {
             FrameTimingManager.CaptureFrameTimings();
             return FrameTimingManager.GetLatestTimings(1, _timings) > 0 ? Length(_timings[0].gpuFrameTime / 1000) : TimeSpan.Zero;
         }
 
-        // Drivers have been seen to report nonsense: what is no length of a frame is none.
+        // Some drivers report invalid values; values that cannot be a frame's duration count as unknown.
         static TimeSpan Length(double seconds) =>
             seconds > 0 && seconds < 10 ? new TimeSpan((long)(seconds * TimeSpan.TicksPerSecond)) : TimeSpan.Zero;
     }

@@ -3,8 +3,8 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>The parts of a cell that write depth where the real arm is: on, what is behind the arm is hidden as by the arm itself.</summary>
-    /// <remarks>Those of displayed rigs only, known by their material; also of a robot that a rig builds later.</remarks>
+    /// <summary>Controls the parts of a cell that write depth at the real arm: if on, they hide virtual objects behind the arm.</summary>
+    /// <remarks>Applies to displayed rigs only; identifies the parts by their material, also of a robot that a rig builds later.</remarks>
     sealed class Occlusion
     {
         readonly List<RobotRig> _rigs = new List<RobotRig>();
@@ -24,7 +24,7 @@ namespace Nowpose.Unity.Rendering
             Apply();
         }
 
-        /// <summary>Shows again what it hid.</summary>
+        /// <summary>Ends the control and shows all hidden parts.</summary>
         public void End()
         {
             Show();

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>What brings something drawn to where the session says: the gripper it is part of, else the rig.</summary>
+    /// <summary>The object that moves a drawn part to the session's pose: the gripper that contains it, else the rig.</summary>
     sealed class PoseCarrier
     {
         readonly RobotRig _rig;
@@ -18,15 +18,15 @@ namespace Nowpose.Unity.Rendering
             _wasFollowing = IsFollowing;
         }
 
-        /// <summary>Whether it does so; what was destroyed does not.</summary>
+        /// <summary>Whether it follows the session; false if it was destroyed.</summary>
         public bool IsFollowing => IsGripper
             ? _gripper != null && _gripper.Flange != null && _gripper.Rig != null && _gripper.Rig.IsFollowing
             : _rig != null && _rig.IsFollowing;
 
-        /// <summary>Whether what it carries is there to be seen.</summary>
+        /// <summary>Whether its parts are active in the scene.</summary>
         public bool IsActive => _owner != null && _owner.activeInHierarchy;
 
-        /// <summary>What is said while it does not follow: what it carries stands wherever it was, and that may be anywhere.</summary>
+        /// <summary>Returns the look while it does not follow the session: its parts stay at an old pose, which may be anywhere.</summary>
         public PoseLook Unmoved(PoseLook look) => IsGripper
             ? look.Saying("gripper not moved", "the gripper is disabled or rides on no link of a rig that is moved")
             : look.Saying("rig not moved", "the rig is disabled or cannot show the robot");
@@ -35,19 +35,19 @@ namespace Nowpose.Unity.Rendering
 
         bool IsDestroyed => IsGripper ? _gripper == null : _rig == null;
 
-        /// <param name="before">What carried it when last asked; null for nothing.</param>
-        /// <returns>Null where nothing does, and nothing ever did.</returns>
+        /// <param name="before">Carrier of the part at the last call; null for none.</param>
+        /// <returns>Null if the part never had a carrier.</returns>
         public static PoseCarrier Of(Transform part, PoseCarrier before)
         {
             var found = Above(part);
-            // Nobody has taken the place of one that is gone: what it left still stands there, and is not current.
+            // A destroyed carrier without successor stays responsible: its parts are still visible, and not current.
             var isLeft = before != null && before.IsDestroyed && (found == null || before.IsGripper && !found.IsGripper);
             return isLeft ? before : found;
         }
 
         public bool IsSameAs(PoseCarrier other) => ReferenceEquals(_rig, other._rig) && ReferenceEquals(_gripper, other._gripper);
 
-        /// <returns>Whether it begins or ceases to follow, since this was asked last.</returns>
+        /// <returns>Whether it has started or stopped following since the last call.</returns>
         public bool HasTurned()
         {
             var isFollowing = IsFollowing;

@@ -4,14 +4,14 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>How a pose is drawn, so that one that is not current cannot be taken for one: striped, with words, and mostly fainter.</summary>
+    /// <summary>The look of a pose. One that is not current is clearly different: striped, with words, and usually fainter.</summary>
     readonly struct PoseLook
     {
-        /// <summary>No frame is computed any more; what was drawn last stays.</summary>
+        /// <summary>No frames are computed; the last pose stays visible.</summary>
         public static readonly PoseLook Abandoned = new PoseLook("no session", "the session is disabled or paused", 0.8f);
 
         /// <summary>
-        /// Minimum fade of a striped look: a part smaller than a stripe (1 cm) may lie wholly between two stripes, where only the fade shows.
+        /// Minimum fade of a striped look: a part smaller than a stripe (1 cm) may be between two stripes, so that only the fade is visible.
         /// </summary>
         const float MinFadeWithStripes = 0.2f;
 
@@ -24,21 +24,21 @@ namespace Nowpose.Unity.Rendering
             IsDrawn = isDrawn;
         }
 
-        /// <summary>Whether anything is drawn but the words.</summary>
+        /// <summary>Whether anything except the words is drawn.</summary>
         public bool IsDrawn { get; }
 
-        /// <summary>0 (as it is) to 1 (hardly to be seen): the less is known, the more.</summary>
+        /// <summary>0 (unchanged) to 1 (hardly visible): the less is known, the larger.</summary>
         public float Fade { get; }
 
         public bool IsHatched { get; }
 
-        /// <summary>Empty where there is nothing to say.</summary>
+        /// <summary>The words to show; empty if there are none.</summary>
         public string Words { get; }
 
-        /// <summary>Why it is not plain; empty where it is.</summary>
+        /// <summary>Why the look is not plain; empty if it is.</summary>
         public string Reason { get; }
 
-        /// <param name="outsideRange">How to look outside the range.</param>
+        /// <param name="outsideRange">The response outside the constant-latency range.</param>
         public static PoseLook Of(PoseState pose, OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade)
         {
             var reason = StatusTexts.ReasonOf(pose);
@@ -48,7 +48,7 @@ namespace Nowpose.Unity.Rendering
                 case PoseState.OutsideRange: return new PoseLook(PoseWords.Of(pose, outsideRange), reason, FadeOf(outsideRange));
                 case PoseState.Held: return new PoseLook(PoseWords.Of(pose), reason, 0.5f);
                 case PoseState.Unsynchronised: return new PoseLook(PoseWords.Of(pose), reason, 0.8f);
-                // The joints stand at zero, where the robot is not.
+                // Not drawn, because the joints are at zero, not at the robot's positions.
                 default: return new PoseLook(PoseWords.Of(pose), reason, 0.8f, isDrawn: false);
             }
         }
@@ -63,15 +63,15 @@ namespace Nowpose.Unity.Rendering
             }
         }
 
-        /// <summary>The fade for a wearer who wants it fainter: what is not current never becomes fainter than the faintest of these looks.</summary>
-        /// <param name="opacity">0 to 1 (as it is).</param>
+        /// <summary>Returns the fade for a reduced opacity; a pose that is not current never gets fainter than the faintest of these looks.</summary>
+        /// <param name="opacity">0 to 1 (unchanged).</param>
         public float FadeAt(float opacity) => Mathf.Max(Fade, IsHatched ? Mathf.Min(1 - opacity, Abandoned.Fade) : 1 - opacity);
 
-        /// <summary>The same for one more reason: at least as faint, striped, and what was wrong before is said first.</summary>
+        /// <summary>Adds a reason: at least the given fade, striped, with the earlier words first.</summary>
         public PoseLook Also(string words, string reason, float fade) => new PoseLook(
             Words.Length > 0 ? Words + ", " + words : words, Reason.Length > 0 ? Reason + "; " + reason : reason, Mathf.Max(Fade, fade), IsDrawn);
 
-        /// <summary>The same for other words: of the parts that do not follow the pose, which are not drawn at all.</summary>
+        /// <summary>Replaces the words, for parts that do not follow the pose and are not drawn.</summary>
         public PoseLook Saying(string words, string reason) => new PoseLook(words, reason, Fade, IsDrawn, IsHatched);
     }
 }

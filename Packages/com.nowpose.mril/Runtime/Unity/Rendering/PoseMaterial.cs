@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>Finds out how a material can show that a pose is not current.</summary>
+    /// <summary>Determines how a material can show that a pose is not current.</summary>
     readonly struct PoseMaterial
     {
         public static readonly PoseMaterial Patterned = new PoseMaterial(PoseMeans.Pattern, 0);
@@ -13,15 +13,15 @@ namespace Nowpose.Unity.Rendering
         public static readonly int HatchId = Shader.PropertyToID("_Hatch");
 
         /// <summary>
-        /// Tag of a SubShader or material. <c>Ignore</c>: it writes no colour, so it is drawn the same in every state. <c>Alpha</c>: the alpha
-        /// of its colour is its opacity, which a blend factor written in the shader does not tell.
+        /// Tag of a SubShader or material. <c>Ignore</c>: it writes no colour, so it looks the same in every state. <c>Alpha</c>: the alpha
+        /// of its colour is its opacity, which cannot be detected if the shader contains a fixed blend factor.
         /// </summary>
         const string Tag = "PoseAppearance", Ignored = "Ignore", Alpha = "Alpha";
 
         /// <summary>Render queues beyond this one are drawn back to front, which blended materials need.</summary>
         const int LastOpaqueQueue = 2500;
 
-        /// <summary>Value of <c>_SrcBlend</c> with which the alpha governs how much is seen: <c>SrcAlpha</c>.</summary>
+        /// <summary>Value of <c>_SrcBlend</c> with which the alpha determines the visibility: <c>SrcAlpha</c>.</summary>
         const float SourceAlpha = 5;
 
         static readonly int SourceBlendId = Shader.PropertyToID("_SrcBlend");
@@ -46,13 +46,13 @@ namespace Nowpose.Unity.Rendering
             if (material.HasProperty(FadeId) && material.HasProperty(HatchId)) return Patterned;
             var tag = material.GetTag(Tag, false, "");
             if (tag == Ignored) return NotNeeded;
-            // URP's shaders have both; the base colour is the one that they draw with.
+            // URP's shaders have both properties, and draw with the base colour.
             var colour = material.HasProperty(BaseColourId) ? BaseColourId : ColourId;
             var isBlended = (tag == Alpha || IsBlendedByAlpha(material)) && material.HasProperty(colour);
             return isBlended ? new PoseMaterial(PoseMeans.Alpha, colour) : Helpless;
         }
 
-        // The queue alone does not say it: a premultiplied material (One) and an opaque one with a late queue ignore a lower alpha.
+        // The queue alone is not sufficient: a premultiplied material (One) and an opaque one with a late queue ignore a lower alpha.
         static bool IsBlendedByAlpha(Material material) =>
             material.renderQueue > LastOpaqueQueue && material.HasProperty(SourceBlendId) && material.GetFloat(SourceBlendId) == SourceAlpha;
     }

@@ -3,24 +3,24 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>The materials of a pose's parts, each examined once: asking a material for a tag allocates.</summary>
+    /// <summary>Caches the properties of the materials of a pose's parts, because reading a material's tag allocates.</summary>
     sealed class PoseMaterials
     {
         readonly Dictionary<Material, PoseMaterial> _known = new Dictionary<Material, PoseMaterial>();
         readonly List<Material> _list = new List<Material>();
 
-        /// <summary>Drawn in place of a material that cannot show that the pose is not current; null for none.</summary>
+        /// <summary>Replaces a material that cannot show that the pose is not current; null for none.</summary>
         public Material Substitute { get; private set; }
 
-        /// <summary>Forgets what it found: a material may have another shader by now.</summary>
-        /// <param name="substitute">Null for none. One that cannot show the state itself is not used.</param>
+        /// <summary>Clears the cache, because a material may have a new shader.</summary>
+        /// <param name="substitute">Null for none. A substitute that cannot show the state itself is not used.</param>
         public void Begin(Material substitute)
         {
             _known.Clear();
             Substitute = substitute != null && PoseMaterial.Of(substitute).Means == PoseMeans.Pattern ? substitute : null;
         }
 
-        /// <summary>The renderer's materials, until the next call.</summary>
+        /// <summary>Gets the renderer's materials; the list is valid until the next call.</summary>
         public List<Material> In(Renderer renderer)
         {
             renderer.GetSharedMaterials(_list);
@@ -35,11 +35,11 @@ namespace Nowpose.Unity.Rendering
             return known;
         }
 
-        /// <summary>Finds out how a renderer with these materials can show that a pose is not current.</summary>
+        /// <summary>Determines how a renderer with these materials can show that a pose is not current.</summary>
         public PoseMaterial Of(List<Material> materials)
         {
             if (materials.Count == 1) return Of(materials[0]);
-            // A property block has one colour for all of a renderer's materials.
+            // A property block has one colour for all materials of a renderer, so Alpha is not possible with several.
             var all = PoseMaterial.NotNeeded;
             foreach (var material in materials)
             {
@@ -50,7 +50,7 @@ namespace Nowpose.Unity.Rendering
             return all;
         }
 
-        /// <summary>Fills in the materials to draw instead, each in the place of one that cannot show the state.</summary>
+        /// <summary>Returns the materials to draw with: those that cannot show the state are replaced.</summary>
         public Material[] SubstitutesFor(Material[] own)
         {
             var drawn = new Material[own.Length];

@@ -6,13 +6,13 @@ namespace Nowpose.Unity.Rendering
         /// <summary>Its shader declares <c>_Fade</c> and <c>_Hatch</c>.</summary>
         Pattern,
 
-        /// <summary>The material is blended by its alpha (<c>_SrcBlend</c> or its tag says so), and its shader has a colour.</summary>
+        /// <summary>It is blended by its alpha (according to <c>_SrcBlend</c> or its tag), and its shader has a colour.</summary>
         Alpha,
 
-        /// <summary>Neither: the part is drawn with another material, or not at all.</summary>
+        /// <summary>Neither: the part is drawn with another material, or hidden.</summary>
         None,
 
-        /// <summary>It draws no colour, so it looks the same in every state.</summary>
+        /// <summary>It writes no colour, so it looks the same in every state.</summary>
         NotNeeded,
     }
 }

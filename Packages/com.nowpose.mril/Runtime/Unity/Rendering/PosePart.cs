@@ -3,13 +3,13 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>One renderer of a shown pose, and how it was drawn before.</summary>
+    /// <summary>One renderer of a shown pose, and its original look.</summary>
     sealed class PosePart
     {
-        /// <summary>Share of its opacity that a part loses by a fade of 1, as in NowposePose.hlsl.</summary>
+        /// <summary>Share of its opacity that a part loses at a fade of 1, as in NowposePose.hlsl.</summary>
         const float FadedAway = 0.8f;
 
-        /// <summary>Minimum fade of a part without stripes, so that it looks different in every state that has some.</summary>
+        /// <summary>Minimum fade of a part without stripes, so that it looks different in every state with stripes.</summary>
         const float MinFadeWithoutStripes = 0.5f;
 
         readonly Renderer _renderer;
@@ -22,7 +22,7 @@ namespace Nowpose.Unity.Rendering
         float _ownFade, _ownHatch;
         bool _isOwnOff, _isTaken, _isPoseDrawn, _isHidden, _isSubstituted, _isAlphaSet, _isPatternSet, _hadBlock;
 
-        /// <param name="block">To work with: shared by all parts.</param>
+        /// <param name="block">Temporary block, shared by all parts.</param>
         public PosePart(Renderer renderer, MaterialPropertyBlock block, PoseMaterials materials)
         {
             _renderer = renderer;
@@ -32,13 +32,13 @@ namespace Nowpose.Unity.Rendering
 
         public bool IsDrawn => _isPoseDrawn && !_isHidden;
 
-        /// <summary>Null for what nothing ever carried.</summary>
+        /// <summary>The carrier of the part; null if it never had one.</summary>
         public PoseCarrier Carrier { get; private set; }
 
         /// <summary>Whether its materials cannot show a pose that is not current.</summary>
         public bool IsHelpless => _material.Means == PoseMeans.None;
 
-        /// <summary>The first material that cannot show a pose that is not current, for a part that is helpless; null for a missing one.</summary>
+        /// <summary>The first material of a helpless part that cannot show a pose that is not current; null for a missing one.</summary>
         public Material Helpless
         {
             get
@@ -49,7 +49,7 @@ namespace Nowpose.Unity.Rendering
             }
         }
 
-        /// <summary>Looks for what carries it, and remembers how it is drawn unless that is done.</summary>
+        /// <summary>Updates the carrier, and stores the original look on the first call.</summary>
         public void Take()
         {
             Carrier = PoseCarrier.Of(_renderer.transform, Carrier);
@@ -66,10 +66,10 @@ namespace Nowpose.Unity.Rendering
             Show(look, opacity);
         }
 
-        /// <summary>What was not drawn before the session ended does not come to light by that.</summary>
+        /// <summary>Shows that the session has ended. A part that was hidden before stays hidden.</summary>
         public void Abandon(float opacity) => Show(PoseLook.Abandoned, opacity);
 
-        /// <summary>Draws it as before.</summary>
+        /// <summary>Restores the original look.</summary>
         public void GiveBack()
         {
             if (_isTaken && _renderer != null)
@@ -85,7 +85,7 @@ namespace Nowpose.Unity.Rendering
             _isPoseDrawn = true;
         }
 
-        // Of several materials the first: a property block of the user's says it for all of them anyway.
+        // Uses the first of several materials: a property block of the user's applies to all of them.
         float Own(int property)
         {
             if (_block.HasFloat(property)) return _block.GetFloat(property);
@@ -117,7 +117,7 @@ namespace Nowpose.Unity.Rendering
             _renderer.forceRenderingOff = _isOwnOff || !IsDrawn;
         }
 
-        // The user may have assigned other materials since the last frame, also while the substitutes were drawn. They are the part's own then.
+        // The user may have assigned other materials since the last frame, also while the substitutes were drawn; they become the part's own.
         void Examine()
         {
             var materials = _materials.In(_renderer);
@@ -159,7 +159,7 @@ namespace Nowpose.Unity.Rendering
                 _renderer.SetPropertyBlock(_ownBlocks[i].isEmpty ? null : _ownBlocks[i], i);
         }
 
-        // By a block per material: the renderer's own block would reach the user's materials too, whose _Fade may mean the opposite.
+        // Uses a block per material: the renderer's own block would also affect the user's materials, whose _Fade may mean the opposite.
         void SetSubstitutePattern(float fade)
         {
             for (var i = 0; i < _substitutes.Length; i++)
@@ -206,7 +206,7 @@ namespace Nowpose.Unity.Rendering
             _renderer.SetPropertyBlock(_block);
         }
 
-        /// <param name="fade">0 gives the colour back.</param>
+        /// <param name="fade">0 restores the colour.</param>
         void SetAlpha(float fade)
         {
             if (fade <= 0 && !_isAlphaSet) return;
@@ -220,7 +220,7 @@ namespace Nowpose.Unity.Rendering
             var colour = _ownColour ?? _renderer.sharedMaterial.GetColor(_material.Colour);
             colour.a *= 1 - FadedAway * fade;
             _block.SetColor(_material.Colour, colour);
-            // A colour cannot be taken out of a block, and one that stays hides what the material's becomes.
+            // A colour cannot be removed from a block, and would override later changes of the material's colour.
             _renderer.SetPropertyBlock(_isAlphaSet || _hadBlock ? _block : null);
         }
 

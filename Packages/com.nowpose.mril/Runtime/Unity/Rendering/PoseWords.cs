@@ -2,7 +2,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>What a wearer is told of a pose, the same words beside the robot and on the status panel.</summary>
+    /// <summary>Words for the state of a pose, the same beside the robot and on the status panel.</summary>
     static class PoseWords
     {
         public static string Of(PoseState pose, OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade)

@@ -2,7 +2,7 @@ using Nowpose.Latency;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>What the wearer and the console are told of where render times come from.</summary>
+    /// <summary>Names of the render-time sources for the wearer and the console.</summary>
     static class RenderTimeWords
     {
         public static string NameOf(RenderTimeSourceKind source)

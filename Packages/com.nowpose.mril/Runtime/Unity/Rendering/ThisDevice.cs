@@ -8,7 +8,7 @@ using UnityEngine.XR;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>The conditions of this device that a calibration holds for. Allocates: not for each frame.</summary>
+    /// <summary>The conditions of this device for which a calibration is valid. Allocates, so it must not be read in each frame.</summary>
     static class ThisDevice
     {
         const string BuiltInPipeline = "built-in";
@@ -18,8 +18,8 @@ namespace Nowpose.Unity.Rendering
             OneLine(SystemInfo.deviceModel), DisplayHz(new List<XRDisplaySubsystem>()), SystemInfo.graphicsDeviceType.ToString(),
             SystemInfo.renderingThreadingMode.ToString(), RenderPipeline, latencyOptimization: OpenXrRenderSettings.LatencyOptimization);
 
-        /// <summary>Refresh rate; null where no display runs or where it does not report its rate.</summary>
-        /// <param name="displays">Overwritten with the displays that there are.</param>
+        /// <summary>Returns the refresh rate in Hz; null if no display runs, or if it does not report its rate.</summary>
+        /// <param name="displays">Temporary list, overwritten with the current displays.</param>
         public static double? DisplayHz(List<XRDisplaySubsystem> displays)
         {
             SubsystemManager.GetSubsystems(displays);
@@ -27,7 +27,7 @@ namespace Nowpose.Unity.Rendering
                 ? hertz : (double?)null;
         }
 
-        /// <summary>Replaces what a profile does not accept: a session must not fail because of a device name.</summary>
+        /// <summary>Replaces characters that a profile does not accept: a session must not fail because of a device name.</summary>
         internal static string OneLine(string name)
         {
             var line = string.Concat(name.Select(letter => char.IsControl(letter) ? ' ' : letter));

@@ -3,10 +3,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Robot
 {
-    /// <summary>The axes of a URDF frame in the editor's view: x forward in red, y left in green, z up in blue, each with its letter.</summary>
+    /// <summary>Draws the axes of a URDF frame in the editor's view: x forward in red, y left in green, z up in blue, with their letters.</summary>
     static class FrameGizmo
     {
-        // Strokes of the letters in a unit square, from the lower left corner: two corners each.
+        // Strokes of the letters in a unit square, from the lower left corner: two points per stroke.
         static readonly Vector2[] X = { new Vector2(0, 0), new Vector2(1, 1), new Vector2(0, 1), new Vector2(1, 0) };
 
         static readonly Vector2[] Y =
@@ -19,7 +19,7 @@ namespace Nowpose.Unity.Robot
             new Vector2(0, 1), new Vector2(1, 1), new Vector2(1, 1), new Vector2(0, 0), new Vector2(0, 0), new Vector2(1, 0),
         };
 
-        /// <param name="frame">Its axes are Unity's of the frame.</param>
+        /// <param name="frame">A transform whose axes are the frame's in Unity's convention.</param>
         /// <param name="metres">Length of an axis.</param>
         public static void Draw(Transform frame, float metres)
         {
@@ -29,8 +29,8 @@ namespace Nowpose.Unity.Robot
             DrawAxis((0, 0, 1), Color.blue, Z);
         }
 
-        /// <summary>A printed code: its edges, and a line from its centre to where it is looked at from.</summary>
-        /// <param name="frame">Its axes are Unity's of the frame.</param>
+        /// <summary>Draws a printed code: its edges, and a line from its centre towards the side from which it is read.</summary>
+        /// <param name="frame">A transform whose axes are the frame's in Unity's convention.</param>
         /// <param name="code">Marker frame in that frame.</param>
         /// <param name="metres">Length of an edge.</param>
         public static void DrawCode(Transform frame, in RigidTransform code, float metres)
@@ -52,7 +52,7 @@ namespace Nowpose.Unity.Robot
             var tip = UnityFrame.DirectionToUnity(axis).Vector();
             Gizmos.color = colour;
             Gizmos.DrawLine(Vector3.zero, tip);
-            // Upright, facing whoever looks at the frame from behind or before; beside the tip of the axis.
+            // Upright and beside the tip of the axis, readable from in front of or behind the frame.
             var corner = tip * 1.1f - new Vector3(0.05f, 0.05f, 0);
             for (var i = 0; i < letter.Length; i += 2)
                 Gizmos.DrawLine(corner + (Vector3)letter[i] * 0.1f, corner + (Vector3)letter[i + 1] * 0.1f);

@@ -3,15 +3,15 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Robot
 {
-    /// <summary>What a built rig looks like.</summary>
+    /// <summary>Supplies the materials and meshes of a built rig.</summary>
     interface IRigLook
     {
-        /// <param name="colour">The URDF's own; null where it gives none.</param>
+        /// <param name="colour">The URDF's colour; null if it specifies none.</param>
         /// <param name="isTool">Whether the flange carries the link.</param>
         Material MaterialOf(VisualColour? colour, bool isTool);
 
         /// <returns>
-        /// An object that shows the mesh in Unity's axes of the visual's frame, at the scale 1 of the URDF; null where it cannot be had.
+        /// An object that shows the mesh in the visual's frame, in Unity's axes and at the URDF's scale 1; null if the mesh cannot be used.
         /// </returns>
         GameObject MeshOf(LinkVisual visual, bool isTool);
     }

@@ -3,28 +3,28 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Robot
 {
-    /// <summary>Two materials and no meshes: those lie in files that a headset does not have.</summary>
-    /// <remarks>Colours come from the materials alone, for on an additive display a dark one is invisible.</remarks>
+    /// <summary>A look of two materials without meshes, because a headset does not have the mesh files.</summary>
+    /// <remarks>Ignores the URDF's colours, because a dark colour is invisible on an additive display.</remarks>
     sealed class PlainLook : IRigLook
     {
         const string ShaderName = "Nowpose/Hologram";
 
         readonly Material _arm, _tool;
 
-        /// <param name="arm">Of the links up to the flange; null for one that is made when it is needed.</param>
-        /// <param name="tool">Of the links that the flange carries; null for the same.</param>
+        /// <param name="arm">Material of the links up to the flange; null to create one when needed.</param>
+        /// <param name="tool">Material of the links that the flange carries; null to create one when needed.</param>
         public PlainLook(Material arm, Material tool)
         {
             _arm = arm;
             _tool = tool;
         }
 
-        /// <summary>Whether a material was asked for that it was not given.</summary>
+        /// <summary>Whether a missing material was requested.</summary>
         public bool LacksMaterial { get; private set; }
 
         /// <summary>
-        /// Material made in place of a missing one; its user destroys it. Null for none, also where the build does not contain the
-        /// package's shader: then Unity draws the parts magenta.
+        /// Material created in place of a missing one; the caller destroys it. Null if none was needed, or if the build does not contain the
+        /// package's shader: Unity then draws the parts magenta.
         /// </summary>
         public Material Made { get; private set; }
 
@@ -39,7 +39,7 @@ namespace Nowpose.Unity.Robot
 
         public GameObject MeshOf(LinkVisual visual, bool isTool) => null;
 
-        // Not Unity's default, which only GameObject.CreatePrimitive gives: that throws where a build contains no colliders.
+        // Not Unity's default material, which only GameObject.CreatePrimitive returns: it throws if a build contains no colliders.
         static Material NewMaterial()
         {
             var shader = Shader.Find(ShaderName);

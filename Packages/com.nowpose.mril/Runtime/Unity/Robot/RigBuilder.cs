@@ -3,8 +3,8 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Robot
 {
-    /// <summary>Builds a robot from its description: objects named and nested as its links, and what shows them.</summary>
-    /// <remarks>A link that is shown by meshes only, none of which can be had, is drawn as bars to the joints below it.</remarks>
+    /// <summary>Builds a robot from its description: objects named and nested as its links, with their visuals.</summary>
+    /// <remarks>A link that consists only of meshes, none of which can be used, is drawn as bars to its child joints.</remarks>
     static class RigBuilder
     {
         const string Visual = "visual";
@@ -12,7 +12,7 @@ namespace Nowpose.Unity.Robot
         const float BarMetres = 0.03f;
 
         /// <returns>The root link's object; the links are named and nested as in the URDF, at joint position 0.</returns>
-        /// <param name="parent">Stands for the robot's base frame.</param>
+        /// <param name="parent">The transform of the robot's base frame.</param>
         public static GameObject Build(RobotModel model, Transform parent, IRigLook look)
         {
             var links = new Transform[model.Links.Count];
@@ -60,7 +60,7 @@ namespace Nowpose.Unity.Robot
             shown.SetParent(parent, worldPositionStays: false);
         }
 
-        // Unity tells the objects of an imported file apart by their names on the way down; and a link must not be taken for one.
+        // Unity identifies the objects of an imported file by their name paths, and a visual must not be taken for a link.
         static string FreeName(Transform parent, RobotModel model)
         {
             for (var i = 1; ; i++)
@@ -70,7 +70,7 @@ namespace Nowpose.Unity.Robot
             }
         }
 
-        // The cylinder's own axis is Unity's y, which is the URDF's z.
+        // The cylinder's axis is Unity's y, which is the URDF's z.
         static void ShowBar(Vector3 end, Transform parent, RobotModel model, Material material)
         {
             if (end == Vector3.zero) return;
@@ -95,7 +95,7 @@ namespace Nowpose.Unity.Robot
             return child;
         }
 
-        // Sizes are whole extents, of a mesh its scale; the engine's cylinder is 2 m high, its other shapes measure 1 m.
+        // Sizes are full extents, for a mesh its scale; the engine's cylinder is 2 m high, its other shapes measure 1 m.
         static Vector3 SizeOf(LinkVisual visual)
         {
             var (x, y, z) = visual.Size;

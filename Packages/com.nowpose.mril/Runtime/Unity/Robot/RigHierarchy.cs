@@ -4,17 +4,17 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Robot
 {
-    /// <summary>Transforms named and nested as the links of a robot, and what moves them.</summary>
+    /// <summary>The transforms that are named and nested as the links of a robot, and the drives that move them.</summary>
     sealed class RigHierarchy
     {
-        // Rounding leaves less. The engine's own comparison of rotations lets a sixth of a degree pass.
+        // Above rounding errors. The engine's own comparison of rotations tolerates a sixth of a degree.
         const float Slack = 1e-5f;
 
         readonly RobotModel _model;
         readonly Transform[] _links;
         readonly JointDrive[] _drives;
 
-        /// <param name="links">One per link of the model, in its order. All but the root are put to joint position 0.</param>
+        /// <param name="links">One per link of the model, in its order. All except the root are moved to joint position 0.</param>
         RigHierarchy(RobotModel model, Transform[] links)
         {
             _model = model;
@@ -31,7 +31,7 @@ namespace Nowpose.Unity.Robot
         public Transform Tool => Link(_model.ToolLink.Name);
         public Transform Flange => Link(_model.FlangeLink.Name);
 
-        /// <summary>False once one of the links was destroyed.</summary>
+        /// <summary>Whether all links exist; false after one was destroyed.</summary>
         public bool IsWhole
         {
             get
@@ -42,7 +42,7 @@ namespace Nowpose.Unity.Robot
             }
         }
 
-        /// <returns>Null when the robot has no such link.</returns>
+        /// <returns>Null if the robot has no such link.</returns>
         public Transform Link(string name)
         {
             var index = _model.IndexOfLink(name);
@@ -55,8 +55,8 @@ namespace Nowpose.Unity.Robot
             for (var i = 0; i < _drives.Length; i++) _drives[i].Apply(joints[i]);
         }
 
-        /// <returns>Null when no transform below is named as the robot's root link, and nothing is drawn there either.</returns>
-        /// <exception cref="InputException">Something is, but a link is missing or not nested as the URDF says.</exception>
+        /// <returns>Null if no transform below has the name of the robot's root link, and nothing is drawn there.</returns>
+        /// <exception cref="InputException">The root link or other drawn objects exist, but not all links as nested in the URDF.</exception>
         public static RigHierarchy Find(RobotModel model, Transform rig)
         {
             var root = Below(rig, model.Root.Name);
@@ -78,7 +78,7 @@ namespace Nowpose.Unity.Robot
             return new RigHierarchy(model, links);
         }
 
-        // Another robot that stands still would be taken for this one. A tool may hang below the rig already.
+        // Rejects drawn objects, because another, motionless robot would be taken for this one. A tool may already be below the rig.
         static void RequireEmpty(RobotModel model, Transform rig, Transform at)
         {
             for (var i = 0; i < at.childCount; i++)
@@ -93,7 +93,7 @@ namespace Nowpose.Unity.Robot
             }
         }
 
-        // Objects between two links may group, but not move: the joint's origin is written in the direct parent's axes.
+        // Objects between two links may group but not move, because a joint's origin is relative to the direct parent.
         static void RequireUnmoved(RobotModel model, Transform link, Transform parent)
         {
             for (var at = link.parent; at != parent; at = at.parent)
@@ -119,7 +119,7 @@ namespace Nowpose.Unity.Robot
                 + "' of joint '" + joint.Name + "' " + where + "; name an object after each link of the URDF and nest them as it does");
         }
 
-        // What stands below another rig is that one's.
+        // Skips other rigs: objects below them belong to them.
         static Transform Below(Transform parent, string name)
         {
             for (var i = 0; i < parent.childCount; i++)

@@ -2,10 +2,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>Lines in the console that say where they come from. The context is what a click on the line selects.</summary>
+    /// <summary>Logs lines with the package's prefix. The context is the object that a click on the line selects.</summary>
     static class ConsoleLog
     {
-        /// <summary>Before a text that is a constant it costs no allocation.</summary>
+        /// <summary>Prefix of all lines; together with a constant text it causes no allocation.</summary>
         public const string Prefix = "[Nowpose] ";
 
         public static void Say(Object context, string message) => Debug.Log(Prefix + message, context);

@@ -3,20 +3,20 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>Says once what the gateway's description brings: the gateway sends it again after each reconnection.</summary>
+    /// <summary>Reports each description of the gateway once, because the gateway sends it again after each reconnection.</summary>
     struct DescriptionWatch
     {
         RobotModel _newest;
         UrdfHash _told;
         string _fault;
 
-        /// <summary>The robot that the gateway describes; null before it has described any, and where an asset does.</summary>
+        /// <summary>The robot that the gateway describes; null before the first description, and if an asset describes the robot.</summary>
         public RobotModel Robot { get; private set; }
 
-        /// <summary>Takes up what the session has been sent.</summary>
-        /// <param name="shown">Null for none.</param>
-        /// <param name="asset">Describes the robot instead of the gateway; null for none.</param>
-        /// <returns>Whether <see cref="Robot"/> is another one, which the session is not made for yet.</returns>
+        /// <summary>Processes the session's newest description.</summary>
+        /// <param name="shown">The robot of the session; null for none.</param>
+        /// <param name="asset">Asset that describes the robot instead of the gateway; null for none.</param>
+        /// <returns>Whether <see cref="Robot"/> has changed, so that the session must restart.</returns>
         public bool Follow(CompensationSession session, RobotModel shown, RobotDescriptionAsset asset, SessionLog log)
         {
             if (IsNews(session.RobotDescriptionFault))

@@ -6,7 +6,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>Words for what is wrong between the finished frame and the display, and what to do about it.</summary>
+    /// <summary>Messages about problems between the finished frame and the display, with what to do.</summary>
     static class DisplayWords
     {
         const string Implausible = "display times of the runtime are implausible";
@@ -17,16 +17,16 @@ namespace Nowpose.Unity.Session
 
         const string Said = Implausible + "; " + WhatToDo;
 
-        /// <summary>Tells the newest value, too; allocates.</summary>
-        /// <param name="ahead">Display time minus the frame's start; null when it is not known any more.</param>
+        /// <summary>Returns the message with the newest value; allocates.</summary>
+        /// <param name="ahead">Display time minus the frame's start; null if it is no longer known.</param>
         public static string ImplausibleTimes(TimeSpan? ahead) => ahead.HasValue
             ? Implausible + ": " + ahead.Value.TotalMilliseconds.ToString("0.#", CultureInfo.InvariantCulture)
                 + " ms after the start of the frame; 0 to 500 ms are possible. " + WhatToDo
             : Said;
 
-        /// <summary>Allocates nothing.</summary>
+        /// <summary>Returns the current problem. Allocates nothing.</summary>
         /// <param name="statistics">Null without a session.</param>
-        /// <returns>Null when nothing is wrong.</returns>
+        /// <returns>Null if there is no problem.</returns>
         public static string ProblemOf(SessionStatistics statistics)
         {
             if (statistics == null) return null;

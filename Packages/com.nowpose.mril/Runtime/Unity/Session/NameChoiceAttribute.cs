@@ -5,10 +5,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>The Inspector shows a drop-down of names for the string field; the name itself is serialised.</summary>
+    /// <summary>Shows a string field in the Inspector as a drop-down of names; the name itself is serialised.</summary>
     abstract class NameChoiceAttribute : PropertyAttribute
     {
-        /// <summary>The names to choose from. The field may hold another one, as older assets or scripts may.</summary>
+        /// <summary>The names to choose from. The field may contain another one, for example from an older asset or a script.</summary>
         public abstract IReadOnlyList<string> Names { get; }
     }
 

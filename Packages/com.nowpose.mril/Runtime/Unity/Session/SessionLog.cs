@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>Says in the console what has changed: once per change, never per frame.</summary>
+    /// <summary>Logs changes of a session: once per change, never per frame.</summary>
     sealed class SessionLog
     {
         readonly Object _context;
@@ -18,14 +18,14 @@ namespace Nowpose.Unity.Session
         int _beyondLimits;
         IReadOnlyList<ConditionMismatch> _mismatches = Array.Empty<ConditionMismatch>();
 
-        /// <param name="context">What the console selects when the line is clicked.</param>
+        /// <param name="context">The object that the console selects when the line is clicked.</param>
         public SessionLog(Object context) => _context = context;
 
         public void Say(string message) => ConsoleLog.Say(_context, message);
         public void Warn(string message) => ConsoleLog.Warn(_context, message);
         public void Fail(string message) => ConsoleLog.Fail(_context, message);
 
-        /// <summary>Allocates only when there is something to say.</summary>
+        /// <summary>Logs changes of the connections, limits and profile. Allocates only if there is a change.</summary>
         public void Follow(CompensationSession session)
         {
             Follow(session.SyncLink, "clock sync", ref _sync);
@@ -36,9 +36,9 @@ namespace Nowpose.Unity.Session
             Follow(session.ProfileMismatches);
         }
 
-        /// <summary>Allocates only for the display times of the runtime and for joints without data: the other texts are constants.</summary>
-        /// <param name="session">Null when it has ended.</param>
-        /// <param name="statistics">As of the frame that changed it; null when the session has ended.</param>
+        /// <summary>Logs a change. Allocates only for display times of the runtime and for joints without data; other texts are constants.</summary>
+        /// <param name="session">Null if it has ended.</param>
+        /// <param name="statistics">Statistics of the frame with the change; null if the session has ended.</param>
         public void Say(SessionChange change, CompensationSession session, SessionStatistics statistics)
         {
             if ((change & SessionChange.Synchronised) != 0) Debug.Log(ConsoleLog.Prefix + "clock synchronised", _context);
@@ -70,7 +70,7 @@ namespace Nowpose.Unity.Session
             _mismatches = mismatches;
         }
 
-        // While it tries again and again for one reason, the reason is said once.
+        // Logs a reason once while the link retries for the same reason.
         void Follow(LinkStatus link, string name, ref string said)
         {
             if (link.State == LinkState.Connecting || link.Detail == said) return;

@@ -2,14 +2,14 @@ using Nowpose.Network;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>Chooses what carries the joint positions: NativeWebSocket where that package is installed, else .NET's own client.</summary>
+    /// <summary>Chooses the link for the joint positions: NativeWebSocket if that package is installed, else .NET's own client.</summary>
     static class Transport
     {
-        /// <summary>As a session asks for it.</summary>
+        /// <summary>Creates the link of a session.</summary>
         public static IWebSocketLink Create(ConnectionSettings settings, IHeadsetClock clock)
         {
 #if NOWPOSE_NATIVE_WEBSOCKET
-            // It asks nobody about a certificate, so a pin stays with the link that checks it.
+            // NativeWebSocket has no certificate callback, so pinned connections use the link that checks the pin.
             if (settings.Security != TransportSecurity.Pinned) return new NativeWebSocketLink(settings, clock);
 #endif
             return WebSocketLinks.Create(settings, clock);

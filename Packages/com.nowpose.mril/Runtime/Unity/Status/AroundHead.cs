@@ -2,10 +2,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>A place around an upright viewer: which way, how far, how high.</summary>
+    /// <summary>A position around an upright viewer: direction, distance and height.</summary>
     readonly struct AroundHead
     {
-        /// <summary>Steeper than this nobody looks anywhere in particular: then the top of the head tells the way.</summary>
+        /// <summary>Vertical component of the view direction above which the top of the head determines the heading.</summary>
         const float Steep = 0.95f;
 
         public AroundHead(float azimuth, float distance, float height)
@@ -15,23 +15,23 @@ namespace Nowpose.Unity.Status
             Height = height;
         }
 
-        /// <summary>Degrees about the vertical from the world's z axis towards its x axis.</summary>
+        /// <summary>Angle in degrees about the vertical, from the world's z axis towards its x axis.</summary>
         public float Azimuth { get; }
 
-        /// <summary>Horizontal, metres.</summary>
+        /// <summary>Horizontal distance in metres.</summary>
         public float Distance { get; }
 
-        /// <summary>Above the eyes, metres.</summary>
+        /// <summary>Height above the eyes in metres.</summary>
         public float Height { get; }
 
-        /// <summary>Where a point is as seen from a head.</summary>
+        /// <summary>Returns the position of a point relative to a head.</summary>
         public static AroundHead Of(Vector3 point, Vector3 head)
         {
             var way = point - head;
             return new AroundHead(AzimuthOf(way), Mathf.Sqrt(way.x * way.x + way.z * way.z), way.y);
         }
 
-        /// <summary>Which way a head looks, whatever way it nods or tilts.</summary>
+        /// <summary>Returns the heading of a head in degrees, independent of its nod and tilt.</summary>
         public static float HeadingOf(Quaternion head)
         {
             var forward = head * Vector3.forward;
@@ -39,7 +39,7 @@ namespace Nowpose.Unity.Status
             return AzimuthOf(head * Vector3.up * -Mathf.Sign(forward.y));
         }
 
-        /// <summary>The place in the world, upright and turned so that the head reads it.</summary>
+        /// <summary>Returns the pose in the world, upright and facing the head.</summary>
         public Pose From(Vector3 head)
         {
             var turn = Quaternion.Euler(0, Azimuth, 0);

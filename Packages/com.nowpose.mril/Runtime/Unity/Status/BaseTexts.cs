@@ -4,8 +4,8 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>What the status panel says of the base.</summary>
-    /// <remarks>A note is made anew when the lock is another one; how far a marker has moved is one of the texts made beforehand.</remarks>
+    /// <summary>The status panel's texts about the base.</summary>
+    /// <remarks>A note is created only for a new lock; the texts for a marker's displacement are preallocated.</remarks>
     sealed class BaseTexts
     {
         static readonly NumberTexts Millimetres = new NumberTexts("", " mm off", (1, 0, 0));
@@ -37,7 +37,7 @@ namespace Nowpose.Unity.Status
             return _note;
         }
 
-        /// <summary>What is to be done; null where nothing is.</summary>
+        /// <summary>Returns what the user has to do; null for nothing.</summary>
         /// <param name="anchor">Null for none.</param>
         public string FaultOf(BaseAnchor anchor)
         {
@@ -48,7 +48,7 @@ namespace Nowpose.Unity.Status
             return _fault;
         }
 
-        // A lock stands, and yet there is something to know of it.
+        // The base is locked, but there is something to report.
         static bool IsWrong(BaseTracker tracker) => tracker != null && (tracker.Quarrel != null || tracker.Problem != null || tracker.IsCorrected);
 
         static double Worst(BaseTracker tracker)

@@ -3,8 +3,8 @@ using UnityEngine;
 namespace Nowpose.Unity.Status
 {
     /// <summary>
-    /// Where a panel stands that follows its reader's body: it stays put in the world until the head has turned or moved too
-    /// far, then glides over in front of it, and stays again.
+    /// Computes the pose of a panel that follows its reader's body: it stays in place in the world until the head has turned or moved too
+    /// far, then glides in front of it, and stays again.
     /// </summary>
     struct BodyFollowing
     {
@@ -15,7 +15,7 @@ namespace Nowpose.Unity.Status
 
         public bool IsGliding { get; private set; }
 
-        /// <returns>The pose it is to have; exactly the one it has, unless it glides. At first in front of the head at once.</returns>
+        /// <returns>The new pose; exactly the current one unless the panel glides. The first pose is in front of the head.</returns>
         public Pose Next(Pose panel, Pose head, in FollowSettings settings, float seconds)
         {
             var below = settings.DegreesBelow * Mathf.Deg2Rad;
@@ -28,7 +28,7 @@ namespace Nowpose.Unity.Status
             }
             var place = AroundHead.Of(panel.position, head.position);
             if (!IsGliding && place.IsWithin(settings.TurnDegrees, settings.MoveMetres, goal)) return panel;
-            // Once it moves it moves until it is there, or it would stop at the edge and start again with every nod.
+            // A started glide continues to its end; otherwise the panel would stop at the limit and restart with every nod.
             place = place.Towards(goal, 1 - Mathf.Exp(-seconds / settings.GlideSeconds));
             IsGliding = !place.IsWithin(SettledDegrees, SettledMetres, goal);
             return place.From(head.position);

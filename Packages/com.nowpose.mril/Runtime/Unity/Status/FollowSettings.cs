@@ -1,13 +1,13 @@
 namespace Nowpose.Unity.Status
 {
-    /// <summary>How a panel follows its reader: lengths in metres, angles in degrees.</summary>
+    /// <summary>Settings of a panel that follows its reader: lengths in metres, angles in degrees.</summary>
     readonly struct FollowSettings
     {
-        /// <param name="distance">From the head to the panel.</param>
-        /// <param name="degreesBelow">Of the panel below the height of the eyes, as seen from there.</param>
-        /// <param name="turnDegrees">The head may turn so far to either side before the panel follows.</param>
-        /// <param name="moveMetres">The head may come so much nearer, go farther, rise or sink.</param>
-        /// <param name="glideSeconds">In this time two thirds of the way are done.</param>
+        /// <param name="distance">Distance from the head to the panel.</param>
+        /// <param name="degreesBelow">Angle of the panel below the height of the eyes, as seen from the head.</param>
+        /// <param name="turnDegrees">Maximum turn of the head to either side before the panel follows.</param>
+        /// <param name="moveMetres">Maximum change of the head's distance or height before the panel follows.</param>
+        /// <param name="glideSeconds">Time constant of the glide, in s: the time in which two thirds of the way are done.</param>
         public FollowSettings(float distance, float degreesBelow, float turnDegrees, float moveMetres, float glideSeconds)
         {
             Distance = distance;

@@ -6,14 +6,14 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>How much of each joint's error is removed, in one line; made anew only when a number in it changes.</summary>
+    /// <summary>The share of each joint's error that is removed, in one line; the text is created only if a number in it changes.</summary>
     sealed class JointErrorLine
     {
         readonly StringBuilder _builder = new StringBuilder();
         (int? Reduction, int? Uncertainty)[] _percents = Array.Empty<(int?, int?)>();
         string _text = "";
 
-        /// <summary>"arm_joint_1 92 ± 3 %, …" from the base on; a joint that rests, or is not known yet, has no number. Empty without joints.</summary>
+        /// <summary>Returns "arm_joint_1 92 ± 3 %, …" from the base on. A joint at rest or unknown has no number. Empty without joints.</summary>
         public string Of(IReadOnlyList<JointError> joints)
         {
             var isSame = joints.Count == _percents.Length;

@@ -6,7 +6,7 @@ using Nowpose.Session;
 namespace Nowpose.Unity.Status
 {
     /// <summary>The joints that are not live, in one line; changed only when a joint, a state or a reason changes.</summary>
-    /// <remarks>Shows the time of day at which a state began: unlike its age, that text stays the same, so that frames allocate nothing.</remarks>
+    /// <remarks>Shows the time of day at which a state began: unlike its age, that text is constant, so that frames allocate nothing.</remarks>
     sealed class JointStatusLine
     {
         static readonly TimeSpan Tolerance = TimeSpan.FromSeconds(1);
@@ -18,8 +18,8 @@ namespace Nowpose.Unity.Status
         readonly Func<JointStatus, string> _describe;
         string _text;
 
-        /// <param name="isOfMissing">Whether it describes the joints without data, or else those that are assumed at rest.</param>
-        /// <param name="wallClock">Local time.</param>
+        /// <param name="isOfMissing">True to describe joints without data, false for those that are assumed at rest.</param>
+        /// <param name="wallClock">Returns the local time.</param>
         public JointStatusLine(bool isOfMissing, Func<DateTime> wallClock)
         {
             _isOfMissing = isOfMissing;
@@ -27,7 +27,7 @@ namespace Nowpose.Unity.Status
             _describe = joint => joint.DescriptionSince(TimeOf(joint));
         }
 
-        /// <summary>Returns null where there is nothing to describe.</summary>
+        /// <summary>Returns the line; null if there is nothing to describe.</summary>
         /// <param name="statistics">Null while there is no session.</param>
         public string Of(SessionStatistics statistics)
         {
@@ -40,7 +40,7 @@ namespace Nowpose.Unity.Status
             return _text = _chosen.Count == 0 ? null : JointStatusText.Of(_chosen, _describe);
         }
 
-        // Before the first sample of any joint the row of the pose says all that the session knows.
+        // Before the first sample of any joint, the row of the pose contains the same information.
         bool IsDescribed(in JointStatus joint, long samples) => joint.IsMissing == _isOfMissing && (samples > 0 || joint.Since.HasValue);
 
         string TimeOf(in JointStatus joint)
@@ -59,7 +59,7 @@ namespace Nowpose.Unity.Status
             return true;
         }
 
-        // The time of day is known once the clock is. A gateway may recompute the start of a state for each report.
+        // The time of day is known only if the clock is. A gateway may recompute the start of a state for each report.
         static bool IsSame(in JointStatus a, in JointStatus b) => a.Joint == b.Joint && a.State == b.State && a.Reason == b.Reason
             && a.Age.HasValue == b.Age.HasValue && !((a.Since - b.Since)?.Duration() > Tolerance);
     }

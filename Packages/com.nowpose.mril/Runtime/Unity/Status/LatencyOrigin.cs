@@ -4,8 +4,8 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Says where L_visu comes from: its measurement, the condition that has changed since, a prediction, or a number of the settings.</summary>
-    /// <remarks>Allocates only when the profile is another one.</remarks>
+    /// <summary>Describes the origin of L_visu: a measurement, a condition that has changed since, a prediction, or the settings.</summary>
+    /// <remarks>Allocates only if the profile has changed.</remarks>
     sealed class LatencyOrigin
     {
         LatencyProfile _profile;

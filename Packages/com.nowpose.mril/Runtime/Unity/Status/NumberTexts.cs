@@ -3,19 +3,19 @@ using System.Globalization;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Numbers as texts that were made beforehand: showing another one allocates nothing.</summary>
+    /// <summary>Preallocated texts of numbers: a change of the displayed number allocates nothing.</summary>
     sealed class NumberTexts
     {
-        /// <summary>What is shown for a number that is not known.</summary>
+        /// <summary>Text of an unknown number.</summary>
         public const string Unknown = "–";
 
         readonly Band[] _bands;
         readonly string[] _negative;
         readonly string _beyond, _below;
 
-        /// <param name="before">In front of each number.</param>
-        /// <param name="after">Behind it: the unit.</param>
-        /// <param name="decimals">Of numbers below 1, below 100 and below 1000: the greater, the fewer.</param>
+        /// <param name="before">Text before each number.</param>
+        /// <param name="after">Text after each number: the unit.</param>
+        /// <param name="decimals">Number of decimals below 1, below 100 and below 1000.</param>
         public NumberTexts(string before, string after, (int Below1, int Below100, int Below1000) decimals)
         {
             _bands = new[]
@@ -30,7 +30,7 @@ namespace Nowpose.Unity.Status
             for (var i = 0; i < _negative.Length; i++) _negative[i] = before + "−" + i.ToString(CultureInfo.InvariantCulture) + after;
         }
 
-        /// <summary>Rounded; below zero to whole numbers.</summary>
+        /// <summary>Returns the text of a number; negative numbers are rounded to integers.</summary>
         public string Of(double? number)
         {
             if (!number.HasValue || double.IsNaN(number.Value)) return Unknown;
@@ -62,7 +62,7 @@ namespace Nowpose.Unity.Status
                     _texts[i] = before + (i / _perStep).ToString(format, CultureInfo.InvariantCulture) + after;
             }
 
-            /// <summary>False for what rounds to the next band's first number, or beyond.</summary>
+            /// <summary>Finds the text; returns false for a number that rounds to the next band's first number or above.</summary>
             public bool TryFind(double number, out string text)
             {
                 var index = Math.Round(number * _perStep);

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>One text of a panel, which is written only when it changes: each new one costs the engine a mesh, and reading it a string.</summary>
+    /// <summary>One text of a panel. Written only when it changes, because a new text costs a mesh and reading the text costs a string.</summary>
     struct PanelCell
     {
         readonly TextMesh _mesh;
@@ -21,7 +21,7 @@ namespace Nowpose.Unity.Status
             _shown = text;
         }
 
-        /// <param name="top">Upper edge in the parent's units.</param>
+        /// <param name="top">Upper edge, in the parent's units.</param>
         public void MoveTo(float top)
         {
             if (_mesh == null) return;

@@ -2,29 +2,29 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Texts and ground of a status panel. One unit is the font's size; the origin is the panel's place.</summary>
+    /// <summary>The texts and the background of a status panel. One unit is the font size; the origin is the panel's position.</summary>
     /// <remarks>
-    /// The lower edge stays where it is. Rows stand on it in their order, the message above them; the ground ends above what is shown.
+    /// The lower edge is fixed. Rows are above it in their order, the message above them; the background ends above the shown rows.
     /// </remarks>
     sealed class PanelCells
     {
         /// <summary>
-        /// Lower edge of the ground below the panel's place. With a bar of 3 units below it, the rows are centred about that place.
-        /// When the place is 6° below the horizon, the bar ends at 13.8°.
+        /// Lower edge of the background relative to the panel's position. With a bar of 3 units below it, the rows are centred about that
+        /// position. If it is 6° below the horizon, the bar ends at 13.8°.
         /// </summary>
         public const float LowerEdge = -7;
 
         const string Name = "Cells";
 
-        /// <summary>Distance of two rows, and of two lines of the message: the font's own line spacing.</summary>
+        /// <summary>Distance of two rows, and of two lines of the message (the font's own line spacing).</summary>
         const float RowHeight = 1.25f, LineHeight = 1.15f;
 
         const float GapBelowMessage = 0.4f;
 
-        /// <summary>Of the ground: beyond the outermost letters, and behind all of them.</summary>
+        /// <summary>Margin of the background around the letters, and its distance behind them.</summary>
         const float Margin = 0.75f, Behind = 0.5f;
 
-        /// <summary>Left edges of labels, values and notes, and the right edge of all.</summary>
+        /// <summary>Left edges of labels, values and notes, and the common right edge.</summary>
         static readonly float[] Columns = { 0, 7.4f, 17, 30 };
 
         readonly Transform _sheet;
@@ -34,9 +34,9 @@ namespace Nowpose.Unity.Status
         readonly PanelCell[] _values = new PanelCell[StatusTexts.Rows];
         readonly PanelCell[] _notes = new PanelCell[StatusTexts.Rows];
 
-        /// <param name="panel">What they hang below.</param>
-        /// <param name="model">What they are copies of.</param>
-        /// <param name="ground">Material of what is behind them; null for nothing.</param>
+        /// <param name="panel">Parent of the texts.</param>
+        /// <param name="model">The text to copy.</param>
+        /// <param name="ground">Material of the background; null for none.</param>
         public PanelCells(Transform panel, TextMesh model, Material ground)
         {
             _model = model;
@@ -59,12 +59,12 @@ namespace Nowpose.Unity.Status
         /// <summary>Maximum width of a note.</summary>
         public static float NoteWidth => Columns[3] - Columns[2];
 
-        /// <summary>Takes away those that another has made there.</summary>
+        /// <summary>Removes cells that another object has created below the panel.</summary>
         public static void RemoveFrom(Transform panel)
         {
             var left = panel.Find(Name);
             if (left == null) return;
-            // Destroyed at the end of the frame only.
+            // Deactivated and detached first, because they are destroyed only at the end of the frame.
             left.gameObject.SetActive(false);
             left.SetParent(null, worldPositionStays: false);
             Object.Destroy(left.gameObject);
@@ -78,7 +78,7 @@ namespace Nowpose.Unity.Status
             if (_ground != null) _ground.enabled = true;
         }
 
-        /// <summary>Until the next <see cref="Show(StatusTexts)"/>.</summary>
+        /// <summary>Hides the cells until the next <see cref="Show(StatusTexts)"/>.</summary>
         public void Hide()
         {
             for (var row = StatusRow.Pose; row <= StatusRow.Message; row++) Show(row, "", "", "");
@@ -90,7 +90,7 @@ namespace Nowpose.Unity.Status
             if (_sheet != null) Object.Destroy(_sheet.gameObject);
         }
 
-        /// <param name="size">Size of the font in units of the panel's own scale.</param>
+        /// <param name="size">Font size, in units of the panel's own scale.</param>
         public void Resize(float size) => _sheet.localScale = Vector3.one * size;
 
         void Show(StatusRow row, string label, string value, string note)
@@ -100,7 +100,7 @@ namespace Nowpose.Unity.Status
             _notes[(int)row].Show(note);
         }
 
-        // From below, for only the upper edge moves when a row or a line of the message comes or goes.
+        // From the bottom, so that only the upper edge moves when a row or a line of the message is added or removed.
         void Arrange(StatusTexts texts)
         {
             var top = LowerEdge + Margin;

@@ -3,8 +3,8 @@ using UnityEngine;
 namespace Nowpose.Unity.Status
 {
     /// <summary>
-    /// From how far a text can be read: at least from where the viewer is. It changes in steps, for letters that grow and
-    /// shrink all the time cannot be read at all.
+    /// Maximum distance at which a text is legible: at least the viewer's distance. It changes in steps, because letters that
+    /// change their size continuously are illegible.
     /// </summary>
     struct ReadingDistance
     {
@@ -12,7 +12,7 @@ namespace Nowpose.Unity.Status
         const float Reserve = 1.1f;
         const float TooFar = 1.5f;
 
-        /// <summary>Metres; 0 before the first <see cref="Update"/>.</summary>
+        /// <summary>Distance in metres; 0 before the first <see cref="Update"/>.</summary>
         public float Metres { get; private set; }
 
         /// <returns>Whether <see cref="Metres"/> has changed.</returns>
@@ -24,7 +24,7 @@ namespace Nowpose.Unity.Status
             return true;
         }
 
-        /// <summary>Turns a text to the viewer, and scales it.</summary>
+        /// <summary>Turns a text towards the viewer, and scales it.</summary>
         public void Face(TextMesh text, Vector3 viewer)
         {
             var place = text.transform;
@@ -32,7 +32,7 @@ namespace Nowpose.Unity.Status
             if (Update(Vector3.Distance(place.position, viewer))) Scale(place, LetterSize.At(Metres) / LetterSize.Of(text));
         }
 
-        /// <summary>Gives an object a size in the world, whatever is above it.</summary>
+        /// <summary>Sets an object's size in the world, independent of its parents' scale.</summary>
         public static void Scale(Transform place, float size)
         {
             var above = place.parent != null ? Mathf.Abs(place.parent.lossyScale.x) : 1;

@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Rows of the status panel, from the top; the message stands above them.</summary>
+    /// <summary>Rows of the status panel, from the top; the message is above them.</summary>
     enum StatusRow
     {
         Pose,
@@ -16,7 +16,7 @@ namespace Nowpose.Unity.Status
         Robot,
         Base,
 
-        /// <summary>Describes what went wrong. Takes the whole width above the other rows, and no space without a text.</summary>
+        /// <summary>Description of the problem. Uses the whole width above the other rows, and no space without a text.</summary>
         Message,
     }
 }

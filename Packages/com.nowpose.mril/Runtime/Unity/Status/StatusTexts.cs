@@ -8,13 +8,16 @@ using Nowpose.Unity.Session;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>What the status panel says: a value and a note per row. "!" marks what is not as it should be, "–" what is not known.</summary>
-    /// <remarks>All texts but the message were made beforehand; <see cref="Update"/> allocates only when the message or the profile changes, a joint's number where joints are told of, or the state of a joint.</remarks>
+    /// <summary>The texts of the status panel: a value and a note per row. "!" marks a problem, "–" an unknown value.</summary>
+    /// <remarks>
+    /// All texts except the message are preallocated. <see cref="Update"/> allocates only when the message or the profile changes, when a
+    /// joint's number changes while joints are shown, or when the state of a joint changes.
+    /// </remarks>
     sealed class StatusTexts
     {
         public const int Rows = (int)StatusRow.Message + 1;
 
-        /// <summary>Maximum number of lines of the message. The whole text is in the log.</summary>
+        /// <summary>Maximum number of lines of the message. The log contains the whole text.</summary>
         public const int MaxMessageLines = 8;
 
         const string Unknown = NumberTexts.Unknown;
@@ -47,12 +50,12 @@ namespace Nowpose.Unity.Status
         bool _isLocal;
         string _message, _robot, _robotNote;
 
-        /// <summary>Lines of the message; 0 without one.</summary>
+        /// <summary>Number of lines of the message; 0 if there is none.</summary>
         public int MessageLines { get; private set; }
 
         public StatusTexts() : this(() => DateTime.Now) { }
 
-        /// <param name="wallClock">Local time, for when a joint's data stopped.</param>
+        /// <param name="wallClock">Returns the local time, for the times at which a joint's data stopped.</param>
         public StatusTexts(Func<DateTime> wallClock)
         {
             _missingJoints = new JointStatusLine(isOfMissing: true, wallClock);
@@ -60,7 +63,7 @@ namespace Nowpose.Unity.Status
             Update(null, null, null, null);
         }
 
-        /// <summary>Whether the message, while there is none to tell, says how much of each joint's error is removed.</summary>
+        /// <summary>Whether the removed share of each joint's error is shown while there is no other message.</summary>
         public bool TellsOfJoints { get; set; }
 
         public static string LabelOf(StatusRow row) => Labels[(int)row];
@@ -69,16 +72,16 @@ namespace Nowpose.Unity.Status
 
         public string NoteOf(StatusRow row) => _notes[(int)row];
 
-        /// <summary>Whether a row has anything to show. A row without value and note takes no space.</summary>
+        /// <summary>Returns whether a row has a value or a note. Other rows take no space.</summary>
         public bool IsShown(StatusRow row) =>
             !string.IsNullOrEmpty(_values[(int)row]) || !string.IsNullOrEmpty(_notes[(int)row]);
 
-        /// <param name="statistics">Null while there is no session.</param>
-        /// <param name="settings">Null when they are not known.</param>
-        /// <param name="robot">Its name; null while it is not known.</param>
-        /// <param name="problem">Why there is no session; null for no reason.</param>
-        /// <param name="anchor">Where the base is; null for none.</param>
-        /// <param name="pairing">What sets the session up; null for nothing.</param>
+        /// <param name="statistics">Null without a session.</param>
+        /// <param name="settings">Null if they are unknown.</param>
+        /// <param name="robot">Name of the robot; null if it is unknown.</param>
+        /// <param name="problem">Why there is no session; null if there is no problem.</param>
+        /// <param name="anchor">Anchor of the base; null for none.</param>
+        /// <param name="pairing">Pairing of the session; null for none.</param>
         public void Update(
             SessionStatistics statistics, SessionSettings settings, string robot, string problem, BaseAnchor anchor = null,
             CellPairing pairing = null)
@@ -94,7 +97,7 @@ namespace Nowpose.Unity.Status
             }
             if (anchor != null) Set(StatusRow.Base, BaseTexts.ValueOf(anchor.State), _base.NoteOf(anchor));
             var isPairing = pairing != null;
-            // Before there is a pairing, links and base cannot be better.
+            // The pairing comes first, because connections and base depend on it.
             var obstacle = problem ?? (isPairing ? pairing.Obstacle : null);
             var guidance = obstacle == null && isPairing ? pairing.Guidance : null;
             var fault = obstacle ?? FaultOf(statistics) ?? _missingJoints.Of(statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
@@ -145,7 +148,7 @@ namespace Nowpose.Unity.Status
             return _robotNote ?? "";
         }
 
-        // Reading an address costs garbage.
+        // Evaluated only for new settings, because reading an address allocates.
         void Follow(SessionSettings settings)
         {
             if (settings == _settings) return;
@@ -180,7 +183,7 @@ namespace Nowpose.Unity.Status
             return words;
         }
 
-        /// <summary>Why a pose is not current; empty where it is.</summary>
+        /// <summary>Returns why a pose is not current; empty if it is.</summary>
         public static string ReasonOf(PoseState pose)
         {
             switch (pose)
@@ -228,7 +231,7 @@ namespace Nowpose.Unity.Status
             }
         }
 
-        // Of the two connections the one that is worse off.
+        // Shows the worse of the two connections.
         static string ConnectionOf(SessionStatistics statistics)
         {
             var (sync, samples) = (statistics.SyncLink.State, statistics.SampleLink.State);

@@ -2,10 +2,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Whoever looks at the scene.</summary>
+    /// <summary>The viewer of the scene.</summary>
     static class Viewer
     {
-        /// <summary>The main camera, which is the wearer's head; null where there is none.</summary>
+        /// <summary>The main camera, which is the wearer's head; null if there is none.</summary>
         public static Transform Head
         {
             get
@@ -15,7 +15,7 @@ namespace Nowpose.Unity.Status
             }
         }
 
-        /// <summary>Upright, and read from where the viewer stands: the engine's texts are read along their z axis.</summary>
+        /// <summary>Returns the upright rotation with which a text faces the viewer: the engine's texts are read along their z axis.</summary>
         public static Quaternion Facing(Vector3 text, Vector3 viewer)
         {
             var away = text - viewer;

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Breaks a line between words, which a TextMesh does not do. A word that is wider than a line is broken.</summary>
+    /// <summary>Wraps a line between words, which a TextMesh does not do. A word that is wider than a line is split.</summary>
     static class WrappedText
     {
         const char Ellipsis = '…';

@@ -4,7 +4,7 @@ using UnityEngine.InputSystem.XR;
 
 namespace Nowpose.Samples
 {
-    /// <summary>Lets the camera follow the head, by the Input System's own driver, which it adds where there is none.</summary>
+    /// <summary>Makes the camera follow the head with the Input System's own driver, which it adds if there is none.</summary>
     [AddComponentMenu("Nowpose/Samples/Head Tracking")]
     [RequireComponent(typeof(Camera))]
     [DisallowMultipleComponent]

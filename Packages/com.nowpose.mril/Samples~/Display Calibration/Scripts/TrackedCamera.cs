@@ -6,7 +6,7 @@ using UnityEngine.InputSystem.XR;
 
 namespace Nowpose.Samples
 {
-    /// <summary>Lets the camera follow the headset. Without a headset, or without the Input System, the camera stays where it is.</summary>
+    /// <summary>Makes the camera follow the headset. Without a headset, or without the Input System, the camera stays in place.</summary>
     [AddComponentMenu("Nowpose/Samples/Tracked Camera")]
     [RequireComponent(typeof(Camera))]
     [DisallowMultipleComponent]

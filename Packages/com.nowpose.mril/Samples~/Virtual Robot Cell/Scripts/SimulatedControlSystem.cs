@@ -8,10 +8,10 @@ using UnityEngine;
 
 namespace Nowpose.Samples
 {
-    /// <summary>A control system inside the scene: a robot that picks and places, its clock, and the network to the headset.</summary>
+    /// <summary>A control system inside the scene: a pick-and-place robot, its clock, and the network to the headset.</summary>
     /// <remarks>
-    /// Feeds a session that does not connect as a gateway would: with samples, clock exchanges and the robot's description.
-    /// Every knob acts while the scene plays.
+    /// Feeds a session that is not connected, as a gateway does: with samples, clock exchanges and the robot's description.
+    /// All settings take effect while the scene plays.
     /// </remarks>
     [AddComponentMenu("Nowpose/Samples/Simulated Control System")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder - 1)]
@@ -64,15 +64,15 @@ namespace Nowpose.Samples
         VirtualCell _cell;
         CompensationSession _described;
 
-        /// <summary>The session it feeds.</summary>
+        /// <summary>The session that receives the data.</summary>
         public MrilSession Session => _session;
 
-        /// <summary>The robot that moves; null while this component is not enabled.</summary>
+        /// <summary>The simulated robot; null while this component is not enabled.</summary>
         public RobotModel Robot { get; private set; }
 
-        /// <summary>Where the robot truly is at a moment.</summary>
+        /// <summary>Gets the true joint positions of the robot at a time.</summary>
         /// <param name="joints">One per moving joint of the robot, rad or m.</param>
-        /// <returns>False while the simulation has not begun.</returns>
+        /// <returns>False if the simulation has not begun.</returns>
         public bool TryGetTruth(HeadsetTime at, Span<double> joints)
         {
             if (_cell == null) return false;

@@ -5,14 +5,14 @@ using UnityEngine;
 
 namespace Nowpose.Samples
 {
-    /// <summary>Plays the real robot: moves the rig beside it to where the simulated robot truly is when a frame's light appears.</summary>
+    /// <summary>Represents the real robot: moves the rig on its object to the simulated robot's true position at the display time.</summary>
     [AddComponentMenu("Nowpose/Samples/Truth Rig")]
     [DefaultExecutionOrder(BeforeRigs)]
     [RequireComponent(typeof(RobotRig))]
     [DisallowMultipleComponent]
     public sealed class TruthRig : MonoBehaviour
     {
-        // A rig without a session says so at its start unless it is bound to a robot by then.
+        // Before rigs, because a rig without a session logs a warning at its start unless it is bound to a robot.
         const int BeforeRigs = -1;
 
         [SerializeField, Tooltip("Moves the robot.")]

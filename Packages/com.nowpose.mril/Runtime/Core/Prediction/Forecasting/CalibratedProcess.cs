@@ -7,7 +7,7 @@ namespace Nowpose.Prediction.Forecasting
     /// The kernel gives the growth of the standard deviation with the horizon, not its scale: the motion of a robot is not stationary.
     /// The quadratic form of the newest samples underestimates the errors of fast moves by a third, and grows only after the error.
     /// Therefore each new sample is compared with the forecast made one horizon before it. The scale is the mean of the squared errors,
-    /// each divided by the variance of the unscaled process at that horizon. prediction.md has the shares of errors inside.
+    /// each divided by the variance of the unscaled process at that horizon. prediction.md lists the share of errors within the deviation.
     /// </remarks>
     sealed class CalibratedProcess : Forecaster
     {
@@ -40,7 +40,7 @@ namespace Nowpose.Prediction.Forecasting
             _variance = 0;
         }
 
-        // Solving again from the samples of that time needs no memory of past forecasts.
+        // Solves again from the samples of that time, so past forecasts need not be stored.
         void Learn(MotionState motion)
         {
             var age = AgeAtHorizon(motion);
@@ -50,7 +50,7 @@ namespace Nowpose.Prediction.Forecasting
             var error = newest.Position - then.Position - _process.At(ahead);
             var square = error * error / _process.VarianceAt(ahead);
             if (!double.IsFinite(square)) return;
-            // Plain mean of the first errors.
+            // The first errors are averaged without weights.
             var share = Math.Max(1 - Math.Exp(-motion.Interval / ErrorTimeConstant), 1.0 / ++_errors);
             _variance += share * (square - _variance);
         }

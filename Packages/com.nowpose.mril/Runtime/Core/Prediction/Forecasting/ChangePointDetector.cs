@@ -2,26 +2,26 @@ using System;
 
 namespace Nowpose.Prediction.Forecasting
 {
-    /// <summary>Finds change points, where a motion breaks off: then the samples before say nothing about those after.</summary>
+    /// <summary>Detects change points, at which a motion breaks off and earlier samples give no information about later ones.</summary>
     /// <remarks>
-    /// An emergency stop poisons every window that straddles it. A change point is a change of velocity faster than any of the last
-    /// seconds; when the one after it confirms that the machine has started rather than stopped, all samples count again.
+    /// A window of samples across an emergency stop gives wrong forecasts. A change point is a change of velocity faster than any of the
+    /// last seconds. If the next sample confirms that the machine has started rather than stopped, all samples are used again.
     /// </remarks>
     sealed class ChangePointDetector
     {
-        /// <summary>Ratio of an acceleration at a change point to the maximum remembered one.</summary>
+        /// <summary>Minimum ratio of the acceleration at a change point to the maximum recent one.</summary>
         const double Surprise = 1.5;
 
-        /// <summary>In which the greatest acceleration, and the greatest speed, fade to 1/e, s: several moves of most machines.</summary>
+        /// <summary>Forgetting time constants of the maximum acceleration and of the maximum speed, in s: several moves of most machines.</summary>
         const double AccelerationMemory = 8, SpeedMemory = 20;
 
-        /// <summary>A change of velocity counts only if it is this share of the greatest speed remembered.</summary>
+        /// <summary>Minimum change of velocity, as a share of the maximum recent speed.</summary>
         const double MinShareOfSpeed = 0.25;
 
         /// <summary>Minimum share of its speed that a started motion keeps.</summary>
         const double Confirmation = 0.9;
 
-        /// <summary>More than any forecaster looks at.</summary>
+        /// <summary>More samples than any forecaster uses.</summary>
         const int AllSamples = 99;
 
         double _maxAcceleration;
@@ -30,16 +30,16 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Number of newest samples that belong to one motion.</summary>
         public int Available { get; private set; }
 
-        /// <summary>Whether the newest change point was one that sped the motion up.</summary>
+        /// <summary>Whether the newest change point increased the speed.</summary>
         public bool HasGrown { get; private set; }
 
-        /// <summary>Change points since the start.</summary>
+        /// <summary>Number of change points since the start.</summary>
         public int Count { get; private set; }
 
-        /// <summary>Takes in the intervals before the newest sample, in samples' units and s.</summary>
-        /// <param name="samples">Samples there are, the newest included.</param>
-        /// <param name="speed">Increment ÷ interval before the newest sample; 0 without one.</param>
-        /// <param name="speedBefore">The one before.</param>
+        /// <summary>Processes the two intervals before the newest sample, in the samples' unit and s.</summary>
+        /// <param name="samples">Number of samples, including the newest.</param>
+        /// <param name="speed">Increment ÷ interval before the newest sample; 0 if there is none.</param>
+        /// <param name="speedBefore">Speed in the previous interval.</param>
         public void Add(int samples, double interval, double speed, double intervalBefore, double speedBefore)
         {
             Available++;

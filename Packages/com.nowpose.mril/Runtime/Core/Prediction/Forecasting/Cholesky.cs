@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Prediction.Forecasting
 {
-    /// <summary>Solves small symmetric positive definite systems in place; MathNet's allocates, which a sample must not.</summary>
+    /// <summary>Solves small symmetric positive definite systems in place; unlike MathNet's solver it does not allocate.</summary>
     static class Cholesky
     {
         /// <summary>Pivots below this are rounding errors of an exactly singular system.</summary>
@@ -24,7 +24,7 @@ namespace Nowpose.Prediction.Forecasting
             }
         }
 
-        /// <param name="matrix">With the factor L.</param>
+        /// <param name="matrix">Matrix with the factor L.</param>
         /// <param name="vector">The right-hand side; holds the solution afterwards.</param>
         public static void Solve(double[] matrix, double[] vector, int n)
         {
@@ -37,7 +37,7 @@ namespace Nowpose.Prediction.Forecasting
             }
         }
 
-        /// <summary>Solves L x = vector: the squares of x are the vector's quadratic form by the inverse.</summary>
+        /// <summary>Solves L x = vector: the sum of squares of x is the vector's quadratic form with the inverse matrix.</summary>
         public static void SolveLower(double[] matrix, double[] vector, int n)
         {
             for (var i = 0; i < n; i++)

@@ -1,22 +1,22 @@
 namespace Nowpose.Prediction.Forecasting
 {
-    /// <summary>Forecasts as tables: positions relative to the newest sample's at 0, 25 … 500 ms after it.</summary>
-    /// <remarks>A frame reads each table by the same Catmull-Rom spline.</remarks>
+    /// <summary>Forecast tables: positions relative to the newest sample's at 0, 25 … 500 ms after it.</summary>
+    /// <remarks>Tables are read by Catmull-Rom interpolation.</remarks>
     static class ForecastTable
     {
         public const int Points = 21;
 
-        /// <summary>s.</summary>
+        /// <summary>Interval of the points, in s.</summary>
         public const double Step = 0.025;
 
-        /// <summary>The last point's time, s.</summary>
+        /// <summary>Time of the last point, in s.</summary>
         public const double Span = (Points - 1) * Step;
 
-        /// <summary>Margin before the last point, s, so that no read lies beyond the last cell.</summary>
+        /// <summary>Margin before the last point, in s, so that each read is within the last cell.</summary>
         const double Inside = 1e-9;
 
-        /// <param name="table">Holds the table from <paramref name="start"/> on.</param>
-        /// <param name="ahead">Seconds after the newest sample; before 0 the value at 0, beyond the span the last one.</param>
+        /// <param name="table">An array that contains the table from <paramref name="start"/> on.</param>
+        /// <param name="ahead">Seconds after the newest sample; clamped to the table's range.</param>
         public static double Read(double[] table, int start, double ahead)
         {
             var x = ahead < 0 ? 0 : ahead > Span - Inside ? Span - Inside : ahead;

@@ -1,35 +1,35 @@
 namespace Nowpose.Prediction.Forecasting
 {
-    /// <summary>Says where a joint will be, from its newest samples. Allocates nothing once made; one thread.</summary>
+    /// <summary>Forecasts a joint's position from its newest samples. Allocates nothing after construction; one thread.</summary>
     abstract class Forecaster
     {
-        /// <summary>Samples of one motion that it needs.</summary>
+        /// <summary>Minimum number of samples of one motion.</summary>
         public abstract int Samples { get; }
 
-        /// <summary>How far its forecasts reach, s; infinite where nothing bounds them.</summary>
+        /// <summary>Maximum time of a forecast, in s; infinite if there is no limit.</summary>
         public virtual double Span => double.PositiveInfinity;
 
         /// <summary>Solves for the newest samples.</summary>
-        /// <returns>False where it has nothing to say of them.</returns>
+        /// <returns>False if it has no forecast for them.</returns>
         public abstract bool Solve(MotionState motion);
 
-        /// <summary>Position relative to the newest sample's, by what was solved last.</summary>
+        /// <summary>Returns the position relative to the newest sample's, from the last solve.</summary>
         /// <param name="ahead">Seconds after the newest sample, 0 or more.</param>
         public abstract double At(double ahead);
 
-        /// <summary>Standard deviation of the position, in the samples' unit; NaN where it is unknown.</summary>
+        /// <summary>Returns the standard deviation of the position, in the samples' unit; NaN if it is unknown.</summary>
         /// <param name="ahead">Seconds after the newest sample, 0 or more.</param>
         public virtual double DeviationAt(double ahead) => double.NaN;
 
-        /// <summary>Fills a table of <see cref="ForecastTable"/> by what was solved last.</summary>
-        /// <param name="table">To hold the table from <paramref name="start"/> on.</param>
-        /// <param name="points">How much of it is wanted.</param>
+        /// <summary>Fills a table of <see cref="ForecastTable"/> from the last solve.</summary>
+        /// <param name="table">An array that receives the table from <paramref name="start"/> on.</param>
+        /// <param name="points">Number of points to fill.</param>
         public virtual void Fill(double[] table, int start, int points)
         {
             for (var i = 0; i < points; i++) table[start + i] = At(i * ForecastTable.Step);
         }
 
-        /// <summary>Forgets what it has learned.</summary>
+        /// <summary>Discards all learned state.</summary>
         public virtual void Reset() { }
     }
 }

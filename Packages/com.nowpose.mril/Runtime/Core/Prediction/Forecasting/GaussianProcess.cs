@@ -3,35 +3,35 @@ using System;
 namespace Nowpose.Prediction.Forecasting
 {
     /// <summary>
-    /// Gaussian process regression with a Matérn-7/2 kernel of unit variance and an unknown linear trend: motion whose third derivative
-    /// is continuous.
+    /// Gaussian process regression with a Matérn-7/2 kernel of unit variance and an unknown linear trend: models motion with a continuous
+    /// third derivative.
     /// </summary>
     /// <remarks>
     /// k(d) = (1 + r + 2r²/5 + r³/15) e⁻ʳ with r = √7 |d| / l (Rasmussen &amp; Williams 2006, section 4.2.1), plus a constant and a
-    /// linear trend of great variance. Ahead of all samples the mean of the process is (A₀ + A₁u + A₂u² + A₃u³) e⁻ᵘ + B₀ + B₁x with
-    /// u = √7 x / l, so a solve costs one exponential for each sample. Uneven intervals are as good as even ones.
+    /// linear trend of large variance. Ahead of all samples the mean of the process is (A₀ + A₁u + A₂u² + A₃u³) e⁻ᵘ + B₀ + B₁x with
+    /// u = √7 x / l, so a solve needs one exponential per sample. Intervals may be uneven.
     /// </remarks>
     sealed class GaussianProcess : Forecaster
     {
-        /// <summary>l, s: the correlation length of the motion. Of 0.4 to 2 s the best single value on clean moves.</summary>
+        /// <summary>l, in s: the correlation length of the motion. Between 0.4 and 2 s, the best single value on clean moves.</summary>
         const double LengthScale = 0.6;
 
-        /// <summary>Variance of the samples' noise over that of the motion.</summary>
+        /// <summary>Ratio of the variance of the samples' noise to that of the motion.</summary>
         const double Noise = 1e-7;
 
-        /// <summary>Newest samples used.</summary>
+        /// <summary>Number of newest samples used.</summary>
         const int Newest = 5;
 
         /// <summary>Variance of the level, relative to that of the motion.</summary>
         const double LevelVariance = 100;
 
         /// <summary>
-        /// Variance of the trend, relative to that of the motion, per second squared: large enough for constant velocity to be
+        /// Variance of the trend, relative to that of the motion, per second squared: large enough that constant velocity is
         /// predicted exactly.
         /// </summary>
         const double TrendVariance = 1000 / (LengthScale * LengthScale);
 
-        /// <summary>Longest time between the newest and the oldest sample used, in units of l/√7.</summary>
+        /// <summary>Maximum time between the newest and the oldest used sample, in units of l/√7.</summary>
         const double MaxSpan = 300;
 
         static readonly double PerSecond = Math.Sqrt(7) / LengthScale;
@@ -47,7 +47,7 @@ namespace Nowpose.Prediction.Forecasting
         double _stop;
 
         /// <param name="stopsAtReversal">
-        /// Whether a forecast that reverses stays constant from there on: drives stop far more often than they reverse.
+        /// Whether a forecast stays constant from its reversal on: drives stop far more often than they reverse.
         /// </param>
         public GaussianProcess(bool stopsAtReversal) => _stopsAtReversal = stopsAtReversal;
 
@@ -89,7 +89,7 @@ namespace Nowpose.Prediction.Forecasting
             return At(x, Math.Exp(-x * PerSecond));
         }
 
-        /// <summary>Variance of the position, in that of the motion about its line.</summary>
+        /// <summary>Returns the variance of the position, relative to the variance of the motion about its trend.</summary>
         /// <param name="ahead">Seconds after the newest sample, 0 or more.</param>
         public double VarianceAt(double ahead)
         {
@@ -110,17 +110,17 @@ namespace Nowpose.Prediction.Forecasting
                 table[start + i] = i * ForecastTable.Step > _stop ? table[start + i - 1] : At(i * ForecastTable.Step, decay);
         }
 
-        // k without its exponential; r of samples is never negative, for the newest comes first.
+        // k without its exponential; r is never negative, because the newest sample comes first.
         static double Polynomial(double r) => 1 + r * (1 + r * (0.4 + r / 15));
 
-        // The decay is e⁻ᵘ.
+        // decay is e⁻ᵘ.
         double At(double x, double decay)
         {
             var u = x * PerSecond;
             return (_a0 + u * (_a1 + u * (_a2 + u * _a3))) * decay + _b0 + _b1 * x;
         }
 
-        // The kernels of all samples, expanded in powers of u.
+        // Sums the kernels of all samples, expanded in powers of u.
         void Sum()
         {
             _a0 = _a1 = _a2 = _a3 = _b0 = _b1 = 0;

@@ -8,19 +8,19 @@ namespace Nowpose.Prediction.Forecasting
     /// </summary>
     sealed class MotionState
     {
-        /// <summary>Weight of a new value in the running means: they follow a change of rate within ten samples.</summary>
+        /// <summary>Weight of a new value in the running means, which follow a change of rate within ten samples.</summary>
         const double MeanShare = 0.1;
 
-        /// <summary>A longer pause does not count as a sampling interval, s.</summary>
+        /// <summary>Maximum sampling interval, in s; a longer pause is not included in the mean.</summary>
         const double MaxInterval = 0.3;
 
-        /// <summary>A single gap does not change the mean interval: it counts as this many intervals at most.</summary>
+        /// <summary>Maximum interval that enters the mean, as a multiple of the mean, so that a single gap hardly changes it.</summary>
         const double MaxGapRatio = 3;
 
-        /// <summary>Range of the horizon, s: forecast tables end at 0.5 s.</summary>
+        /// <summary>Range of the horizon, in s: forecast tables end at 0.5 s.</summary>
         const double MinHorizon = 0.01, MaxHorizon = 0.45;
 
-        /// <summary>Horizon before the first displayed moment is known, s.</summary>
+        /// <summary>Horizon before the first displayed moment is known, in s.</summary>
         const double FirstHorizon = 0.125;
 
         /// <summary>A speed below this share of the neighbouring one marks a start or a stop.</summary>
@@ -30,13 +30,13 @@ namespace Nowpose.Prediction.Forecasting
         readonly double _maxHorizon;
         double _lastSpeed;
 
-        /// <param name="samples">As the buffer keeps them.</param>
-        /// <param name="limits">The gap beyond which samples say nothing of each other.</param>
+        /// <param name="samples">History of the sample buffer.</param>
+        /// <param name="limits">Limits with the maximum gap between samples of one motion.</param>
         public MotionState(SampleHistory samples, PredictionLimits limits)
         {
             Samples = samples;
             _maximumGap = limits.MaximumGap;
-            // Beyond the cap nothing is predicted.
+            // Positions beyond the cap are not predicted.
             _maxHorizon = Math.Max(MinHorizon, Math.Min(MaxHorizon, limits.HorizonCap));
             Reset();
         }
@@ -48,7 +48,7 @@ namespace Nowpose.Prediction.Forecasting
 
         public ChangePointDetector ChangePoints { get; } = new ChangePointDetector();
 
-        /// <summary>Whether what was taken last is newer than all before; otherwise it was overtaken.</summary>
+        /// <summary>Whether the last sample taken is newer than all before; otherwise it was overtaken.</summary>
         public bool IsNewest { get; private set; }
 
         /// <summary>Number of newest samples without a gap above the maximum.</summary>
@@ -57,7 +57,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Number of newest samples that belong to one motion.</summary>
         public int OfOneMotion => Math.Min(Connected, ChangePoints.Available);
 
-        /// <summary>Before the newest sample, s; 0 before two samples.</summary>
+        /// <summary>Interval before the newest sample, in s; 0 before two samples.</summary>
         public double Interval { get; private set; }
 
         /// <summary>Mean speed over <see cref="Interval"/>, per second; 0 before two samples.</summary>
@@ -66,21 +66,21 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Running mean of <see cref="Interval"/>, s; 0 before two samples.</summary>
         public double MeanInterval { get; private set; }
 
-        /// <summary>When the joint last started, stopped or turned, s.</summary>
+        /// <summary>Time at which the joint last started, stopped or reversed, in s.</summary>
         public double Start { get; private set; }
 
         /// <summary>
-        /// Maximum speed that two neighbouring intervals both had in the same direction, per second; 0 before. One interval alone is not enough:
-        /// a joint that is set elsewhere, or whose angle wraps from π to −π, can have any speed in one.
+        /// Maximum speed of two consecutive intervals in the same direction, per second; 0 before there were two. One interval is not enough,
+        /// because a joint that is repositioned, or whose angle wraps from π to −π, can have any speed in a single interval.
         /// </summary>
         public double MaxSpeed { get; private set; }
 
-        /// <summary>From the newest sample to what is displayed, on average, s.</summary>
+        /// <summary>Mean time from the newest sample to the display time, in s.</summary>
         public double Horizon { get; private set; }
 
-        /// <summary>Takes the sample that the buffer took last.</summary>
-        /// <param name="isNewest">False when it was overtaken.</param>
-        /// <param name="displayed">The newest moment displayed, s; NaN where nothing is displayed.</param>
+        /// <summary>Processes the sample that the buffer took last.</summary>
+        /// <param name="isNewest">False if newer samples have overtaken it.</param>
+        /// <param name="displayed">The last displayed moment, in s; NaN if nothing is displayed.</param>
         public void Take(bool isNewest, double displayed)
         {
             IsNewest = isNewest;
@@ -111,7 +111,7 @@ namespace Nowpose.Prediction.Forecasting
             if (Samples.Count == 2 || IsStart(Speed, speedBefore)) Start = Samples[1].Time;
             if (Speed * _lastSpeed > 0) MaxSpeed = Math.Max(MaxSpeed, Math.Min(Math.Abs(Speed), Math.Abs(_lastSpeed)));
             _lastSpeed = Speed;
-            // The display uses this section for another sampling interval.
+            // On average, the display uses this section for another half of the sampling interval.
             var ahead = displayed - Samples.NewestTime + MeanInterval / 2;
             if (ahead > 0) Horizon += MeanShare * (Math.Min(Math.Max(ahead, MinHorizon), _maxHorizon) - Horizon);
         }

@@ -4,14 +4,14 @@ namespace Nowpose.Prediction.Forecasting
 {
     /// <summary>Ordinary least squares for Eq. (8) with more points than coefficients.</summary>
     /// <remarks>
-    /// The basis is made orthogonal on the points themselves, each power from the one before, so the solve needs no
+    /// The basis is orthogonalised on the sample times, each power from the one before, so the solve needs no
     /// matrix and does not square the condition number as normal equations do.
     /// </remarks>
     sealed class OrthogonalFit
     {
         /// <summary>
-        /// A second pass removes what rounding left of the first; it is needed only where the first removed nearly all: of clustered
-        /// stamps. The square of what is left, of what was.
+        /// Threshold of a second pass, which removes the rounding errors of the first. It is needed only for clustered stamps, where the first
+        /// pass removes nearly everything: ratio of the squared norm after the first pass to that before.
         /// </summary>
         const double NearlyAll = 0.01;
 
@@ -30,8 +30,8 @@ namespace Nowpose.Prediction.Forecasting
         }
 
         /// <summary>
-        /// Adds the fit of the first <paramref name="count"/> points to the coefficients, the constant first. Uses up the
-        /// positions (they become the residuals); needs more distinct times than the degree.
+        /// Adds the fit of the first <paramref name="count"/> points to the coefficients, the constant first. Overwrites the
+        /// positions with the residuals; needs more distinct times than the degree.
         /// </summary>
         public void Solve(double[] times, double[] positions, int count, int degree, double[] coefficients)
         {

@@ -16,7 +16,7 @@ namespace Nowpose.Prediction.Forecasting
         double _stop;
 
         /// <param name="usesReported">
-        /// Whether velocity and acceleration in the newest sample are used; without them it goes through three samples.
+        /// Whether to use velocity and acceleration of the newest sample; if they are not reported, three samples are used.
         /// </param>
         public ParabolaForecaster(bool usesReported) => _usesReported = usesReported;
 
@@ -25,7 +25,7 @@ namespace Nowpose.Prediction.Forecasting
         public override bool Solve(MotionState motion)
         {
             if (motion.Connected < Samples) return false;
-            // NaN where it is not given, and absurd values, which overflow.
+            // False for NaN (not reported), and for absurd values, which overflow.
             if (_usesReported && Math.Abs(motion.Samples[0].Velocity) < MaxMagnitude) TakeReported(motion);
             else TakeThree(motion);
             _stop = _speed * _bend < 0 ? -_speed / (2 * _bend) : double.PositiveInfinity;
@@ -49,7 +49,7 @@ namespace Nowpose.Prediction.Forecasting
             }
         }
 
-        // Taylor's series; with a velocity alone the sample before gives the second derivative.
+        // Taylor series; if only the velocity is reported, the previous sample determines the second derivative.
         void TakeReported(MotionState motion)
         {
             ref readonly var newest = ref motion.Samples[0];
@@ -66,7 +66,7 @@ namespace Nowpose.Prediction.Forecasting
             var s2 = (samples[2].Position - samples[0].Position) / h2;
             _bend = (s1 - s2) / (h1 - h2);
             _speed = s1 - _bend * h1;
-            // The vertex is already passed.
+            // The vertex is in the past.
             if (_speed * (samples[0].Position - samples[1].Position) <= 0) _speed = _bend = 0;
         }
     }

@@ -6,17 +6,17 @@ namespace Nowpose.Prediction.Forecasting
     /// Section-wise polynomials of Schnierle &amp; Röck 2022, Eq. (8): interpolating for h = n, least squares for h &gt; n.
     /// </summary>
     /// <remarks>
-    /// Fewer than h + 1 samples, or stamps that coincide, are met by the highest degree they determine. Degree 0 is hold.
+    /// For fewer than h + 1 samples, or coinciding stamps, it uses the highest degree that they determine. Degree 0 is hold.
     /// </remarks>
     sealed class PolynomialForecaster : Forecaster
     {
-        /// <summary>Greatest h.</summary>
+        /// <summary>Maximum h.</summary>
         public const int MaxHistory = 100;
 
         readonly PolynomialSection _section;
 
         /// <param name="degree">n, 0 to 3.</param>
-        /// <param name="history">h, the samples used besides the newest one; n to 100.</param>
+        /// <param name="history">h, the number of samples used besides the newest one; n to 100.</param>
         /// <exception cref="ArgumentOutOfRangeException">Degree or history is outside its range.</exception>
         public PolynomialForecaster(int degree, int history)
         {

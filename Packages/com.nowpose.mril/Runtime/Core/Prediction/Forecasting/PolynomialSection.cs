@@ -3,14 +3,14 @@ using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Prediction.Forecasting
 {
-    /// <summary>One section of Schnierle &amp; Röck 2022, Eq. (8): the polynomial that holds until the next sample.</summary>
+    /// <summary>One section of Schnierle &amp; Röck 2022, Eq. (8): the polynomial that is valid until the next sample.</summary>
     /// <remarks>
-    /// Times count from the newest sample and are scaled by a power of two near the window's span; positions count from
-    /// the newest one. So neither the epoch nor the unit costs accuracy, and scaling rounds nothing.
+    /// Times are relative to the newest sample and scaled by a power of two near the window's span; positions are relative to
+    /// the newest one. So neither the epoch nor the unit affects the accuracy, and the scaling causes no rounding.
     /// </remarks>
     sealed class PolynomialSection
     {
-        /// <summary>Half a tick of the time types: nearer stamps are the same stamp, which no polynomial can pass twice.</summary>
+        /// <summary>Half a tick of the time types: closer stamps count as equal, and a polynomial cannot pass through both.</summary>
         const double CoincidentSeconds = 0.5e-7;
 
         public const int HighestDegree = 3;
@@ -31,10 +31,10 @@ namespace Nowpose.Prediction.Forecasting
             _fit = new OrthogonalFit(degree, points);
         }
 
-        /// <summary>Degree of the section in use; 0 when the stamps determine no velocity.</summary>
+        /// <summary>Degree of the section in use; 0 if the stamps determine no velocity.</summary>
         public int Degree { get; private set; }
 
-        /// <summary>Position relative to the newest sample's, at seconds ahead of its time.</summary>
+        /// <summary>Returns the position relative to the newest sample's, at a number of seconds after it.</summary>
         public double At(double ahead)
         {
             var x = ahead * _perScale;
@@ -54,7 +54,7 @@ namespace Nowpose.Prediction.Forecasting
             }
         }
 
-        /// <summary>Solves for the newest <paramref name="count"/> samples, by the highest degree they determine.</summary>
+        /// <summary>Solves for the newest <paramref name="count"/> samples, with the highest degree that they determine.</summary>
         public void Solve(SampleHistory history, int count)
         {
             Array.Clear(_coefficients, 0, _coefficients.Length);
@@ -85,7 +85,7 @@ namespace Nowpose.Prediction.Forecasting
             var earliest = _times[0];
             for (var i = 1; i < count; i++)
             {
-                // Sorted stamps need one look each.
+                // Sorted stamps need only one comparison each.
                 if (_times[i] <= earliest - coincident)
                 {
                     earliest = _times[i];
@@ -102,7 +102,7 @@ namespace Nowpose.Prediction.Forecasting
         }
 
         /// <summary>
-        /// Interpolates by Newton's divided differences, the most accurate for clustered stamps, and expands the result for Horner's
+        /// Interpolates by Newton's divided differences, the most accurate method for clustered stamps, and expands the result for Horner's
         /// scheme.
         /// </summary>
         void Interpolate()

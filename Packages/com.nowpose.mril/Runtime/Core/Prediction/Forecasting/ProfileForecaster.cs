@@ -4,30 +4,30 @@ using Nowpose.Motion;
 namespace Nowpose.Prediction.Forecasting
 {
     /// <summary>
-    /// For axes whose drive limits are known: the newest move is the S-curve (7-phase) profile from rest to rest that its samples lie
-    /// on.
+    /// For axes with known drive limits: fits the S-curve (7-phase) profile from rest to rest to the samples of the newest
+    /// move.
     /// </summary>
     /// <remarks>
-    /// The first samples of a move tell when it began, for until it brakes every move under the same limits is the same
-    /// (Schnierle &amp; Röck 2022, Fig. 12). A sample that lags behind that tells the stroke, and so the rest of the move.
-    /// Moves that are not from rest to rest are predicted wrongly: whether to trust it is for a gate to say.
+    /// The first samples of a move determine its start, because all moves under the same limits are equal until they brake
+    /// (Schnierle &amp; Röck 2022, Fig. 12). A sample that lags behind that curve determines the stroke, and so the rest of the move.
+    /// Moves that are not from rest to rest are predicted wrongly: a gate decides whether to use the forecast.
     /// </remarks>
     sealed class ProfileForecaster : Forecaster
     {
-        /// <summary>Lag from which a move counts as braking, s: more than rounding of stamps can explain.</summary>
+        /// <summary>Minimum lag from which a move counts as braking, in s: larger than the rounding of stamps.</summary>
         const double MinLag = 0.6e-3;
 
         /// <summary>
-        /// The start of a move is slower than what counts as still elsewhere: displacements up to this share of that are rest.
+        /// Displacements up to this share of the standstill threshold count as rest, because a move starts slower than that threshold.
         /// </summary>
         const double RestShare = 0.1;
 
         /// <summary>
-        /// A sample lies on a move when its distance is less than this share of the maximum displacement between two samples.
+        /// A sample lies on a move if its distance is below this share of the maximum displacement between two samples.
         /// </summary>
         const double ToleranceShare = 0.02;
 
-        /// <summary>Steps of a search by halving: more resolve nothing in a double.</summary>
+        /// <summary>Steps of the bisection: further ones exceed the resolution of a double.</summary>
         const int Bisections = 50;
 
         readonly PredictionLimits _limits;
@@ -45,12 +45,12 @@ namespace Nowpose.Prediction.Forecasting
         bool _hasBraked;
 
         /// <param name="limits">Velocity, acceleration and jerk must be finite.</param>
-        /// <exception cref="ArgumentException">A limit of the drive is not known.</exception>
+        /// <exception cref="ArgumentException">A limit of the drive is unknown.</exception>
         public ProfileForecaster(PredictionLimits limits)
         {
             _limits = limits;
             if (!HasLimits(limits)) throw new ArgumentException("velocity, acceleration and jerk must be known", nameof(limits));
-            // A stroke long enough that none is braked for within a minute.
+            // A stroke long enough that the move does not brake within a minute.
             _maxStroke = limits.Velocity * 60;
             _endless = Profile(_maxStroke);
             Reset();
@@ -58,11 +58,11 @@ namespace Nowpose.Prediction.Forecasting
 
         public override int Samples => 1;
 
-        /// <summary>Whether limits are enough for this forecaster.</summary>
+        /// <summary>Returns whether the limits are sufficient for this forecaster.</summary>
         public static bool HasLimits(PredictionLimits limits) =>
             double.IsFinite(limits.Velocity) && double.IsFinite(limits.Acceleration) && double.IsFinite(limits.Jerk);
 
-        /// <returns>False where the motion is none of these moves.</returns>
+        /// <returns>False if the motion is not such a move.</returns>
         public override bool Solve(MotionState motion)
         {
             if (!motion.IsNewest) return _isKnown;
@@ -101,7 +101,7 @@ namespace Nowpose.Prediction.Forecasting
             _isKnown = true;
         }
 
-        // Samples this close to rest hardly show when it ended: they count as rest.
+        // Samples close to rest do not determine the start accurately, so they count as rest.
         void Begin(double timeBefore)
         {
             var displacement = _newestPosition - _restPosition;
@@ -110,7 +110,7 @@ namespace Nowpose.Prediction.Forecasting
             _move = _endless;
             _hasBraked = false;
             _start = _newestTime - TimeTo(Math.Abs(displacement));
-            // It cannot have begun before it was last seen at rest.
+            // The move cannot have begun before the last sample at rest.
             _isKnown = _start > timeBefore - MinLag;
         }
 
@@ -120,7 +120,7 @@ namespace Nowpose.Prediction.Forecasting
             var displacement = _direction * (_newestPosition - _restPosition);
             if (_hasBraked && elapsed > _move.Duration && Math.Abs(_newestPosition - End) > _stillDistance)
             {
-                // The next move has begun, after a dwell too short to be seen.
+                // The next move has begun after a dwell too short to be detected.
                 Rest(End);
                 Begin(before.Time);
                 return;
@@ -138,7 +138,7 @@ namespace Nowpose.Prediction.Forecasting
             return Math.Abs(sample.Position - expected) <= ToleranceShare * _maxDisplacement;
         }
 
-        // The longer the stroke the further the axis has come by now, up to where all strokes are the same.
+        // A longer stroke means a larger displacement at this time, until all strokes are equal.
         bool TryFindStroke(double displacement, double elapsed)
         {
             double shorter = 0, longer = _maxStroke;

@@ -3,45 +3,46 @@ using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Prediction.Forecasting
 {
-    /// <summary>Tells rest, noise included, from motion: at rest another mixture of forecasts is right.</summary>
+    /// <summary>Distinguishes rest, including noise, from motion, because the weights of the mixture differ at rest.</summary>
     /// <remarks>
-    /// The range of the newest four samples has a low decile over time, which is what noise alone makes; a few times that
-    /// is rest, and leaving an anchor by more than that ends it.
+    /// The low decile over time of the range of the newest four samples is an estimate of the noise. A range below a small multiple
+    /// of it means rest; a larger distance from an anchor ends it.
     /// </remarks>
     sealed class RestDetector
     {
-        /// <summary>Samples whose range is compared: fewer are within the noise by chance.</summary>
+        /// <summary>Number of samples in a range: the range of fewer samples is within the noise by chance.</summary>
         const int Window = 4;
 
         /// <summary>
-        /// The quantile of the ranges that counts as noise: every machine is assumed to rest at least this share of the time.
+        /// Quantile of the ranges that counts as noise: every machine is assumed to rest for at least this share of the time.
         /// </summary>
         const double Quantile = 0.1;
 
-        /// <summary>Step of the logarithm of the range per the second value, s, to which longer intervals are limited.</summary>
+        /// <summary>Step of the logarithm of the range per the second value, in s; longer intervals are limited to it.</summary>
         const double Learning = 0.3, MaxLearningInterval = 0.1;
 
         /// <summary>
-        /// Rest begins with a range below, and ends that far from the anchor, in ranges of noise: apart, so that it does not flicker.
+        /// Rest begins with a range below the first value and ends at a distance from the anchor above the second, both as multiples of the
+        /// noise. The hysteresis prevents flickering.
         /// </summary>
         const double EntersBelow = 3, LeavesAbove = 4;
 
-        /// <summary>The anchor is a mean of ten samples: it follows what creeps.</summary>
+        /// <summary>Weight of a sample in the anchor, a mean of about ten samples that follows creeping motion.</summary>
         const double AnchorShare = 0.1;
 
-        /// <summary>With less progress than this a motion is slower than a third of the noise per sample.</summary>
+        /// <summary>Minimum ratio of progress to path length of a motion; below it, the motion per sample is under a third of the noise.</summary>
         const double MinProgress = 0.35;
 
-        /// <summary>Second differences over first ones: √3 of white noise, hardly any of a smooth turn.</summary>
+        /// <summary>Minimum ratio of second to first differences: √3 for white noise, near 0 for a smooth reversal.</summary>
         const double MinRoughness = 1.3;
 
-        /// <summary>A range of zero counts as this share of the greatest ever, or the logarithm would never come back.</summary>
+        /// <summary>Minimum range as a share of the maximum ever; the logarithm of zero would never recover.</summary>
         const double MinShare = 1e-6, Tiny = 1e-300;
 
-        /// <summary>Samples that tell noise from a slow motion.</summary>
+        /// <summary>Number of samples used to distinguish noise from a slow motion.</summary>
         const int NoiseWindow = 12;
 
-        /// <summary>A displacement below this share of the recent maximum counts as standing still.</summary>
+        /// <summary>Threshold of standstill: displacement as a share of the recent maximum.</summary>
         const double StillShare = 1e-3;
 
         /// <summary>Forgetting factor of the maximum displacement per sample: 1/e after 500 samples.</summary>
@@ -54,17 +55,17 @@ namespace Nowpose.Prediction.Forecasting
 
         public bool IsAtRest { get; private set; }
 
-        /// <summary>Whether the samples at rest scatter to and fro: then what they do is noise, and nothing follows from it.</summary>
+        /// <summary>Whether the samples at rest fluctuate around a position, so that their differences are only noise.</summary>
         public bool IsOnlyNoise { get; private set; }
 
-        /// <summary>Displacement between two samples up to which the joint stands still, in the samples' unit.</summary>
+        /// <summary>Maximum displacement between two samples of a joint that stands still, in the samples' unit.</summary>
         public double StillDistance { get; private set; }
 
-        /// <summary>Number of newest samples in a row at the same position as the one before.</summary>
+        /// <summary>Number of consecutive newest samples at the same position as the one before.</summary>
         public int StillSamples { get; private set; }
 
-        /// <param name="history">With the newest sample in it.</param>
-        /// <param name="interval">Before the newest sample, s.</param>
+        /// <param name="history">History that contains the newest sample.</param>
+        /// <param name="interval">Interval before the newest sample, in s.</param>
         public void Add(SampleHistory history, double interval)
         {
             var count = Math.Min(Window, history.Count);
@@ -108,8 +109,8 @@ namespace Nowpose.Prediction.Forecasting
             StillSamples = displacement <= StillDistance ? StillSamples + 1 : 0;
         }
 
-        // White noise goes nowhere, and its second differences are √3 times its first; a smooth motion that turns does the
-        // one but not the other.
+        // White noise makes no progress, and its second differences are √3 times its first; a smooth motion that reverses also makes no
+        // progress, but has small second differences.
         static bool IsNoise(SampleHistory history)
         {
             double displacements = 0, bends = 0;
@@ -128,7 +129,7 @@ namespace Nowpose.Prediction.Forecasting
         {
             var logarithm = Math.Log(Math.Max(range, MinShare * _maxRange + Tiny));
             if (!_hasNoise) _logarithm = logarithm;
-            // As long as nothing has ever moved, nothing is known of the noise.
+            // The noise is unknown until the joint has moved.
             _hasNoise = _maxRange > 0;
             var share = logarithm > _logarithm ? Quantile : Quantile - 1;
             _logarithm += Learning * Math.Min(interval, MaxLearningInterval) / MaxLearningInterval * share;

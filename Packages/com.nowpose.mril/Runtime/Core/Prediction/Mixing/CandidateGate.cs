@@ -7,8 +7,8 @@ namespace Nowpose.Prediction.Mixing
     /// Decides when a forecaster that is right only at times replaces the mixture: while its recent errors are clearly smaller.
     /// </summary>
     /// <remarks>
-    /// Exponentially weighted mean squares, separate for forecasts made at a standstill and in motion: predicting when a motion starts is a
-    /// different problem from predicting how it continues.
+    /// Uses exponentially weighted mean squares, separate for forecasts made at a standstill and in motion: predicting when a motion starts
+    /// is a different problem from predicting how it continues.
     /// </remarks>
     sealed class CandidateGate
     {
@@ -16,15 +16,15 @@ namespace Nowpose.Prediction.Mixing
         const double Keeping = 0.85;
 
         /// <summary>
-        /// Scored forecasts needed before it may replace the mixture; at rest more, since forecasts of rest are right by chance more
-        /// often.
+        /// Minimum number of scored forecasts before it may replace the mixture; more at rest, because forecasts of rest are right by chance
+        /// more often.
         /// </summary>
         const int MinMoving = 11, MinResting = 13;
 
-        /// <summary>Smaller squares, relative to the greatest recent one, are ignored: every forecast of rest is right.</summary>
+        /// <summary>Minimum square relative to the maximum recent one; smaller ones are ignored, because every forecast of rest is right.</summary>
         const double MinShareOfSquare = 1e-4;
 
-        /// <summary>Forgetting factor of the greatest square, per scored forecast.</summary>
+        /// <summary>Forgetting factor of the maximum square, per scored forecast.</summary>
         const double MaxSquareForgetting = 0.998;
 
         readonly double _shareOfSquare;
@@ -32,7 +32,7 @@ namespace Nowpose.Prediction.Mixing
         Record _resting;
         double _maxSquare;
 
-        /// <param name="forecaster">Not scored, and not used, where it does not solve.</param>
+        /// <param name="forecaster">The candidate; neither scored nor used if it cannot solve.</param>
         /// <param name="shareOfSquare">Its mean square must be below this share of the mixture's, 0 to 1.</param>
         public CandidateGate(Forecaster forecaster, double shareOfSquare)
         {
@@ -42,7 +42,7 @@ namespace Nowpose.Prediction.Mixing
 
         public Forecaster Forecaster { get; }
 
-        /// <summary>Mean square of its errors over that of the mixture's; infinite while it must not replace the mixture.</summary>
+        /// <summary>Returns the ratio of its mean square error to the mixture's; infinite while it must not replace the mixture.</summary>
         /// <param name="isStill">Whether the joint stands still now.</param>
         public double ShareOfSquare(bool isStill)
         {
@@ -51,16 +51,16 @@ namespace Nowpose.Prediction.Mixing
                 ? record.Candidate / record.Mixture : double.PositiveInfinity;
         }
 
-        /// <summary>Scores a forecast against the sample it was for.</summary>
+        /// <summary>Scores a forecast by the sample at its time.</summary>
         /// <param name="error">Error of the candidate.</param>
         /// <param name="mixture">
         /// Error of the mixture, limited by the outlier threshold: a single outlier of the mixture must not favour the candidate.
         /// </param>
-        /// <param name="displacement">The larger of the true and the forecast displacement, limited likewise.</param>
-        /// <param name="wasStill">Whether the joint stood still when it was made.</param>
+        /// <param name="displacement">The larger of the true and the forecast displacement, limited in the same way.</param>
+        /// <param name="wasStill">Whether the joint stood still when the forecast was made.</param>
         public void Score(double error, double mixture, double displacement, bool wasStill)
         {
-            // Nothing beyond the range of numbers may stay in the means.
+            // Values that overflow must not enter the means.
             if (!(error * error + mixture * mixture + displacement * displacement < double.PositiveInfinity)) return;
             _maxSquare = Math.Max(MaxSquareForgetting * _maxSquare, displacement * displacement);
             if (!(displacement * displacement > MinShareOfSquare * _maxSquare)) return;

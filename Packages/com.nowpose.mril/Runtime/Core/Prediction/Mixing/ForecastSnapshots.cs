@@ -2,16 +2,16 @@ using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Prediction.Mixing
 {
-    /// <summary>Forecasts as they were made, kept until the samples that they are about have come.</summary>
+    /// <summary>Past forecasts, kept until the samples of their times have arrived.</summary>
     sealed class ForecastSnapshots
     {
-        /// <summary>The longest horizon at the shortest interval between samples: 0.45 s at 180 Hz are 81.</summary>
+        /// <summary>Capacity for the maximum horizon at the minimum sampling interval: 0.45 s at 180 Hz are 81.</summary>
         const int Capacity = 96;
 
         readonly Snapshot[] _snapshots = new Snapshot[Capacity];
         int _first;
 
-        /// <param name="forecasts">Tables in each snapshot.</param>
+        /// <param name="forecasts">Number of tables in each snapshot.</param>
         public ForecastSnapshots(int forecasts)
         {
             for (var i = 0; i < Capacity; i++) _snapshots[i] = new Snapshot(forecasts);
@@ -29,7 +29,7 @@ namespace Nowpose.Prediction.Mixing
             return this[Count++];
         }
 
-        /// <summary>Forgets the oldest ones.</summary>
+        /// <summary>Drops the oldest snapshots.</summary>
         public void Drop(int count)
         {
             _first = (_first + count) % Capacity;
@@ -48,28 +48,28 @@ namespace Nowpose.Prediction.Mixing
                 _speaks = new bool[forecasts];
             }
 
-            /// <summary>Time of the newest sample then, s.</summary>
+            /// <summary>Time of the newest sample at the forecast, in s.</summary>
             public double Time { get; set; }
 
-            /// <summary>Position of the newest sample then.</summary>
+            /// <summary>Position of the newest sample at the forecast.</summary>
             public double Position { get; set; }
 
-            /// <summary>Change points until then: forecasts across one are not scored.</summary>
+            /// <summary>Number of change points at the forecast: forecasts across a change point are not scored.</summary>
             public int ChangePoints { get; set; }
 
-            /// <summary>Whether the joint was at rest, noise included.</summary>
+            /// <summary>Whether the joint was at rest, including noise.</summary>
             public bool WasAtRest { get; set; }
 
-            /// <summary>Whether the newest sample lay where the one before did.</summary>
+            /// <summary>Whether the newest sample had the same position as the one before.</summary>
             public bool WasStill { get; set; }
 
-            /// <summary>One table of <see cref="ForecastTable"/> after another.</summary>
+            /// <summary>The tables of <see cref="ForecastTable"/>, one after another.</summary>
             public double[] Tables { get; }
 
             /// <summary>Whether a candidate had a forecast.</summary>
             public ref bool Speaks(int forecast) => ref _speaks[forecast];
 
-            /// <summary>Forecast position, in the samples' unit.</summary>
+            /// <summary>Returns a forecast position, in the samples' unit.</summary>
             public double At(int forecast, double ahead) => Position + ForecastTable.Read(Tables, forecast * ForecastTable.Points, ahead);
         }
     }

@@ -4,11 +4,11 @@ using Nowpose.Prediction.Forecasting;
 namespace Nowpose.Prediction.Mixing
 {
     /// <summary>
-    /// Weighted sum of forecasts, with the weights that would have minimised its recent error; a candidate replaces it while clearly
+    /// Weighted sum of forecasts with the weights that minimise its recent error. A candidate replaces it while the candidate is clearly
     /// better.
     /// </summary>
     /// <remarks>
-    /// No single forecaster is best everywhere: the paper's quadratic wins on clean swings and loses to a straight line on many real
+    /// No single forecaster is best everywhere: the paper's quadratic is better on clean swings, a straight line on many real
     /// machines. Each sample gives the errors of the forecasts made one horizon earlier, from which the weights are solved, separately
     /// for rest and motion. Samples before a change point are not used, and a motion much faster than any before uses the prior weights.
     /// </remarks>
@@ -20,12 +20,12 @@ namespace Nowpose.Prediction.Mixing
         const double Memory = 20;
 
         /// <summary>
-        /// Strength of the pull to the prior, and those of rest or motion to the weights of both (<see cref="MixtureWeights"/>): half
-        /// or twice as much changes the errors on recordings by less than half a percent.
+        /// Regularisation towards the prior, and of the weights of rest or motion towards the common ones (<see cref="MixtureWeights"/>): half
+        /// or twice the values change the errors on recordings by less than half a percent.
         /// </summary>
         const double Regularisation = 0.2, ClassRegularisation = 0.5;
 
-        /// <summary>Smaller squares, relative to the greatest recent one, do not change the weights: most of them come from rest.</summary>
+        /// <summary>Minimum square relative to the maximum recent one; smaller ones do not change the weights, since most come from rest.</summary>
         const double MinShareOfSquare = 1e-3;
 
         /// <summary>
@@ -36,7 +36,7 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Time after the start of such a motion during which a line predicts it, s.</summary>
         const double StartSeconds = 0.08;
 
-        /// <summary>After a change point at which the joint did not accelerate, its speed is multiplied by this.</summary>
+        /// <summary>Factor for the joint's speed after a change point at which it did not accelerate.</summary>
         const double ShareAfterStop = 0.5;
 
         /// <summary>Rounding of times, s.</summary>
@@ -66,15 +66,15 @@ namespace Nowpose.Prediction.Mixing
         double _maxSquare;
 
         /// <param name="limits">Limits of the drive.</param>
-        /// <param name="parts">Which parts of the mixer are used.</param>
-        /// <param name="mixed">Forecasters beside hold, which is always included; the first must be the line.</param>
+        /// <param name="parts">The parts of the mixer to use.</param>
+        /// <param name="mixed">Forecasters in addition to hold, which is always included; the first must be the line.</param>
         /// <param name="candidates">Forecasters that may replace the mixture.</param>
         public Mixer(PredictionLimits limits, PredictionParts parts, MixedForecaster[] mixed, CandidateGate[] candidates)
         {
             _limits = limits;
             _parts = parts;
             _candidates = candidates;
-            // The spline reads two points beyond; times further ahead are never displayed.
+            // The spline reads two points beyond the horizon cap; later times are never displayed.
             _points = (int)Math.Min(ForecastTable.Points, Math.Ceiling(limits.HorizonCap / ForecastTable.Step) + 3);
             var count = Line + mixed.Length;
             _forecasters = new Forecaster[count];
@@ -96,7 +96,7 @@ namespace Nowpose.Prediction.Mixing
 
         public override double Span => ForecastTable.Span;
 
-        // Without one of its forecasters a prior does not add up to one.
+        // If a forecaster is left out, the prior does not add up to one.
         static void Normalise(double[] weights)
         {
             var sum = 0.0;
@@ -199,8 +199,8 @@ namespace Nowpose.Prediction.Mixing
             if (motion.Connected >= 2) SpeedLimits.Apply(tables, start, motion.Speed, motion.Interval, _limits);
         }
 
-        // Weights are learned from the snapshot with the age nearest to the horizon; at rest, where noise decides, from the one beyond
-        // it. Candidates are scored by both: they are rarely scored at all.
+        // The weights are updated from the snapshot whose age is nearest to the horizon; at rest, where noise decides, from the next older
+        // one. Candidates are scored by both, because they are rarely scored.
         void Score(MotionState motion)
         {
             var (now, horizon) = (motion.Samples.NewestTime, motion.Horizon);
@@ -224,7 +224,7 @@ namespace Nowpose.Prediction.Mixing
         {
             var ahead = motion.Samples.NewestTime - snapshot.Time;
             if (!IsInTable(ahead)) return false;
-            // The error of a forecast across a change point is not the forecaster's.
+            // The forecaster is not responsible for an error across a change point.
             var isOfOneMotion = snapshot.ChangePoints == motion.ChangePoints.Count;
             var threshold = FillErrors(snapshot, ahead, motion.Samples.NewestPosition, isOfOneMotion, out var greatest);
             ScoreCandidates(motion, snapshot, threshold);
@@ -239,7 +239,7 @@ namespace Nowpose.Prediction.Mixing
             return isTelling || snapshot.WasAtRest;
         }
 
-        /// <param name="isOfOneMotion">Whether no change point lies between forecast and sample: then the threshold adapts.</param>
+        /// <param name="isOfOneMotion">Whether there is no change point between forecast and sample, so that the threshold adapts.</param>
         /// <param name="greatest">The larger error of hold and mixture, limited by the threshold.</param>
         /// <returns>The outlier threshold.</returns>
         double FillErrors(ForecastSnapshots.Snapshot snapshot, double ahead, double truth, bool isOfOneMotion, out double greatest)
@@ -275,7 +275,7 @@ namespace Nowpose.Prediction.Mixing
             }
         }
 
-        // Reading a table needs the point after the cell, too.
+        // Reading a table also needs the point after the cell.
         bool IsInTable(double ahead) => ahead <= (_points < ForecastTable.Points ? _points - 2 : _points - 1) * ForecastTable.Step;
 
         double UsualError => Math.Sqrt(_overall.MeanSquare(Hold));
@@ -283,12 +283,12 @@ namespace Nowpose.Prediction.Mixing
         double Threshold => _overall.Evidence < MinEvidence || !Has(PredictionParts.OutlierThreshold)
             ? double.PositiveInfinity : _outliers.Of(UsualError);
 
-        // Share of the memory filled by one sample.
+        // Share of the memory that one sample fills.
         static double SampleShare(MotionState motion) => 1 - Math.Exp(-motion.MeanInterval / Memory);
 
         double[] PriorNow(MotionState motion) => double.IsNaN(motion.Samples[0].Velocity + motion.Samples[0].Acceleration) ? _prior : _priorWhenReported;
 
-        // Weights learned at rest, from noise, do not suit a first motion much faster than that.
+        // Weights learned from noise at rest do not suit a first motion that is much faster.
         double[] Choose(MotionState motion)
         {
             var rest = motion.Rest;

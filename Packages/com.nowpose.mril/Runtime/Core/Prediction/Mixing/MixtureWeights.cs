@@ -3,21 +3,21 @@ using System;
 namespace Nowpose.Prediction.Mixing
 {
     /// <summary>
-    /// Weights of a mixture of forecasts, none negative and together one, that would have erred least lately: stacking
+    /// Weights of a mixture of forecasts that minimise the recent error; none is negative and their sum is one. Stacking
     /// (Wolpert 1992, Breiman 1996) with exponential forgetting.
     /// </summary>
     /// <remarks>
-    /// Minimises wᵀGw + λ|w − prior|² where G averages the products of the forecasts' errors. Allocates nothing once made.
+    /// Minimises wᵀGw + λ|w − prior|², where G averages the products of the forecasts' errors. Allocates nothing after construction.
     /// </remarks>
     sealed class MixtureWeights
     {
-        /// <summary>Pairwise steps per solve; each starts from the weights before, so that few are enough.</summary>
+        /// <summary>Pairwise steps per solve; few are enough, because each solve starts from the previous weights.</summary>
         const int Steps = 10;
 
-        /// <summary>Number of samples whose evidence weighs as much as the prior.</summary>
+        /// <summary>Number of samples whose evidence has the same weight as the prior.</summary>
         const double PriorSamples = 5;
 
-        /// <summary>Weights and evidence below are zero, and squares below nothing.</summary>
+        /// <summary>Thresholds below which weights and evidence, and squares, count as zero.</summary>
         const double Positive = 1e-9, Tiny = 1e-18;
 
         readonly int _count;
@@ -25,8 +25,8 @@ namespace Nowpose.Prediction.Mixing
         readonly double[] _products;
         readonly double[] _gradient;
 
-        /// <param name="regularisation">λ as a share of the least mean square among the forecasts.</param>
-        /// <param name="prior">The weights while nothing is known; as many as there are forecasts.</param>
+        /// <param name="regularisation">λ as a share of the minimum mean square among the forecasts.</param>
+        /// <param name="prior">The weights without evidence, one per forecast.</param>
         public MixtureWeights(double regularisation, double[] prior)
         {
             _count = prior.Length;
@@ -42,10 +42,10 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Share of the memory that is filled, 0 to 1.</summary>
         public double Evidence { get; private set; }
 
-        /// <summary>Mean square of one forecast's error; 0 while nothing is known.</summary>
+        /// <summary>Returns the mean square of one forecast's error; 0 without evidence.</summary>
         public double MeanSquare(int forecast) => _products[forecast * (_count + 1)] / Math.Max(Evidence, Positive);
 
-        /// <summary>Takes in one moment's errors of all forecasts.</summary>
+        /// <summary>Adds the errors of all forecasts at one moment.</summary>
         /// <param name="keeping">Forgetting factor, 0 to 1.</param>
         public void Learn(double[] errors, double keeping)
         {
@@ -61,7 +61,7 @@ namespace Nowpose.Prediction.Mixing
         }
 
         /// <summary>Solves for the weights.</summary>
-        /// <param name="prior">Weights to stay near.</param>
+        /// <param name="prior">Weights towards which the solution is regularised.</param>
         /// <param name="sampleShare">Share of the memory that one sample fills.</param>
         public void Solve(double[] prior, double sampleShare)
         {
@@ -90,7 +90,7 @@ namespace Nowpose.Prediction.Mixing
             }
         }
 
-        // Weight goes from the forecast whose share costs most to the one whose share costs least.
+        // Moves weight from the forecast with the largest gradient to the one with the smallest.
         bool MoveBestPair(double pull)
         {
             int to = 0, from = -1;

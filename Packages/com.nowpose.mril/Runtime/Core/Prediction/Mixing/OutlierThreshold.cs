@@ -2,28 +2,28 @@ using System;
 
 namespace Nowpose.Prediction.Mixing
 {
-    /// <summary>Limits the errors that are scored, so that one wrong sample does not outweigh seconds of right ones.</summary>
+    /// <summary>Limits the scored errors, so that one wrong sample does not outweigh seconds of correct ones.</summary>
     /// <remarks>
-    /// Eight times the usual, at first; errors that stay beyond it are not outliers, and the threshold grows with each. Without it a
-    /// single glitch, or an angle that wraps, would be all that is remembered for minutes.
+    /// Starts at eight times the usual error. Errors that stay above it are not outliers, so the threshold grows with each. Without it, a
+    /// single glitch or an angle that wraps would dominate the statistics for minutes.
     /// </remarks>
     sealed class OutlierThreshold
     {
-        /// <summary>In usual errors of hold: with five a recording erred 6 % more.</summary>
+        /// <summary>Multiple of hold's usual error: with five, the error on one recording was 6 % larger.</summary>
         const double Tolerance = 8;
 
-        /// <summary>Per error beyond the bound: a dozen in a row, which no glitch makes, are credited fifteenfold.</summary>
+        /// <summary>Growth per error above the threshold: a dozen in a row, longer than any glitch, raise it fifteenfold.</summary>
         const double Growth = 1.25;
 
         double _tolerance = Tolerance;
 
-        /// <summary>The greatest error credited now.</summary>
-        /// <param name="usual">Root mean square of what is usual.</param>
+        /// <summary>Returns the maximum error that is scored now.</summary>
+        /// <param name="usual">Root mean square of the usual error.</param>
         public double Of(double usual) => _tolerance * usual;
 
-        /// <summary>Takes an error that is learned from.</summary>
+        /// <summary>Adapts the threshold to an error.</summary>
         /// <param name="usual">As in <see cref="Of"/>.</param>
-        /// <param name="error">Greatest of the errors at this moment; not negative.</param>
+        /// <param name="error">Maximum of the errors at this moment; not negative.</param>
         public void Add(double usual, double error) =>
             _tolerance = error > Of(usual) ? _tolerance * Growth : Math.Max(Tolerance, _tolerance / Growth);
 

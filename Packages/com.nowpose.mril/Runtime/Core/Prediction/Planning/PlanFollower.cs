@@ -2,26 +2,26 @@ using System;
 
 namespace Nowpose.Prediction.Planning
 {
-    /// <summary>Where a joint is by its plan, as late and as far beside it as its samples say, and whether it follows at all.</summary>
-    /// <remarks>Allocates nothing once made; one thread. Times are seconds since the epoch of the samples.</remarks>
+    /// <summary>Computes a joint's position from its plan, with the lag and offset of its samples. Detects whether it follows the plan.</summary>
+    /// <remarks>Allocates nothing after construction; one thread. Times are seconds since the epoch of the samples.</remarks>
     sealed class PlanFollower
     {
         /// <summary>Number of consistent samples in motion after which a plan that was not followed is used again.</summary>
         const int AgreementsToReturn = 5;
 
-        /// <summary>Standstill at the plan's end after which samples replace the plan, s.</summary>
+        /// <summary>Standstill at the plan's end after which samples replace the plan, in s.</summary>
         const double Settling = 0.1;
 
         readonly PlanLag _lag = new PlanLag();
         ActivePlan _current, _next;
         int _agreements = AgreementsToReturn;
 
-        /// <summary>Takes a plan in place of the one before: from its start on if that lies ahead, at once otherwise.</summary>
-        /// <param name="start">The plan's stamp, s.</param>
+        /// <summary>Replaces the plan: from the new plan's start on if it is in the future, otherwise at once.</summary>
+        /// <param name="start">Stamp of the plan, in s.</param>
         /// <param name="from">As in <see cref="ActivePlan"/>.</param>
         /// <param name="turns">As in <see cref="ActivePlan"/>.</param>
-        /// <param name="now">The newest moment that was shown, s.</param>
-        /// <param name="newest">Time of the newest sample, s.</param>
+        /// <param name="now">The last displayed moment, in s.</param>
+        /// <param name="newest">Time of the newest sample, in s.</param>
         public void Follow(PlannedPath path, double start, double from, double turns, double now, double newest)
         {
             var before = PlanAt(start + _lag.Lag);
@@ -53,9 +53,9 @@ namespace Nowpose.Prediction.Planning
             else if (verdict == PlanVerdict.Followed && _agreements < AgreementsToReturn) _agreements++;
         }
 
-        /// <summary>Where the joint is by the plan.</summary>
-        /// <param name="newest">Time of the newest sample: with samples from the plan's end, the plan has nothing more to say.</param>
-        /// <returns>False when no plan holds then, or the joint does not follow it.</returns>
+        /// <summary>Returns whether the plan determines the joint's position at a time.</summary>
+        /// <param name="newest">Time of the newest sample: once there are samples after the plan's end, the plan is not used.</param>
+        /// <returns>False if there is no plan at that time, or the joint does not follow it.</returns>
         public bool IsFollowedAt(double time, double newest)
         {
             var (plan, at) = (PlanAt(time), time - _lag.Lag);
@@ -67,9 +67,9 @@ namespace Nowpose.Prediction.Planning
         /// Share of the plan in the displayed position: it rises from 0 to 1 after the plan's start and falls after its end.
         /// </summary>
         /// <param name="newest">Time of the newest sample.</param>
-        /// <param name="lastTime">From then on the samples are too old for any plan.</param>
-        /// <param name="timeConstant">In which the rest falls to 1/e, s; 0 for at once.</param>
-        /// <param name="holds">Whether the plan is what is shown.</param>
+        /// <param name="lastTime">Time after which the samples are too old for any plan.</param>
+        /// <param name="timeConstant">Time constant of the rise and fall, in s; 0 for at once.</param>
+        /// <param name="holds">Whether the plan determines the displayed position.</param>
         public double ShareAt(double time, double newest, double lastTime, double timeConstant, out bool holds)
         {
             holds = time <= lastTime && IsFollowedAt(time, newest);
@@ -80,11 +80,11 @@ namespace Nowpose.Prediction.Planning
         }
 
         /// <summary>
-        /// The plan's position, before its start and after its end the one there; to be asked only while there is a plan.
+        /// Returns the plan's position, clamped to its start and end. Call it only while there is a plan.
         /// </summary>
         public double At(double time) => PlanAt(time).At(time - _lag.Lag, out _) + _lag.Offset;
 
-        /// <summary>Constant distance of the joint from its plan, rad or m.</summary>
+        /// <summary>Constant distance of the joint from its plan, in rad or m.</summary>
         public double Offset => _lag.Offset;
 
         public bool HasPlan => !_current.IsNone;

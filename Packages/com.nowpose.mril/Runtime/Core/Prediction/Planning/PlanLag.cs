@@ -2,10 +2,10 @@ using System;
 
 namespace Nowpose.Prediction.Planning
 {
-    /// <summary>Estimates how a joint follows its plan: by which lag and which offset. Detects when it does not follow.</summary>
+    /// <summary>Estimates the lag and the offset with which a joint follows its plan. Detects when it does not follow.</summary>
     /// <remarks>
-    /// A Kalman filter of the two, since both show as one difference: the lag only while the joint moves. Position of the joint =
-    /// plan(t − lag) + offset. It starts as not knowing the lag to 0.1 s, and the joint's first moves tell it.
+    /// A Kalman filter of both, because they appear as one difference and the lag only while the joint moves. Position of the joint =
+    /// plan(t − lag) + offset. The initial standard deviation of the lag is 0.1 s; the joint's first moves determine it.
     /// </remarks>
     sealed class PlanLag
     {
@@ -21,23 +21,23 @@ namespace Nowpose.Prediction.Planning
         /// <summary>Drift per second of the lag, s, and of the offset, as a share of its unknown deviation.</summary>
         const double LagWander = 0.005, OffsetWander = 0.2;
 
-        /// <summary>Standard deviations beyond which the joint does not follow.</summary>
+        /// <summary>Maximum residual in standard deviations; beyond it, the joint does not follow.</summary>
         const double Gate = 5;
 
-        /// <summary>Beyond, nothing is known and squares overflow.</summary>
+        /// <summary>Bounds above which squares overflow.</summary>
         const double MaxVariance = 1e100, MaxRange = 1e40;
 
         double _varLag, _covariance, _varOffset;
         double _time;
         bool _isBegun;
 
-        /// <summary>s; positive when the joint is late.</summary>
+        /// <summary>Lag in s; positive if the joint is late.</summary>
         public double Lag { get; private set; }
 
-        /// <summary>rad or m.</summary>
+        /// <summary>Offset in rad or m.</summary>
         public double Offset { get; private set; }
 
-        /// <summary>A plan begins: the lag of the plan before is likely its lag, too.</summary>
+        /// <summary>Starts a plan; keeps the lag of the previous plan as the estimate.</summary>
         public void Begin(double range)
         {
             var offset = UnknownOffset * Math.Min(range, MaxRange) + MinNoise;
@@ -46,7 +46,7 @@ namespace Nowpose.Prediction.Planning
             _isBegun = true;
         }
 
-        /// <summary>Compares the plan with a sample, and learns from it when the joint follows.</summary>
+        /// <summary>Compares the plan with a sample, and updates the estimates if the joint follows.</summary>
         /// <param name="time">Time of the sample, s.</param>
         /// <param name="difference">Sample minus plan(t − <see cref="Lag"/>) − <see cref="Offset"/>.</param>
         /// <param name="velocity">Velocity of the plan at that time.</param>
@@ -61,7 +61,7 @@ namespace Nowpose.Prediction.Planning
             var lagGain = -velocity * _varLag + _covariance;
             var offsetGain = -velocity * _covariance + _varOffset;
             var variance = -velocity * lagGain + offsetGain + noise * noise;
-            // NaN too: a plan of 1e200 must not stay in the filter.
+            // Also rejects NaN: values such as 1e200 must not enter the filter.
             if (!(difference * difference <= Gate * Gate * variance) || !(variance < MaxVariance)) return PlanVerdict.NotFollowed;
             (lagGain, offsetGain) = (lagGain / variance, offsetGain / variance);
             Lag += lagGain * difference;
@@ -70,7 +70,7 @@ namespace Nowpose.Prediction.Planning
             _varLag = Math.Max((1 + lagGain * velocity) * lagOld - lagGain * both, 1e-12);
             _covariance = (1 + lagGain * velocity) * both - lagGain * offsetOld;
             _varOffset = Math.Max(offsetGain * velocity * both + (1 - offsetGain) * offsetOld, 1e-18);
-            // A plan that hardly moves agrees with any joint at rest there.
+            // A plan that hardly moves agrees with any joint at rest at its position.
             return Math.Abs(velocity) * UnknownLag > Gate * noise ? PlanVerdict.Followed : PlanVerdict.Unclear;
         }
 
@@ -91,10 +91,10 @@ namespace Nowpose.Prediction.Planning
     /// <summary>Verdict of one sample on whether a joint follows its plan.</summary>
     enum PlanVerdict
     {
-        /// <summary>Further off than the plan's uncertainty explains.</summary>
+        /// <summary>The difference exceeds the plan's uncertainty.</summary>
         NotFollowed,
 
-        /// <summary>At rest any plan agrees that ends there.</summary>
+        /// <summary>The plan hardly moves, so the sample is not conclusive.</summary>
         Unclear,
 
         Followed

@@ -3,11 +3,11 @@ using System;
 namespace Nowpose.Prediction.Planning
 {
     /// <summary>
-    /// Where one joint is meant to go: set-points, and between them what ROS's joint_trajectory_controller makes of them.
+    /// The planned path of one joint: set-points, interpolated as in ROS's joint_trajectory_controller.
     /// </summary>
     /// <remarks>
-    /// Positions alone are joined by straight lines, with velocities by cubics, with accelerations too by quintics. Immutable; any
-    /// thread.
+    /// Interpolates positions linearly, with velocities by cubics, and with accelerations too by quintics. Immutable; any
+    /// thread may use it.
     /// </remarks>
     sealed class PlannedPath
     {
@@ -18,8 +18,8 @@ namespace Nowpose.Prediction.Planning
 
         /// <param name="times">Seconds after the plan's stamp, 0 or more, each later than the one before; at least one.</param>
         /// <param name="positions">rad or m, one for each time, finite.</param>
-        /// <param name="velocities">rad/s or m/s, one for each time, NaN where absent; null when all are.</param>
-        /// <param name="accelerations">rad/s² or m/s², likewise.</param>
+        /// <param name="velocities">rad/s or m/s, one for each time, NaN if unknown; null if all are unknown.</param>
+        /// <param name="accelerations">rad/s² or m/s², one for each time, NaN if unknown; null if all are unknown.</param>
         /// <exception cref="ArgumentException">Lengths differ, or the times do not rise.</exception>
         public PlannedPath(double[] times, double[] positions, double[] velocities = null, double[] accelerations = null)
         {
@@ -40,22 +40,22 @@ namespace Nowpose.Prediction.Planning
             Range = greatest - least;
         }
 
-        /// <summary>Time of the first set-point, s after the stamp.</summary>
+        /// <summary>Time of the first set-point, in s after the stamp.</summary>
         public double First => _times[0];
 
-        /// <summary>Time of the last set-point, s after the stamp.</summary>
+        /// <summary>Time of the last set-point, in s after the stamp.</summary>
         public double Last => _times[_times.Length - 1];
 
         public double FirstPosition => _positions[0];
 
-        /// <summary>From the least to the greatest set-point, rad or m.</summary>
+        /// <summary>Difference between the maximum and the minimum set-point, in rad or m.</summary>
         public double Range { get; }
 
-        /// <summary>Whether the joint stays where the path ends.</summary>
+        /// <summary>Whether the joint is at rest at the end of the path.</summary>
         public bool EndsAtRest => !(Math.Abs(Value(_velocities, _times.Length - 1)) > 0);
 
-        /// <summary>Before the first set-point and after the last, that one's position at rest.</summary>
-        /// <param name="time">s after the stamp.</param>
+        /// <summary>Returns the position at a time. Before the first set-point and after the last, it is constant.</summary>
+        /// <param name="time">Time in s after the stamp.</param>
         public double At(double time, out double velocity)
         {
             velocity = 0;
@@ -67,7 +67,7 @@ namespace Nowpose.Prediction.Planning
             var displacement = _positions[i + 1] - _positions[i];
             var (v0, v1) = (Value(_velocities, i) * length, Value(_velocities, i + 1) * length);
             var (a0, a1) = (Value(_accelerations, i) * length * length, Value(_accelerations, i + 1) * length * length);
-            // c0 is the position; the others follow from what is known at both ends. x runs from 0 to 1.
+            // c0 is the position; the others follow from the values known at both ends. x runs from 0 to 1.
             double c1 = displacement, c2 = 0, c3 = 0, c4 = 0, c5 = 0;
             if (!double.IsNaN(v0 + v1 + a0 + a1))
                 (c1, c2, c3, c4, c5) = (
@@ -94,7 +94,7 @@ namespace Nowpose.Prediction.Planning
         static double Value(double[] values, int i) => values == null ? double.NaN : values[i];
     }
 
-    /// <summary>A path and when it begins; <c>default</c> is none.</summary>
+    /// <summary>A path and its start time; <c>default</c> means that no plan is active.</summary>
     readonly struct ActivePlan
     {
         readonly PlannedPath _path;
@@ -102,12 +102,12 @@ namespace Nowpose.Prediction.Planning
         readonly double _from;
         readonly double _turns;
 
-        /// <param name="start">The plan's stamp, s.</param>
+        /// <param name="start">Stamp of the plan, in s.</param>
         /// <param name="from">
-        /// Where the joint is then, in the path's turn: a plan whose first set-point comes later leads there from wherever the joint is.
+        /// The joint's position at the start, in the path's turn: a plan with a later first set-point starts there.
         /// </param>
         /// <param name="turns">Added to the path's positions, rad: whole turns of an endless joint.</param>
-        /// <param name="since">From when on the joint is shown by a plan without interruption, s.</param>
+        /// <param name="since">Time since which a plan has determined the displayed position without interruption, in s.</param>
         public ActivePlan(PlannedPath path, double start, double from, double turns, double since)
         {
             _path = path;
@@ -117,22 +117,22 @@ namespace Nowpose.Prediction.Planning
             Since = since;
         }
 
-        /// <summary>s.</summary>
+        /// <summary>Time since which a plan has determined the displayed position without interruption, in s.</summary>
         public double Since { get; }
 
         public bool IsNone => _path == null;
 
-        /// <summary>s.</summary>
+        /// <summary>Start time in s.</summary>
         public double Start => _start;
 
-        /// <summary>s.</summary>
+        /// <summary>End time in s.</summary>
         public double End => _start + _path.Last;
 
         public double Range => _path.Range + Math.Abs(_from - _path.FirstPosition);
 
         public bool EndsAtRest => _path.EndsAtRest;
 
-        /// <summary>Position at a time; before the start and after the end, the one there.</summary>
+        /// <summary>Returns the position at a time; constant before the start and after the end.</summary>
         public double At(double time, out double velocity)
         {
             var x = time - _start;

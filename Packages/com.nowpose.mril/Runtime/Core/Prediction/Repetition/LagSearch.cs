@@ -3,11 +3,11 @@ using System;
 namespace Nowpose.Prediction.Repetition
 {
     /// <summary>
-    /// Finds how long ago the joint last moved as it does now: whole grid steps at which the motion resembles itself most.
+    /// Finds how long ago the joint last moved as it does now: the lags, in whole grid steps, at which the motion resembles itself most.
     /// </summary>
     /// <remarks>
-    /// For every lag k the squared differences x(n) − x(n−k) are summed with exponential forgetting, one addition per lag and
-    /// grid point compared. The slow forgetting is what tells one dwell from another. Allocates nothing once made.
+    /// For every lag k it sums the squared differences x(n) − x(n−k) with exponential forgetting, one addition per lag and
+    /// compared grid point. The slow forgetting distinguishes one dwell from another. Allocates nothing after construction.
     /// </remarks>
     sealed class LagSearch
     {
@@ -16,16 +16,16 @@ namespace Nowpose.Prediction.Repetition
         /// <summary>Forgetting time constant of the sums, s.</summary>
         const double Forgetting = 0.25;
 
-        /// <summary>Longest lag, s: cycles of up to two minutes.</summary>
+        /// <summary>Maximum lag, in s: cycles of up to two minutes.</summary>
         const double MaxLag = 120;
 
-        /// <summary>Interval between the grid points compared, s: closer ones add little, and each costs a pass over all lags.</summary>
+        /// <summary>Interval between the compared grid points, in s: closer ones add little, and each costs a pass over all lags.</summary>
         const double ComparedEvery = 0.15;
 
-        /// <summary>Passes between two choices of lags: a lag does not change while the motion repeats.</summary>
+        /// <summary>Passes between two choices of lags: a lag is constant while the motion repeats.</summary>
         const int PassesPerChoice = 2;
 
-        /// <summary>Lags are compared in steps of at most this, s: an overlay finds the exact one near by.</summary>
+        /// <summary>Maximum step between compared lags, in s: <see cref="MotionOverlay"/> finds the exact lag near them.</summary>
         const double LagStep = 0.06;
 
         readonly double[] _costs = new double[MotionHistory.Capacity];
@@ -44,8 +44,8 @@ namespace Nowpose.Prediction.Repetition
             Count = 0;
         }
 
-        /// <summary>Takes in the grid points that have come since.</summary>
-        /// <param name="minLag">In grid steps; nearer ones are the motion itself.</param>
+        /// <summary>Processes the new grid points.</summary>
+        /// <param name="minLag">Minimum lag in grid steps; smaller lags would compare the motion with itself.</param>
         public void Follow(MotionHistory history, int minLag)
         {
             var stride = (int)Math.Ceiling(ComparedEvery / history.Step - 1e-6);

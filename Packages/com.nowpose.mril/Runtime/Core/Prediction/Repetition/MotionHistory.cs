@@ -2,26 +2,26 @@ using System;
 
 namespace Nowpose.Prediction.Repetition
 {
-    /// <summary>Two minutes of a joint's motion on an even grid of time, made from samples that need not be even.</summary>
+    /// <summary>Two minutes of a joint's motion on a uniform time grid, interpolated from samples at any intervals.</summary>
     /// <remarks>
-    /// Indices count grid points since the start and never wrap. The grid follows one sample behind the newest, so that every
-    /// point has samples on both sides. Allocates nothing once made.
+    /// Indices count grid points since the start and never wrap. The grid ends one sample before the newest, so that every
+    /// point has samples on both sides. Allocates nothing after construction.
     /// </remarks>
     sealed class MotionHistory
     {
         /// <summary>Points kept: two minutes at 20 ms.</summary>
         public const int Capacity = 6000;
 
-        /// <summary>A power of two above it: the place of an index costs no division, of which a sample would take thousands.</summary>
+        /// <summary>The next power of two: index operations use a mask instead of thousands of divisions per sample.</summary>
         const int RingSize = 8192;
 
-        /// <summary>Samples around a grid point: two on either side make a cubic.</summary>
+        /// <summary>Samples around a grid point: two on either side determine a cubic.</summary>
         const int Neighbours = 4;
 
-        /// <summary>A sample there and back by more than this ratio of the maximum displacement in one direction is a spike.</summary>
+        /// <summary>Threshold of a spike: displacement there and back, relative to the maximum displacement in one direction.</summary>
         const double SpikeRatio = 1.3;
 
-        /// <summary>Distance to a grid point, in steps, within which a sample lies on it.</summary>
+        /// <summary>Distance from a grid point, in steps, within which a sample counts as lying on it.</summary>
         const double Rounding = 1e-6;
 
         readonly double[] _points = new double[RingSize];
@@ -43,8 +43,8 @@ namespace Nowpose.Prediction.Repetition
         /// <summary>Position at a grid point between <see cref="First"/> and the last.</summary>
         public double this[long index] => _points[index & (RingSize - 1)];
 
-        /// <summary>Adds to each lag's sum the squared difference of two grid points that are apart by it.</summary>
-        /// <param name="index">The later of the two.</param>
+        /// <summary>Adds to each lag's sum the squared difference of the grid points that are that lag apart.</summary>
+        /// <param name="index">Index of the later grid point.</param>
         /// <param name="keeping">Forgetting factor of the sums, 0 to 1.</param>
         public void AddSquaredDifferences(long index, int minLag, int maxLag, int step, double keeping, double[] sums)
         {
@@ -59,7 +59,7 @@ namespace Nowpose.Prediction.Repetition
         }
 
         /// <summary>Clears the history and sets the grid step.</summary>
-        /// <param name="step">s.</param>
+        /// <param name="step">Grid step in s.</param>
         public void Start(double step)
         {
             Step = step;
@@ -68,7 +68,7 @@ namespace Nowpose.Prediction.Repetition
             _maxDisplacement = 0;
         }
 
-        /// <summary>Takes a sample newer than all before.</summary>
+        /// <summary>Adds a sample newer than all before.</summary>
         public void Add(double time, double position)
         {
             if (_samples == 0) _start = time;
@@ -82,7 +82,7 @@ namespace Nowpose.Prediction.Repetition
             _positions[0] = position;
             if (_samples < Neighbours)
             {
-                // Until there are samples around, the first one stands for all before it.
+                // Until there are enough samples, the first one is repeated backwards in time.
                 for (var i = _samples + 1; i < Neighbours; i++)
                 {
                     _times[i] = _times[i - 1] - Step;
@@ -94,7 +94,7 @@ namespace Nowpose.Prediction.Repetition
             for (; TimeOf(Count) <= _times[1] + Rounding * Step; Count++) _points[Count & (RingSize - 1)] = Between(TimeOf(Count));
         }
 
-        // One wrong sample would come back whenever the motion before it does.
+        // A wrong sample would reappear in a forecast whenever the motion repeats.
         void TakeOutSpike()
         {
             double to = _positions[1] - _positions[2], from = _positions[0] - _positions[1];
@@ -104,10 +104,10 @@ namespace Nowpose.Prediction.Repetition
                 _positions[1] = _positions[2] + (_positions[0] - _positions[2]) * (_times[1] - _times[2]) / (_times[0] - _times[2]);
         }
 
-        /// <summary>Grid points, with fractions, at a time.</summary>
+        /// <summary>Converts a time to a fractional grid index.</summary>
         public double IndexOf(double time) => (time - _start) / Step;
 
-        /// <summary>Position at a fractional index by a Catmull-Rom spline; the index must have two points on either side.</summary>
+        /// <summary>Returns the position at a fractional index by a Catmull-Rom spline; it needs two points on either side.</summary>
         /// <param name="speed">Change per grid step there.</param>
         public double At(double index, out double speed)
         {
@@ -121,12 +121,12 @@ namespace Nowpose.Prediction.Repetition
             return p1 + 0.5 * f * (a + f * (b + f * c));
         }
 
-        /// <summary>Whether <see cref="At"/> has a position for an index.</summary>
+        /// <summary>Returns whether <see cref="At"/> has a position for an index.</summary>
         public bool Covers(double index) => index >= First + 1 && index < Count - 2;
 
         double TimeOf(long index) => _start + index * Step;
 
-        // Hermite's cubic between samples 2 and 1 with slopes of the parabolas through their neighbours.
+        // Cubic Hermite between samples 2 and 1, with slopes of the parabolas through their neighbours.
         double Between(double time)
         {
             double h0 = _times[2] - _times[3], h1 = _times[1] - _times[2], h2 = _times[0] - _times[1];

@@ -3,26 +3,26 @@ using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Prediction.Repetition
 {
-    /// <summary>Lays the newest samples over the history some time back, and moves them until they fit best.</summary>
+    /// <summary>Compares the newest samples with the history at a lag, and shifts them to the best fit.</summary>
     /// <remarks>Lags are in grid steps of the history, with fractions. Allocates nothing.</remarks>
     sealed class MotionOverlay
     {
         /// <summary>Maximum distance of a match from the lag of <see cref="LagSearch"/>, s.</summary>
         const double Reach = 0.4;
 
-        /// <summary>The longer memory is left only for a match whose square is this much better.</summary>
+        /// <summary>Ratio of mean squares below which a nearby match replaces that of the longer memory.</summary>
         const double MuchBetter = 0.1;
 
-        /// <summary>Number of samples compared to find the neighbourhood.</summary>
+        /// <summary>Number of samples compared in the search near the lag.</summary>
         const int NearbySamples = 6;
 
-        /// <summary>Samples compared at most, about: of 24 every second.</summary>
+        /// <summary>Approximate maximum number of compared samples; every second of 24, for example.</summary>
         const int ComparedSamples = 12;
 
-        /// <summary>Steps of Gauss and Newton: the third moves by less than a thousandth of the grid.</summary>
+        /// <summary>Number of Gauss-Newton steps: the third changes the lag by less than a thousandth of a grid step.</summary>
         const int Refinements = 3;
 
-        /// <summary>A step below this share of the grid's changes nothing.</summary>
+        /// <summary>Gauss-Newton steps below this share of a grid step are negligible.</summary>
         const double SmallStep = 1e-3;
 
         readonly MotionHistory _history;
@@ -37,12 +37,12 @@ namespace Nowpose.Prediction.Repetition
         /// <summary>Mean distance of the newest two samples from the history, after <see cref="Compare"/>.</summary>
         public double Offset { get; private set; }
 
-        /// <summary>Takes the samples to be laid over the history.</summary>
-        /// <param name="count">How many of the newest.</param>
+        /// <summary>Sets the samples to compare with the history.</summary>
+        /// <param name="count">Number of newest samples.</param>
         public void Take(SampleHistory newest, int count) => (_newest, _samples) = (newest, count);
 
-        /// <summary>The lag at which the samples fit best.</summary>
-        /// <param name="lag">Where the longer memory finds the match.</param>
+        /// <summary>Returns the lag at which the samples fit best.</summary>
+        /// <param name="lag">Lag of the longer memory's match.</param>
         /// <param name="minLag">Minimum lag: the history after a match must cover a table.</param>
         public double Find(int lag, int minLag)
         {
@@ -55,7 +55,7 @@ namespace Nowpose.Prediction.Repetition
         }
 
         /// <summary>Compares the samples with the history at a lag.</summary>
-        /// <returns>False where the history does not reach.</returns>
+        /// <returns>False if the history does not cover the lag.</returns>
         public bool Compare(double lag)
         {
             double sum = 0, offset = 0;
@@ -88,7 +88,7 @@ namespace Nowpose.Prediction.Repetition
             return lag;
         }
 
-        // A dwell that was longer or shorter than last time has moved the match by as much.
+        // A dwell that was longer or shorter than last time shifts the match by the difference.
         int Nearby(int lag, int minLag)
         {
             var best = lag;
@@ -97,7 +97,7 @@ namespace Nowpose.Prediction.Repetition
             for (var shift = Math.Max(-reach, minLag - lag); shift <= reach; shift++)
             {
                 var cost = Nearness(lag + shift, least);
-                // The one that the longer memory found wins where all are alike.
+                // Of equal costs, the lag nearest to that of the longer memory is chosen.
                 if (cost > least || (cost == least && Math.Abs(shift) >= Math.Abs(best - lag))) continue;
                 least = cost;
                 best = lag + shift;
@@ -105,7 +105,7 @@ namespace Nowpose.Prediction.Repetition
             return best;
         }
 
-        // One step of Gauss and Newton: the shift at which the history would fit the samples better.
+        // One Gauss-Newton step: returns the lag with the better fit.
         double Refined(double lag)
         {
             double pull = 0, stiffness = 0;
@@ -118,7 +118,7 @@ namespace Nowpose.Prediction.Repetition
             return stiffness > 0 ? lag - Math.Min(Math.Max(pull / stiffness, -1), 1) : lag;
         }
 
-        // Whole grid points are near enough to find the neighbourhood.
+        // Whole grid points are accurate enough for the search near the lag.
         double Nearness(int lag, double enough)
         {
             var sum = 0.0;

@@ -4,42 +4,42 @@ using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Prediction.Repetition
 {
-    /// <summary>For machines that repeat themselves: the motion goes on as it did when it last was like this.</summary>
+    /// <summary>For machines that repeat their motion: forecasts that the motion continues as it did after the last similar one.</summary>
     /// <remarks>
-    /// The newest samples are laid over the history at the lags where it resembles them most, each lag is refined until they
-    /// fit best, and the best three go on, weighted by their fit. It does not solve without such a place; a gate
+    /// Compares the newest samples with the history at the lags of greatest similarity, refines each lag to the best fit, and averages the
+    /// continuations of the best three, weighted by their fit. It does not solve if there is no such lag; a gate
     /// decides whether its forecast is used.
     /// </remarks>
     sealed class TemplateForecaster : Forecaster
     {
-        /// <summary>The motion after a match must be known for the span of a table and this many grid steps more.</summary>
+        /// <summary>The history after a match must cover the span of a table and this many further grid steps.</summary>
         const int StepsBesideSpan = 4;
 
-        /// <summary>Length of the newest motion that is compared with the history, s.</summary>
+        /// <summary>Duration of the newest motion that is compared with the history, in s.</summary>
         const double Window = 0.4;
 
-        /// <summary>Intervals of which the median makes the grid.</summary>
+        /// <summary>Number of intervals whose median determines the grid step.</summary>
         const int MinSamples = 8;
 
-        /// <summary>Finest step of the grid, s.</summary>
+        /// <summary>Minimum grid step, in s.</summary>
         const double MinStep = 0.02;
 
-        /// <summary>Fewer moving samples do not tell one start from another: then what was before counts too.</summary>
+        /// <summary>Minimum number of moving samples that distinguish one start from another; with fewer, earlier samples are compared too.</summary>
         const int MinMoving = 2;
 
-        /// <summary>After this many samples at rest another search finds nothing new.</summary>
+        /// <summary>Number of samples at rest after which the search is suspended.</summary>
         const int LongRest = 16;
 
-        /// <summary>The history is not filled over a longer one, s.</summary>
+        /// <summary>Maximum gap in the history, in s.</summary>
         const double MaxGap = 2;
 
-        /// <summary>Matches whose square exceeds the best one's by this factor are not used.</summary>
+        /// <summary>Maximum ratio of a match's mean square to that of the best one.</summary>
         const double WorstMatch = 3;
 
-        /// <summary>A sampling interval that differs by this factor from the one the grid was made for starts a new history.</summary>
+        /// <summary>Change factor of the sampling interval that starts a new history.</summary>
         const double RhythmChange = 1.6;
 
-        /// <summary>Samples in quicker succession than this go on with the matches before, s.</summary>
+        /// <summary>Minimum interval between searches, in s; samples in quicker succession reuse the previous matches.</summary>
         const double MinMatchInterval = 0.035;
 
         readonly double _maximumGap;
@@ -60,7 +60,7 @@ namespace Nowpose.Prediction.Repetition
         int _turn;
         double _matchedAt;
 
-        /// <param name="limits">Bounds; the history restarts after a longer gap than they allow.</param>
+        /// <param name="limits">Limits with the maximum gap; a longer gap restarts the history.</param>
         public TemplateForecaster(PredictionLimits limits)
         {
             _maximumGap = Math.Min(limits.MaximumGap, MaxGap);
@@ -70,10 +70,10 @@ namespace Nowpose.Prediction.Repetition
 
         public override int Samples => 2;
 
-        /// <returns>False where the motion resembles nothing before.</returns>
+        /// <returns>False if the history contains no similar motion.</returns>
         public override bool Solve(MotionState motion)
         {
-            // The history has passed a sample that was overtaken.
+            // An overtaken sample is too late for the history.
             if (motion.IsNewest && motion.Samples.Count > 1) Follow(motion);
             return _matches > 0;
         }
@@ -108,7 +108,7 @@ namespace Nowpose.Prediction.Repetition
             _matches = 0;
         }
 
-        // Nearer than this the history does not know yet what followed.
+        // At a smaller lag, the history does not cover the continuation.
         int MinLag => (int)Math.Ceiling(ForecastTable.Span / _history.Step) + StepsBesideSpan;
 
         void Follow(MotionState motion)
@@ -121,7 +121,7 @@ namespace Nowpose.Prediction.Repetition
                 Begin(motion.Samples);
                 return;
             }
-            // A single gap does not change the rhythm; a changed mean does.
+            // A single gap does not change the mean interval enough to restart.
             if (motion.MeanInterval > RhythmChange * _rhythm || motion.MeanInterval * RhythmChange < _rhythm)
             {
                 Reset();
@@ -135,8 +135,8 @@ namespace Nowpose.Prediction.Repetition
             else Match(motion);
         }
 
-        // The matches stay what they were, and time goes on: between two searches, and after a while at rest, when nothing tells one
-        // place from another.
+        // Keeps the matches between two searches, and after some time at rest, when no place can be distinguished
+        // from another.
         void GoOn(int matches)
         {
             for (var i = 0; i < matches; i++)
@@ -144,7 +144,7 @@ namespace Nowpose.Prediction.Repetition
             _matches = matches;
         }
 
-        // The grid takes the samples' own rhythm, so that it falls on them and interpolates nothing.
+        // The grid step is a multiple of the sampling interval, so that samples lie on grid points and need no interpolation.
         void Begin(SampleHistory samples)
         {
             if (samples.Count <= MinSamples || samples.CountWithoutGap(_maximumGap) <= MinSamples) return;
@@ -163,13 +163,13 @@ namespace Nowpose.Prediction.Repetition
             var least = double.PositiveInfinity;
             for (var i = 0; i < _search.Count; i++)
             {
-                // A match goes on at its lag; one after the other is refined.
+                // Matches keep their refined lags; one of them is refined again per search.
                 if (_found[i] != _search.Lags[i] || i == _turn)
                     (_found[i], _refined[i]) = (_search.Lags[i], _overlay.Find(_search.Lags[i], MinLag));
                 if (!_overlay.Compare(_refined[i]) || !KnowsWhatFollowed(_refined[i])) continue;
                 _lags[_matches] = _refined[i];
                 _errors[_matches] = _overlay.MeanSquare;
-                // What the newest samples lie off the history goes on lying off.
+                // The offset of the newest samples from the history is assumed to persist.
                 _offsets[_matches] = _overlay.Offset;
                 least = Math.Min(least, _errors[_matches++]);
             }
@@ -179,7 +179,7 @@ namespace Nowpose.Prediction.Repetition
         bool KnowsWhatFollowed(double lag) => _history.Covers(_history.IndexOf(_newestTime) - lag)
             && _history.Covers(_history.IndexOf(_newestTime + ForecastTable.Span) - lag);
 
-        // In motion the samples since its start decide: how long the joint rested before is not how it moves now.
+        // In motion only the samples since its start are compared, because the length of the rest before is irrelevant.
         static int SamplesInWindow(MotionState motion)
         {
             var newest = motion.Samples;

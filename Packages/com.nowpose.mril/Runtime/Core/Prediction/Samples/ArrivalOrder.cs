@@ -3,13 +3,13 @@ using System;
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>
-    /// Judges samples as they arrive: tells those that were overtaken on the network from those of a clock that went back.
+    /// Distinguishes samples that were overtaken on the network from those of a clock that went back.
     /// </summary>
     /// <remarks>
-    /// Both have stamps that are not newer than the newest. Taking a sample of a stepped clock for an overtaken one tears
-    /// the section apart, and taking an overtaken one for a stepped clock throws away all that was learned. So late samples wait:
-    /// when a newer one comes they were overtaken and go to their places; when they tell by their number, or by positions
-    /// where the joint was not, that time went back, the history restarts with them. Allocates nothing once made.
+    /// In both cases the stamp is not newer than the newest. If a sample of a stepped clock is taken for an overtaken one, the section
+    /// is wrong; if an overtaken one is taken for a stepped clock, all learned state is lost. Therefore late samples wait.
+    /// When a newer sample arrives, they were overtaken and are inserted. When their number, or positions that contradict the other
+    /// samples, show that time went back, the history restarts with them. Allocates nothing after construction.
     /// </remarks>
     sealed class ArrivalOrder
     {
@@ -19,16 +19,16 @@ namespace Nowpose.Prediction.Samples
         double _newest = double.NegativeInfinity;
         int _count;
 
-        /// <param name="isEndless">Whether positions are angles in rad that may come back from π to −π.</param>
+        /// <param name="isEndless">Whether positions are angles in rad that may wrap from π to −π.</param>
         public ArrivalOrder(bool isEndless) => _recent = new RecentSamples(isEndless);
 
         /// <summary>
-        /// Samples to take now, in order: those that waited, once it is clear what they are, and the one added, if it is the newest.
+        /// Samples to use now, in order: those that waited and are now classified, and the one added if it is the newest.
         /// </summary>
         public ReadOnlySpan<JointSample> Ready => _ready.AsSpan(0, _count);
 
         /// <param name="oldest">
-        /// Samples older than this are of no use for a prediction, s; they still tell of a clock that went back.
+        /// Order below which samples are too old for the prediction, in s; they are still evidence of a clock that went back.
         /// </param>
         public SampleOutcome Add(in JointSample sample, double oldest)
         {

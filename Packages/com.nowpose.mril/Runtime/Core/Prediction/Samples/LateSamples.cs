@@ -3,24 +3,24 @@ using System;
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>
-    /// Samples of one joint that came in a row, each older than the newest and newer than the one before. Allocates nothing once made.
+    /// Consecutive late samples of one joint, each older than the newest and newer than the one before. Allocates nothing after construction.
     /// </summary>
     sealed class LateSamples
     {
         /// <summary>
-        /// Number of late samples in a row that proves a clock that went back: at 20 ms WiFi swaps two samples every few seconds.
+        /// Number of consecutive late samples that proves a clock that went back: at 20 ms, WiFi swaps two samples every few seconds.
         /// </summary>
         public const int Capacity = 5;
 
-        /// <summary>Number that suffices where their positions contradict the samples around them.</summary>
+        /// <summary>Sufficient number if their positions contradict the neighbouring samples.</summary>
         const int MinContradicted = 2;
 
         /// <summary>
-        /// Number that suffices when they are late by more than <see cref="MaxDelay"/>. A single one may be a repeated message.
+        /// Sufficient number if they are late by more than <see cref="MaxDelay"/>. A single one may be a repeated message.
         /// </summary>
         const int MinFarBehind = 2;
 
-        /// <summary>A network that is of any use delays no sample by more than this beyond those after it, s.</summary>
+        /// <summary>Maximum delay of a sample relative to later ones on a usable network, in s.</summary>
         const double MaxDelay = 0.25;
 
         readonly JointSample[] _oldestFirst = new JointSample[Capacity];
@@ -28,16 +28,16 @@ namespace Nowpose.Prediction.Samples
         int _count;
         int _contradicted;
 
-        /// <summary>The oldest first.</summary>
+        /// <summary>The waiting samples, oldest first.</summary>
         public ReadOnlySpan<JointSample> All => _oldestFirst.AsSpan(0, _count);
 
-        /// <param name="index">In <see cref="All"/>.</param>
+        /// <param name="index">Index in <see cref="All"/>.</param>
         public bool IsDropped(int index) => _areDropped[index];
 
-        /// <summary>Whether a sample may be the next of a clock that went back.</summary>
+        /// <summary>Returns whether a sample may be the next one of a clock that went back.</summary>
         public bool IsContinuedBy(in JointSample sample) => _count == 0 || sample.Order > _oldestFirst[_count - 1].Order;
 
-        /// <summary>Whether it is the same, sent again.</summary>
+        /// <summary>Returns whether the sample is a repetition of a waiting one.</summary>
         public bool Contains(in JointSample sample)
         {
             foreach (ref readonly var late in All)
@@ -46,8 +46,8 @@ namespace Nowpose.Prediction.Samples
         }
 
         /// <summary>Adds a sample that is newer than the waiting ones.</summary>
-        /// <param name="isDropped">Whether it is used only when the clock proves to have gone back.</param>
-        /// <param name="isContradicted">Whether the samples around it say that the joint was elsewhere.</param>
+        /// <param name="isDropped">Whether it is used only if the clock has gone back.</param>
+        /// <param name="isContradicted">Whether the neighbouring samples show that the joint was elsewhere.</param>
         public void Add(in JointSample sample, bool isDropped, bool isContradicted)
         {
             _areDropped[_count] = isDropped;

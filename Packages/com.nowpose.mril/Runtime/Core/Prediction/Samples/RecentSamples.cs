@@ -3,27 +3,27 @@ using System;
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>
-    /// Keeps the recent samples of a joint, to recognise a repeated one and one that contradicts them. Allocates
-    /// nothing once made.
+    /// Keeps the recent samples of a joint, to recognise a repeated sample and one that contradicts them. Allocates
+    /// nothing after construction.
     /// </summary>
     sealed class RecentSamples
     {
         /// <summary>A quarter of a second at 1 kHz, 2.5 s at 100 Hz.</summary>
         const int Capacity = 256;
 
-        /// <summary>Samples whose times differ by less are of the same moment, s.</summary>
+        /// <summary>Samples whose times differ by less count as simultaneous, in s.</summary>
         const double SameSeconds = 1e-6;
 
         /// <summary>
-        /// Share of the displacement between its neighbours: an overtaken sample lies off their line by less, in a turn
-        /// too; one of a clock that went back by two intervals, by twice that displacement.
+        /// Maximum distance from the line between the neighbours, as a share of their displacement. An overtaken sample is closer, even at a
+        /// reversal; one of a clock that went back by two intervals is off by twice the displacement.
         /// </summary>
         const double MaxShareOfDisplacement = 1.5;
 
-        /// <summary>Share of the range of the recent samples below which a difference proves nothing: one count of an encoder, for example.</summary>
+        /// <summary>Minimum significant difference as a share of the range of the recent samples; it exceeds an encoder count, for example.</summary>
         const double MinShareOfRange = 1e-3;
 
-        /// <summary>Number of newest samples whose second differences give the noise.</summary>
+        /// <summary>Number of newest samples whose second differences estimate the noise.</summary>
         const int NoiseWindow = 8;
 
         readonly bool _isEndless;
@@ -32,7 +32,7 @@ namespace Nowpose.Prediction.Samples
         int _next;
         int _count;
 
-        /// <param name="isEndless">Whether positions are angles in rad that may come back from π to −π.</param>
+        /// <param name="isEndless">Whether positions are angles in rad that may wrap from π to −π.</param>
         public RecentSamples(bool isEndless) => _isEndless = isEndless;
 
         public void Add(in JointSample sample)
@@ -50,7 +50,7 @@ namespace Nowpose.Prediction.Samples
             return false;
         }
 
-        /// <summary>Whether one is of the same moment, wherever the joint was.</summary>
+        /// <summary>Returns whether there is a sample of the same time, at any position.</summary>
         public bool ContainsTimeOf(in JointSample sample)
         {
             for (var i = 0; i < _count; i++)
@@ -58,7 +58,7 @@ namespace Nowpose.Prediction.Samples
             return false;
         }
 
-        /// <summary>Whether the samples before and after say that the joint was elsewhere then; false where they are not known.</summary>
+        /// <summary>Returns whether the samples before and after show that the joint was elsewhere; false if there are none.</summary>
         public bool Contradict(in JointSample sample)
         {
             var before = Neighbour(sample.Order, -1);
@@ -69,15 +69,15 @@ namespace Nowpose.Prediction.Samples
             var largest = Math.Max(Math.Abs(displacement), Math.Max(DisplacementFrom(before, -1), DisplacementFrom(after, 1)));
             var distance = Math.Abs(Difference(sample.Position, _positions[before]) - onLine);
             var range = Range;
-            // Before the joint has moved nothing can contradict.
+            // Without any motion so far, a contradiction is impossible.
             return distance > MaxShareOfDisplacement * largest + Noise && distance > MinShareOfRange * range && range > 0;
         }
 
         public void Clear() => _next = _count = 0;
 
         /// <summary>
-        /// Whether a sample is one sent again. The stamp alone does not tell: a clock that goes back by whole sampling intervals
-        /// repeats those of before, with other positions.
+        /// Returns whether a sample is a repetition. The stamp alone is not sufficient: a clock that goes back by whole sampling intervals
+        /// repeats earlier stamps with other positions.
         /// </summary>
         public static bool IsSame(double order, double position, in JointSample sample) =>
             IsSameTime(order, sample) && position == sample.Position;
@@ -90,7 +90,7 @@ namespace Nowpose.Prediction.Samples
             return next < 0 ? 0 : Math.Abs(Difference(_positions[next], _positions[index]));
         }
 
-        // Maximum second difference of the newest samples: much at rest with noise, little in a smooth motion.
+        // Maximum second difference of the newest samples: large for noise at rest, small in a smooth motion.
         double Noise
         {
             get
@@ -121,7 +121,7 @@ namespace Nowpose.Prediction.Samples
 
         double Difference(double a, double b) => _isEndless ? a - b - SampleBuffer.WholeTurns(a - b) : a - b;
 
-        // The nearest one strictly before, -1, or after, 1; -1 where there is none.
+        // Index of the nearest sample strictly before (direction -1) or after (1); -1 if there is none.
         int Neighbour(double order, int direction)
         {
             var nearest = -1;

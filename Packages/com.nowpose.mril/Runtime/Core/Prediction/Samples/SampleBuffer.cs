@@ -5,14 +5,14 @@ namespace Nowpose.Prediction.Samples
     /// <summary>
     /// One joint's samples: sorted, without duplicates, angles unwrapped, stamps corrected, and thinned.
     /// </summary>
-    /// <remarks>Allocates nothing once made.</remarks>
+    /// <remarks>Allocates nothing after construction.</remarks>
     sealed class SampleBuffer
     {
         const double Turn = 2 * Math.PI;
 
         /// <summary>
-        /// Samples closer together are left out, s: all of up to 180 Hz are used. Forecasts over a tenth of a second gain nothing from
-        /// samples a millisecond apart, and windows of a few samples would see their noise.
+        /// Minimum interval in s; closer samples are left out, so rates up to 180 Hz are used completely. Samples a millisecond apart do not
+        /// improve forecasts over a tenth of a second, and windows of few samples would contain mainly their noise.
         /// </summary>
         const double MinInterval = 0.0055;
 
@@ -22,8 +22,8 @@ namespace Nowpose.Prediction.Samples
         double _newestOrder;
         double _unwrapped;
 
-        /// <param name="capacity">Samples kept.</param>
-        /// <param name="isEndless">Whether positions are angles in rad that may come back from π to −π.</param>
+        /// <param name="capacity">Number of samples to keep.</param>
+        /// <param name="isEndless">Whether positions are angles in rad that may wrap from π to −π.</param>
         /// <param name="corrects">Whether stamps of a periodic source are corrected.</param>
         /// <param name="thins">Whether samples less than 5.5 ms apart are left out.</param>
         public SampleBuffer(int capacity, bool isEndless, bool corrects, bool thins)
@@ -41,13 +41,13 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Position of the newest sample, including those left out; 0 before the first.</summary>
         public double NewestPosition { get; private set; }
 
-        /// <summary>Stamp of the newest sample, uncorrected, s; negative infinity before the first.</summary>
+        /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first.</summary>
         public double NewestTime { get; private set; }
 
-        /// <summary>Whole turns added to the newest position by unwrapping, rad.</summary>
+        /// <summary>Whole turns that unwrapping added to the newest position, in rad.</summary>
         public double Shift { get; private set; }
 
-        /// <summary>Whether a sample is newer than all before.</summary>
+        /// <summary>Returns whether a sample is newer than all before.</summary>
         public bool IsNewer(in JointSample sample) => sample.Order > _newestOrder;
 
         /// <returns>Whether the history has changed.</returns>
@@ -56,13 +56,13 @@ namespace Nowpose.Prediction.Samples
             var isNewest = IsNewer(sample);
             var position = Unwrapped(sample);
             var time = _stamps == null ? sample.Time : _stamps.Correct(sample.Time, position, isNewest);
-            // By its corrected stamp the newest may lie before the sample before; by its own it is newer.
+            // The order decides, because the corrected stamp of the newest sample may be before that of the previous one.
             if (isNewest)
             {
                 (_newestOrder, _unwrapped) = (sample.Order, position);
                 (NewestTime, NewestPosition, Shift) = (sample.Time, sample.Position, position - sample.Position);
             }
-            // The position of one left out is still what a display without prediction shows.
+            // A display without prediction still shows the position of a sample that is left out.
             if (_thins && isNewest && time - History.NewestTime < MinInterval && time > History.NewestTime) return false;
             var order = _stamps == null ? sample.Order : time;
             return History.Add(new JointSample(time, position, order, sample.Velocity, sample.Acceleration));
@@ -76,10 +76,10 @@ namespace Nowpose.Prediction.Samples
             NewestPosition = _unwrapped = Shift = 0;
         }
 
-        /// <summary>Returns the whole turns nearest to an angle, rad.</summary>
+        /// <summary>Returns the whole turns nearest to an angle, in rad.</summary>
         public static double WholeTurns(double angle) => Turn * Math.Round(angle / Turn);
 
-        // Two samples more than half a turn apart moved the shorter way round.
+        // Assumes the shorter way round between two samples more than half a turn apart.
         double Unwrapped(in JointSample sample)
         {
             if (!_isEndless || double.IsNegativeInfinity(_newestOrder)) return sample.Position;

@@ -3,32 +3,32 @@ using System;
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>
-    /// A smooth curve through samples at any intervals: exact for quadratics, without overshoot where the samples are monotone.
+    /// A smooth curve through samples at any intervals: exact for quadratics, without overshoot if the samples are monotone.
     /// </summary>
     /// <remarks>
-    /// A cubic Hermite whose slopes are those of the parabolas through neighbours, with the
-    /// limit of Fritsch &amp; Carlson (1980). The limit acts only where samples rise or fall throughout: at a turning point it
-    /// would flatten what lies between the samples. Nothing is kept: what lies around a time is looked at when it is asked for.
+    /// A cubic Hermite with the slopes of the parabolas through neighbours, and the
+    /// limit of Fritsch &amp; Carlson (1980). The limit applies only where samples rise or fall monotonically: at a turning point it
+    /// would flatten the curve between the samples. Stores nothing: each call evaluates the samples around its time.
     /// </remarks>
     readonly struct SampleCurve
     {
-        /// <summary>A cubic whose end slopes are within three times the secant's is monotone: Fritsch &amp; Carlson.</summary>
+        /// <summary>A cubic with end slopes within three times the secant's is monotone (Fritsch &amp; Carlson).</summary>
         const double MaxSlope = 3;
 
         readonly SampleHistory _samples;
         readonly int _count;
 
         /// <param name="samples">Index 0 is the newest.</param>
-        /// <param name="count">How many of them, two at least; their times differ.</param>
+        /// <param name="count">Number of newest samples, at least two; their times differ.</param>
         public SampleCurve(SampleHistory samples, int count) => (_samples, _count) = (samples, count);
 
         /// <summary>Time of its oldest sample, s.</summary>
         public double Start => _samples[_count - 1].Time;
 
-        /// <param name="time">Between the oldest and the newest of them.</param>
+        /// <param name="time">Time between the oldest and the newest sample.</param>
         public double At(double time)
         {
-            // The interval lies between samples of this age and the one older by one.
+            // Finds the interval between the samples of this age and the next older one.
             var age = 0;
             while (age < _count - 2 && time <= _samples[age + 1].Time) age++;
             ref readonly var older = ref _samples[age + 1];
@@ -36,11 +36,11 @@ namespace Nowpose.Prediction.Samples
             var x = (time - older.Time) / length;
             var secant = Secant(age);
             var (before, after) = ((Slope(age + 1) - secant) * length, (secant - Slope(age)) * length);
-            // The straight line, and what the slopes at both ends add to it.
+            // The straight line plus the contribution of the slopes at both ends.
             return older.Position + x * (_samples[age].Position - older.Position) + x * (1 - x) * (before * (1 - x) + after * x);
         }
 
-        // From the sample of this age to the one older by one.
+        // Slope from the sample of this age to the next older one.
         double Secant(int age) => (_samples[age].Position - _samples[age + 1].Position) / (_samples[age].Time - _samples[age + 1].Time);
 
         double Slope(int age)
@@ -52,7 +52,7 @@ namespace Nowpose.Prediction.Samples
             return slope;
         }
 
-        // Slope at a sample of the parabola through it and its neighbours; at an end, of the last three.
+        // Slope at a sample of the parabola through it and its neighbours; at an end, of the last three samples.
         double Parabola(int age)
         {
             var middle = Math.Min(Math.Max(age, 1), _count - 2);
@@ -61,7 +61,7 @@ namespace Nowpose.Prediction.Samples
             return older + bend * (_samples[middle].Time - _samples[middle + 1].Time) + 2 * bend * (_samples[age].Time - _samples[middle].Time);
         }
 
-        // The intervals beside this one do not change direction.
+        // Returns whether this interval and its neighbours have the same direction.
         bool IsMonotone(int interval)
         {
             var (up, down) = (false, false);

@@ -6,7 +6,7 @@ namespace Nowpose.Prediction.Samples
     sealed class SampleHistory
     {
         /// <summary>
-        /// Minimum difference of corrected stamps, s. A sample closer to another one is dropped: the speed between them would be
+        /// Minimum difference of corrected stamps, in s. A sample closer to another one is dropped, because the speed between them would be
         /// meaningless.
         /// </summary>
         const double MinInterval = 1e-6;
@@ -23,10 +23,10 @@ namespace Nowpose.Prediction.Samples
 
         public double NewestPosition => Count > 0 ? _newestFirst[0].Position : 0;
 
-        /// <summary>Order of the oldest sample in a full history, s; negative infinity while older ones still fit.</summary>
+        /// <summary>Order of the oldest sample in a full history, in s; negative infinity while older ones still fit.</summary>
         public double Oldest => Count < _newestFirst.Length ? double.NegativeInfinity : _newestFirst[Count - 1].Order;
 
-        /// <returns>False for a sample that is older than all of a full history, or as old as another.</returns>
+        /// <returns>False for a sample that is older than all of a full history, or has the same time as another.</returns>
         public bool Add(in JointSample sample)
         {
             var age = 0;

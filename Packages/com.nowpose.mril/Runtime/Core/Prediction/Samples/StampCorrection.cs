@@ -2,38 +2,38 @@ using System;
 
 namespace Nowpose.Prediction.Samples
 {
-    /// <summary>Puts the stamps of a source that samples on a beat back on it.</summary>
+    /// <summary>Corrects the stamps of a periodic source to its sampling times.</summary>
     /// <remarks>
-    /// At 1 m/s a stamp wrong by 5 ms is 5 mm, which a quadratic at 100 ms turns into 40 mm. Stamps within 0.3 ms of their
-    /// line, without a beat, or truer than the line by the positions, are left alone.
+    /// At 1 m/s a stamp error of 5 ms is 5 mm, which a quadratic at 100 ms turns into 40 mm. Stamps are not changed if they are within
+    /// 0.3 ms of their line, have no period, or fit the positions better than the line does.
     /// </remarks>
     sealed class StampCorrection
     {
-        /// <summary>Less scatter than this does no harm, s.</summary>
+        /// <summary>Minimum standard deviation of stamps to correct, in s; less scatter is harmless.</summary>
         const double MinDeviation = 0.3e-3;
 
-        /// <summary>Stamps that scatter by less are not late now and then, s.</summary>
+        /// <summary>Stamps with a smaller standard deviation are not occasionally late, in s.</summary>
         const double CleanDeviation = 1e-3;
 
-        /// <summary>In deviations; scatter alone stays within two where it is uniform.</summary>
+        /// <summary>Maximum distance from the line, in standard deviations; uniform scatter stays within two.</summary>
         const double MaxLead = 3;
 
         /// <summary>
-        /// Stamps in a row beyond two deviations on the same side, which scatter alone does not make: the beat has changed.
+        /// Number of consecutive stamps beyond two deviations on the same side, which is unlikely for scatter: the period has changed.
         /// </summary>
         const int InARow = 3;
 
-        /// <summary>Distance from the line, in deviations, beyond which a stamp is off it.</summary>
+        /// <summary>Distance from the line, in standard deviations, beyond which a stamp is off it.</summary>
         const double Deviations = 2;
 
         readonly StampLine _line = new StampLine();
         readonly StampJudge _judge = new StampJudge();
 
-        // How many of the newest stamps lie far off in a row, with the sign of their side.
+        // Number of consecutive newest stamps that are off the line, with the sign of their side.
         int _run;
 
-        /// <summary>The time to use for a sample.</summary>
-        /// <param name="stamp">Uncorrected, s.</param>
+        /// <summary>Returns the corrected time of a sample.</summary>
+        /// <param name="stamp">Uncorrected stamp, in s.</param>
         public double Correct(double stamp, double position, bool isNewest)
         {
             if (isNewest) Follow(stamp);
@@ -41,8 +41,8 @@ namespace Nowpose.Prediction.Samples
             var onLine = isNewest ? _line.Newest : _line.Nearest(stamp);
             if (isNewest) _judge.Add(stamp, onLine, position);
             var isScattered = _line.Deviation > MinDeviation && !_line.IsScatteredOut;
-            // A stamp may be late by any delay, but none comes before its time: then the beat has changed. So it has when the
-            // stamps were nearly clean, or one after the other is late.
+            // A stamp may be late by any delay but is never early, so an early stamp means that the period has changed. So does an offset when the
+            // stamps had little scatter, or several consecutive late stamps.
             var off = stamp - onLine;
             var isOffBeat = (off < 0 || _line.Deviation < CleanDeviation || Math.Abs(_run) > 1)
                 && Math.Abs(off) > MaxLead * _line.Deviation;

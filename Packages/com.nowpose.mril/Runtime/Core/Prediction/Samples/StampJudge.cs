@@ -3,22 +3,22 @@ using System;
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>
-    /// Tells whether the stamps err or the sampling does: positions lie on a smooth curve over the times at which they were
-    /// taken, and not over others.
+    /// Decides whether the stamps are wrong or the sampling is irregular: positions form a smooth curve over their true sampling
+    /// times, but not over others.
     /// </summary>
     /// <remarks>
-    /// Each sample is compared with the quadratic through the three before it, once with the stamps as reported and once with
-    /// those of the line, and counts a vote for the better one. The stamps of a source that truly samples off the beat must be used as they are.
+    /// Each sample is compared with the quadratic through the three before it, once with the reported stamps and once with
+    /// those of the line; the better one gets a vote. The stamps of a source that really samples irregularly must not be changed.
     /// </remarks>
     sealed class StampJudge
     {
-        /// <summary>Weight of one vote: a dozen clear ones turn the verdict.</summary>
+        /// <summary>Weight of one vote: about a dozen clear votes change the decision.</summary>
         const double Share = 0.03;
 
-        /// <summary>A vote is the decimal logarithm of the errors' ratio, up to a factor of ten.</summary>
+        /// <summary>Maximum vote; a vote is the decimal logarithm of the ratio of the errors, up to a factor of ten.</summary>
         const double MaxVote = 1;
 
-        /// <summary>Trust in the line to begin with, and below which it is lost; where positions are noise the votes are even.</summary>
+        /// <summary>Initial vote for the line, and the threshold below which it is not used; for noise the votes are balanced.</summary>
         const double Beginning = 0.2;
 
         const double Majority = -0.05;
@@ -33,7 +33,7 @@ namespace Nowpose.Prediction.Samples
 
         public StampJudge() => Reset();
 
-        /// <summary>Whether the line's times suit the positions no worse than the reported ones.</summary>
+        /// <summary>Whether the line's times fit the positions at least as well as the reported ones.</summary>
         public bool PrefersLine => _vote >= Majority;
 
         public void Add(double reported, double onLine, double position)
@@ -61,7 +61,7 @@ namespace Nowpose.Prediction.Samples
             _vote = Beginning;
         }
 
-        // Lagrange's form of the quadratic through samples 1 to 3 at the time of sample 0; no number where two times coincide.
+        // Lagrange form of the quadratic through samples 1 to 3 at the time of sample 0; NaN or infinite if two times coincide.
         double ErrorOf(double[] t)
         {
             var guess = 0.0;

@@ -2,42 +2,42 @@ using System;
 
 namespace Nowpose.Prediction.Samples
 {
-    /// <summary>The line through the stamps of a periodic source: sample number against t_k, with a forgetting factor.</summary>
+    /// <summary>Regression line through the stamps of a periodic source: t_k against the sample number, with a forgetting factor.</summary>
     /// <remarks>
-    /// A controller samples on a clock's beat, but stamps when it gets round to it. The line knows the beat better than any
-    /// single stamp. Numbers come from the stamps themselves, so that lost samples leave no trace. Sums of a weighted
-    /// regression about the newest stamp take the place of the stamps: a sample costs the same however many count.
+    /// A controller samples periodically, but stamps with a varying delay, so the line is more accurate than a
+    /// single stamp. Sample numbers are derived from the stamps, so lost samples do no harm. Sums of a weighted
+    /// regression about the newest stamp replace the stamps, so the cost per sample is independent of their number.
     /// </remarks>
     sealed class StampLine
     {
-        /// <summary>Stamps after which an older one has faded to 1/e: the line errs as one through the newest 125.</summary>
+        /// <summary>Number of stamps in which a weight falls to 1/e: the accuracy is that of a line through the newest 125.</summary>
         const int Memory = 100;
 
         /// <summary>Minimum number of stamps from which the interval is estimated.</summary>
         const int MinStamps = 8;
 
-        /// <summary>Maximum pause in intervals. A longer one ends the beat: the source may have restarted.</summary>
+        /// <summary>Maximum pause in intervals. A longer one discards the line, because the source may have restarted.</summary>
         const double MaxPause = 40;
 
         /// <summary>Maximum number of samples lost between the first stamps.</summary>
         const int MaxLostAtStart = 4;
 
-        /// <summary>Shorter intervals suit any stamps better; this much is more than chance.</summary>
+        /// <summary>Ratio of scatter below which a shorter interval is preferred: shorter intervals always fit slightly better.</summary>
         const double Better = 0.6;
 
-        /// <summary>Maximum scatter, as a share of the interval, at which the count is certain.</summary>
+        /// <summary>Maximum scatter, as a share of the interval, at which the sample numbers are certain.</summary>
         const double ClearShare = 0.22;
 
         /// <summary>Maximum scatter of stamps on a beat, as a share of the interval: random stamps scatter by 0.29.</summary>
         const double MaxShare = 0.25;
 
-        /// <summary>The first line may miscount; a second and a third count by the line before.</summary>
+        /// <summary>Number of further fits: the first line may assign wrong numbers, which the next fits correct.</summary>
         const int Refinements = 3;
 
-        /// <summary>Controllers' cycles are whole milliseconds, s.</summary>
+        /// <summary>Unit of controllers' cycles, in s.</summary>
         const double Beat = 1e-3;
 
-        /// <summary>Standard errors within which a slope may be a whole one.</summary>
+        /// <summary>Number of standard errors within which the interval is rounded to a whole cycle.</summary>
         const double Belief = 2;
 
         readonly double[] _first = new double[MinStamps];
@@ -45,29 +45,29 @@ namespace Nowpose.Prediction.Samples
         int _misfits;
         double _newest;
 
-        // Weighted sums over the stamps; number and time count from the newest stamp, so that neither the epoch nor a count of
-        // weeks costs digits.
+        // Weighted sums over the stamps. Number and time are relative to the newest stamp, so that neither the epoch nor a count of
+        // weeks reduces the precision.
         double _sum, _sumN, _sumT, _sumNn, _sumNt, _sumTt;
 
-        /// <summary>Whether there is a line.</summary>
+        /// <summary>Whether the line is known.</summary>
         public bool IsKnown { get; private set; }
 
-        /// <summary>T_s, s; while <see cref="IsKnown"/>.</summary>
+        /// <summary>T_s in s; valid if <see cref="IsKnown"/>.</summary>
         public double Interval { get; private set; }
 
-        /// <summary>Standard deviation of the stamps about the line, s; while <see cref="IsKnown"/>.</summary>
+        /// <summary>Standard deviation of the stamps about the line, in s; valid if <see cref="IsKnown"/>.</summary>
         public double Deviation { get; private set; }
 
-        /// <summary>Whether stamps scatter so much that they can be confused with their neighbours'.</summary>
+        /// <summary>Whether stamps scatter enough to be confused with their neighbours'.</summary>
         public bool IsScatteredOut => Deviation > MaxShare * Interval;
 
-        /// <summary>The line at the newest stamp's number, s; while <see cref="IsKnown"/>.</summary>
+        /// <summary>Time of the line at the newest stamp's number, in s; valid if <see cref="IsKnown"/>.</summary>
         public double Newest { get; private set; }
 
-        /// <summary>The line at the number nearest to a stamp.</summary>
+        /// <summary>Returns the time of the line at the number nearest to a stamp.</summary>
         public double Nearest(double stamp) => Newest + Math.Round((stamp - Newest) / Interval) * Interval;
 
-        /// <summary>Takes the stamp of a sample that follows those before.</summary>
+        /// <summary>Adds the stamp of a sample that follows those before.</summary>
         public void Add(double stamp)
         {
             if (IsKnown && Math.Abs(stamp - Newest) > MaxPause * Interval) Reset();
@@ -82,7 +82,7 @@ namespace Nowpose.Prediction.Samples
                 if (_count == MinStamps) Begin();
             }
             if (!IsKnown) return;
-            // Numbers once counted wrong would spoil the line until they are gone.
+            // Wrong sample numbers would affect the line until they are forgotten.
             _misfits = IsScatteredOut ? _misfits + 1 : 0;
             if (_misfits == MinStamps) Reset();
         }
@@ -93,7 +93,7 @@ namespace Nowpose.Prediction.Samples
             IsKnown = false;
         }
 
-        // How many samples were lost among the first is unknown: the longest interval that suits the stamps is taken.
+        // The number of samples lost among the first is unknown, so the longest interval that fits the stamps is used.
         void Begin()
         {
             var span = _first[MinStamps - 1] - _first[0];
@@ -129,7 +129,7 @@ namespace Nowpose.Prediction.Samples
             }
         }
 
-        // Moves the origin of the sums to the new stamp, which adds nothing to them but its weight.
+        // Moves the origin of the sums to the new stamp, which then contributes only its weight.
         void Append(double stamp, double steps)
         {
             if (_sum == 0) (_sumN, _sumT, _sumNn, _sumNt, _sumTt, _newest) = (0, 0, 0, 0, 0, stamp);
@@ -171,7 +171,7 @@ namespace Nowpose.Prediction.Samples
             Newest = _newest + meanT - Interval * meanN;
         }
 
-        // A young line's slope is uncertain, and what it errs the newest number feels most.
+        // The slope of a short line is uncertain, and its error is largest at the newest number.
         static double LikelyInterval(double slope, double standardError)
         {
             var whole = Math.Round(slope / Beat) * Beat;
