@@ -11,7 +11,7 @@ export class RosbridgeDouble {
   #http = null;
   #calls = 0;
 
-  /** @param tls A key and certificate for wss. @param token Whoever comes without it gets 401. */
+  /** @param tls A key and certificate for wss. @param token Required token; clients without it get 401. */
   static async start(test, { port = 0, tls = null, token = null } = {}) {
     const double = new RosbridgeDouble();
     const verifyClient = ({ req }, done) => {

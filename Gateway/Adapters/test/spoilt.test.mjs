@@ -1,4 +1,4 @@
-// Configurations that are wrong in ways that nobody thought of: each is good, or every word about it names a line.
+// Randomly damaged configurations: each is either valid, or every error message names a line.
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -25,6 +25,6 @@ function removed(folder) {
   try {
     rmSync(folder, { recursive: true, force: true });
   } catch {
-    // A program that outlived its test has written meanwhile; what is left is no fault of the tests that passed.
+    // A program that outlived its test has written a file since; this is not an error of the tests.
   }
 }

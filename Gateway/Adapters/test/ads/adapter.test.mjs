@@ -43,7 +43,7 @@ const clockOf = bridge => until(async () => (await bridge.call('/nowpose/plant_t
 const statesOf = (bridge, count = 1) => until(
   () => bridge.jointStates.length >= count && bridge.jointStates, () => `${count} joint states; ${JSON.stringify(bridge.state)}`);
 
-/** Each joint of each message is where the PLC had it at the message's stamp; which joints share a cycle is the PLC's affair. */
+/** Checks that each joint of each message has the PLC's position at the message's stamp. The PLC decides which joints share a cycle. */
 function assertTrue(states, tolerance = 1e-6) {
   for (const { header, name, position } of states)
     name.forEach((joint, i) => {
@@ -117,7 +117,7 @@ describe('ads', { concurrency: 4 }, () => {
         assert.ok(nanoseconds(received) >= before - late && nanoseconds(received) <= after, `${before} ${nanoseconds(received)} ${after}`);
         assert.deepEqual([error_bound_ns, synchronised], [0, true]);
       }
-      // What was asked for the clock is taken back.
+      // The clock's subscription has been removed.
       await until(() => server.notifications <= 8, () => `${server.notifications} notifications`);
     });
 
@@ -140,7 +140,7 @@ describe('ads', { concurrency: 4 }, () => {
 
     const stamps = states.filter(s => s.name.includes('arm_joint_5')).map(s => nanoseconds(s.header.stamp));
     const steps = stamps.slice(1).map((stamp, i) => Number(stamp - stamps[i]) / 5e6);
-    // A machine that sleeps longer than the double catches up leaves a gap; what is left out by design would be most of them.
+    // A machine that sleeps longer than the double catches up leaves a gap; an adapter that skips samples would leave many.
     assert.ok(steps.every(step => step > 0 && Number.isInteger(step)), `${steps}`);
     assert.ok(steps.filter(step => step === 1).length > 0.8 * steps.length, `${steps}`);
   });
@@ -168,7 +168,7 @@ describe('ads', { concurrency: 4 }, () => {
     const still = ['one', 'two'].map(name => new PlcSymbol(`MAIN.${name}`, 'LREAL', () => 1.5));
     const joints = '  - { joint: one, symbol: MAIN.one }\n  - { joint: two, symbol: MAIN.two }\n';
     const { bridge } = await cell(t, { plc: new Plc([...variables(), ...still], { cycleMs: 5 }), more: '  on_change: true\n', joints });
-    // As a gateway does: the clock is read again and again.
+    // Reads the clock repeatedly, like a gateway.
     const asked = setInterval(() => void bridge.call('/nowpose/plant_time/cell').catch(() => {}), 200);
     t.after(() => clearInterval(asked));
 
@@ -179,7 +179,7 @@ describe('ads', { concurrency: 4 }, () => {
     const repeated = bridge.jointStates.slice(count), stamps = repeated.filter(s => s.name.includes('one')).map(s => nanoseconds(s.header.stamp));
     const gaps = stamps.slice(1).map((stamp, i) => Number(stamp - stamps[i]) / 1e6).sort((a, b) => a - b);
     assert.ok(repeated.every(s => s.position.every(position => position === 1.5)));
-    // Of a busy machine some are longer. A headset shows a sample for 300 ms.
+    // On a busy machine, some gaps are longer. A headset shows a sample for 300 ms.
     assert.ok(gaps[gaps.length >> 1] < 200, `${gaps}`);
     await until(() => bridge.status.level === 0, () => JSON.stringify(bridge.status));
   });
@@ -292,7 +292,7 @@ describe('ads', { concurrency: 4 }, () => {
       socket.on('data', () => {
         const length = Math.floor(random() * 300), bytes = Buffer.alloc(6 + length);
         for (let i = 0; i < bytes.length; i++) bytes[i] = Math.floor(random() * 256);
-        // Mostly whole frames of the protocol with nonsense in them, for us; sometimes not even that.
+        // Mostly whole protocol frames to us with random content; sometimes not even that.
         if (connections.length % 4 > 0) bytes.writeUInt16LE(0, 0);
         if (connections.length % 5 > 0) bytes.writeUInt32LE(length, 2);
         if (length > 32) Buffer.from([192, 168, 0, 10, 1, 1, 0x89, 0x80]).copy(bytes, 6);

@@ -1,4 +1,4 @@
-// Device notifications of one client: what is due in a cycle is sampled for that cycle, however late the machine is.
+// Device notifications of one client. The samples due in a cycle are taken for that cycle, even if the machine is late.
 import { group, mode, notificationFrame } from './frames.mjs';
 
 /** A machine that slept does not send what it missed for longer than this. */
@@ -38,7 +38,7 @@ export class Notifications {
     return this.#entries.delete(handle);
   }
 
-  /** Samples of variables that are no longer where they were: each is told of once, by a sample without data. */
+  /** Sends a last sample without data for each variable whose address is no longer valid. */
   invalidate() {
     for (const [handle, entry] of this.#entries) {
       if (entry.indexGroup !== group.memory) continue;

@@ -17,14 +17,14 @@ export class AdsServer {
   #handles = new Map();
   #nextPort = 32905;
 
-  /** `routes` are the AMS Net Ids that may speak; a target without a route to a sender hangs up on it. */
+  /** `routes` are the AMS Net Ids of accepted clients. Like a target without a route to a sender, it closes other connections. */
   constructor(plc, { netId = '5.24.12.7.1.1', routes } = {}) {
     this.plc = plc;
     this.netId = netId;
     this.routes = routes;
-    /** Every request: what a test asks to know that nothing was written. */
+    /** Every request, so that a test can check that nothing was written. */
     this.seen = [];
-    /** While it is so, requests are read and never answered. */
+    /** While true, requests are read and not answered. */
     this.silent = false;
     plc.downloaded.add(this.#downloaded);
   }
@@ -39,7 +39,7 @@ export class AdsServer {
     return [...this.#sockets].reduce((sum, s) => sum + s.notifications.count, 0);
   }
 
-  /** As when the power goes: nobody is told. */
+  /** Ends as after a power failure, without notifying clients. */
   async close() {
     this.plc.downloaded.delete(this.#downloaded);
     for (const { socket } of this.#sockets) socket.destroy();

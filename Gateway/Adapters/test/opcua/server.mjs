@@ -1,5 +1,5 @@
-// A real OPC UA server, node-opcua's, that moves a youBot. Where the robot truly is, is a function of the control system's time, which has
-// an offset and a rate of its own.
+// A real OPC UA server, node-opcua's, that moves a youBot. The robot's true position is a function of the control system's time, which has
+// // its own offset and rate.
 import { createServer } from 'node:net';
 import { isDeepStrictEqual } from 'node:util';
 import {
@@ -12,11 +12,11 @@ import { identity } from './identity.mjs';
 import { OpenStore } from './openStore.mjs';
 
 const URI = 'urn:nowpose:youbot';
-// A PLC is as fast as it likes; node-opcua stops at 50 ms unless it is told.
+// A PLC may have any rate; node-opcua limits it to 50 ms by default.
 MonitoredItem.minimumSamplingInterval = 1;
 Subscription.minimumPublishingInterval = 1;
 
-/** The control system's clock: this machine's monotonic one, set off and going wrong. */
+/** The control system's clock: this machine's monotonic clock with an offset and a rate error. */
 export class ControlClock {
   #start = process.hrtime.bigint();
   #from = BigInt(Date.now()) * 1_000_000n;
@@ -68,7 +68,7 @@ const VARIABLES = [
 export class YoubotServer {
   /** What was asked of it: names of requests. */
   asked = new Map();
-  /** Changes how a value leaves: gets what would be sent and returns what is. */
+  /** Changes a value before it is sent: gets the original and returns the changed one. */
   spoil = (name, sent) => sent;
   isStopped = false;
   /** Time of the motion for a time of the control system: a robot that rests stays at one time of its motion. */
@@ -81,7 +81,7 @@ export class YoubotServer {
 
   /**
    * @param security Modes that it offers: none, sign_and_encrypt.
-   * @param users Names and passwords; without them anybody may read.
+   * @param users Names and passwords; without them, any client may read.
    * @param cycleUs Values are of whole cycles.
    * @param clockStepUs How coarse its CurrentTime is.
    * @param nodesPerRead Largest number of nodes of a read request.
@@ -153,7 +153,7 @@ export class YoubotServer {
     const namespace = space.getOwnNamespace();
     this.#device = namespace.addObject({ organizedBy: space.rootFolder.objects, browseName: 'youBot' });
     VARIABLES.forEach(variable => this.#add(variable));
-    // Its own clock, not this machine's. The library lets nobody bind a part of ServerStatus.
+    // Its own clock, not this machine's. The library does not allow binding a part of ServerStatus.
     const currentTime = space.findNode('i=2258'), read = currentTime.readAttribute;
     currentTime.readAttribute = (context, attribute, ...rest) => attribute === AttributeIds.Value
       ? this.#value('CurrentTime', DataType.DateTime, (_, t) => dateTime(t), VariantArrayType.Scalar, this.clockStep)
@@ -184,7 +184,7 @@ export class YoubotServer {
   }
 }
 
-/** A port that nobody has at the moment. */
+/** Gets a port that is not in use at present. */
 export const freePort = () => new Promise((resolve, reject) => {
   const server = createServer().on('error', reject).listen(0, '127.0.0.1', () => {
     const { port } = server.address();

@@ -7,7 +7,7 @@ import { adapters } from '../program.mjs';
 
 const builds = ['Debug', 'Release'].map(kind => join(adapters, '..', 'bin', kind, 'net10.0', 'Nowpose.Gateway.dll'));
 
-/** What the built program lies in; undefined where nobody has built it yet. */
+/** Path of the built program; undefined if it has not been built. */
 export const program = builds.find(existsSync);
 
 /** Starts it, and resolves with its WebSocket address; ended after the test at the latest. */
