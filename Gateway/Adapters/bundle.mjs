@@ -1,5 +1,5 @@
 // Builds dist/plant.mjs, a file for each kind of plant beside it, the schema of their configuration and the licences of the bundled packages.
-// // `npm run build` and prepare.mjs run it.
+// `npm run build` and prepare.mjs run it.
 import { mkdirSync, readdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';

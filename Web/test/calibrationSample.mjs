@@ -1,4 +1,4 @@
-// A calibration that nobody measured: one of each sort of plot that the page can show.
+// Synthetic calibration data with one plot of each kind that the page can show.
 
 const range = (count, f) => Array.from({ length: count }, (_, i) => f(i));
 

@@ -1,4 +1,4 @@
-// Figures that nobody computed: one of each sort the page can show.
+// Synthetic figures, one of each kind that the page can show.
 
 const range = (count, f) => Array.from({ length: count }, (_, i) => f(i));
 

@@ -1,4 +1,4 @@
-// A run that never happened: a joint swings, samples arrive late, the prediction follows. Seeded, so that a failure repeats.
+// A synthetic run: a joint swings, samples arrive late, and the prediction follows. Seeded, so that failures are reproducible.
 
 export function random(seed) {
   let state = seed >>> 0;

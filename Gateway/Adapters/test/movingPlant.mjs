@@ -1,8 +1,8 @@
 // node movingPlant.mjs opcua|ads: a moving youBot behind a control system whose clock is minutes off and runs too fast. It prints the
-// // position, and the clock's time at a count of this machine's monotonic counter, so that a test can compute the true position.
-// // It accepts lines: "step MS" steps its clock. With opcua also "delete", "stop" (in mid-motion), "bad", "nan" or "repair" and the name of a
-// // variable, and "rest MS", answered by "done COMMAND", the number of the command and the Unix time in s at which it took effect.
-// // It ends when its input is closed.
+// position, and the clock's time at a count of this machine's monotonic counter, so that a test can compute the true position.
+// It accepts lines: "step MS" steps its clock. With opcua also "delete", "stop" (in mid-motion), "bad", "nan" or "repair" and the name of a
+// variable, and "rest MS", answered by "done COMMAND", the number of the command and the Unix time in s at which it took effect.
+// It ends when its input is closed.
 import { createInterface } from 'node:readline';
 
 const AHEAD_MS = 754_321.5, PPM = 85;

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine.XR.ARSubsystems;
 
-/// <summary>The simulated device of a test, with the subsystems that its runtime offers. At most one at a time; without one there are no subsystems.</summary>
+/// <summary>The simulated device of a test, with the subsystems that its runtime offers. At most one exists at a time.</summary>
 sealed class ArDevice : IDisposable
 {
     readonly List<object> _subsystems = new();

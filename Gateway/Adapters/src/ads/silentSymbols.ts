@@ -34,10 +34,10 @@ export class SilentSymbols {
   #newest = -Infinity;
 
   /**
-  * @param watched Whether each joint is subscribed.
-  * @param delayMs Maximum delay of a value.
-  * @param isOnChange Whether values at rest are not sent.
-  */
+   * @param watched Whether each joint is subscribed.
+   * @param delayMs Maximum delay of a value.
+   * @param isOnChange Whether values at rest are not sent.
+   */
   constructor(
     watched: boolean[], readonly delayMs: number, readonly isOnChange: boolean, readonly actions: ReadActions,
     readonly now: () => number = () => performance.now(),

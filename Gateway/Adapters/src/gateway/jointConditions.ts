@@ -58,9 +58,9 @@ export class JointConditions {
   }
 
   /**
-  * @param since Time of the last sample.
-  * @param uncertainty The reason why the rest is uncertain; empty for none.
-  */
+   * @param since Time of the last sample.
+   * @param uncertainty The reason why the rest is uncertain; empty for none.
+   */
   rest(joint: string, since: number, uncertainty = ''): void {
     const known = this.#joints.get(joint);
     if (known?.state === 'rest' && known.uncertainty === uncertainty) return;

@@ -29,9 +29,9 @@ export class SilentNodes {
   readonly #nodes: NodeState[];
 
   /**
-  * @param ids The joints' nodes at this server.
-  * @param nameOf Gets the configuration entry of a node.
-  */
+   * @param ids The joints' nodes at this server.
+   * @param nameOf Gets the configuration entry of a node.
+   */
   constructor(
     readonly session: Pick<ReadOnlySession, 'readAll' | 'monitorAgain'>, readonly reader: NotificationReader, readonly ids: string[],
     readonly nameOf: (node: number) => string, readonly now: () => number = () => performance.now(),

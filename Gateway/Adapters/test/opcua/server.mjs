@@ -1,5 +1,5 @@
 // A real OPC UA server, node-opcua's, that moves a youBot. The robot's true position is a function of the control system's time, which has
-// // its own offset and rate.
+// its own offset and rate.
 import { createServer } from 'node:net';
 import { isDeepStrictEqual } from 'node:util';
 import {

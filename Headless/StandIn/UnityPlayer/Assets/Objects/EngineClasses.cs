@@ -84,7 +84,7 @@ static class EngineClasses
         yield return Slot.Field(typeof(RectTransform), "m_Pivot");
     }
 
-    /// <summary>Gets the Euler angles shown by the editor, rounded to a thousandth of a degree, so that rounding differences between machines do not show.</summary>
+    /// <summary>Gets the Euler angles shown by the editor, rounded to 0.001°, which hides rounding differences between machines.</summary>
     static Vector3 EulerHint(Transform transform)
     {
         var angles = transform.localEulerAngles;

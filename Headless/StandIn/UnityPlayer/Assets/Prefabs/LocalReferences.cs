@@ -8,7 +8,7 @@ namespace Nowpose.UnityPlayer.Assets.Prefabs;
 /// <summary>The references to objects of the same file, at any depth of a value.</summary>
 static class LocalReferences
 {
-    /// <summary>Returns a copy with each reference replaced by the result of <paramref name="map"/>. References to other assets stay unchanged.</summary>
+    /// <summary>Returns a copy with local references replaced by the result of <paramref name="map"/>. Others are kept.</summary>
     public static YamlNode Map(YamlNode node, Func<long, long> map)
     {
         if (AssetReference.TryRead(node, out var reference))

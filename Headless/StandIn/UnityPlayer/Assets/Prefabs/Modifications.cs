@@ -12,7 +12,7 @@ static class Modifications
     /// <summary>Fields of the hierarchy: an instance has its prefab's, plus its added children.</summary>
     static readonly HashSet<string> Structure = new HashSet<string> { "m_GameObject", "m_Component", "m_Father", "m_Children" };
 
-    /// <exception cref="AssetException">Not only values but the set of fields differs: the prefab's file is from an older version of the class.</exception>
+    /// <exception cref="AssetException">The sets of fields differ: the prefab's file is from an older version of the class.</exception>
     public static IEnumerable<Modification> Between(FileObject prefab, YamlMappingNode now)
     {
         return Between(Values(prefab.Fields), Values(now), "", prefab);

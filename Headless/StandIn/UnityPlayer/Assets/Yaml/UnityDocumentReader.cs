@@ -8,7 +8,7 @@ using YamlDotNet.RepresentationModel;
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
 /// <summary>Splits a Unity text asset into its objects.</summary>
-/// <remarks>Unity's document headers (<c>stripped</c> after the anchor, one tag prefix for all) are not valid YAML; the content below each header is.</remarks>
+/// <remarks>Unity's document headers (<c>stripped</c> after the anchor, one tag prefix for all) are not valid YAML; their contents are.</remarks>
 static class UnityDocumentReader
 {
     const string Header = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n";
