@@ -12,6 +12,7 @@ const LATE: Nanoseconds = 50n * NS_PER_MS, PERIOD: Nanoseconds = NS_PER_S;
 
 /**
  * The controller's clock, measured only from the packages that it streams.
+ *
  * A package arrives after its timestamp: controller time minus this machine's is at least timestamp − arrival, and the fastest package gives
  * the best lower bound. The first package after the answer to a request was sent after the request, and at most the send delay after its
  * timestamp: controller time minus this machine's is at most timestamp + send delay − time of the request. The true value lies between
