@@ -16,7 +16,7 @@ sealed class CellScene : IDisposable, IHeadsetClock
     const double FrameSeconds = 1 / 60.0;
     const string Prefab = "Packages/com.nowpose.mril/Runtime/Prefabs/Nowpose Robot Cell.prefab";
 
-    // As it is unticked in the Inspector.
+    // Corresponds to clearing its check box in the Inspector.
     static readonly FieldInfo ConnectOnEnable =
         typeof(MrilSession).GetField("_connectOnEnable", BindingFlags.Instance | BindingFlags.NonPublic);
 
@@ -27,13 +27,13 @@ sealed class CellScene : IDisposable, IHeadsetClock
     readonly VirtualCell[] _plants;
     long _frame;
 
-    /// <param name="showGhost">Whether each cell shows the uncompensated pose beside the other.</param>
+    /// <param name="showGhost">Whether each cell also shows the uncompensated pose.</param>
     public CellScene(int cells, bool showGhost)
     {
         var assets = new AssetLibrary(ProjectRoot());
         _player = new Player(assets);
         var prefab = assets.Load<UnityEngine.GameObject>(Prefab);
-        // The samples come from here: none of the cells may look for a gateway on this machine, nor wake before it knows its clock.
+        // The samples come from here: no cell may connect to a gateway on this machine, or wake before its clock is set.
         ConnectOnEnable.SetValue(prefab.GetComponent<MrilSession>(), false);
         prefab.SetActive(false);
         _sessions = [.. Enumerable.Range(0, cells).Select(_ => Cell(prefab, showGhost))];
@@ -46,14 +46,14 @@ sealed class CellScene : IDisposable, IHeadsetClock
 
     public HeadsetTime Now { get; private set; } = HeadsetTime.FromSeconds(100);
 
-    /// <summary>The next frame: what arrives until then is handed over, then the whole player loop runs.</summary>
+    /// <summary>Plays the next frame: delivers the samples up to it, then runs the whole player loop.</summary>
     public void Play()
     {
         Receive();
         _player.Step(_frame * FrameSeconds);
     }
 
-    /// <summary>The plants' part of it alone.</summary>
+    /// <summary>Runs only the plants' part of it.</summary>
     public void Receive()
     {
         _frame++;
@@ -76,6 +76,6 @@ sealed class CellScene : IDisposable, IHeadsetClock
     VirtualCell Simulate(int seed) => new(
         new PickAndPlaceMotion(_sessions[seed].Robot), new VirtualClock(Now, TimeSpan.FromSeconds(1000), 37e-6), Plant, seed, Now);
 
-    // BenchmarkDotNet runs a copy that it built elsewhere.
+    // BenchmarkDotNet runs a copy that it built in another folder.
     static string ProjectRoot([CallerFilePath] string thisFile = "") => Path.GetFullPath("../..", thisFile);
 }

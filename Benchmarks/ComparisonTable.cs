@@ -33,7 +33,7 @@ static class ComparisonTable
 
     static string Share(double value) => value.ToString("0.000", CultureInfo.InvariantCulture);
 
-    // Two digits where there are no more before the point; empty where it was not measured.
+    // Two decimals below 1, one below 10; empty if it was not measured.
     static string Ratio(double? value) => Text(value, value < 1 ? "0.00" : value < 10 ? "0.0" : "0");
 
     static string Number(double? value) => Text(value, value is > 0 and < 10 ? "0.0" : "0");

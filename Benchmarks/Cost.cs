@@ -1,5 +1,5 @@
 namespace Nowpose.Benchmarks;
 
-/// <param name="Nanoseconds">Median.</param>
-/// <param name="Bytes">Allocated.</param>
+/// <param name="Nanoseconds">Median time, ns.</param>
+/// <param name="Bytes">Allocated bytes.</param>
 readonly record struct Cost(double Nanoseconds, long Bytes);

@@ -3,12 +3,12 @@ using Nowpose.Benchmarks.Comparison;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>What each candidate's sample and frame of one joint cost, as far as they were measured.</summary>
+/// <summary>The measured cost of each candidate per sample and per frame of one joint.</summary>
 sealed class CostTable
 {
     readonly Dictionary<(string Candidate, string Method), Cost> _costs = [];
 
-    /// <summary>Whether a measurement belongs here.</summary>
+    /// <summary>Whether a measurement belongs to this table.</summary>
     public static bool Holds(BenchmarkReport report) => report.BenchmarkCase.Descriptor.Type == typeof(PredictorBenchmarks);
 
     public static CostTable Of(IEnumerable<Summary> summaries)

@@ -7,9 +7,9 @@ using Nowpose.Session;
 namespace Nowpose.Benchmarks;
 
 /// <summary>
-/// One frame of the seven-joint arm, 75 to 125 ms ahead of the newest sample, against the naive way: solving Schnierle &amp;
-/// Röck 2022, Eq. (8), for each joint in each frame, without any kinematics. As it comes, MathNet shares even a system of
-/// three equations among threads: most of its time is theirs, and several times as much while other programs run.
+/// One frame of the seven-joint arm, 75 to 125 ms after the newest sample, compared with the naive method: solving Schnierle &amp;
+/// Röck 2022, Eq. (8), for each joint in each frame, without kinematics. By default, MathNet distributes even a system of three equations
+/// over threads, which takes most of its time, and several times as much while other programs run.
 /// </summary>
 public class FrameBenchmarks
 {
@@ -22,7 +22,7 @@ public class FrameBenchmarks
     readonly JointPredictor[] _predictors = VirtualSession.CreatePredictors();
     readonly double[] _positions = new double[SevenJointArm.JointNames.Length];
 
-    // What the naive way has at hand: the newest samples, oldest first, times relative to the newest.
+    // Data of the naive method: the newest samples, oldest first, times relative to the newest.
     readonly double[] _sampleTimes = [-2 * VirtualSession.SampleSeconds, -VirtualSession.SampleSeconds, 0];
     readonly double[][] _samplesOfJoint = [.. SevenJointArm.JointNames.Select(_ => new double[Samples])];
 
@@ -103,7 +103,7 @@ public class FrameBenchmarks
         }
     }
 
-    // Three ways to the same joints: a ratio between unlike results would say nothing.
+    // All three methods must compute the same joints; otherwise, their ratio would be meaningless.
     void RequireAgreement(int frame)
     {
         var displayed = _virtual.Session.Tick(_starts[frame]);
@@ -119,7 +119,7 @@ public class FrameBenchmarks
     static void RequireSame(ReadOnlySpan<double> expected, ReadOnlySpan<double> actual)
     {
         for (var i = 0; i < expected.Length; i++)
-            // A few ticks of the time types at the arm's greatest speed.
+            // A few ticks of the time types at the arm's maximum speed.
             if (!(Math.Abs(expected[i] - actual[i]) < 1e-6))
                 throw new InvalidOperationException($"joint {i + 1}: {actual[i]} rad instead of {expected[i]} rad");
     }

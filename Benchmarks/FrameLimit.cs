@@ -2,12 +2,12 @@ using BenchmarkDotNet.Reports;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>What a scene with many robots may take of a frame: a headset at 60 Hz has 16.7 ms for everything.</summary>
+/// <summary>Limit of the frame time for a scene with many robots: a headset at 60 Hz has 16.7 ms for everything.</summary>
 static class FrameLimit
 {
     const double Nanoseconds = 1e6;
 
-    /// <returns>Why the measurements are not good enough, in one line; null when they are, or nothing of the kind was measured.</returns>
+    /// <returns>The exceeded limit in one line; null if all limits are kept, or if none was measured.</returns>
     public static string Exceeded(IEnumerable<Summary> summaries)
     {
         foreach (var report in summaries.SelectMany(summary => summary.Reports))

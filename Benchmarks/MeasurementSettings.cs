@@ -7,14 +7,14 @@ using Perfolizer.Horology;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>How everything here is measured: each method in a process of its own, all in about a minute.</summary>
+/// <summary>Settings of all measurements: each method in a separate process, all in about a minute.</summary>
 static class MeasurementSettings
 {
     public static IConfig Create() => ManualConfig.CreateEmpty()
         .AddLogger(ConsoleLogger.Default)
         .AddColumnProvider(DefaultColumnProviders.Instance)
         .AddDiagnoser(MemoryDiagnoser.Default)
-        // It builds all projects that the benchmarks refer to, with the command line: minutes on a busy machine.
+        // It builds all referenced projects including the command line, which takes minutes on a busy machine.
         .WithBuildTimeout(TimeSpan.FromMinutes(10))
         .AddJob(Job.Default
             .WithIterationTime(TimeInterval.FromMilliseconds(100))

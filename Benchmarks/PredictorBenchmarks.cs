@@ -5,7 +5,7 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>One joint by each predictor that is compared, samples every 50 ms: what its error costs.</summary>
+/// <summary>One joint with each compared predictor and samples every 50 ms: the cost of its accuracy.</summary>
 public class PredictorBenchmarks
 {
     const int Frames = 64;
@@ -23,7 +23,7 @@ public class PredictorBenchmarks
     [GlobalSetup]
     public void Prepare()
     {
-        // Threads for three equations take MathNet ten times as long.
+        // With threads, MathNet takes ten times as long for three equations.
         Control.UseSingleThread();
         _joint = new SampledJoint(Candidates.Named(Predictor).Create(), Joint, VirtualSession.SampleSeconds);
     }

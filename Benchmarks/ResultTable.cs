@@ -5,7 +5,7 @@ using BenchmarkDotNet.Reports;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>The results in one Markdown table, how much faster a frame is than the naive one, the share of a core, and the conditions.</summary>
+/// <summary>Writes the results as one Markdown table, the speed relative to the naive frame, the share of a core, and the conditions.</summary>
 static class ResultTable
 {
     const double FrameNanoseconds = 1e9 / 60;
@@ -33,7 +33,7 @@ static class ResultTable
         return $"| {what} | {Time(report.ResultStatistics.Mean)} ± {Time(report.ResultStatistics.StandardError)} | {bytes} B |";
     }
 
-    // The naive frames at their fastest: what they take above that is other programs' doing, and would flatter us.
+    // The fastest of the naive frames: any additional time is caused by other programs and would favour us.
     static void WriteRatios(Summary summary, TextWriter to)
     {
         if (StatisticsOf(summary, nameof(SampleBenchmarks.SolveDefaultAt100Hz))?.Mean is { } samples)

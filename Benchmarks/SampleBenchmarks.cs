@@ -5,7 +5,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>One sample of seven joints: read from its JSON on a network thread, solved for, taken in by a frame.</summary>
+/// <summary>One sample of seven joints: parsed from JSON on a network thread, fitted, and added in a frame.</summary>
 public class SampleBenchmarks
 {
     const int Positions = 128;
@@ -71,7 +71,7 @@ public class SampleBenchmarks
     [Benchmark(Description = "Sample: 7 adaptive predictors solve, every 10 ms")]
     public SampleOutcome SolveDefaultAt100Hz() => SolveDefault();
 
-    /// <summary>With the message object itself, 48 bytes, which reading it has already made.</summary>
+    /// <summary>Includes the message object itself, 48 bytes, which parsing has already created.</summary>
     [Benchmark(Description = "Frame that takes a sample: queue, 7 quadratic predictors, tick")]
     public DisplayFrame Take() => _virtual.Session.Tick(_virtual.Sample());
 

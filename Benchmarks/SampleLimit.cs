@@ -10,7 +10,7 @@ static class SampleLimit
 
     static readonly string[] Limited = [nameof(SampleBenchmarks.SolveDefault), nameof(SampleBenchmarks.SolveDefaultAt100Hz)];
 
-    /// <returns>Why the measurements are not good enough, in one line; null when they are, or nothing of the kind was measured.</returns>
+    /// <returns>The exceeded limit in one line; null if all limits are kept, or if none was measured.</returns>
     public static string Exceeded(IEnumerable<Summary> summaries)
     {
         foreach (var report in summaries.SelectMany(summary => summary.Reports))

@@ -2,11 +2,11 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>A predictor in the middle of a joint's motion: it has seen more of it than any predictor remembers.</summary>
-/// <remarks>The motion repeats itself, so that what looks for repetitions finds them: the most work there can be.</remarks>
+/// <summary>A predictor during a joint's motion, with more samples than any predictor stores.</summary>
+/// <remarks>The motion repeats, so that the search for repetitions succeeds: the maximum amount of work.</remarks>
 sealed class SampledJoint
 {
-    /// <summary>Longer than anything is remembered, s.</summary>
+    /// <summary>Longer than the history of any predictor, s.</summary>
     public const double SecondsSeen = 130;
 
     const double UsualHorizon = 0.1;
@@ -17,8 +17,8 @@ sealed class SampledJoint
     long _samples;
     double _displayed = double.NaN;
 
-    /// <param name="joint">Which of the seven-joint arm's.</param>
-    /// <param name="interval">Between samples, s.</param>
+    /// <param name="joint">Index of the joint of the seven-joint arm.</param>
+    /// <param name="interval">Interval of the samples, s.</param>
     public SampledJoint(JointPredictor predictor, int joint, double interval)
     {
         _predictor = predictor;
@@ -36,6 +36,6 @@ sealed class SampledJoint
     public SampleOutcome Add() => _predictor.Add(
         new JointSample(++_samples * _interval, _positions[_samples % _positions.Length]), _displayed);
 
-    /// <param name="ahead">Of the newest sample, s.</param>
+    /// <param name="ahead">Time after the newest sample, s.</param>
     public double At(double ahead) => _predictor.At(_displayed = _samples * _interval + ahead).Position;
 }

@@ -3,8 +3,8 @@ using BenchmarkDotNet.Attributes;
 namespace Nowpose.Benchmarks;
 
 /// <summary>
-/// A frame of a scene with 50 robots, all components of the prefab included: on the stand-in engine, so without anything that
-/// Unity does itself. Samples every 50 ms for each robot; the simulated plants that send them are measured alone, too.
+/// A frame of a scene with 50 robots with all components of the prefab. It runs on the stand-in engine, so it excludes Unity's own work.
+/// Samples arrive every 50 ms for each robot; the simulated plants that send them are also measured alone.
 /// </summary>
 public class SceneBenchmarks : IDisposable
 {

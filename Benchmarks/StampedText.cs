@@ -4,10 +4,10 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>The bytes of a message of seven joints whose stamp can be changed in place, so that sending it again costs nothing.</summary>
+/// <summary>The bytes of a message of seven joints, whose stamp can be changed in place, so that repeated sending is free.</summary>
 sealed class StampedText
 {
-    // Of the longest stamps; JSON allows the blanks that shorter ones leave.
+    // Lengths of the longest stamps; for shorter ones, JSON allows blanks.
     const int SecondsLength = 10, NanosecondsLength = 9;
     static readonly ControlTime Longest = ControlTime.FromSeconds(4_000_000_000) + TimeSpan.FromMilliseconds(500);
 

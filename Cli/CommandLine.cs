@@ -3,15 +3,15 @@ using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli;
 
-/// <summary>The command line as a whole: which verbs there are, and which is meant when none is named.</summary>
+/// <summary>The command line as a whole: its verbs, and the default verb when none is given.</summary>
 public static class CommandLine
 {
     const string DefaultVerb = "demo";
 
-    /// <summary>Runs one command and returns the exit status; never throws for what the user typed or gave.</summary>
+    /// <summary>Runs one command and returns the exit status. Never throws for invalid user input.</summary>
     public static Task<int> RunAsync(string[] args)
     {
-        // Its loops over small matrices wait for a second core; where that one is busy they took a hundred times as long.
+        // Math.NET's loops over small matrices wait for a second core. With that core busy, they took a hundred times as long.
         Control.UseSingleThread();
         return Invocation.RunAsync(
             Invocation.Root(

@@ -3,15 +3,15 @@ using Spectre.Console;
 
 namespace Nowpose.Cli;
 
-/// <summary>Progress on stderr of work that is counted: a bar on a terminal, a line every few seconds otherwise.</summary>
+/// <summary>Shows progress of counted work on stderr: a bar on a terminal, otherwise a line every few seconds.</summary>
 static class CountProgress
 {
     static readonly TimeSpan LineEvery = TimeSpan.FromSeconds(3);
 
-    /// <param name="what">What the bar is named.</param>
-    /// <param name="units">What is counted: "pictures".</param>
-    /// <param name="total">How many there are; null when nobody knows yet.</param>
-    /// <param name="work">Runs to its end; calls back with how many are done.</param>
+    /// <param name="what">Label of the bar.</param>
+    /// <param name="units">Name of the counted items, for example "pictures".</param>
+    /// <param name="total">Total number of items, or null if it is unknown.</param>
+    /// <param name="work">The work. It calls back with the number of finished items.</param>
     public static void Run(string what, string units, int? total, Action<Action<int>> work)
     {
         if (Console.IsErrorRedirected) Lines(units, total, work);

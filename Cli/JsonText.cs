@@ -4,7 +4,7 @@ using System.Text.Json;
 
 namespace Nowpose.Cli;
 
-/// <summary>JSON that verbs print: numbers with all their digits, names as they are.</summary>
+/// <summary>Writes the JSON that verbs print: numbers with all their digits, names unescaped.</summary>
 static class JsonText
 {
     /// <param name="write">Writes one value.</param>

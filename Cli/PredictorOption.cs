@@ -3,7 +3,7 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Cli;
 
-/// <summary><c>--predictor</c>: the names that are offered, and polynomials of any history.</summary>
+/// <c>--predictor</c>: accepts the listed names, and polynomials with any history.
 static class PredictorOption
 {
     public static Option<string> Create()

@@ -2,7 +2,7 @@ using Spectre.Console;
 
 namespace Nowpose.Cli;
 
-/// <summary>Where tables go: stdout, without colours and at a width of its own when it is a file or a pipe.</summary>
+/// <summary>The console for tables: stdout; for a file or pipe without colours and with a fixed width.</summary>
 static class ResultConsole
 {
     const int RedirectedWidth = 120;

@@ -6,29 +6,29 @@ public enum Closure
     ByPeer,
     Stopped,
 
-    /// <summary>More connections than the gateway bears.</summary>
+    /// <summary>Connection limit of the gateway reached.</summary>
     ConnectionLimit,
 
     TlsHandshake,
 
-    /// <summary>No or an unknown token.</summary>
+    /// <summary>Missing or unknown token.</summary>
     Token,
 
     /// <summary>A browser page of another origin.</summary>
     Origin,
 
-    /// <summary>Bytes that are no sync frame or one of a kind that has no place there; what no WebSocket may send.</summary>
+    /// <summary>Invalid sync frame, or one of a kind that is not allowed at this point; on the WebSocket, a violation of the protocol.</summary>
     MalformedFrame,
 
-    /// <summary>More sync requests a second than allowed.</summary>
+    /// <summary>More sync requests per second than allowed.</summary>
     TooManyRequests,
 
-    /// <summary>Nothing came for too long, or no pong did, or nothing was read of what was sent.</summary>
+    /// <summary>Timeout: nothing was received, no pong was received, or the client did not read what was sent.</summary>
     Silence,
 
-    /// <summary>A message that went on beyond what is read to get past it.</summary>
+    /// <summary>An oversized message that did not end within the limit for skipping it.</summary>
     EndlessMessage,
 
-    /// <summary>The gateway itself failed; the log says how.</summary>
+    /// <summary>Internal error of the gateway; see the log.</summary>
     Failure,
 }

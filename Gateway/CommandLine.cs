@@ -7,7 +7,7 @@ namespace Nowpose.Gateway;
 /// <summary>The gateway's own command line.</summary>
 public static class CommandLine
 {
-    /// <summary>Runs one command until it ends or Ctrl-C, and returns the exit status; never throws for what the user gave.</summary>
+    /// <summary>Runs one command until it ends or Ctrl-C, and returns the exit status. Never throws for invalid user input.</summary>
     public static Task<int> RunAsync(string[] args)
     {
         var root = Invocation.Root(
@@ -15,7 +15,7 @@ public static class CommandLine
             PlantVerb.Simulate(), PlantVerb.Replay(), ServeVerb.Create(),
             CellVerb.Create(), PairVerb.Create(), PairingsVerb.Create());
         var configured = new ConfiguredArguments();
-        // Asked to end by whoever started it as a service, it has done what it should.
+        // Termination by the service manager is a normal end.
         return Invocation.RunAsync(root, args, ExitStatus.Done, configured.Of, configured.Place);
     }
 }

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway;
 
-/// <summary>How many connections there are and were, and why they ended. Any thread.</summary>
+/// <summary>Counts current and past connections and the reasons why they ended. Any thread.</summary>
 public sealed class ConnectionCounters
 {
     readonly long[] _closures = new long[Enum.GetValues<Closure>().Length];
@@ -11,8 +11,8 @@ public sealed class ConnectionCounters
     public long Accepted => Interlocked.Read(ref _accepted);
     public long this[Closure closure] => Interlocked.Read(ref _closures[(int)closure]);
 
-    /// <summary>Takes a place if one of <paramref name="limit"/> is free; <see cref="Leave"/> gives it back.</summary>
-    /// <param name="isFinal">Whether a connection is refused, and counted as such, without a place.</param>
+    /// <summary>Takes one of <paramref name="limit"/> places if one is free; <see cref="Leave"/> releases it.</summary>
+    /// <param name="isFinal">Whether a connection without a place is refused and counted as refused.</param>
     internal bool TryEnter(int limit, bool isFinal = true)
     {
         if (Interlocked.Increment(ref _open) <= limit)

@@ -3,20 +3,20 @@ using System.Runtime.InteropServices;
 
 namespace Nowpose.Gateway;
 
-/// <summary>Compares the number of files and sockets that the system allows this process with what its connections need.</summary>
+/// <summary>Compares the number of files and sockets that the system allows this process with the number that its connections need.</summary>
 /// <remarks>The .NET runtime raises the soft limit to the hard one when it starts.</remarks>
 static class DescriptorLimit
 {
-    /// <summary>Descriptors of the process without connections: 155 of a gateway that has just started, and adapters, files and pages.</summary>
+    /// <summary>Descriptors of the process without connections: 155 of a gateway that has just started, plus adapters, files and pages.</summary>
     internal const int Reserve = 250;
 
-    /// <summary>Descriptors that are kept free of connections.</summary>
+    /// <summary>Descriptors that connections must not use.</summary>
     const ulong Spare = 32;
 
     const int LinuxOpenFiles = 7;
     const int MacOpenFiles = 8;
 
-    /// <exception cref="InputException">The system allows too few.</exception>
+    /// <exception cref="InputException">The system's limit is too low.</exception>
     public static void Check(int maxConnections)
     {
         if (Problem(maxConnections, Allowed()) is { } problem) throw new InputException(problem);
@@ -27,7 +27,7 @@ static class DescriptorLimit
     /// <exception cref="IOException">Too few descriptors are left. The connection is closed.</exception>
     public static void Guard(Socket accepted)
     {
-        // The system hands out the lowest number that is free.
+        // The system assigns the lowest free number.
         var number = (ulong)(long)accepted.Handle;
         var allowed = Allowed();
         if (OperatingSystem.IsWindows() || number + Spare < allowed) return;
@@ -46,7 +46,7 @@ static class DescriptorLimit
             + (possible < 1 ? $"{allowed}; {remedy}" : $"{allowed}; allowed are 1 to {possible} here, or {remedy}");
     }
 
-    /// <summary>The greatest number where the system has no limit, or none that can be read.</summary>
+    /// <summary>Gets the limit; the maximum number if the system has no limit, or none that can be read.</summary>
     static ulong Allowed()
     {
         if (OperatingSystem.IsWindows()) return ulong.MaxValue;

@@ -23,7 +23,7 @@ using Nowpose.Web;
 
 namespace Nowpose.Gateway;
 
-/// <summary>The middleware between control system and headsets: clock sync over TCP, rosbridge v2 over WebSocket, and the hub between.</summary>
+/// <summary>The gateway between control system and headsets: clock sync over TCP, rosbridge v2 over WebSocket, and the message hub.</summary>
 public sealed class GatewayServer : IAsyncDisposable
 {
     static readonly TimeSpan StopTimeout = TimeSpan.FromSeconds(3);
@@ -41,7 +41,7 @@ public sealed class GatewayServer : IAsyncDisposable
     readonly GatewayStatus _status;
     readonly WebApplication _web;
 
-    // Nobody is served before StartAsync, but the port of the clock is taken.
+    // Opens the sync port. Nothing is served before StartAsync.
     GatewayServer(GatewayOptions options, IControlClock clock, Action<string> log)
     {
         _options = options;
@@ -75,39 +75,41 @@ public sealed class GatewayServer : IAsyncDisposable
             RosbridgeServer.CountFragmentsAsync);
     }
 
-    /// <summary>With the port that was taken.</summary>
+    /// <summary>The endpoint with the actual port.</summary>
     public IPEndPoint SyncEndPoint => _sync.EndPoint;
 
     /// <inheritdoc cref="SyncEndPoint"/>
     public IPEndPoint WebSocketEndPoint { get; private set; }
 
-    /// <summary>Where browsers find the control clock as a code for cameras, under each name; none where the page was not built.</summary>
+    /// <summary>Addresses of the page with the control clock as a code for cameras, one per host name; empty if the page was not built.</summary>
     public IReadOnlyList<Uri> CodePageUris =>
         !_page.IsBuilt ? [] : [.. OwnHosts.Reachable(_options.Bind).Select(host => PageUri(host, CodePage.Path))];
 
-    /// <summary>Where browsers find the page of operations, under each name; none where the page was not built.</summary>
+    /// <summary>Addresses of the operations page, one per host name; empty if the page was not built.</summary>
     public IReadOnlyList<Uri> OperationsPageUris =>
         OperationsPage.Html == null ? [] : [.. OwnHosts.Reachable(_options.Bind).Select(host => PageUri(host, OperationsRoutes.Path))];
 
-    /// <summary>Whether headsets are given tokens of their own.</summary>
+    /// <summary>Whether the gateway pairs headsets, which then get their own tokens.</summary>
     public bool PairsHeadsets => _options.Headsets != null;
 
-    /// <summary>Where a browser on this machine finds the code that pairs a headset; null where it pairs none, or the page was not built.</summary>
+    /// <summary>
+    /// Address of the pairing page for a browser on this machine; null if the gateway does not pair headsets or the page was not built.
+    /// </summary>
     public Uri PairingPageUri => PairsHeadsets && _pairing.Page.IsBuilt ? PageUri(LocalHost, PairingLimits.Path) : null;
 
-    /// <summary>Makes an adapter that this gateway starts a source.</summary>
+    /// <summary>The token that gives an adapter started by this gateway the role of a source.</summary>
     internal string AdapterToken => _options.AdapterToken;
 
-    /// <summary>What headsets pin; null without TLS.</summary>
+    /// <summary>The pin that headsets store for the gateway's key; null without TLS.</summary>
     public CertificatePin Pin => _options.Certificate == null ? null : CertificatePin.Of(_options.Certificate);
 
-    /// <summary>When the certificate expires, or did, UTC; from then on headsets refuse it. Null without TLS.</summary>
+    /// <summary>Expiry of the certificate, UTC. Headsets refuse it afterwards. Null without TLS.</summary>
     public DateTime? CertificateExpires => _options.CertificateExpires;
 
-    /// <summary>What whoever runs it should know: rights it has for nothing, files that others can read.</summary>
+    /// <summary>Warnings for the operator: unnecessary privileges, and secret files that other users can read.</summary>
     public IEnumerable<string> Warnings => Precautions.Of(_options, Environment.GetEnvironmentVariable("CREDENTIALS_DIRECTORY"));
 
-    /// <summary>For those that belong to it: nobody fills the disk through it.</summary>
+    /// <summary>The rate-limited log for parts of the gateway, so that peers cannot fill the disk.</summary>
     internal Action<string> Log => _log.Write;
 
     internal EventList Events => _status.Events;
@@ -116,33 +118,33 @@ public sealed class GatewayServer : IAsyncDisposable
 
     public MessageHub Hub { get; }
 
-    /// <summary>Writes what passes the hub into files, when it is switched on.</summary>
+    /// <summary>Records the messages of the hub to files while it is enabled.</summary>
     public Recorder Recorder { get; }
 
     internal RecordingsWatch RecordingsWatch { get; }
 
-    /// <summary>C1 as headsets get it.</summary>
+    /// <summary>C1 as served to headsets.</summary>
     public ServedClock Clock { get; }
 
     public PlantClocks PlantClocks { get; }
 
-    /// <summary>Messages of clients that were dropped, and messages slow clients lost.</summary>
+    /// <summary>Counts dropped messages of clients, and messages dropped for slow clients.</summary>
     internal DropCounters Drops => _rosbridge.Drops;
 
     public ConnectionCounters SyncConnections => _sync.Counters;
     public ConnectionCounters WebSocketConnections { get; }
 
-    /// <summary>Connections of both ports that were not let in yet.</summary>
+    /// <summary>Number of connections of both ports before authentication.</summary>
     internal int PendingCount => _sync.PendingCount + _webPending.Count;
 
-    /// <summary>Connections that end with their token.</summary>
+    /// <summary>Number of connections that end when their token is revoked.</summary>
     internal int WatchedTokens => _access.Count;
 
-    /// <summary>Starts both servers; they accept when this returns.</summary>
-    /// <param name="clock">The gateway's own: what it serves until an adapter tells that of the control system.</param>
+    /// <summary>Starts both servers. They accept connections when this returns.</summary>
+    /// <param name="clock">The gateway's own clock, served until an adapter offers that of the control system.</param>
     /// <param name="log">Takes short lines without secrets, from any thread; null for none.</param>
     /// <exception cref="InputException">The options contradict the protocol.</exception>
-    /// <exception cref="IOException">A port cannot be had: it is taken, or the address is not this machine's. Either may pass.</exception>
+    /// <exception cref="IOException">A port is in use, or the address does not belong to this machine. Both may be temporary.</exception>
     public static async Task<GatewayServer> StartAsync(
         GatewayOptions options, IControlClock clock, Action<string> log = null, CancellationToken cancellation = default)
     {
@@ -178,7 +180,7 @@ public sealed class GatewayServer : IAsyncDisposable
         await _web.StopAsync(patience.Token);
         await _web.DisposeAsync();
         _rosbridge.Dispose();
-        // Last: what was received until now is to be in the file.
+        // Last, so that all received messages are in the file.
         await Recorder.DisposeAsync();
         _log.Dispose();
     }

@@ -8,30 +8,30 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway;
 
-/// <summary>The gateway's HTTP server: its limits, its TLS, and who is asked for what comes in.</summary>
+/// <summary>The gateway's HTTP server: its limits, its TLS, and the handlers of its requests.</summary>
 static class GatewayWeb
 {
-    /// <summary>Bytes of a connection that may wait to be sent: a few samples.</summary>
+    /// <summary>Maximum number of unsent bytes of a connection: a few samples.</summary>
     const int MaxUnsentBytes = 4096;
 
-    /// <summary>Connections that have been evicted and are not closed yet.</summary>
+    /// <summary>Allowance for connections that were evicted but are not yet closed.</summary>
     const int ClosingConnections = 16;
 
     static readonly TimeSpan AnswerGrace = TimeSpan.FromSeconds(5);
 
-    /// <param name="pending">Places of connections that were not let in yet.</param>
+    /// <param name="pending">Places of connections before authentication.</param>
     /// <param name="log">Takes short lines without secrets, from any thread.</param>
     /// <param name="rosbridge">Serves WebSockets.</param>
-    /// <param name="before">Asked before it, in this order; each serves a request or calls the next.</param>
+    /// <param name="before">Handlers called before it, in this order. Each serves a request or calls the next.</param>
     public static WebApplication Build(
         GatewayOptions options, PendingPlaces pending, Action<string> log, RequestDelegate rosbridge,
         params Func<HttpContext, RequestDelegate, Task>[] before)
     {
-        // Empty: neither settings of the folder it is started in nor of the environment change what the gateway does.
+        // Empty, so that settings in the working folder or the environment do not change the gateway's behaviour.
         var builder = WebApplication.CreateEmptyBuilder(new WebApplicationOptions());
         builder.Services.AddSingleton<IHostLifetime, NoSignals>();
         builder.WebHost.UseKestrelCore().UseKestrelHttpsConfiguration();
-        // What waits to be read, of each connection; a message that is longer is put together elsewhere, with limits of its own.
+        // Maximum number of unread bytes of each connection. Longer messages are assembled elsewhere, with their own limits.
         builder.Services.Configure<SocketTransportOptions>(sockets =>
         {
             sockets.MaxReadBufferSize = ProtocolLimits.MessageBytes;
@@ -52,11 +52,11 @@ static class GatewayWeb
     static void Configure(KestrelServerOptions kestrel, GatewayOptions options, PendingPlaces pending)
     {
         kestrel.AddServerHeader = false;
-        // The one runs from a request's first byte, the other until then.
+        // The first timeout starts with a request's first byte; the second applies before it.
         kestrel.Limits.RequestHeadersTimeout = kestrel.Limits.KeepAliveTimeout = options.TokenTimeout;
-        // Connections that have not been let in yet have places besides: one that is refused must still get its answer.
+        // Connections before authentication have additional places, so that a refused one still gets its answer.
         kestrel.Limits.MaxConcurrentConnections = (long)options.MaxConnections + options.MaxPendingInAll + ClosingConnections;
-        // Of pages and other answers; a WebSocket that is slow to read is dealt with by its connection.
+        // For pages and other answers. Slow readers of a WebSocket are handled by its connection.
         kestrel.Limits.MinResponseDataRate = new MinDataRate(options.AnswerBytesPerSecond, AnswerGrace);
         kestrel.Limits.MaxResponseBufferSize = MaxUnsentBytes;
         kestrel.Limits.MaxRequestBufferSize = ProtocolLimits.MessageBytes;
@@ -71,7 +71,7 @@ static class GatewayWeb
         if (options.Certificate == null) return;
         listen.UseHttps(https =>
         {
-            // Asked at each connection: a renewed one is shown without a restart.
+            // Called for each connection, so that a renewed certificate is used without a restart.
             https.ServerCertificateSelector = (_, _) => options.Certificate;
             https.SslProtocols = SslProtocols.Tls12 | SslProtocols.Tls13;
             https.HandshakeTimeout = options.TokenTimeout;

@@ -1,12 +1,12 @@
 namespace Nowpose.Gateway;
 
-/// <summary>A task that a timer runs: never twice at a time, and an exception goes to the log.</summary>
-/// <param name="failure">What could not be done, for the log.</param>
+/// <summary>A task that a timer runs. It never runs concurrently, and its exceptions are logged.</summary>
+/// <param name="failure">Log text for a failure.</param>
 sealed class GuardedTask(Action task, string failure, Action<string> log)
 {
     readonly Lock _lock = new();
 
-    /// <summary>Runs the task, unless it runs already.</summary>
+    /// <summary>Runs the task, unless it is running.</summary>
     public void RunUnlessBusy()
     {
         if (!_lock.TryEnter()) return;
@@ -16,7 +16,7 @@ sealed class GuardedTask(Action task, string failure, Action<string> log)
         }
         catch (Exception e)
         {
-            // All of them: an exception that leaves a timer's thread ends the process.
+            // Catches all exceptions: an unhandled one on a timer's thread ends the process.
             log($"{failure} ({e.GetType().Name}: {e.Message})");
         }
         finally
@@ -25,7 +25,7 @@ sealed class GuardedTask(Action task, string failure, Action<string> log)
         }
     }
 
-    /// <summary>Does something while the task does not run; waits for its end.</summary>
+    /// <summary>Runs an action while the task is not running; waits for its end first.</summary>
     public void Exclude(Action action)
     {
         lock (_lock) action();

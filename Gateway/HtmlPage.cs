@@ -4,11 +4,11 @@ using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway;
 
-/// <summary>A page of Web, which may be missing where the gateway was built.</summary>
-/// <param name="html">Null where it was not built.</param>
+/// <summary>A page from the folder Web, which may not have been built with the gateway.</summary>
+/// <param name="html">Null if the page was not built.</param>
 sealed partial class HtmlPage(string html)
 {
-    /// <summary>What to do where the page is missing.</summary>
+    /// <summary>Message for a missing page.</summary>
     public const string Missing =
         "the page is missing, for this gateway was built without Node.js; install Node.js 20 or newer with npm and build again";
 
@@ -24,14 +24,14 @@ sealed partial class HtmlPage(string html)
         response.ContentType = "text/html; charset=utf-8";
         response.ContentLength = _page.Length;
         response.Headers.CacheControl = "no-store";
-        // Nobody had to show a token: it must not hold one of the places of those that did.
+        // Closed, because this connection needed no token and must not use a place of those that did.
         response.Headers.Connection = "close";
         response.Headers.ContentSecurityPolicy = _policy;
         return response.Body.WriteAsync(_page).AsTask();
     }
 
-    // The page's own, which has the hashes of its script and its style. Only a header can say who may frame it: another site could have
-    // the visitor click on it, or read along.
+    // The page's own policy, which has the hashes of its script and style. Only a header can restrict framing: another site could have the
+    // visitor click in the page, or read it.
     static string PolicyOf(string html) => html == null ? null : $"{Policy().Match(html).Groups[1].Value}; frame-ancestors 'none'";
 
     [GeneratedRegex("http-equiv=\"Content-Security-Policy\"\\s+content=\"([^\"]*)\"")]

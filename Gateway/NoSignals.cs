@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway;
 
-/// <summary>Leaves Ctrl-C to the program the gateway runs in; the host's own lifetime would take it.</summary>
+/// <summary>Leaves Ctrl-C to the host program; the default lifetime of the web host would handle it.</summary>
 sealed class NoSignals : IHostLifetime
 {
     public Task WaitForStartAsync(CancellationToken cancellationToken) => Task.CompletedTask;

@@ -4,10 +4,10 @@ using Microsoft.AspNetCore.Connections.Features;
 
 namespace Nowpose.Gateway;
 
-/// <summary>Accepts connections for the web server, and goes on after any error of the system.</summary>
+/// <summary>Accepts connections for the web server, and continues after any error of the system.</summary>
 /// <remarks>
-/// Kestrel closes a port for good at the first exception of its listener. The last file descriptors are kept free, because Kestrel's
-/// listener takes a whole processor while there are none.
+/// Kestrel closes a port permanently at the first exception of its listener. The last file descriptors are kept free, because Kestrel's
+/// listener uses a whole processor when none are left.
 /// </remarks>
 sealed class PatientListener(IConnectionListener inner, Action<string> log) : IConnectionListener
 {
@@ -17,7 +17,7 @@ sealed class PatientListener(IConnectionListener inner, Action<string> log) : IC
 
     public EndPoint EndPoint => inner.EndPoint;
 
-    /// <returns>Null when it was unbound.</returns>
+    /// <returns>Null if the listener was unbound.</returns>
     public async ValueTask<ConnectionContext> AcceptAsync(CancellationToken cancellationToken = default)
     {
         while (!_stop.IsCancellationRequested)

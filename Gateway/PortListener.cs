@@ -3,11 +3,11 @@ using System.Net.Sockets;
 
 namespace Nowpose.Gateway;
 
-/// <summary>Listens on the gateway's ports; what keeps it from that is told of the option that is to blame.</summary>
+/// <summary>Listens on the gateway's ports. Errors name the responsible option.</summary>
 static class PortListener
 {
-    /// <param name="option">Of the port.</param>
-    /// <exception cref="IOException">The port cannot be had: it is taken, or the address is not this machine's. Either may pass.</exception>
+    /// <param name="option">Name of the port's option.</param>
+    /// <exception cref="IOException">The port is in use, or the address does not belong to this machine. Both may be temporary.</exception>
     public static TcpListener Open(string option, IPAddress bind, int port)
     {
         TcpListener listener = null;
@@ -15,8 +15,8 @@ static class PortListener
         {
             listener = new TcpListener(bind, port);
             if (bind.Equals(IPAddress.IPv6Any)) listener.Server.DualMode = true;
-            // On Unix .NET sets SO_REUSEADDR by itself when binding, so a restart need not wait for old connections to time out;
-            // set here it would also let two gateways share the port.
+            // On Unix, .NET sets SO_REUSEADDR when binding, so that a restart need not wait for old connections to time out.
+            // Setting it here would also let two gateways share the port.
             listener.Start();
             return listener;
         }
@@ -27,12 +27,12 @@ static class PortListener
         }
     }
 
-    /// <summary>What is said of a port that the system refuses.</summary>
+    /// <summary>Creates the exception for a port that the system refuses.</summary>
     public static IOException Refusal(string option, IPAddress bind, int port, Exception cause) => IsOfThePort(cause)
         ? new IOException($"{option} {port} on {bind}: {cause.Message}", cause)
         : new IOException($"--bind {bind}: is no address of this machine now ({cause.Message})", cause);
 
-    /// <summary>Whether somebody else listens there at the moment.</summary>
+    /// <summary>Whether the port is in use by another process at present.</summary>
     public static bool IsTaken(IOException refusal) =>
         refusal.InnerException is SocketException { SocketErrorCode: SocketError.AddressAlreadyInUse };
 

@@ -1,11 +1,13 @@
 namespace Nowpose.Gateway;
 
-/// <summary>Passes lines on, but of the same one only so many a minute and then how many it was: nobody outside fills the disk. Any thread.</summary>
+/// <summary>
+/// Writes lines with a limit per minute for equal lines, followed by the number of suppressed ones, so that peers cannot fill the disk. Any thread.
+/// </summary>
 sealed class QuietLog : IDisposable
 {
     public const int LinesAMinute = 10;
 
-    /// <summary>Of more different lines than this all others are one.</summary>
+    /// <summary>Maximum number of different lines that are counted separately; all further ones count as one.</summary>
     public const int GreatestKinds = 100;
 
     static readonly TimeSpan Span = TimeSpan.FromMinutes(1);

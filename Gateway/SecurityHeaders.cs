@@ -1,9 +1,9 @@
 namespace Nowpose.Gateway;
 
-/// <summary>Adds to every answer what tells browsers to take it for nothing else, and to show it in no other site's page.</summary>
+/// <summary>Adds headers to every answer that disable content sniffing and framing by other sites.</summary>
 static class SecurityHeaders
 {
-    /// <summary>Of an answer that is no page: nothing in it is run or loaded.</summary>
+    /// <summary>Policy of an answer that is not a page: it must not run or load anything.</summary>
     const string NoPage = "default-src 'none'; frame-ancestors 'none'";
 
     public static Task AddAsync(HttpContext context, RequestDelegate next)

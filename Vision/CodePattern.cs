@@ -3,7 +3,7 @@ using Nowpose.Latency;
 
 namespace Nowpose.Vision;
 
-/// <summary>What a code looks like, for the worker, so that <see cref="TimestampCode"/> is the one specification.</summary>
+/// <summary>The layout of a code for the worker, so that <see cref="TimestampCode"/> is the only specification.</summary>
 static class CodePattern
 {
     public static string Json()
@@ -17,7 +17,7 @@ static class CodePattern
             kinds = Enum.GetValues<CodeKind>().ToDictionary(kind => kind.ToString(), kind => new
             {
                 lit = ring.Select(cell => TimestampCode.IsLitRing(cell, kind)),
-                // The headset draws squares; the control system's may be LEDs.
+                // The headset draws squares; the control system may use LEDs.
                 isFilled = kind == CodeKind.Headset,
             }),
         };

@@ -3,11 +3,11 @@ using Nowpose.Latency;
 namespace Nowpose.Vision;
 
 /// <summary>A code that was found in a picture.</summary>
-/// <param name="Levels">Light of each cell in the order of <see cref="TimestampCode"/>, without what is behind it; linear, 1 is white.</param>
-/// <param name="Corners">px, y down: x and y of the top left corner as the code is read, then clockwise.</param>
+/// <param name="Levels">Light of each cell in the order of <see cref="TimestampCode"/>, without the background; linear, 1 is white.</param>
+/// <param name="Corners">Corners in px, y down: the top left corner of the code first, then clockwise.</param>
 sealed record FoundCode(CodeKind Kind, IReadOnlyList<double> Levels, IReadOnlyList<(double X, double Y)> Corners)
 {
-    /// <summary>Where the diagonals cross: the centre of the code also where it is seen at an angle, px.</summary>
+    /// <summary>Intersection of the diagonals, px: the centre of the code, also in perspective.</summary>
     public (double X, double Y) Center
     {
         get
@@ -22,7 +22,7 @@ sealed record FoundCode(CodeKind Kind, IReadOnlyList<double> Levels, IReadOnlyLi
     /// <summary>Mean length of the four sides, px.</summary>
     public double Side => Enumerable.Range(0, 4).Average(i => Distance(Corners[i], Corners[(i + 1) % 4]));
 
-    /// <summary>Where in the picture a point of the code is, px from the top.</summary>
+    /// <summary>Gets the vertical position of a point of the code in the picture, px from the top.</summary>
     /// <param name="column">0 at the left edge of the code to <see cref="TimestampCode.Side"/> at the right one.</param>
     public double HeightOf(double column, double row)
     {

@@ -2,20 +2,20 @@ using System.Text.Json;
 
 namespace Nowpose.Vision;
 
-/// <summary>Follows patches of a video's first picture through the next ones. Not thread-safe.</summary>
+/// <summary>Tracks patches of a video's first picture through the following ones. Not thread-safe.</summary>
 public sealed class MotionTracker : IDisposable
 {
     readonly VisionWorker _worker = new();
     readonly IReadOnlyList<PictureBox> _boxes;
     bool _hasBegun;
 
-    /// <param name="boxes">The patches, wholly within the first picture.</param>
-    /// <exception cref="InputException">Node.js is missing, or was where this program was built.</exception>
+    /// <param name="boxes">The patches, completely within the first picture.</param>
+    /// <exception cref="InputException">Node.js is missing, or was missing when this program was built.</exception>
     public MotionTracker(IReadOnlyList<PictureBox> boxes) => _boxes = boxes;
 
-    /// <summary>Where the patches are in the next picture.</summary>
+    /// <summary>Gets the patches' positions in the next picture.</summary>
     /// <param name="bytes">Grey, row by row.</param>
-    /// <exception cref="InvalidOperationException">The picture could not be used.</exception>
+    /// <exception cref="InvalidOperationException">The picture is invalid.</exception>
     public IReadOnlyList<TrackedPlace> Follow(int width, int height, byte[] bytes)
     {
         var answer = _worker.Ask(PictureRequest.Tracked(width, height, bytes, _hasBegun ? null : _boxes).Json());

@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Nowpose.Vision;
 
-/// <summary>A picture that a worker is to look at, or to make.</summary>
+/// <summary>A request to a worker to analyse or create a picture.</summary>
 public sealed class PictureRequest
 {
     static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.CamelCase };
@@ -17,15 +17,15 @@ public sealed class PictureRequest
     /// <param name="bytes">Grey, row by row.</param>
     public static PictureRequest Grey(int width, int height, byte[] bytes) => new(new { grey = new { width, height, data = Convert.ToBase64String(bytes) } });
 
-    /// <summary>A picture that is made, and looked at without a file.</summary>
+    /// <summary>Requests a picture that is created and analysed without a file.</summary>
     public static PictureRequest Made(Shot shot) => new(new { shot });
 
-    /// <summary>A picture that is made and kept.</summary>
+    /// <summary>Requests a picture that is created and stored.</summary>
     /// <param name="path">Ends with .png or .jpg.</param>
     public static PictureRequest Made(Shot shot, string path) => new(new { shot, to = Path.GetFullPath(path) });
 
-    /// <summary>A picture in which patches are followed.</summary>
-    /// <param name="boxes">Where they are in this picture; null to go on with those of one before.</param>
+    /// <summary>Requests the tracking of patches in a picture.</summary>
+    /// <param name="boxes">The patches in this picture; null to continue with the previous ones.</param>
     internal static PictureRequest Tracked(int width, int height, byte[] bytes, IReadOnlyList<PictureBox> boxes) =>
         new(new { grey = new { width, height, data = Convert.ToBase64String(bytes) }, track = boxes == null ? (object)new { } : new { boxes } });
 

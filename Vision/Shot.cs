@@ -1,21 +1,21 @@
 namespace Nowpose.Vision;
 
-/// <summary>A picture to be made. Lengths in px, light linear with 1 for white.</summary>
-/// <param name="Scene">Seed of what is behind the codes.</param>
-/// <param name="SceneLight">How bright that is: 1 as it was drawn.</param>
-/// <param name="Blur">Standard deviation of the lens's blur.</param>
-/// <param name="Motion">How far the camera moves during the exposure: x and y.</param>
+/// <summary>A picture to create. Lengths in px; light is linear with 1 for white.</summary>
+/// <param name="Scene">Seed of the background.</param>
+/// <param name="SceneLight">Brightness factor of the background.</param>
+/// <param name="Blur">Standard deviation of the lens blur, px.</param>
+/// <param name="Motion">Motion of the camera during the exposure: x and y.</param>
 /// <param name="Noise">Standard deviation of the sensor's noise, of 255.</param>
 public sealed record Shot(
     int Width, int Height, int Scene, double SceneLight, IReadOnlyList<DrawnCode> Codes, double Blur, double[] Motion, IReadOnlyList<Glare> Glares,
     IReadOnlyList<Cover> Covers, double Noise, int NoiseSeed);
 
-/// <summary>A code as the camera is to see it.</summary>
-/// <param name="Corners">x and y of each: the top left one as the code is read, then clockwise.</param>
-/// <param name="Lit">Of each cell, how much of the exposure it was lit: 0 to 1.</param>
-/// <param name="Light">Of a lit cell.</param>
+/// <summary>A code as seen by the camera.</summary>
+/// <param name="Corners">x and y of each corner: the top left corner of the code first, then clockwise.</param>
+/// <param name="Lit">Share of the exposure in which each cell is lit, 0 to 1.</param>
+/// <param name="Light">Light of a lit cell.</param>
 /// <param name="Dot">Diameter of round LEDs as a share of a cell; 0 for full squares.</param>
-/// <param name="Panel">Light of the panel behind the cells; null for a hologram, which only adds to what is behind it.</param>
+/// <param name="Panel">Light of the panel behind the cells; null for a hologram, which only adds light to the background.</param>
 public sealed record DrawnCode(double[][] Corners, double[] Lit, double Light, double Dot, double? Panel);
 
 /// <summary>A round reflection.</summary>

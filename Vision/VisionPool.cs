@@ -4,30 +4,30 @@ using Nowpose.Latency;
 
 namespace Nowpose.Vision;
 
-/// <summary>Looks at many pictures, as many at a time as there are cores.</summary>
+/// <summary>Analyses many pictures, as many in parallel as there are cores.</summary>
 /// <remarks>
-/// A picture at which a worker ends, for want of memory say, is told as a fault of that picture, and another worker goes on.
-/// Each worker remembers where it saw codes last; which pictures a worker gets depends on their number alone, so results do not
-/// change from run to run.
+/// A picture at which a worker ends, for example because of too little memory, is reported as faulty, and another worker continues. Each
+/// worker stores the last position of the codes. The assignment of pictures to workers depends on their number alone, so results are
+/// reproducible.
 /// </remarks>
 public sealed class VisionPool : IDisposable
 {
     const int MostWorkers = 4;
     const int Waiting = 4;
 
-    /// <summary>When so many pictures in a row have ended a worker, it is not the pictures.</summary>
+    /// <summary>Number of consecutive pictures that end a worker after which the cause is assumed not to be the pictures.</summary>
     const int MostEnded = 3;
 
     readonly string _script;
     readonly VisionWorker[] _workers;
 
-    /// <param name="workers">0 for as many as cores, four at most.</param>
-    /// <exception cref="InputException">Node.js is missing, or was where this program was built.</exception>
+    /// <param name="workers">Number of workers; 0 for the number of cores, at most four.</param>
+    /// <exception cref="InputException">Node.js is missing, or was missing when this program was built.</exception>
     public VisionPool(int workers = 0) : this(workers, null)
     {
     }
 
-    /// <param name="script">What a worker runs; null for the one that comes with this program.</param>
+    /// <param name="script">Script of a worker; null for the one included in this program.</param>
     internal VisionPool(int workers, string script)
     {
         _script = script;
@@ -36,9 +36,9 @@ public sealed class VisionPool : IDisposable
         _workers[0] = new VisionWorker(script);
     }
 
-    /// <summary>Runs to the end of the pictures, or until it is cancelled; what goes wrong from then on does not matter.</summary>
-    /// <param name="pictures">Read as they are needed, on a thread of its own.</param>
-    /// <param name="seen">Takes each picture's place in the order and what was seen; one call at a time, in any order.</param>
+    /// <summary>Analyses all pictures, or runs until it is cancelled. Errors after the cancellation are ignored.</summary>
+    /// <param name="pictures">Enumerated on demand, on a separate thread.</param>
+    /// <param name="seen">Receives each picture's index and its result; one call at a time, in any order.</param>
     internal void Look(IEnumerable<PictureRequest> pictures, Action<int, SeenPicture> seen, CancellationToken cancellation)
     {
         using var stop = CancellationTokenSource.CreateLinkedTokenSource(cancellation);

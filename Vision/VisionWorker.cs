@@ -5,7 +5,7 @@ using System.Text.Json;
 
 namespace Nowpose.Vision;
 
-/// <summary>A process under Node.js that looks at one picture at a time. Not thread-safe.</summary>
+/// <summary>A Node.js process that analyses one picture at a time. Not thread-safe.</summary>
 sealed class VisionWorker : IDisposable
 {
     const string Needed = "Node.js 20 or newer is needed to read pictures";
@@ -17,8 +17,8 @@ sealed class VisionWorker : IDisposable
     readonly Process _process;
     readonly StringBuilder _errors = new();
 
-    /// <param name="script">Null for the one that comes with this program.</param>
-    /// <exception cref="InputException">Node.js is missing, or was where this program was built.</exception>
+    /// <param name="script">Script; null for the one included in this program.</param>
+    /// <exception cref="InputException">Node.js is missing, or was missing when this program was built.</exception>
     public VisionWorker(string script = null)
     {
         _script = script ?? Script;
@@ -67,7 +67,7 @@ sealed class VisionWorker : IDisposable
         }
         catch (IOException)
         {
-            // Its end of the pipe is closed: said below.
+            // The pipe is closed; the error is reported below.
         }
         _process.WaitForExit(1000);
         lock (_errors) throw new WorkerEndedException($"what reads pictures has ended unexpectedly ({_script}): {_errors.ToString().Trim()}");
@@ -81,7 +81,7 @@ sealed class VisionWorker : IDisposable
         }
         catch (InvalidOperationException)
         {
-            // Has ended by itself.
+            // The process has already ended.
         }
         _process.Dispose();
     }

@@ -1,4 +1,4 @@
 namespace Nowpose.Vision;
 
-/// <summary>The process that looks at pictures has ended by itself.</summary>
+/// <summary>The process that analyses pictures has ended unexpectedly.</summary>
 sealed class WorkerEndedException(string message) : InvalidOperationException(message);

@@ -12,8 +12,8 @@ const pages = { report: 'src/main.ts', figures: 'src/paper/main.ts', calibration
 const withPlots = 'src/page.html';
 const templates = { report: withPlots, figures: withPlots, calibration: withPlots, vlc: 'src/vlc/vlc.html', pairing: 'src/pairing/pairing.html', operations: 'src/operations/operations.html' };
 
-// The licence of what is copied into a page goes with it.
-// qrcode-generator says who made it in its source and that it is MIT; the words of that licence are those of our own.
+// The licence of the included code is added to the page.
+// qrcode-generator states its author and the MIT licence in its source; the text of that licence is the same as in ours.
 const mit = read('../LICENSE').replace(/^[^]*?(?=Permission is hereby granted)/, '');
 const maker = /Copyright \(c\) [^\r\n]*/.exec(read('node_modules/qrcode-generator/dist/qrcode.mjs'))[0];
 
@@ -22,7 +22,7 @@ const licences = {
   uPlot: read('node_modules/uplot/LICENSE'),
   'qrcode-generator': `${maker}\n\n${mit}`,
   'three.js': read('node_modules/three/LICENSE'),
-  // Its words are the same in every package that has them.
+  // Its text is the same in every package with this licence.
   'urdf-loader': `${readme.slice(readme.indexOf('Copyright ©')).trim()}\n\n${read('node_modules/playwright-core/LICENSE').replace(/(?<=END OF TERMS AND CONDITIONS)[^]*/, '')}`,
 };
 const plots = ['uPlot'], robots = ['three.js', 'urdf-loader'];
@@ -31,7 +31,7 @@ const contents = {
   operations: [...plots, ...robots, 'qrcode-generator'],
 };
 
-// Meshes of a robot lie nowhere a page could load them from.
+// A page cannot load a robot's meshes from anywhere.
 const noMeshes = {
   name: 'no-meshes',
   setup(build) {
@@ -54,7 +54,7 @@ const { outputFiles } = await build({
   plugins: [noMeshes],
 });
 const licenceText = names => names.map(name => `<!-- Contains ${name}.\n${licences[name].replaceAll('--', '- -')}\n-->`).join('\n');
-// A page allows the script and the style that it was bundled with, and no others.
+// A page allows only the script and the style with which it was bundled.
 const hash = text => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
 const output = name => outputFiles.find(f => f.path.endsWith(name)).text;
 
@@ -75,7 +75,7 @@ for (const [name, template] of Object.entries(templates)) {
     page = page.replace(mark, () => text);
   }
 
-  // Renamed into place: a build that reads the page meanwhile sees the old one or the new one, never half of one.
+  // Renamed into place, so that a concurrent build never reads an incomplete file.
   const unfinished = join(web, 'dist', `${name}.${process.pid}.tmp`);
   writeFileSync(unfinished, page);
   renameSync(unfinished, join(web, 'dist', `${name}.html`));

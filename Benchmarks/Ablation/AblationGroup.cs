@@ -5,8 +5,8 @@ using Nowpose.Studies;
 
 namespace Nowpose.Benchmarks.Ablation;
 
-/// <summary>Runs that are reported together: recordings, simulated motions, or the same with stamps in error.</summary>
-/// <param name="name">For the table.</param>
+/// <summary>Runs that are reported together: recordings, simulated motions, or the same motions with errors of the stamps.</summary>
+/// <param name="name">Name for the table.</param>
 sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
 {
     static readonly string[] Fixed = ["hold", "linear", "quadratic", "quadratic-h3", "quadratic-h4", "cubic"];
@@ -14,7 +14,7 @@ sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
     /// <summary>Sampling interval and latency, s.</summary>
     static readonly (double Interval, double Latency)[] Conditions = [(0.020, 0.100), (0.050, 0.100), (0.100, 0.150)];
 
-    /// <summary>On which nothing was chosen.</summary>
+    /// <summary>Seeds that were not used for any tuning.</summary>
     static readonly int[] Seeds = [6101, 6102, 6103];
 
     static readonly Func<int, AxisMotion>[] SimulatedMotions =
@@ -35,10 +35,10 @@ sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
         return groups;
     }
 
-    /// <summary>Error of each run.</summary>
+    /// <summary>Gets the error of each run.</summary>
     public double[] Errors(Func<JointPredictor> newPredictor) => [.. runs.AsParallel().AsOrdered().Select(run => run.Rms(newPredictor))];
 
-    /// <summary>Returns the error of the best fixed predictor in each run.</summary>
+    /// <summary>Gets the error of the best fixed predictor in each run.</summary>
     public double[] LeastFixedErrors() =>
         [.. Fixed.Select(one => Errors(() => Predictors.Create(one, PredictionLimits.Unlimited))).Aggregate((a, b) => [.. a.Zip(b, Math.Min)])];
 

@@ -6,7 +6,7 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Benchmarks.Ablation;
 
-/// <summary>ablation: what each part of the default predictor is worth, by leaving it out.</summary>
+/// <summary>ablation: measures the benefit of each part of the default predictor by removing it.</summary>
 static class AblationVerb
 {
     static readonly PredictionParts[] Parts =

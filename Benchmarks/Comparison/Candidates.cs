@@ -4,11 +4,11 @@ using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Benchmarks.Comparison;
 
-/// <summary>What is compared: our predictors and those of others, each with its best constants for all conditions together.</summary>
+/// <summary>The compared predictors: ours and others, each with its best constants for all conditions together.</summary>
 /// <remarks>
-/// The constants are what <see cref="Tuning"/> finds on its own seeds, for positions in mm; ours know no limits and have
-/// nothing set. None of them, ours included, has seen <see cref="Conditions.CheckingSeeds"/>. Filters come out nearly open:
-/// in a prediction 100 ms ahead the lag that smoothing adds weighs more than the noise that it takes off.
+/// The constants are the result of <see cref="Tuning"/> on its own seeds, for positions in mm. Ours have no limits and default settings.
+/// None of them was tuned on <see cref="Conditions.CheckingSeeds"/>. The tuned filters smooth very little: in a prediction 100 ms ahead, the
+/// lag added by smoothing outweighs the reduced noise.
 /// </remarks>
 public static class Candidates
 {
@@ -25,16 +25,16 @@ public static class Candidates
 
     public static Candidate Named(string name) => All.First(candidate => candidate.Name == name);
 
-    /// <param name="jerkToNoise">s⁻⁵.</param>
+    /// <param name="jerkToNoise">Ratio of jerk to noise, s⁻⁵.</param>
     public static JointPredictor Kalman(double jerkToNoise) => By(new KalmanFilter(jerkToNoise));
 
-    /// <param name="leastCutoff">Hz.</param>
-    /// <param name="slope">Hz per mm/s.</param>
-    /// <param name="velocityCutoff">Hz.</param>
+    /// <param name="leastCutoff">Minimum cut-off frequency, Hz.</param>
+    /// <param name="slope">Slope of the cut-off frequency, Hz per mm/s.</param>
+    /// <param name="velocityCutoff">Cut-off frequency of the velocity, Hz.</param>
     public static JointPredictor OneEuro(double leastCutoff, double slope, double velocityCutoff) =>
         By(new OneEuroFilter(leastCutoff, slope, velocityCutoff));
 
-    /// <param name="timeConstant">s.</param>
+    /// <param name="timeConstant">Time constant, s.</param>
     public static JointPredictor DoubleExponential(double timeConstant) => By(new DoubleExponential(timeConstant));
 
     static JointPredictor By(Forecaster forecaster) =>

@@ -2,16 +2,16 @@ using Nowpose.Studies;
 
 namespace Nowpose.Benchmarks.Comparison;
 
-/// <summary>Under which conditions predictors are compared. Numbers in names: T_s and L, ms.</summary>
+/// <summary>The conditions of the comparison. Numbers in names: T_s and L, ms.</summary>
 public static class Conditions
 {
     static readonly StudySettings Usual = new() { Phases = 4 };
     static readonly StudySettings Quick = Usual with { SamplingInterval = 0.020 };
 
-    /// <summary>Competitors are tuned on these.</summary>
+    /// <summary>Seeds for tuning the competitors.</summary>
     public static IReadOnlyList<int> TuningSeeds { get; } = [4101, 4102, 4103];
 
-    /// <summary>What is published comes from these, on which nothing was tuned.</summary>
+    /// <summary>Seeds for the published results, which were not used for tuning.</summary>
     public static IReadOnlyList<int> CheckingSeeds { get; } = [5201, 5202, 5203];
 
     public static IReadOnlyList<Condition> All { get; } =

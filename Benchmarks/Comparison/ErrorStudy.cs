@@ -13,6 +13,6 @@ public sealed class ErrorStudy
 
     public double this[Candidate candidate, Condition condition] => _ratios[(candidate.Name, condition.Name)];
 
-    /// <summary>Geometric mean over all conditions, so that each counts alike.</summary>
+    /// <summary>Gets the geometric mean over all conditions, with equal weights.</summary>
     public double Mean(Candidate candidate) => Means.Geometric(Conditions.All.Select(condition => this[candidate, condition]));
 }

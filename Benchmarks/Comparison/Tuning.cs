@@ -3,14 +3,14 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Benchmarks.Comparison;
 
-/// <summary>Finds the competitors' constants: least geometric mean of the errors under all conditions, on the tuning seeds.</summary>
-/// <remarks>One constant after the other over a grid of a factor √2, until nothing changes any more.</remarks>
+/// <summary>Finds the competitors' constants: minimum geometric mean of the errors under all conditions, on the tuning seeds.</summary>
+/// <remarks>Optimises one constant after the other over a grid with a factor of √2 until there is no further change.</remarks>
 static class Tuning
 {
     const int MostRounds = 6;
     const int StepsEachWay = 6;
 
-    // Constants that no longer matter run off without end: of those as good as the best the nearest is taken.
+    // Constants without effect would grow without bound: of those that are as good as the best, the nearest is used.
     const double AsGood = 1.0005;
 
     public static void Run(TextWriter to)
@@ -42,7 +42,7 @@ static class Tuning
             $"  {name}: {string.Join(", ", constants.Select(value => value.ToString("G3", CultureInfo.InvariantCulture)))} leaves {least:0.000}"));
     }
 
-    // The best of the grid around the constant's value; the constant is set to it.
+    // Finds the best value of a constant on the grid around its current value, and sets it.
     static double Improve(double[] constants, int index, Func<double[], JointPredictor> create, IReadOnlyList<Condition> conditions)
     {
         var centre = constants[index];
@@ -53,7 +53,7 @@ static class Tuning
                 values[index] = centre * Math.Pow(2, step / 2.0);
                 return (Step: step, Value: values[index], Error: Mean(() => create(values), conditions));
             })
-            // Where a constant has lost its sense; and NaN would be the least of all.
+            // Excludes meaningless values of a constant; NaN would count as the minimum.
             .Where(result => double.IsFinite(result.Error))
             .ToList();
         var least = tried.Min(result => result.Error);

@@ -6,12 +6,12 @@ namespace Nowpose.Benchmarks.Competitors;
 /// </param>
 sealed class KalmanFilter(double jerkToNoise) : RecursiveFilter
 {
-    // As good as nothing known of the first sample's velocity and acceleration, and yet far from what doubles resolve.
+    // Variance of an unknown velocity and acceleration: very large, but within the precision of doubles.
     const double Unknown = 1e9;
 
     double _position, _velocity, _acceleration;
 
-    // The covariance, whose other half is the same.
+    // The upper half of the symmetric covariance.
     double _pp, _pv, _pa, _vv, _va, _aa;
 
     protected override void Start(double position)

@@ -1,6 +1,6 @@
 namespace Nowpose.Benchmarks.Competitors;
 
-/// <summary>The One-Euro filter (Casiez, Roussel, Vogel 2012), carried on with the velocity that it filters for itself.</summary>
+/// <summary>The One-Euro filter (Casiez, Roussel, Vogel 2012), extrapolated with its own filtered velocity.</summary>
 /// <param name="leastCutoff">f_cmin, Hz: the cut-off at rest.</param>
 /// <param name="slope">β, Hz per unit of velocity: how the cut-off rises with speed.</param>
 /// <param name="velocityCutoff">f_cd, Hz: the cut-off for the velocity.</param>
@@ -18,6 +18,6 @@ sealed class OneEuroFilter(double leastCutoff, double slope, double velocityCuto
 
     protected override double PositionAt(double ahead) => _position + _velocity * ahead;
 
-    // How much of a new value a low pass takes in.
+    // Weight of a new value in a low pass.
     static double Share(double cutoff, double interval) => 1 / (1 + 1 / (2 * Math.PI * cutoff * interval));
 }

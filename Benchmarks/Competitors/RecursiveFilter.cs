@@ -2,15 +2,15 @@ using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Benchmarks.Competitors;
 
-/// <summary>What filters have in common that know their last state only: a sample that was overtaken comes too late for them.</summary>
+/// <summary>Base of filters that store only their last state, so that they cannot use a sample that was overtaken.</summary>
 abstract class RecursiveFilter : Forecaster
 {
     bool _hasStarted;
 
-    /// <summary>The newest one, and the one before for the interval.</summary>
+    /// <summary>The newest sample, and the previous one for the interval.</summary>
     public override int Samples => 2;
 
-    /// <summary>Position of the sample before the one that <see cref="Update"/> takes.</summary>
+    /// <summary>Position of the sample before that of <see cref="Update"/>.</summary>
     protected double Newest { get; private set; }
 
     public override bool Solve(MotionState motion)
@@ -27,12 +27,12 @@ abstract class RecursiveFilter : Forecaster
 
     public override void Reset() => _hasStarted = false;
 
-    /// <summary>The first sample: nothing else is known.</summary>
+    /// <summary>Initialises the filter with the first sample.</summary>
     protected abstract void Start(double position);
 
-    /// <param name="interval">Since the sample before, s, positive.</param>
+    /// <param name="interval">Time since the previous sample, s, positive.</param>
     protected abstract void Update(double interval, double position);
 
-    /// <param name="ahead">Of the newest sample, s.</param>
+    /// <param name="ahead">Time after the newest sample, s.</param>
     protected abstract double PositionAt(double ahead);
 }

@@ -4,10 +4,10 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <summary>Carries packets from one TUN device to another as a link's profile says, on a thread of its own.</summary>
+/// <summary>Transfers packets from one TUN device to another according to a link's profile, on a separate thread.</summary>
 sealed class EmulatedDirection : IDisposable
 {
-    /// <summary>Maximum wait, so that a stop is noticed.</summary>
+    /// <summary>Maximum wait, so that a stop is detected in time.</summary>
     static readonly TimeSpan MaxWait = TimeSpan.FromMilliseconds(50);
 
     const int MaxPacketBytes = 2048;
@@ -21,7 +21,7 @@ sealed class EmulatedDirection : IDisposable
     readonly Thread _thread;
     volatile bool _isStopped;
 
-    /// <param name="lateness">Counts how late each packet is released.</param>
+    /// <param name="lateness">Counts by how much each packet is released late.</param>
     public EmulatedDirection(SafeFileHandle from, SafeFileHandle to, PacketLink link, LatencyCounts lateness)
     {
         (_from, _to, _lateness) = (from, to, lateness);
@@ -30,10 +30,10 @@ sealed class EmulatedDirection : IDisposable
         _thread.Start();
     }
 
-    /// <summary>Packets that entered the link. Read it when disposed.</summary>
+    /// <summary>Number of packets that entered the link. Valid after disposal.</summary>
     public int Sent { get; private set; }
 
-    /// <summary>Packets that the link lost. Read it when disposed.</summary>
+    /// <summary>Number of packets that the link lost. Valid after disposal.</summary>
     public int Lost { get; private set; }
 
     public void Dispose()

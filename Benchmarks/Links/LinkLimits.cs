@@ -7,7 +7,7 @@ namespace Nowpose.Benchmarks.Links;
 /// <summary>The accuracy that is required over each link: medians over the repeats, unless stated otherwise; the share within the stated error is that of all runs.</summary>
 static class LinkLimits
 {
-    /// <summary>Shortest run that is judged: reduction grows with the length of a run.</summary>
+    /// <summary>Minimum length of a judged run, s. The reduction increases with the length of a run.</summary>
     public const double Seconds = 30;
 
     const double CurrentAfterS = 2, CurrentAfterAtWorstS = 3;
@@ -20,8 +20,8 @@ static class LinkLimits
         ["clean"] = 0.94, ["wifi"] = 0.94, ["lossy"] = 0.92, ["cellular"] = 0.92, ["bad"] = 0.8,
     };
 
-    /// <param name="runs">All of one profile.</param>
-    /// <returns>One line for each limit that is not kept.</returns>
+    /// <param name="runs">All runs of one profile.</param>
+    /// <returns>One line for each missed limit.</returns>
     public static IEnumerable<string> Missed(IReadOnlyList<LinkResult> runs)
     {
         var profile = runs[0].Profile;
@@ -50,7 +50,7 @@ static class LinkLimits
         return missed.Where(line => line != null);
     }
 
-    /// <summary>Median over the runs that have the value; null when half of the runs or more lack it.</summary>
+    /// <summary>Gets the median over the runs that have the value; null if half of the runs or more lack it.</summary>
     public static double? Median(IReadOnlyList<LinkResult> runs, Func<LinkResult, double?> value)
     {
         var known = runs.Select(value).Where(v => v.HasValue).Select(v => v.Value).ToList();

@@ -4,5 +4,5 @@ namespace Nowpose.Benchmarks.Links;
 
 /// <summary>Options of <c>links</c>.</summary>
 /// <param name="KeepsOrder">Whether packets of one direction stay in order, as on most real links.</param>
-/// <param name="SessionFolder">Where the session files stay; null for nowhere.</param>
+/// <param name="SessionFolder">Folder for the session files; null to delete them.</param>
 sealed record LinkSettings(IReadOnlyList<LinkProfile> Profiles, int Repeats, double Seconds, int Seed, bool KeepsOrder, string SessionFolder);

@@ -5,7 +5,7 @@ using Spectre.Console;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <summary>Medians over the repeats, as people read them, and every run for programs.</summary>
+/// <summary>Writes medians over the repeats for readers, and every run for programs.</summary>
 static class LinkTable
 {
     const int Width = 170;

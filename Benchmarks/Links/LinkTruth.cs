@@ -14,9 +14,9 @@ sealed partial class LinkTruth : IDemoTruth
     readonly long _interceptNs;
     readonly double _skew;
 
-    /// <param name="clockLine">The clock as the gateway prints it.</param>
-    /// <param name="motionStart">On the control clock, ns; when the motion began.</param>
-    /// <param name="robot">youbot, ur5 or a file.</param>
+    /// <param name="clockLine">The clock's parameters as printed by the gateway.</param>
+    /// <param name="motionStart">Start of the motion on the control clock, ns.</param>
+    /// <param name="robot">"youbot", "ur5" or a file.</param>
     public LinkTruth(string clockLine, string motionStart, string robot)
     {
         _motion = new PickAndPlaceMotion(RobotFiles.Load(robot));

@@ -4,7 +4,7 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <summary>links: how a headset does over slow and lossy links, over the kernel's own TCP.</summary>
+/// <summary>links: measures a headset over slow and lossy links with the kernel's own TCP.</summary>
 static class LinksVerb
 {
     static readonly Option<string[]> Profiles = new("--profile")
@@ -60,7 +60,7 @@ static class LinksVerb
         }
         finally
         {
-            // Also of a run that was interrupted.
+            // Written also for an interrupted run.
             if (results.Count > 0) LinkTable.Write(results);
             if (file != null) await File.WriteAllTextAsync(file, LinkTable.Json(results), CancellationToken.None);
         }

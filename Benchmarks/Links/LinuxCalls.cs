@@ -3,7 +3,7 @@ using Microsoft.Win32.SafeHandles;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <summary>The system calls of Linux that .NET does not offer.</summary>
+/// <summary>Linux system calls that .NET does not provide.</summary>
 static class LinuxCalls
 {
     const int ReadWrite = 2, NonBlocking = 0x800, CloseOnExec = 0x80000;
@@ -40,10 +40,10 @@ static class LinuxCalls
     }
 
     /// <summary>Reads one packet.</summary>
-    /// <returns>Its length; 0 when none is there.</returns>
+    /// <returns>Length of the packet; 0 if there is none.</returns>
     public static int Read(SafeFileHandle tun, byte[] packet) => (int)Math.Max(0, read(tun, packet, (nuint)packet.Length));
 
-    /// <returns>False when the device did not take the packet.</returns>
+    /// <returns>False if the device did not accept the packet.</returns>
     public static bool Write(SafeFileHandle tun, byte[] packet, int length) => write(tun, packet, (nuint)length) == length;
 
     /// <summary>Waits until a packet can be read, at most for a time.</summary>
@@ -54,15 +54,15 @@ static class LinuxCalls
         {
             Seconds = (nint)(timeout.Ticks / TimeSpan.TicksPerSecond), Nanoseconds = (nint)(timeout.Ticks % TimeSpan.TicksPerSecond * 100),
         };
-        // An interrupted wait is a short one: the caller looks at the time again.
+        // An interrupted wait is only shorter: the caller checks the time again.
         _ = ppoll(ref polled, 1, ref time, 0);
     }
 
-    /// <summary>Lets the calling thread's timeouts end within microseconds, and runs it before other threads.</summary>
+    /// <summary>Makes the calling thread's timeouts accurate to microseconds, and gives it priority over other threads.</summary>
     public static void SharpenTimeouts()
     {
         Check(prctl(TimerSlack, 1, 0, 0, 0), "prctl PR_SET_TIMERSLACK");
-        // Best effort: a container may forbid either.
+        // Errors are ignored: a container may forbid either call.
         if (sched_setscheduler(0, FirstInFirstOut, RealTimePriority) < 0) _ = setpriority(0, 0, -20);
     }
 

@@ -16,8 +16,8 @@ sealed class NetworkNamespace : IDisposable
 
     public SafeFileHandle Tun { get; private set; }
 
-    /// <param name="role">Different for each namespace of this process.</param>
-    /// <param name="address">Of the device, with the length of its prefix.</param>
+    /// <param name="role">Name of its role; unique in this process.</param>
+    /// <param name="address">Address of the device, with the prefix length.</param>
     public static NetworkNamespace Create(string role, string address)
     {
         var created = new NetworkNamespace(RunName.Create(role));
@@ -47,7 +47,7 @@ sealed class NetworkNamespace : IDisposable
         foreach (var name in RunName.Leftovers(Folder)) new NetworkNamespace(name).Dispose();
     }
 
-    /// <summary>How to start a program inside.</summary>
+    /// <summary>Gets the start information of a program in the namespace.</summary>
     public ProcessStartInfo Inside(params string[] command) => new("ip", ["netns", "exec", _name, .. command])
     {
         RedirectStandardOutput = true, RedirectStandardError = true,
@@ -71,11 +71,11 @@ sealed class NetworkNamespace : IDisposable
         }
         catch (ArgumentException)
         {
-            // It ended meanwhile.
+            // The process has already ended.
         }
     }
 
-    // The thread stays in the namespace that it entered, so it must not serve anything else.
+    // The thread stays in the namespace that it entered, so it must not be reused.
     static T OnThreadOfItsOwn<T>(Func<T> work) =>
         Task.Factory.StartNew(work, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).GetAwaiter().GetResult();
 

@@ -10,8 +10,8 @@ sealed class SessionFrames
 
     public IReadOnlyList<Frame> All => _frames;
 
-    /// <param name="Light">Assumed control time at which the frame is seen; null while the clock is unknown.</param>
-    /// <param name="StatedError">Null while it is unknown.</param>
+    /// <param name="Light">Estimated display time of the frame; null while the clock is unknown.</param>
+    /// <param name="StatedError">Null while unknown.</param>
     public sealed record Frame(
         HeadsetTime Start, ControlTime? Light, bool IsCurrent, double[] Joints, double[] Held, TimeSpan? StatedError);
 
@@ -27,7 +27,7 @@ sealed class SessionFrames
         return session;
     }
 
-    /// <summary>When the clock was first in one of these states; null if never.</summary>
+    /// <summary>Gets the time at which the clock was first in one of these states; null if never.</summary>
     public HeadsetTime? FirstIn(params string[] states)
     {
         var times = states.Where(_clockStates.ContainsKey).Select(state => _clockStates[state]).ToList();

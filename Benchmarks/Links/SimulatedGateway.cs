@@ -2,21 +2,21 @@ using System.Diagnostics;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <summary><c>gateway simulate</c> in a process of its own. Ends with its network namespace.</summary>
+/// <c>gateway simulate</c> in a separate process, which ends with its network namespace.
 sealed class SimulatedGateway
 {
     static readonly TimeSpan StartTimeout = TimeSpan.FromSeconds(60);
 
     readonly Dictionary<string, string> _values = [];
 
-    /// <param name="robot">youbot, ur5 or a file.</param>
+    /// <param name="robot">"youbot", "ur5" or a file.</param>
     public static async Task<SimulatedGateway> StartAsync(EmulatedLink link, string robot, int seed, CancellationToken stop)
     {
         var process = Process.Start(link.InGateway(
             "dotnet", Path.Combine(AppContext.BaseDirectory, "Nowpose.Gateway.dll"), "simulate", "--bind", "any", "--insecure-lan",
             "--robot", robot, "--seed", FormattableString.Invariant($"{seed}")));
         var gateway = new SimulatedGateway();
-        // Read all the time: a full pipe would stop the gateway.
+        // Read continuously: a full pipe would block the gateway.
         var errors = process.StandardError.ReadToEndAsync(CancellationToken.None);
         if (!await gateway.ReadAsync(process.StandardOutput).WaitAsync(StartTimeout, stop))
             throw new InputException("the gateway ended before it served: " + (await errors).ReplaceLineEndings(" "));
@@ -28,7 +28,7 @@ sealed class SimulatedGateway
     public string this[string key] => _values.TryGetValue(key, out var value)
         ? value : throw new InputException($"the gateway printed no line '{key}'");
 
-    // False when the gateway ended.
+    // False if the gateway ended.
     async Task<bool> ReadAsync(StreamReader output)
     {
         while (await output.ReadLineAsync() is string line)

@@ -5,13 +5,13 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>What the gateway's control clock shows at any count of this machine's counter, on which both processes run.</summary>
-/// <remarks>Of many exchanges over an idle loopback the one with the shortest round trip: wrong by half of that at most.</remarks>
+/// <summary>The gateway's control clock as a function of this machine's counter, which both processes share.</summary>
+/// <remarks>Measured by the exchange with the shortest round-trip time over an idle loopback; the error is at most half of it.</remarks>
 sealed class ControlTruth
 {
     const int Exchanges = 150;
 
-    /// <summary>The gateway closes on more than 100 a second.</summary>
+    /// <summary>Interval of the exchanges. The gateway closes connections with more than 100 a second.</summary>
     static readonly TimeSpan Interval = TimeSpan.FromMilliseconds(12);
 
     readonly long _offsetNs;
@@ -35,7 +35,7 @@ sealed class ControlTruth
         return best;
     }
 
-    /// <summary>ns since the control clock's epoch.</summary>
+    /// <summary>Gets the control time in ns since its epoch.</summary>
     public long NanosecondsAt(long count) => NanosecondsOf(count) + _offsetNs;
 
     static ControlTruth Exchange(Socket socket, uint sequence)

@@ -3,7 +3,9 @@ using System.Buffers.Text;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>As little of RFC 6455 and rosbridge as it takes to see when a joint state was stamped: 200 of these share a machine with the gateway.</summary>
+/// <summary>
+/// A minimal implementation of RFC 6455 and rosbridge that reads the stamps of joint states: 200 of these share a machine with the gateway.
+/// </summary>
 sealed class FrameReader
 {
     public const int Text = 1, Close = 8, Ping = 9;
@@ -15,7 +17,7 @@ sealed class FrameReader
 
     public void Added(int bytes) => _length += bytes;
 
-    /// <summary>Takes the next whole frame, if there is one; what was taken before is overwritten then.</summary>
+    /// <summary>Gets the next complete frame, if there is one. The previous payload is overwritten.</summary>
     public bool TryTake(ref int at, out int opcode, out ReadOnlySpan<byte> payload)
     {
         opcode = 0;
@@ -35,14 +37,14 @@ sealed class FrameReader
         return true;
     }
 
-    /// <summary>Makes room for what follows the frames that were taken.</summary>
+    /// <summary>Releases the space of the frames that were taken.</summary>
     public void Forget(int at)
     {
         _buffer.AsSpan(at, _length - at).CopyTo(_buffer);
         _length -= at;
     }
 
-    /// <summary>The stamp of a joint state, ns; false for any other message.</summary>
+    /// <summary>Gets the stamp of a joint state, ns; false for any other message.</summary>
     public static bool TryReadStamp(ReadOnlySpan<byte> message, out long nanoseconds)
     {
         nanoseconds = 0;
@@ -51,7 +53,7 @@ sealed class FrameReader
         return true;
     }
 
-    /// <summary>A client's frame; masked with zeros, its bytes are as they are.</summary>
+    /// <summary>Creates a client's frame. A mask of zeros leaves its bytes unchanged.</summary>
     public static byte[] Frame(int opcode, ReadOnlySpan<byte> payload)
     {
         var isShort = payload.Length < 126;

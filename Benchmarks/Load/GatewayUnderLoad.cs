@@ -4,7 +4,7 @@ using System.Net;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>A gateway in a process of its own, with a simulated robot whose samples leave at the moment they are stamped with.</summary>
+/// <summary>A gateway in a separate process, with a simulated robot whose samples are sent at the time of their stamp.</summary>
 sealed class GatewayUnderLoad : IDisposable
 {
     static readonly TimeSpan Patience = TimeSpan.FromSeconds(30);
@@ -17,7 +17,7 @@ sealed class GatewayUnderLoad : IDisposable
     public IPEndPoint Sync { get; private set; }
     public IPEndPoint WebSocket { get; private set; }
 
-    /// <summary>What it holds of the machine's memory.</summary>
+    /// <summary>Resident memory of the process, bytes.</summary>
     public long ResidentBytes
     {
         get
@@ -36,7 +36,7 @@ sealed class GatewayUnderLoad : IDisposable
         }
     }
 
-    /// <param name="connections">It has places for on each port.</param>
+    /// <param name="connections">Maximum number of connections on each port.</param>
     public static async Task<GatewayUnderLoad> StartAsync(double rateHz, int connections)
     {
         string[] arguments =
@@ -47,7 +47,7 @@ sealed class GatewayUnderLoad : IDisposable
         ];
         var start = new ProcessStartInfo("dotnet") { RedirectStandardOutput = true };
         foreach (var argument in arguments) start.ArgumentList.Add(argument);
-        // As the unit of systemd and the container start it: one arena for hundreds of threads, or what each freed is of no use to the others.
+        // As set by the systemd unit and the container: with one arena for hundreds of threads, freed memory can be reused by all of them.
         start.Environment["MALLOC_ARENA_MAX"] = "1";
         var gateway = new GatewayUnderLoad(new Process { StartInfo = start, EnableRaisingEvents = true });
         gateway._process.OutputDataReceived += (_, line) => gateway.Take(line.Data);

@@ -1,6 +1,6 @@
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>How often each latency occurred, to 10 µs; beyond a second all are one. Any thread counts, and nothing is allocated.</summary>
+/// <summary>Counts latencies in classes of 10 µs; all above a second are one class. Any thread; counting does not allocate.</summary>
 sealed class LatencyCounts
 {
     const long StepNs = 10_000;
@@ -24,7 +24,7 @@ sealed class LatencyCounts
         }
     }
 
-    /// <summary>The latency that the share of all does not exceed; zero of none.</summary>
+    /// <summary>Gets the latency that a share of all does not exceed; zero if there are none.</summary>
     public TimeSpan Quantile(double share)
     {
         var left = (long)Math.Ceiling(share * Total);

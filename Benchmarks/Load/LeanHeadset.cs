@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>What a headset is to a gateway, on both ports, at as little cost as possible.</summary>
+/// <summary>A minimal client that behaves like a headset on both ports.</summary>
 sealed class LeanHeadset : IDisposable
 {
     static readonly TimeSpan SyncInterval = TimeSpan.FromMilliseconds(ProtocolLimits.SyncIntervalMs);
@@ -23,8 +23,8 @@ sealed class LeanHeadset : IDisposable
     long _lost;
     long _refused;
 
-    /// <param name="name">As of its diagnostics.</param>
-    /// <param name="latencies">Of all headsets together.</param>
+    /// <param name="name">Name in its diagnostics.</param>
+    /// <param name="latencies">Latencies of all headsets together.</param>
     public LeanHeadset(string name, double rateHz, LatencyCounts latencies, ControlTruth truth)
     {
         _latencies = latencies;
@@ -36,13 +36,13 @@ sealed class LeanHeadset : IDisposable
 
     public long Received => Interlocked.Read(ref _received);
 
-    /// <summary>Samples that did not come, by the gaps between the stamps of those that did.</summary>
+    /// <summary>Number of missing samples, from the gaps between the received stamps.</summary>
     public long Lost => Interlocked.Read(ref _lost);
 
-    /// <summary>Messages that were none it expected: what it sent was refused.</summary>
+    /// <summary>Number of unexpected messages: something that it sent was refused.</summary>
     public long Refused => Interlocked.Read(ref _refused);
 
-    /// <summary>Why it ended; null while it runs.</summary>
+    /// <summary>The reason of its end; null while it runs.</summary>
     public string Problem { get; private set; }
 
     public async Task OpenAsync(GatewayUnderLoad gateway)
@@ -51,11 +51,11 @@ sealed class LeanHeadset : IDisposable
         await LeanSocket.SendTextAsync(_positions, RosbridgeWriter.Subscribe(RosTopics.JointStates));
         _sync = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true };
         await _sync.ConnectAsync(gateway.Sync);
-        // At once, as headsets do: a connection that sends nothing takes one of the few places that an address has for those.
+        // Immediately, like headsets: a connection that sends nothing uses one of the few pending places of its address.
         if (!await TryExchangeAsync()) throw new InputException("the gateway closed the clock sync");
     }
 
-    /// <summary>Until it is disposed, or the gateway ends it.</summary>
+    /// <summary>Runs until it is disposed, or the gateway closes the connection.</summary>
     public Task RunAsync() => Task.WhenAll(GuardAsync("positions", ReceiveAsync), GuardAsync("sync", ExchangeAsync));
 
     public void Clear()
@@ -122,7 +122,7 @@ sealed class LeanHeadset : IDisposable
 
     async Task ExchangeAsync()
     {
-        // Not all at once, as headsets never do.
+        // Distributed over the interval, like the exchanges of real headsets.
         await Task.Delay(TimeSpan.FromMilliseconds(Random.Shared.NextDouble() * SyncInterval.TotalMilliseconds));
         while (await TryExchangeAsync())
         {
@@ -131,7 +131,7 @@ sealed class LeanHeadset : IDisposable
         }
     }
 
-    // False when the gateway closed the connection.
+    // False if the gateway closed the connection.
     async Task<bool> TryExchangeAsync()
     {
         SyncFrame.Request(++_sequence, Stopwatch.GetTimestamp()).Write(_frame);

@@ -2,10 +2,10 @@ using System.Diagnostics;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>Headsets on a gateway: some more from time to time, and what becomes of them.</summary>
+/// <summary>Connects an increasing number of headsets to a gateway and measures the result.</summary>
 sealed class LoadRun : IDisposable
 {
-    /// <summary>A gateway takes so many of one address at a time before they have been let in.</summary>
+    /// <summary>Number of concurrent connection attempts: a gateway limits the pending connections of one address.</summary>
     const int ConnectingAtOnce = 8;
 
     readonly GatewayUnderLoad _gateway;
@@ -35,13 +35,13 @@ sealed class LoadRun : IDisposable
         }
         catch
         {
-            // A process of its own: it would outlive this one.
+            // Disposed, because this separate process would outlive the current one.
             gateway.Dispose();
             throw;
         }
     }
 
-    /// <summary>Measures with so many headsets; there are never fewer than before.</summary>
+    /// <summary>Measures with a number of headsets, which must not decrease between calls.</summary>
     public async Task<LoadResult> MeasureAsync(LoadSettings settings, CancellationToken stop)
     {
         await ConnectAsync(settings.Headsets, stop);

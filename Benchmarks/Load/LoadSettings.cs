@@ -1,8 +1,8 @@
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>What a gateway is put under.</summary>
+/// <summary>The load on a gateway.</summary>
 sealed record LoadSettings(int Headsets, double RateHz, TimeSpan Length)
 {
-    /// <summary>Not measured: connections settle, code is compiled, the gateway's memory finds its size.</summary>
+    /// <summary>Time that is not measured: connections settle, code is compiled, and the gateway's memory reaches its size.</summary>
     public TimeSpan WarmUp { get; init; } = TimeSpan.FromSeconds(10);
 }

@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>Results as people read them, and as programs do.</summary>
+/// <summary>Writes results for readers and for programs.</summary>
 static class LoadTable
 {
     static readonly JsonSerializerOptions Snake = new()

@@ -3,10 +3,10 @@ using Nowpose.Gateway.Options;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>gateway: how a gateway does with very many headsets.</summary>
+/// <summary>gateway: measures a gateway with very many headsets.</summary>
 static class LoadVerb
 {
-    /// <summary>Beside the headsets: the sampled one, one that reads nothing and the one before it, and whoever measures the truth.</summary>
+    /// <summary>Other connections: the sampled headset, one that reads nothing and its predecessor, and the measurement of the truth.</summary>
     const int OtherConnections = 16;
 
     const int GreatestConnections = 10_000;

@@ -1,11 +1,11 @@
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>The gateway's memory, second by second.</summary>
+/// <summary>The gateway's memory, sampled every second.</summary>
 sealed class MemoryWatch
 {
     const double Mebibyte = 1024 * 1024;
 
-    /// <summary>Of so many seconds the mean is taken: a collection of garbage is no leak.</summary>
+    /// <summary>Length of the moving average in s, so that garbage collections do not look like leaks.</summary>
     const int Window = 10;
 
     readonly List<long> _bytes = [];
@@ -16,7 +16,7 @@ sealed class MemoryWatch
 
     public double GreatestMiB => _bytes.Count == 0 ? 0 : _bytes.Max() / Mebibyte;
 
-    /// <summary>How far the mean of ten seconds is from the mean of all at most, as a share of it.</summary>
+    /// <summary>Maximum deviation of the ten-second mean from the mean of all samples, as a share of the latter.</summary>
     public double Deviation =>
         _bytes.Count == 0 ? 0 : _bytes.Chunk(Window).Where(chunk => chunk.Length == Window || _bytes.Count < Window)
             .Max(chunk => Math.Abs((chunk.Average() / _bytes.Average()) - 1));

@@ -31,7 +31,7 @@ sealed class SampledHeadset : IDisposable
         _thread.Start();
     }
 
-    /// <summary>From now on.</summary>
+    /// <summary>Starts the measurement.</summary>
     public void Measure()
     {
         lock (_errorsUs)
@@ -41,7 +41,7 @@ sealed class SampledHeadset : IDisposable
         }
     }
 
-    /// <summary>Of headset time turned to control time, without its sign, µs; not a number while it has no clock.</summary>
+    /// <summary>Gets a quantile of the absolute error of control times converted from headset times, µs; NaN while the clock is unknown.</summary>
     public double ErrorUs(double share)
     {
         lock (_errorsUs)

@@ -3,10 +3,10 @@ using Nowpose.Gateway.Options;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>sessions: what a gateway keeps of headsets that come and go.</summary>
+/// <summary>sessions: measures the memory that a gateway keeps after headsets have disconnected.</summary>
 static class SessionVerb
 {
-    /// <summary>Share by which the memory of the last quarter may exceed that of the quarter before.</summary>
+    /// <summary>Maximum growth of the memory in the last quarter over the quarter before, as a share.</summary>
     const double MaxGrowth = 0.03;
 
     const int ConnectingAtOnce = 8;
@@ -43,7 +43,7 @@ static class SessionVerb
         return Judge(samples, rounds);
     }
 
-    // Each comes with both connections, gets samples and says how it does, and goes.
+    // Each headset opens both connections, receives samples, sends diagnostics and disconnects.
     static async Task StayAsync(GatewayUnderLoad gateway, ControlTruth truth, int count, double rateHz, TimeSpan stay, CancellationToken stop)
     {
         var latencies = new LatencyCounts();

@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>A headset that asks for much and reads nothing; the gateway ends it when no pong comes, and it comes again.</summary>
+/// <summary>A headset that requests much data and reads nothing. The gateway closes it when no pong arrives, and it reconnects.</summary>
 static class StalledHeadset
 {
     const int LittleBytes = 4096;
@@ -19,7 +19,7 @@ static class StalledHeadset
             while (true)
             {
                 if (await ProblemAsync(gateway.WebSocket, stop) is not { } problem) continue;
-                // While the results are said to be with it.
+                // Logged, because the results must be measured with this headset connected.
                 Console.Error.WriteLine($"the headset that reads nothing: {problem}; it comes again");
                 await Task.Delay(Pause, stop);
             }
@@ -39,7 +39,7 @@ static class StalledHeadset
         }
         catch (Exception end) when (end is SocketException or IOException)
         {
-            // The gateway is ended first.
+            // The gateway has ended first.
             stop.ThrowIfCancellationRequested();
             return end.Message;
         }
@@ -49,7 +49,7 @@ static class StalledHeadset
     {
         using var socket = await LeanSocket.OpenAsync(server, LittleBytes);
         await LeanSocket.SendTextAsync(socket, RosbridgeWriter.Subscribe(RosTopics.JointStates));
-        // Each of these is answered with the whole robot: what is waiting soon exceeds every buffer.
+        // Each of these is answered with the whole robot description, which soon exceeds every buffer.
         for (var i = 0; i < Descriptions; i++)
             await LeanSocket.SendTextAsync(socket, RosbridgeWriter.Subscribe(RosTopics.RobotDescription));
         await Task.Delay(Patience, stop);

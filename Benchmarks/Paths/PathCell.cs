@@ -3,22 +3,22 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Benchmarks.Paths;
 
-/// <summary>Runs of one change of one size on one link, and whether they keep the limits that are required.</summary>
+/// <summary>Runs with one change of one size on one link, and the check of their limits.</summary>
 sealed class PathCell
 {
-    /// <summary>Greatest error in parts of what physics allows, on top of the link's error without a change.</summary>
+    /// <summary>Maximum error relative to the physical limit, in addition to the link's error without a change.</summary>
     const double ErrorFactor = 1.2;
 
-    /// <summary>Greatest distance of the skew from its value before, ppm, on links that allow it.</summary>
+    /// <summary>Minimum of the limit on the skew's deviation from its previous value, ppm.</summary>
     const double LeastMaxSkewPpm = 5;
 
     /// <summary>
-    /// Greatest distance of the skew in parts of that without a change. Once the least delays of both directions have changed, exchanges before
-    /// and after tell the skew only separately: half as many in half the time each, which doubles the standard error.
+    /// Maximum deviation of the skew relative to that without a change. Once the minimum delays of both directions have changed, the exchanges
+    /// before and after it determine the skew only separately: half as many in half the time each, which doubles the standard error.
     /// </summary>
     const double SkewFactor = 2;
 
-    /// <summary>Size from which on the skew has a limit, ms: less is close to what the jitter hides.</summary>
+    /// <summary>Size from which on the skew has a limit, ms. Smaller changes are close to the jitter.</summary>
     const double MinSizeForSkewMs = 2;
 
     const double MinWithin = 0.99;
@@ -27,8 +27,8 @@ sealed class PathCell
     readonly double _physicsMs, _ownErrorMs, _ownSkewPpm, _errorMs, _within;
     readonly bool _isSkewLimited;
 
-    /// <param name="runs">With the change.</param>
-    /// <param name="undisturbed">The same link and seeds without a change.</param>
+    /// <param name="runs">Runs with the change.</param>
+    /// <param name="undisturbed">Runs with the same link and seeds without a change.</param>
     public PathCell(
         LinkProfile link, PathChange change, double sizeMs, IReadOnlyCollection<PathRun> runs, IReadOnlyCollection<PathRun> undisturbed)
     {
@@ -42,14 +42,14 @@ sealed class PathCell
         _within = runs.Average(run => run.Within);
     }
 
-    /// <summary>Greatest distance of the skew from its value before the change, ppm.</summary>
+    /// <summary>Maximum deviation of the skew from its value before the change, ppm.</summary>
     public double SkewPpm { get; }
 
     double MaxErrorMs => (ErrorFactor * _physicsMs) + _ownErrorMs;
 
     double MaxSkewPpm => Math.Max(LeastMaxSkewPpm, SkewFactor * _ownSkewPpm);
 
-    /// <summary>A line for each limit that is missed; empty when all limits are kept.</summary>
+    /// <summary>One line for each missed limit; empty if all limits are kept.</summary>
     public IEnumerable<string> Missed
     {
         get
@@ -62,7 +62,7 @@ sealed class PathCell
         }
     }
 
-    /// <summary>Error over what physics allows, skew, share within the stated ±; ** where a limit is missed.</summary>
+    /// <summary>Gets relative error, skew, and share within the stated uncertainty; ** marks a missed limit.</summary>
     public override string ToString()
     {
         var text = Text($"{_errorMs:0.00} / {_physicsMs:0.##} ms, {SkewPpm:0.0} ppm, {100 * _within:0} %");

@@ -1,9 +1,9 @@
 namespace Nowpose.Benchmarks.Paths;
 
-/// <summary>A change of the least delays of a path.</summary>
-/// <param name="Name">What changes, for the table.</param>
-/// <param name="Extra">Delays on top of the link's own, as parts of the size, by seconds since the change; negative before it.</param>
-/// <param name="Limit">What any estimator may err by after the change: half the difference of both directions, as a part of the size.</param>
+/// <summary>A change of the minimum delays of a path.</summary>
+/// <param name="Name">Description of the change for the table.</param>
+/// <param name="Extra">Additional delays relative to the size, by seconds since the change; negative before it.</param>
+/// <param name="Limit">Minimum error of any estimator after the change: half the difference of both directions, relative to the size.</param>
 sealed record PathChange(string Name, Func<double, (double Up, double Down)> Extra, double Limit)
 {
     /// <summary>Seconds after which a path changes back.</summary>

@@ -4,9 +4,9 @@ using Nowpose.Sync;
 namespace Nowpose.Benchmarks.Paths;
 
 /// <summary>Errors of a clock estimator while a path changes, in virtual time: exchanges over TCP on a lossy link, against the true clock.</summary>
-/// <param name="ErrorMs">Greatest error from 5 s after the change on.</param>
-/// <param name="SkewPpm">Greatest distance of the skew from its value before, in the same time.</param>
-/// <param name="Within">Share of that time in which the error is within the stated ±.</param>
+/// <param name="ErrorMs">Maximum error from 5 s after the change on, ms.</param>
+/// <param name="SkewPpm">Maximum deviation of the skew from its previous value, in the same time, ppm.</param>
+/// <param name="Within">Share of that time in which the error is within the stated uncertainty.</param>
 readonly record struct PathRun(double ErrorMs, double SkewPpm, double Within)
 {
     const double ChangeAt = 150, Length = 400, Settling = 5, Step = 0.1;

@@ -2,7 +2,7 @@ using System.CommandLine;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary><c>calibrate</c>: visualisation latency and constant-latency range from measurements, each way a verb of its own.</summary>
+/// <c>calibrate</c>: visualisation latency and constant-latency range from measurements. Each method is a verb below it.
 static class CalibrateVerb
 {
     public static Command Create() => new(

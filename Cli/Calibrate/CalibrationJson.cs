@@ -4,7 +4,7 @@ using Nowpose.Cli.Figures;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary>What calibration.html reads: the fields are those of <c>Web/src/calibration/data.ts</c>.</summary>
+/// <summary>The JSON that calibration.html reads. Its fields are those of <c>Web/src/calibration/data.ts</c>.</summary>
 static class CalibrationJson
 {
     static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };

@@ -4,26 +4,26 @@ using Nowpose.Web;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary>The folder a calibration writes to. What an earlier one left there stays until there is something better.</summary>
+/// <summary>The folder that a calibration writes to. The files of an earlier calibration stay until there is a better result.</summary>
 sealed class CalibrationOutput
 {
     readonly string _folder;
 
     CalibrationOutput(string folder) => _folder = folder;
 
-    /// <summary>For the headset: what <see cref="LatencyProfileFile"/> reads.</summary>
+    /// <summary>Path of the profile for the headset, which <see cref="LatencyProfileFile"/> reads.</summary>
     public string ProfilePath => Path.Combine(_folder, "profile.json");
 
     public string PagePath => Path.Combine(_folder, "calibration.html");
 
-    /// <summary>Where a profile goes that has no limit of the render time while the one that is there has one.</summary>
+    /// <summary>Path of a new profile that has no render time limit, used when the existing profile has one.</summary>
     public string UnlimitedProfilePath => Path.Combine(_folder, "profile-without-limit.json");
 
-    /// <summary>What <c>calibrate range</c> reads.</summary>
+    /// <summary>Path of the table that <c>calibrate range</c> reads.</summary>
     public string PairsPath => Path.Combine(_folder, "pairs.csv");
 
-    /// <summary>Makes the folder.</summary>
-    /// <exception cref="InputException">It cannot be written to; better known before the work than after.</exception>
+    /// <summary>Creates the folder.</summary>
+    /// <exception cref="InputException">The folder is not writable. This is checked before the work, not after it.</exception>
     public static CalibrationOutput At(string folder)
     {
         try
@@ -40,9 +40,9 @@ sealed class CalibrationOutput
         }
     }
 
-    /// <summary>Writes both. A profile that is there stays, unless the new one is as good: where it has a limit and the new one none.</summary>
-    /// <param name="profile">Null for none.</param>
-    /// <returns>Where the profile is; null for none.</returns>
+    /// <summary>Writes the profile and the page. An existing profile that has a limit is not replaced by one without a limit.</summary>
+    /// <param name="profile">The profile, or null for none.</param>
+    /// <returns>Path of the written profile, or null for none.</returns>
     public string Write(LatencyProfile profile, CalibrationPageData page)
     {
         File.WriteAllText(PagePath, CalibrationPage.Render(CalibrationJson.Of(page)));
@@ -69,7 +69,7 @@ sealed class CalibrationOutput
         return UnlimitedProfilePath;
     }
 
-    // Null, too, where what stands there is no profile that could be used.
+    // Null also when the existing file is not a usable profile.
     TimeSpan? EarlierLimit()
     {
         try

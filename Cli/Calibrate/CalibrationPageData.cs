@@ -2,20 +2,20 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary>What calibration.html shows of one calibration.</summary>
-/// <param name="Title">Names the way of measuring.</param>
+/// <summary>The content of calibration.html for one calibration.</summary>
+/// <param name="Title">Name of the measuring method.</param>
 /// <param name="Result">The outcome in one sentence.</param>
-/// <param name="Facts">Name and value, the numbers of the profile first.</param>
+/// <param name="Facts">Name and value pairs; the numbers of the profile come first.</param>
 sealed record CalibrationPageData(string Title, string Result, IReadOnlyList<string[]> Facts)
 {
-    /// <summary>What a user must know before trusting it; empty when nothing is wrong.</summary>
+    /// <summary>Warnings to read before the result is used; empty when there are none.</summary>
     public IReadOnlyList<string> Warnings { get; init; } = [];
 
     public IReadOnlyList<CalibrationSection> Sections { get; init; } = [];
 }
 
-/// <summary>One plot or more with the words and numbers to them.</summary>
-/// <param name="Heading">"Render time and L_visu over pictures".</param>
-/// <param name="Source">Figure or section of the paper, as "Fig. 10"; null where it has none.</param>
-/// <param name="Words">What is seen.</param>
+/// <summary>One or more plots with their explanation and their table.</summary>
+/// <param name="Heading">The heading, for example "Render time and L_visu over pictures".</param>
+/// <param name="Source">Figure or section of the paper, for example "Fig. 10"; null if there is none.</param>
+/// <param name="Words">Explanation of the plots.</param>
 sealed record CalibrationSection(string Heading, string Source, string Words, IReadOnlyList<FigurePlot> Plots, FigureTable Table = null);

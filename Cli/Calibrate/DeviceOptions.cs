@@ -6,7 +6,7 @@ using Nowpose.Latency.Reprojection;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary>Conditions of the headset that was measured, for measurements that do not state them themselves.</summary>
+/// <summary>Options for the conditions of the measured headset, for measurements that do not state them themselves.</summary>
 sealed class DeviceOptions
 {
     readonly Option<string> _device = new("--device")
@@ -42,8 +42,8 @@ sealed class DeviceOptions
         foreach (var option in options) verb.Options.Add(option);
     }
 
-    /// <summary>Those that were typed; the others are not known.</summary>
-    /// <exception cref="InputException">A value cannot be used.</exception>
+    /// <summary>Gets the conditions given as options; the others are unknown.</summary>
+    /// <exception cref="InputException">A value is invalid.</exception>
     public DisplayConditions Conditions(ParseResult parsed) => DisplayConditions.Parse(condition => condition switch
     {
         DisplayCondition.Device => parsed.GetValue(_device),
@@ -56,7 +56,7 @@ sealed class DeviceOptions
         _ => null,
     }).Or(new DisplayConditions(displayHz: parsed.GetValue(_displayHz)));
 
-    /// <summary>The source of the render time, where a limit is found.</summary>
+    /// <summary>The option for the source of the render time, for methods that find a limit.</summary>
     public static Option<string> Source() => ChoiceOption.Create(
         "--source", "What render_ms was measured with; the limit holds for no other", RenderTimeSourceNames.NameOf(RenderTimeSourceKind.DisplayGpuTime),
         [.. Enum.GetValues<RenderTimeSourceKind>().Where(kind => kind != RenderTimeSourceKind.None).Select(RenderTimeSourceNames.NameOf)]);

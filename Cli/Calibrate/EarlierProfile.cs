@@ -5,8 +5,8 @@ using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary><c>--profile</c>: ways that find L_visu alone keep the limit of the render time that another way has found.</summary>
-/// <remarks>Without one it still has the conditions of the measurement.</remarks>
+/// <c>--profile</c>: the profile whose render time limit is kept by methods that find L_visu alone.
+/// <remarks>Without an earlier profile, the object still holds the conditions of the measurement.</remarks>
 sealed class EarlierProfile
 {
     readonly IReadOnlyList<string> _warnings;
@@ -18,10 +18,10 @@ sealed class EarlierProfile
         _warnings = warnings;
     }
 
-    /// <summary>Null for none.</summary>
+    /// <summary>The earlier profile, or null for none.</summary>
     public LatencyProfile Profile { get; }
 
-    /// <summary>Conditions of the measurement: by the options, else by the sweep's log, else by the earlier profile.</summary>
+    /// <summary>Conditions of the measurement: from the options, else from the sweep's log, else from the earlier profile.</summary>
     public DisplayConditions Conditions { get; }
 
     public static Option<string> Option() => new("--profile")
@@ -29,11 +29,11 @@ sealed class EarlierProfile
         Description = "An earlier profile of the same device, whose limit of the render time is kept",
     };
 
-    /// <summary>To be called before the measuring, so that a profile that cannot be used costs no more than a line.</summary>
-    /// <param name="path">Null for none.</param>
-    /// <param name="given">Conditions by the options.</param>
-    /// <param name="sweep">Conditions by the sweep's log; null for none.</param>
-    /// <exception cref="InputException">It is none that can be read, or of another device or display rate.</exception>
+    /// <summary>Reads the profile. Call this before the measurement, so that an invalid profile is reported early.</summary>
+    /// <param name="path">Path of the profile, or null for none.</param>
+    /// <param name="given">Conditions given as options.</param>
+    /// <param name="sweep">Conditions from the sweep's log, or null for none.</param>
+    /// <exception cref="InputException">The file is not a readable profile, or belongs to another device or display rate.</exception>
     public static EarlierProfile Read(string path, DisplayConditions given, DisplayConditions sweep = null)
     {
         var warnings = new List<string>();
@@ -51,15 +51,15 @@ sealed class EarlierProfile
         return new EarlierProfile(profile, conditions, warnings);
     }
 
-    /// <summary>The page with the mismatches of the conditions before its other warnings.</summary>
+    /// <summary>Returns the page with the mismatches of the conditions before its other warnings.</summary>
     public CalibrationPageData WithWarnings(CalibrationPageData page) => page with { Warnings = [.. _warnings, .. page.Warnings] };
 
-    /// <summary>The profile with another latency for head motion; null where there is none.</summary>
+    /// <summary>Returns the earlier profile with another latency for head motion, or null without an earlier profile.</summary>
     public LatencyProfile With(HeadMotionLatency head) => Profile == null ? null : new(
         Profile.Visualisation.Length.TotalMilliseconds, Profile.Spread.TotalMilliseconds, Conditions, Profile.MeasuredUtc, Profile.Method,
         Profile.Measurements, Profile.Range?.Limit.TotalMilliseconds, Profile.RenderTimeSource, Profile.ValidToRenderTime?.TotalMilliseconds, head);
 
-    /// <summary>The profile with another L_visu. The latency for head motion is kept: it is measured by itself.</summary>
+    /// <summary>Returns the profile with another L_visu. The latency for head motion is kept because it is measured separately.</summary>
     public LatencyProfile With(double visuMs, double spreadMs, CalibrationMethod method, int measurements) => new(
         visuMs, spreadMs, Conditions, DateTime.UtcNow, method, measurements, Profile?.Range?.Limit.TotalMilliseconds,
         Profile?.RenderTimeSource ?? RenderTimeSourceKind.None, Profile?.ValidToRenderTime?.TotalMilliseconds, Profile?.HeadMotion);

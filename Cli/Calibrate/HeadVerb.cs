@@ -7,7 +7,7 @@ using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary><c>calibrate head PICTURES</c>: the latency that remains for head motion, from pictures of both codes by a moving headset.</summary>
+/// <c>calibrate head PICTURES</c>: the latency that remains for head motion, from pictures of both codes while the headset moves.
 static class HeadVerb
 {
     static readonly Argument<string[]> Pictures = new("PICTURES")
@@ -34,7 +34,7 @@ static class HeadVerb
             Pictures, Readout, ControlDelay, Earlier, Output, Json,
         };
         Device.AddTo(verb);
-        // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has.
+        // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
         verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
         return verb;
     }

@@ -6,7 +6,7 @@ using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary><c>calibrate nudge</c>: L_visu by eye, from the offsets at which hologram and robot agree in two directions.</summary>
+/// <c>calibrate nudge</c>: L_visu by eye, from the offsets at which hologram and robot coincide in two directions.
 static class NudgeVerb
 {
     static readonly Option<double> Speed = NumberOption.Create("--speed-mm-s", "Constant speed of the tool", 0.0, 1, 10_000, "mm/s");

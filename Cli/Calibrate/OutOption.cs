@@ -2,7 +2,7 @@ using System.CommandLine;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary><c>--out</c> and <c>--json</c>, the same for all ways of calibrating.</summary>
+/// <c>--out</c> and <c>--json</c>, the same for all calibration methods.
 static class OutOption
 {
     public static Option<string> Create() => new("--out")

@@ -5,7 +5,7 @@ using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary>A profile in words, for table and page.</summary>
+/// <summary>A profile as text, for table and page.</summary>
 static class ProfileFacts
 {
     public static IEnumerable<string[]> Of(LatencyProfile profile)

@@ -38,7 +38,7 @@ static class RangeVerb
         return ExitStatus.Done;
     }
 
-    // Where the loads are known: a render time that does not move with them can neither find a limit nor watch one.
+    // Checked where the loads are known: a render time that does not change with the load can neither find a limit nor monitor one.
     static void RequireSight(IReadOnlyList<MeasuredPicture> pictures, string file, string source)
     {
         const double LeastRise = 0.1;

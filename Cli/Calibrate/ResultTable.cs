@@ -2,11 +2,11 @@ using Spectre.Console;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary>What a calibration found, on stdout; what is doubtful about it, on stderr.</summary>
+/// <summary>Prints a calibration's result to stdout and its warnings to stderr.</summary>
 static class ResultTable
 {
-    /// <param name="profilePath">Null for none.</param>
-    /// <param name="json">Printed instead of the table; null for the table.</param>
+    /// <param name="profilePath">Path of the profile, or null for none.</param>
+    /// <param name="json">The JSON to print instead of the table, or null for the table.</param>
     public static void Print(CalibrationPageData page, string profilePath, string pagePath, string json)
     {
         if (json == null) PrintTable(page);

@@ -37,7 +37,7 @@ static class SimulateVerb
         {
             Pictures, PerPlace, Visu, Spoiled, LoadSteps, Lit, Exposure, Readout, HeadLatency, Seed, Check, Output,
         };
-        // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has.
+        // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
         verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
         return verb;
     }
@@ -60,7 +60,7 @@ static class SimulateVerb
     {
         var check = SimulationCheck.Run(settings, cancel);
         foreach (var line in check.Lines()) Console.Out.WriteLine(line);
-        // Once in 10 000 pictures is what is promised.
+        // The documented limit is one misread picture in 10 000.
         var isGood = Math.Abs(check.MeanErrorMs) <= 1 && check.ErrorP95Ms <= 2 && check.Misread <= Math.Max(1, check.Pictures / 10_000);
         return isGood ? ExitStatus.Done : ExitStatus.Failed;
     }

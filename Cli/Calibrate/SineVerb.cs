@@ -8,7 +8,7 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary><c>calibrate sine RECORDING</c>: total latency from a jog to and fro that a camera has seen.</summary>
+/// <c>calibrate sine RECORDING</c>: total latency from a camera's recording of a jog to and fro.
 static class SineVerb
 {
     static readonly Argument<string> Recording = new("RECORDING")
@@ -43,7 +43,7 @@ static class SineVerb
             Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Told, Earlier, Output, Json,
         };
         Device.AddTo(verb);
-        // On a thread of its own, so that Ctrl-C finds the action started.
+        // On a separate thread, so that Ctrl-C finds the action started.
         verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
         return verb;
     }

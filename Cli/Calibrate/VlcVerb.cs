@@ -6,10 +6,10 @@ using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary><c>calibrate vlc PICTURES</c>: L_visu from pictures that show the control's and the headset's code at once.</summary>
+/// <c>calibrate vlc PICTURES</c>: L_visu from pictures that show the control's and the headset's code at the same time.
 static class VlcVerb
 {
-    /// <summary>Pictures whose rejection is told one by one.</summary>
+    /// <summary>Maximum number of rejected pictures that are listed individually.</summary>
     const int MostTold = 10;
 
     static readonly Argument<string[]> Pictures = new("PICTURES")
@@ -32,7 +32,7 @@ static class VlcVerb
             Pictures, Sweep, Readout, ControlDelay, Earlier, Output, Json,
         };
         Device.AddTo(verb);
-        // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has.
+        // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
         verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
         return verb;
     }

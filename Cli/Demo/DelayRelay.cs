@@ -4,7 +4,7 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>A TCP relay on loopback that delays each direction of each connection as a network profile says, in order.</summary>
+/// <summary>A TCP relay on loopback that delays each direction of each connection by a network profile and keeps the order.</summary>
 sealed class DelayRelay : IDisposable
 {
     readonly TcpListener _listener = new(IPAddress.Loopback, 0);
@@ -14,7 +14,7 @@ sealed class DelayRelay : IDisposable
     readonly Thread _accepting;
     int _seed;
 
-    /// <param name="seed">Each connection and direction draws from a seed of its own that follows from this one.</param>
+    /// <param name="seed">The seed from which the seed of each connection and direction is derived.</param>
     public DelayRelay(IPEndPoint target, NetworkProfile network, int seed)
     {
         _target = target;
@@ -30,7 +30,7 @@ sealed class DelayRelay : IDisposable
     public void Dispose()
     {
         _listener.Stop();
-        // After this the list does not change any more.
+        // The list does not change any more after this.
         _accepting.Join();
         foreach (var connection in _connections) connection.Dispose();
     }
@@ -58,7 +58,7 @@ sealed class DelayRelay : IDisposable
         }
         catch (SocketException)
         {
-            // Nobody behind the relay: the headset sees its connection closed, as with a real router.
+            // The gateway is not reachable. The headset sees its connection closed, as with a real router.
             headset.Dispose();
             gateway.Dispose();
         }

@@ -6,19 +6,19 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Calibrates the simulated headset before a run with a load, as its user would: a sweep of loads, seen by a camera.</summary>
+/// <summary>Calibrates the simulated headset before a run with a load, as a user would: a sweep of loads, recorded by a camera.</summary>
 static class DemoCalibration
 {
     const int Steps = 20;
     const int PicturesPerStep = 50;
 
-    /// <summary>The queue in front of the display settles.</summary>
+    /// <summary>Number of frames in which the queue in front of the display settles.</summary>
     const int FramesBefore = 10;
 
-    /// <summary>The runtime's allowed greatest L_visu.</summary>
+    /// <summary>Maximum L_visu that the runtime allows, ms.</summary>
     const double GreatestMs = 500;
 
-    /// <param name="settings">With what the runtime is to be told wrong.</param>
+    /// <param name="settings">The settings, including the error to add to L_visu.</param>
     public static LatencyProfile Of(DemoSettings settings)
     {
         var fit = RangeFit.Fit(Sweep(settings));
@@ -29,7 +29,7 @@ static class DemoCalibration
 
     static List<LatencyPair> Sweep(DemoSettings settings)
     {
-        // Not the run's own frames.
+        // Another seed, so that these are not the run's own frames.
         var display = new DisplayPipeline(settings.Seed + 1, DemoDisplay.Settings(settings));
         var phase = new Random(settings.Seed);
         var pairs = new List<LatencyPair>();
@@ -44,6 +44,6 @@ static class DemoCalibration
         return pairs;
     }
 
-    // The difference of two codes that count whole milliseconds, wherever between two of them the picture was taken.
+    // The difference of two codes in whole milliseconds, for a picture taken at any time between two codes.
     static double Read(double visuMs, Random phase) => Math.Floor(visuMs + phase.NextDouble());
 }

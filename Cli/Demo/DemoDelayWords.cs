@@ -2,14 +2,14 @@ using System.Globalization;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>What table and report say of frames that this machine had no time for; nothing where there were hardly any.</summary>
-/// <remarks>A delayed frame shows the pose of its own time. But what delays frames delays samples and clock exchanges, too, unseen.</remarks>
+/// <summary>The text in table and report about frames that this machine could not run in time; empty if there were very few.</summary>
+/// <remarks>A delayed frame shows the pose of its own time. Samples and clock exchanges may be delayed too, which is not measured.</remarks>
 sealed class DemoDelayWords(DemoFrames frames)
 {
-    /// <summary>Half a frame.</summary>
+    /// <summary>Minimum delay of a delayed frame: half a frame.</summary>
     static readonly TimeSpan Long = TimeSpan.FromSeconds(0.5 / DemoDisplay.FramesPerSecond);
 
-    /// <summary>Of all frames: fewer move no figure.</summary>
+    /// <summary>Minimum share of delayed frames. Fewer do not change any result.</summary>
     const double WorthSaying = 0.01;
 
     public IEnumerable<(string Label, string Value)> Rows

@@ -3,12 +3,12 @@ using Nowpose.Simulation;
 namespace Nowpose.Cli.Demo;
 
 /// <summary>The simulated headset's display: when frames start, and when their light is seen.</summary>
-/// <remarks>Without a load, 60 frames a second with one L_visu, and nothing that measures render times. Allocates nothing once made.</remarks>
+/// <remarks>Without a load: 60 frames a second, constant L_visu and no render times. Allocates no memory after construction.</remarks>
 sealed class DemoDisplay
 {
     public const int FramesPerSecond = 60;
 
-    /// <summary>So many frames that one of them is done: two are under way at most.</summary>
+    /// <summary>Number of stored frames. At most two are in progress, so one of them is always finished.</summary>
     const int Remembered = 4;
 
     readonly DisplayPipeline _pipeline;
@@ -25,16 +25,16 @@ sealed class DemoDisplay
         _pipeline = new DisplayPipeline(settings.Seed, Settings(settings));
     }
 
-    /// <summary>When the next frame is to start, since the run began.</summary>
+    /// <summary>Start of the next frame, since the run began.</summary>
     public TimeSpan NextStart => _pipeline?.NextStart ?? TimeSpan.FromSeconds((double)_frames / FramesPerSecond);
 
     /// <summary>True L_visu of the newest frame.</summary>
     public TimeSpan Visualisation => Rendered?.Visualisation ?? _visualisation;
 
-    /// <summary>The newest frame's way through the pipeline; null without a load.</summary>
+    /// <summary>The newest frame's timing in the pipeline; null without a load.</summary>
     public PipelineFrame? Rendered => _pipeline == null || _frames == 0 ? null : _newest[(_frames - 1) % Remembered];
 
-    /// <summary>What the driver knows when the newest frame starts: the render time of the last one that is done. Null where it knows none.</summary>
+    /// <summary>The driver's render time at the start of the newest frame: that of the last finished frame. Null if there is none.</summary>
     public TimeSpan? DriverTime
     {
         get
@@ -49,7 +49,7 @@ sealed class DemoDisplay
         }
     }
 
-    /// <summary>What the pipeline of a run is like.</summary>
+    /// <summary>Gets the pipeline settings of a run.</summary>
     public static DisplayPipelineSettings Settings(DemoSettings settings) => new(plateauMs: settings.VisualisationMs);
 
     /// <summary>Renders the next frame.</summary>

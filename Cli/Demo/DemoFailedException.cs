@@ -1,4 +1,4 @@
 namespace Nowpose.Cli.Demo;
 
-/// <summary>A run came to its end and proves nothing; the message says why.</summary>
+/// <summary>A run ended without a valid result. The message gives the reason.</summary>
 sealed class DemoFailedException(string message) : Exception(message);

@@ -4,8 +4,8 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The headset's frame loop, as fast as its display: read C2, play the frame, keep what is displayed.</summary>
-/// <param name="waitUntil">Returns once the headset clock has come so far.</param>
+/// <summary>The headset's frame loop at the rate of its display: reads C2, plays the frame and records the displayed pose.</summary>
+/// <param name="waitUntil">Returns once the headset clock has reached the given time.</param>
 sealed class DemoFrameLoop(DemoSettings settings, DemoHeadset headset, IHeadsetClock clock, IDemoTruth truth, Action<HeadsetTime> waitUntil)
 {
     readonly DemoDisplay _display = new(settings);
@@ -14,11 +14,11 @@ sealed class DemoFrameLoop(DemoSettings settings, DemoHeadset headset, IHeadsetC
 
     public DemoFrames Frames { get; } = new(settings.Robot.MovingJoints.Count, (int)(settings.Seconds * DemoDisplay.FramesPerSecond) + 1);
 
-    /// <param name="report">Takes the seconds done and what to say about them.</param>
+    /// <param name="report">Receives the finished seconds and a status text.</param>
     public void Run(Action<double, Func<string>> report, CancellationToken cancel)
     {
         var begin = clock.Now;
-        // Whole frames only; half of one keeps rounding out of it.
+        // Whole frames only; half a frame of margin avoids rounding errors.
         var end = ((int)(settings.Seconds * DemoDisplay.FramesPerSecond) - 0.5) / DemoDisplay.FramesPerSecond;
         while (_display.NextStart.TotalSeconds < end && !cancel.IsCancellationRequested)
         {
@@ -49,7 +49,7 @@ sealed class DemoFrameLoop(DemoSettings settings, DemoHeadset headset, IHeadsetC
             frame?.Range ?? RangeState.Unknown, _display.Rendered ?? default, start - begin - due));
     }
 
-    // What the runtime measures itself shall be of the frames that are scored.
+    // The runtime's own statistics must cover the scored frames only.
     void BeginScoring(HeadsetTime start, TimeSpan elapsed)
     {
         if (_isScored || elapsed < DemoScore.WarmUp || headset.Session?.Clock.ModelAt(start).State != ClockState.Synchronised) return;

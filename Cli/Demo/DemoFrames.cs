@@ -4,14 +4,14 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>What was displayed, frame after frame, as numbers: written while the run lasts without disturbing it, read afterwards.</summary>
+/// <summary>The displayed values of all frames. Written during the run without allocations, read afterwards.</summary>
 sealed class DemoFrames
 {
     readonly int _joints;
     readonly List<double> _displayed;
     readonly List<double> _held;
 
-    /// <param name="capacity">Frames expected; more are taken too.</param>
+    /// <param name="capacity">Expected number of frames; more are accepted.</param>
     public DemoFrames(int joints, int capacity)
     {
         _joints = joints;
@@ -22,8 +22,8 @@ sealed class DemoFrames
 
     public List<Row> Rows { get; }
 
-    /// <param name="displayed">Joint positions as displayed; empty before there is a robot.</param>
-    /// <param name="held">Joint positions as a headset without compensation would have shown them; empty before there is a robot.</param>
+    /// <param name="displayed">Displayed joint positions; empty before the robot is known.</param>
+    /// <param name="held">Joint positions as shown by a headset without compensation; empty before the robot is known.</param>
     public void Add(ReadOnlySpan<double> displayed, ReadOnlySpan<double> held, in Row row)
     {
         Rows.Add(row);
@@ -34,7 +34,7 @@ sealed class DemoFrames
         }
     }
 
-    /// <summary>Names the first frame that holds something that is no number; null when none does.</summary>
+    /// <summary>Gets the name of the first frame with a value that is not finite; null if there is none.</summary>
     public string FirstNotFinite()
     {
         for (var frame = 0; frame < Rows.Count; frame++)
@@ -49,22 +49,22 @@ sealed class DemoFrames
         return null;
     }
 
-    /// <summary>One joint's displayed position.</summary>
+    /// <summary>Gets one joint's displayed position.</summary>
     public double Displayed(int frame, int joint) => _displayed[frame * _joints + joint];
 
-    /// <summary>One joint's position as a headset without compensation would have shown it.</summary>
+    /// <summary>Gets one joint's position as shown by a headset without compensation.</summary>
     public double Held(int frame, int joint) => _held[frame * _joints + joint];
 
-    /// <param name="Elapsed">Since the session was started.</param>
+    /// <param name="Elapsed">Time since the session was started.</param>
     /// <param name="TrueLight">True control time of the frame's light.</param>
-    /// <param name="AssumedLight">The runtime's; null before it knows a control time.</param>
-    /// <param name="Clock">The runtime's model at the frame's start.</param>
+    /// <param name="AssumedLight">The runtime's estimate of the same; null before it has a control time.</param>
+    /// <param name="Clock">The runtime's clock model at the frame's start.</param>
     /// <param name="OffsetErrorUs">Estimated minus true offset, µs; NaN while unknown.</param>
-    /// <param name="Tool">Where the scene shows the tool.</param>
-    /// <param name="HeldTool">Where the scene's ghost, which is not compensated, shows it.</param>
-    /// <param name="Range">As the runtime judged it.</param>
-    /// <param name="Rendered">How the frame passed through the display; all zero without a load.</param>
-    /// <param name="Delay">How much later it began than the display asked for it: this machine had no time for it.</param>
+    /// <param name="Tool">Position of the tool in the scene.</param>
+    /// <param name="HeldTool">Position of the tool of the scene's uncompensated ghost.</param>
+    /// <param name="Range">The runtime's range state.</param>
+    /// <param name="Rendered">The frame's timing in the display pipeline; all zero without a load.</param>
+    /// <param name="Delay">Delay of the frame's start after the time requested by the display, because this machine was busy.</param>
     public readonly record struct Row(
         TimeSpan Elapsed, HeadsetTime Start, ControlTime TrueLight, ControlTime? AssumedLight, ClockModel Clock,
         PoseState State, double OffsetErrorUs, ToolPosition Tool, ToolPosition HeldTool, double CpuUs, long AllocatedBytes,

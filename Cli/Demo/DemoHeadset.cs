@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The headset: the package's own sample scene, played on the stand-in engine. What it shows is read off its transforms.</summary>
+/// <summary>The headset: the package's own sample scene, played on the stand-in engine. Its displayed poses are read from its transforms.</summary>
 sealed class DemoHeadset : IDisposable
 {
     const string Package = "Packages/com.nowpose.mril/";
@@ -22,23 +22,23 @@ sealed class DemoHeadset : IDisposable
     CompensationSession _watched;
     SessionRecorder _recorder;
 
-    /// <param name="clock">The headset clock, also of the frames.</param>
-    /// <param name="samples">How many samples are expected; more are taken too.</param>
-    /// <param name="recordingPath">Where the session is recorded; null for nowhere.</param>
+    /// <param name="clock">The headset clock, which also times the frames.</param>
+    /// <param name="samples">Expected number of samples; more are accepted.</param>
+    /// <param name="recordingPath">Path of the session's recording; null for none.</param>
     public DemoHeadset(RobotModel robot, SessionSettings settings, IHeadsetClock clock, int samples, string recordingPath = null)
     {
         _recordingPath = recordingPath;
-        // Room for all of them: the frame is watched for allocations, and this is filled within it.
+        // Capacity for all samples: the frame is checked for allocations, and this list is filled within it.
         _latencies = new List<TimeSpan>(samples);
         var assets = new AssetLibrary(Path.Combine(AppContext.BaseDirectory, "UnityProject"));
         _player = new Player(assets);
-        // Told before it wakes: it connects as soon as it does.
+        // Set before the scene wakes, because the component connects immediately.
         _player.LoadScene(Sample + SceneFor(robot, assets), roots =>
         {
             var component = roots.SelectMany(root => root.GetComponentsInChildren<MrilSession>(includeInactive: true)).Single();
             component.HeadsetClock = clock;
             component.Settings = settings;
-            // It has been calibrated by the demo; what this machine may have kept of others is none of its.
+            // The demo has calibrated it. Profiles stored on this machine belong to other devices.
             foreach (var loader in roots.SelectMany(root => root.GetComponentsInChildren<LatencyProfileLoader>(includeInactive: true)))
                 loader.enabled = false;
         });
@@ -53,40 +53,40 @@ sealed class DemoHeadset : IDisposable
         _displayed = _component.GetComponentsInChildren<RobotRig>().First(rig => rig.Shows == RigPose.Displayed);
     }
 
-    /// <summary>Null before the robot is known.</summary>
+    /// <summary>The displayed frame, or null before the robot is known.</summary>
     public DisplayFrame Frame => _component.Frame;
 
     public CompensationSession Session => _component.Session;
 
-    /// <summary>L_app of every sample that arrived while the clock was known.</summary>
+    /// <summary>L_app of every sample that arrived while the clock was synchronised.</summary>
     public IReadOnlyList<TimeSpan> ApplicationLatencies => _latencies;
 
-    /// <summary>Where the scene shows the tool; the origin before the robot is known.</summary>
+    /// <summary>Position of the tool in the scene; the origin before the robot is known.</summary>
     public ToolPosition Tool => ToolOf(_displayed);
 
-    /// <summary>Where the scene's ghost shows it, uncompensated.</summary>
+    /// <summary>Position of the tool of the scene's uncompensated ghost.</summary>
     public ToolPosition HeldTool => ToolOf(_held);
 
-    /// <summary>How often the scene was told that the render time left the constant-latency range.</summary>
+    /// <summary>Number of alarms in the scene that the render time left the constant-latency range.</summary>
     public int Alarms { get; private set; }
 
-    /// <summary>Errors that the scene's scripts have logged; null when there are none.</summary>
+    /// <summary>Errors that the scene's scripts have logged; null for none.</summary>
     public string Complaint => _player.Logs
         .FirstOrDefault(entry => entry.Type is LogType.Error or LogType.Exception or LogType.Assert)?.ToString();
 
-    /// <summary>The display's driver tells how long the GPU worked on the newest frame that is done.</summary>
+    /// <summary>Reports the GPU time of the newest finished frame, as the display's driver does.</summary>
     public void ReportGpuTime(TimeSpan length) => _player.ReportGpuTime(length);
 
     /// <summary>Plays one frame.</summary>
-    /// <param name="seconds">Since the scene was loaded.</param>
+    /// <param name="seconds">Time since the scene was loaded.</param>
     public void Step(double seconds)
     {
         Watch();
         _player.Step(seconds);
     }
 
-    /// <summary>Ends the recording and waits for its last line.</summary>
-    /// <returns>Why it ended before; null when it did not.</returns>
+    /// <summary>Ends the recording and waits until its last line is written.</summary>
+    /// <returns>The reason if it ended early; null otherwise.</returns>
     public string EndRecording()
     {
         _recorder?.Dispose();
@@ -100,7 +100,7 @@ sealed class DemoHeadset : IDisposable
         _player.Dispose();
     }
 
-    // The prefab with the youBot for a youBot; any other robot is built from what the gateway describes.
+    // The prefab with the youBot for a youBot. Any other robot is built from the gateway's description.
     static string SceneFor(RobotModel robot, AssetLibrary assets) =>
         assets.Load<RobotDescriptionAsset>(Package + "Runtime/Robots/youBot.asset").Read().SourceHash == robot.SourceHash
             ? "Connect to a Gateway.unity"
@@ -113,13 +113,13 @@ sealed class DemoHeadset : IDisposable
         return ToolPosition.Of(UnityFrame.FromUnity(new UnityPose(place.x, place.y, place.z, 0, 0, 0, 1)));
     }
 
-    // The session is another one once the gateway has described the robot.
+    // The session is replaced once the gateway has described the robot.
     void Watch()
     {
         var session = _component.Session;
         if (session == _watched || session == null) return;
         _watched = session;
-        // The first one of a cell for any robot has no joints: nothing of it is worth a file.
+        // The first session of a cell for any robot has no joints and is not recorded.
         if (_recordingPath != null && session.Robot.MovingJoints.Count > 0) Record(session);
         session.Intake.SampleTaken += (_, latency) =>
         {

@@ -2,7 +2,7 @@ using Nowpose.Web;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The folder a run writes to.</summary>
+/// <summary>The folder that a run writes to.</summary>
 sealed class DemoOutput
 {
     DemoOutput(string folder)
@@ -15,11 +15,11 @@ sealed class DemoOutput
     public string ResultPath { get; }
     public string ReportPath { get; }
 
-    /// <summary>What the headset records while it runs, for <c>replay</c>, <c>sync</c> and <c>recommend</c>.</summary>
+    /// <summary>Path of the headset's recording, for <c>replay</c>, <c>sync</c> and <c>recommend</c>.</summary>
     public string SessionPath { get; }
 
-    /// <summary>Makes the folder, and takes an earlier run's files away so that nobody takes them for this one's.</summary>
-    /// <exception cref="InputException">It cannot be written to; better known before the run than twenty seconds later.</exception>
+    /// <summary>Creates the folder and removes an earlier run's files, so that they cannot be mistaken for this run's.</summary>
+    /// <exception cref="InputException">The folder is not writable. This is checked before the run, not after it.</exception>
     public static DemoOutput At(string folder)
     {
         try

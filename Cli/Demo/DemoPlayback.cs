@@ -1,17 +1,17 @@
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The frames of the error's plot for the report's 3D playback: where all joints were, were displayed and would have been held.</summary>
-/// <remarks>At most 3600 instants, about two minutes of 30 a second: a page that is sent by mail must not grow with the run.</remarks>
+/// <summary>The frames for the report's 3D playback, at the instants of the error's plot: true, displayed and held position of all joints.</summary>
+/// <remarks>At most 3600 instants, about two minutes at 30 a second: the page is sent by mail and must not grow with the run.</remarks>
 sealed class DemoPlayback(DemoScore score, DemoRun run, ControlTime start)
 {
     const int GreatestInstants = 3600;
 
-    /// <summary>Every second frame shows a motion as well as each.</summary>
+    /// <summary>Minimum step in frames. Every second frame is sufficient to show a motion.</summary>
     const int LeastStep = 2;
 
     readonly int _joints = run.Settings.Robot.MovingJoints.Count;
 
-    /// <summary>The fields are those of <c>Web/src/data.ts</c>; null when no frame was scored.</summary>
+    /// <summary>Gets the instants. The fields are those of <c>Web/src/data.ts</c>; null when no frame was scored.</summary>
     public object Instants()
     {
         var rows = run.Frames.Rows;
@@ -35,6 +35,6 @@ sealed class DemoPlayback(DemoScore score, DemoRun run, ControlTime start)
         return Joints(joint => joints[joint]);
     }
 
-    // A tenth of a millimetre at two metres.
+    // The rounding is a tenth of a millimetre at two metres.
     double[] Joints(Func<int, double> position) => [.. Enumerable.Range(0, _joints).Select(joint => Math.Round(position(joint), 5))];
 }

@@ -3,17 +3,17 @@ using Spectre.Console;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Progress on stderr: a bar on a terminal, a line every few seconds otherwise.</summary>
+/// <summary>Shows progress on stderr: a bar on a terminal, otherwise a line every few seconds.</summary>
 static class DemoProgress
 {
-    /// <param name="work">Runs to its end; calls back with the seconds done and what to say.</param>
+    /// <param name="work">The work. It calls back with the finished seconds and a status text.</param>
     public static void Run(double seconds, Action<Action<double, Func<string>>> work)
     {
         if (Console.IsErrorRedirected) Lines(seconds, work);
         else Bar(seconds, work);
     }
 
-    /// <summary>One line about how the session does.</summary>
+    /// <summary>Gets the session's status as one line.</summary>
     public static string Describe(CompensationSession session, HeadsetTime now)
     {
         var statistics = session.Statistics(now);

@@ -2,10 +2,10 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>How a run with a load stood to the constant-latency range, as the runtime saw it and as it was.</summary>
+/// <summary>Compares a run with a load with the constant-latency range, as estimated by the runtime and in truth.</summary>
 sealed class DemoRange(DemoRun run, IReadOnlyList<DemoError> errors)
 {
-    /// <summary>result.json's object; null without a load.</summary>
+    /// <summary>Gets the object for result.json; null without a load.</summary>
     public DemoResult.Ranges Result()
     {
         if (run.Settings.Load == null) return null;
@@ -17,17 +17,17 @@ sealed class DemoRange(DemoRun run, IReadOnlyList<DemoError> errors)
             rows.Count(row => row.Range == RangeState.Outside), run.Alarms);
     }
 
-    /// <summary>Median of the true L_visu of scored frames inside or outside, ms; null where there are none.</summary>
+    /// <summary>Gets the median of the true L_visu of scored frames inside or outside the range, ms; null if there are none.</summary>
     public double? VisualisationMs(bool isOutside)
     {
         var lengths = Of(isOutside).Select(e => run.Frames.Rows[e.Frame].Rendered.Visualisation.TotalMilliseconds).ToList();
         return lengths.Count == 0 ? null : Quantile.Of(lengths, 0.5);
     }
 
-    /// <summary>RMS of the compensated tool's error over scored frames outside, mm; null where there are none.</summary>
+    /// <summary>RMS error of the compensated tool over scored frames outside the range, mm; null if there are none.</summary>
     public double? RmsOutsideMm => RmsMm(e => e.Mm);
 
-    /// <summary>The same of the same frames, had their light not been late: what the load alone adds is the difference.</summary>
+    /// <summary>RMS error of the same frames without the delay of their light. The difference is the effect of the load alone.</summary>
     public double? RmsInTimeMm => RmsMm(e => e.InTimeMm);
 
     double? RmsMm(Func<DemoError, double> error)

@@ -4,7 +4,7 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Collects what report.html shows: the fields are those of <c>Web/src/data.ts</c>.</summary>
+/// <summary>Collects the data of report.html. The fields are those of <c>Web/src/data.ts</c>.</summary>
 static class DemoReport
 {
     const double MsPerSecond = 1000;
@@ -81,12 +81,12 @@ static class DemoReport
         Compensated = score.Errors.Select(e => Round(e.Mm)),
     };
 
-    // Fig. 18: the error as a point on v and L; what compensation leaves is an effective latency e/v.
+    // Fig. 18: the error as a point over v and L. The remaining error e is an effective latency e/v.
     static object Field(DemoScore score, DemoRun run)
     {
         var speed = new ToolSpeed(run);
         var points = score.Errors.Select(e => (Error: e, Speed: speed.At(run.Frames.Rows[e.Frame].TrueLight))).ToList();
-        // Near standstill a latency e/v is the quotient of two small numbers.
+        // Near standstill, the latency e/v is the quotient of two small numbers.
         var slowest = SlowestShare * points.Select(p => p.Speed).DefaultIfEmpty().Max();
         var moving = points.Where(p => p.Speed > slowest).ToList();
         if (moving.Count == 0) return null;
@@ -113,7 +113,7 @@ static class DemoReport
         };
     }
 
-    // Fig. 10, and what the runtime said meanwhile.
+    // Fig. 10, with the runtime's range state.
     static object Range(DemoRun run, ControlTime start)
     {
         if (run.Settings.Load == null) return null;

@@ -2,16 +2,16 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>One run of the main job: what was displayed, and the truth to compare it with.</summary>
-/// <param name="ApplicationLatencies">L_app of every sample that arrived while the clock was known.</param>
-/// <param name="Statistics">The runtime's own view at the end.</param>
-/// <param name="Limit">The render time limit that the runtime was told; null for none.</param>
-/// <param name="Alarms">How often the runtime said that the constant-latency range was left.</param>
+/// <summary>One run of the demo: the displayed values, and the truth to compare them with.</summary>
+/// <param name="ApplicationLatencies">L_app of every sample that arrived while the clock was synchronised.</param>
+/// <param name="Statistics">The runtime's own statistics at the end.</param>
+/// <param name="Limit">The render time limit that the runtime was given; null for none.</param>
+/// <param name="Alarms">Number of alarms of the runtime that the constant-latency range was left.</param>
 sealed record DemoRun(
     DemoSettings Settings, IDemoTruth Truth, DemoFrames Frames, IReadOnlyList<TimeSpan> ApplicationLatencies, SessionStatistics Statistics,
     TimeSpan? Limit = null, int Alarms = 0)
 {
-    /// <summary>Why the run proves nothing; null when it does.</summary>
+    /// <summary>Gets the reason why the run has no valid result; null if it has one.</summary>
     public string Failure()
     {
         var broken = Frames.FirstNotFinite();

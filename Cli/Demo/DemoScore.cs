@@ -1,9 +1,9 @@
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Compares what was displayed with the truth, frame by frame, and sums it up as cli.md defines.</summary>
+/// <summary>Compares the displayed values with the truth, frame by frame, and computes the results defined in cli.md.</summary>
 sealed class DemoScore
 {
-    /// <summary>Frames before it are not scored even if the clock converged: buffers fill and code is compiled.</summary>
+    /// <summary>Frames before this time are not scored even if the clock has converged: buffers fill and code is compiled.</summary>
     public static readonly TimeSpan WarmUp = TimeSpan.FromSeconds(3);
 
     readonly DemoRun _run;
@@ -18,7 +18,7 @@ sealed class DemoScore
         Errors = ScoredFrames().Select(ErrorOf).ToList();
     }
 
-    /// <summary>The scored frames' errors, in order.</summary>
+    /// <summary>Errors of the scored frames, in order.</summary>
     public IReadOnlyList<DemoError> Errors { get; }
 
     /// <summary>P95 of the uncompensated error, mm; null when no frame was scored.</summary>
@@ -34,7 +34,7 @@ sealed class DemoScore
             _run.Settings.Network.Name, Latencies(), Clock(), Tool(), Frame(), Hindcast(), Range.Result());
     }
 
-    // At 60 frames a second, but for a display that its load holds back.
+    // 60 frames a second, unless a load slows the display.
     double Seconds() => _run.Settings.Load == null
         ? Round(_run.Frames.Rows.Count / (double)DemoDisplay.FramesPerSecond)
         : Round(_run.Frames.Rows.Select(row => row.Elapsed.TotalSeconds + 1.0 / DemoDisplay.FramesPerSecond).LastOrDefault());
@@ -49,7 +49,7 @@ sealed class DemoScore
     IEnumerable<int> ScoredFrames() => Enumerable.Range(0, _run.Frames.Rows.Count)
         .Where(i => IsScored(_run.Frames.Rows[i]));
 
-    // A frame whose light the runtime could not date is none it could have placed.
+    // Without an estimate of its display time, the runtime could not place the frame's content.
     bool IsScored(in DemoFrames.Row row) => row.Elapsed >= WarmUp && row.Elapsed >= _converged && row.AssumedLight.HasValue;
 
     DemoError ErrorOf(int frame)
@@ -85,7 +85,7 @@ sealed class DemoScore
             rows.Count == 0 ? null : (double)rows.Count(row => Math.Abs(row.OffsetErrorUs) <= row.Clock.EstimatedError.TotalMicroseconds) / rows.Count);
     }
 
-    // At the end: the skew is an average over the whole history, so its last value is the best it reached.
+    // At the end: the skew is an average over the whole history, so its last value is the most accurate.
     double? SkewErrorPpm(List<DemoFrames.Row> rows)
     {
         if (rows.Count < 2) return null;

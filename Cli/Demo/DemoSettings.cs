@@ -5,20 +5,20 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>What one demo run is told; checked when it is made of the options.</summary>
+/// <summary>Settings of one demo run. Checked when they are created from the options.</summary>
 sealed record DemoSettings
 {
     public double Seconds { get; init; }
     public NetworkProfile Network { get; init; }
     public RobotModel Robot { get; init; }
 
-    /// <summary>The robot's URDF, as the gateway publishes it.</summary>
+    /// <summary>The robot's URDF, which the gateway publishes.</summary>
     public string RobotText { get; init; }
 
-    /// <summary>How the robot truly moves.</summary>
+    /// <summary>The true motion of the robot.</summary>
     public IMotion Motion { get; init; }
 
-    /// <summary>What the report calls the motion.</summary>
+    /// <summary>Name of the motion in the report.</summary>
     public string MotionName { get; init; }
 
     public string Predictor { get; init; }
@@ -26,13 +26,13 @@ sealed record DemoSettings
     public MillisecondRange Acquisition { get; init; }
     public double VisualisationMs { get; init; }
 
-    /// <summary>Added to the true display latency before the runtime is told.</summary>
+    /// <summary>Error added to the true display latency before it is given to the runtime, ms.</summary>
     public double VisualisationErrorMs { get; init; }
 
-    /// <summary>Vertices of the scene's load; null for a display whose frames never take long.</summary>
+    /// <summary>Vertices of the scene's load; null for a display whose frames are never late.</summary>
     public int? Load { get; init; }
 
-    /// <summary>Whether the cell publishes its set-points ahead of time.</summary>
+    /// <summary>Whether the cell publishes its set-points in advance.</summary>
     public bool PublishesPlan { get; init; }
 
     public int Seed { get; init; }

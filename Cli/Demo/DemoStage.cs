@@ -8,16 +8,16 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Sets everything up for a run, plays it, and takes it down: cell, gateway, network, headset.</summary>
+/// <summary>Sets up cell, gateway, network and headset for a run, plays it, and disposes them.</summary>
 static class DemoStage
 {
-    /// <summary>The control clock runs this much faster than the headset's, a usual difference of two quartzes.</summary>
+    /// <summary>Skew of the control clock relative to the headset's, a typical difference of two quartzes.</summary>
     const double ControlSkew = 37e-6;
 
-    /// <summary>An epoch far from the headset's, as Unix time is.</summary>
+    /// <summary>An epoch far from the headset's, like Unix time.</summary>
     static readonly ControlTime ControlEpoch = ControlTime.FromSeconds(1_700_000_000);
 
-    /// <summary>Plays until the time is over or it is cancelled.</summary>
+    /// <summary>Plays until the time is over or the run is cancelled.</summary>
     /// <param name="recordingPath">Where the headset records its session.</param>
     public static async Task<DemoRun> PlayAsync(DemoSettings settings, string recordingPath, CancellationToken cancel)
     {
@@ -32,7 +32,7 @@ static class DemoStage
         using var webSocketRelay = new DelayRelay(gateway.WebSocketEndPoint, settings.Network, settings.Seed * 1000 + 501);
         var connection = new ConnectionSettings(IPAddress.Loopback.ToString(), syncRelay.Port, webSocketRelay.Port, headsetName: "demo");
         var truth = new DemoTruth(control, cell, settings.Motion);
-        // On a thread of its own, as a headset's frame loop is: the pool has two threads here, and the sockets need them.
+        // On a separate thread, like a headset's frame loop: the pool has two threads here, and the sockets need them.
         return await Task.Factory.StartNew(
             () => Play(settings, connection, truth, recordingPath, cancel),
             CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);

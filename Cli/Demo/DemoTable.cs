@@ -3,7 +3,7 @@ using Spectre.Console;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The result for reading: uncompensated against compensated, then what it rests on.</summary>
+/// <summary>The result as text: uncompensated against compensated, then the conditions.</summary>
 static class DemoTable
 {
     public static void Print(DemoRun run, DemoScore score, DemoResult result, DemoOutput output)

@@ -10,7 +10,7 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary><c>demo</c>, the main job: gateway, network, headset runtime and a moving robot in one process, scored against the truth.</summary>
+/// <c>demo</c>, the default verb: gateway, network, headset runtime and a moving robot in one process, compared with the truth.
 static class DemoVerb
 {
     static readonly Option<double> Seconds = NumberOption.Create("--seconds", "How long to run", 20.0, 5, 3600, "s");
@@ -47,7 +47,7 @@ static class DemoVerb
         DefaultValueFactory = _ => "nowpose-demo",
     };
 
-    // No light is seen before the next refresh.
+    // Light is seen at the next refresh at the earliest.
     const double LeastWithLoadMs = 17;
 
     public static Command Create()
@@ -95,7 +95,7 @@ static class DemoVerb
     {
         var output = DemoOutput.At(folder);
         var run = await DemoStage.PlayAsync(settings, output.SessionPath, cancel);
-        // An interrupted run writes what there is; a whole one that measured nothing has failed.
+        // An interrupted run writes its partial result. A complete run without a measurement has failed.
         if (!cancel.IsCancellationRequested && run.Failure() is string failure) throw new DemoFailedException(failure);
         var score = new DemoScore(run);
         var result = score.Result();

@@ -1,17 +1,17 @@
 namespace Nowpose.Cli.Demo;
 
-/// <summary>What only the simulation knows: how the two clocks stand, and where the robot is.</summary>
+/// <summary>The truth of the simulation: the relation of the two clocks, and the robot's position.</summary>
 interface IDemoTruth
 {
-    /// <summary>The control time of a moment on the headset clock, exactly.</summary>
+    /// <summary>Gets the exact control time of a headset time.</summary>
     ControlTime ControlAt(HeadsetTime t);
 
-    /// <summary>Φ, exactly.</summary>
+    /// <summary>Gets the exact Φ.</summary>
     ClockOffset OffsetAt(HeadsetTime t) => new(t.SinceEpoch - ControlAt(t).SinceEpoch);
 
-    /// <summary>Joint positions of the real robot at a control time, past or future, one per moving joint.</summary>
+    /// <summary>Gets the joint positions of the real robot at a past or future control time, one per moving joint.</summary>
     void JointsAt(ControlTime t, Span<double> positions);
 
-    /// <summary>Which cycle of its motion the robot is in, from 0.</summary>
+    /// <summary>Gets the index of the motion cycle, from 0.</summary>
     int CycleAt(ControlTime t);
 }

@@ -6,7 +6,7 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>One relayed connection: each direction reads at once, and writes when the piece's delay is over.</summary>
+/// <summary>One relayed connection. Each direction reads immediately, and writes when the delay of the piece is over.</summary>
 sealed class RelayedConnection : IDisposable
 {
     readonly TcpClient _headset;
@@ -39,7 +39,7 @@ sealed class RelayedConnection : IDisposable
         var due = 0L;
         for (int read; (read = from.GetStream().Read(buffer)) > 0;)
         {
-            // In order: a piece never arrives before the one sent before it.
+            // In order: a piece never arrives before an earlier one.
             due = Math.Max(due, Stopwatch.GetTimestamp() + (long)(delay.Next().TotalSeconds * Stopwatch.Frequency));
             underway.Add(new Piece(buffer[..read], due));
         }
@@ -65,7 +65,7 @@ sealed class RelayedConnection : IDisposable
         }
         catch (Exception end) when (end is IOException or SocketException or ObjectDisposedException or InvalidOperationException)
         {
-            // One of the two ends closed; the other follows.
+            // One end closed, so the other is closed too.
         }
         finally
         {
@@ -73,6 +73,6 @@ sealed class RelayedConnection : IDisposable
         }
     }
 
-    /// <param name="DueCount">Count of <see cref="Stopwatch"/> at which the piece arrives.</param>
+    /// <param name="DueCount">Count of <see cref="Stopwatch"/> at which the piece is due.</param>
     readonly record struct Piece(byte[] Bytes, long DueCount);
 }

@@ -2,7 +2,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Joint positions to the tool's position, for scoring.</summary>
+/// <summary>Computes the tool's position from joint positions, for scoring.</summary>
 sealed class ToolKinematics(RobotModel robot)
 {
     readonly ForwardKinematics _kinematics = new(robot);
@@ -16,7 +16,7 @@ sealed class ToolKinematics(RobotModel robot)
         return ToolPosition.Of(_poses[_tool]);
     }
 
-    /// <summary>Where the real robot's tool is at a control time.</summary>
+    /// <summary>Gets the position of the real robot's tool at a control time.</summary>
     public ToolPosition TrueAt(IDemoTruth truth, ControlTime t)
     {
         truth.JointsAt(t, _joints);

@@ -2,7 +2,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Where the tool centre point is, metres in the robot's base frame.</summary>
+/// <summary>Position of the tool centre point, metres in the robot's base frame.</summary>
 readonly record struct ToolPosition(double X, double Y, double Z)
 {
     public static ToolPosition Of(in RigidTransform pose) => new(pose.X, pose.Y, pose.Z);

@@ -5,11 +5,11 @@ namespace Nowpose.Cli.Figures;
 /// <summary>Does the work of all studies on all processors.</summary>
 sealed class FigureRun(IReadOnlyList<IFigureStudy> studies)
 {
-    /// <summary>Pieces of work in all.</summary>
+    /// <summary>Total number of work items.</summary>
     public int Total { get; } = studies.Sum(s => s.Work.Count);
 
-    /// <param name="done">Called with the pieces done, from any thread.</param>
-    /// <returns>The figures in the paper's order; cancelled, those whose work was done.</returns>
+    /// <param name="done">Called with the number of finished items, from any thread.</param>
+    /// <returns>The figures in the paper's order; after a cancellation, only those whose work is finished.</returns>
     public IReadOnlyList<Figure> Run(Action<int> done, CancellationToken cancel)
     {
         var left = studies.Select(s => s.Work.Count).ToArray();
@@ -26,7 +26,7 @@ sealed class FigureRun(IReadOnlyList<IFigureStudy> studies)
         }
         catch (OperationCanceledException)
         {
-            // What is done is written all the same.
+            // Finished figures are written even after a failure.
         }
         catch (AggregateException failures)
         {

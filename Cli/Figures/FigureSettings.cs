@@ -3,20 +3,20 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures;
 
-/// <summary>How much is computed; what is computed is the same.</summary>
+/// <summary>Sets the number and length of the runs. All settings compute the same figures.</summary>
 sealed record FigureSettings
 {
-    /// <summary>The predictors that the paper does not have. Before the settings below, which are made with it.</summary>
+    /// <summary>The predictors that are not in the paper. Declared before the settings below, which use it.</summary>
     public static IReadOnlyList<string> OurPredictors { get; } = ["adaptive", "gp"];
 
     public static readonly FigureSettings Full = new() { Phases = 32, ClockRuns = 32, ClockSeconds = 300 };
 
     public static readonly FigureSettings Quick = new() { Phases = 8, ClockRuns = 8 };
 
-    /// <summary>Runs with random phases of sampling and frames; the phase alone moves a ratio by a tenth.</summary>
+    /// <summary>Number of runs with random phases of sampling and frames. The phase alone changes a ratio by a tenth.</summary>
     public required int Phases { get; init; }
 
-    /// <summary>Simulated sync logs.</summary>
+    /// <summary>Number of simulated sync logs.</summary>
     public required int ClockRuns { get; init; }
 
     /// <summary>Length of each sync log, s.</summary>
@@ -30,12 +30,12 @@ sealed record FigureSettings
 
     public int Seed { get; init; } = 1;
 
-    /// <summary>Those of <see cref="OurPredictors"/> that are put beside the paper's in the sweeps.</summary>
+    /// <summary>Those of <see cref="OurPredictors"/> that the sweeps compare with the paper's.</summary>
     public IReadOnlyList<string> Ours { get; init; } = OurPredictors;
 
     /// <summary>The paper's conditions: T_s 50 ms, L 100 ms, 60 frames a second.</summary>
     public StudySettings Study => new() { Phases = Phases, Seed = Seed };
 
-    /// <summary>Knows neither limits nor a horizon cap, as in the paper.</summary>
+    /// <summary>Creates a predictor without limits and without a horizon cap, as in the paper.</summary>
     public static JointPredictor Predictor(string name) => Predictors.Create(name, PredictionLimits.Unlimited);
 }

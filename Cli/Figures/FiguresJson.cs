@@ -5,7 +5,7 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Figures;
 
-/// <summary>What figures.html shows: the fields are those of <c>Web/src/paper/data.ts</c>.</summary>
+/// <summary>The data of figures.html. Its fields are those of <c>Web/src/paper/data.ts</c>.</summary>
 static class FiguresJson
 {
     static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };

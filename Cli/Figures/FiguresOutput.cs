@@ -4,7 +4,7 @@ using Nowpose.Web;
 
 namespace Nowpose.Cli.Figures;
 
-/// <summary>The folders a run writes to.</summary>
+/// <summary>The folders that a run writes to.</summary>
 sealed class FiguresOutput
 {
     readonly string _folder;
@@ -19,12 +19,12 @@ sealed class FiguresOutput
 
     public string PagePath { get; }
 
-    /// <summary>Those that were written.</summary>
+    /// <summary>Paths of the written pictures.</summary>
     public IReadOnlyList<string> PicturePaths { get; private set; } = [];
 
-    /// <summary>Makes the folders, and takes an earlier run's files away so that nobody takes them for this one's.</summary>
-    /// <param name="pictures">Null for none.</param>
-    /// <exception cref="InputException">One cannot be written to; better known before the run than minutes later.</exception>
+    /// <summary>Creates the folders and removes an earlier run's files, so that they cannot be mistaken for this run's.</summary>
+    /// <param name="pictures">Folder of the pictures, or null for none.</param>
+    /// <exception cref="InputException">A folder is not writable. This is checked before the run, not after it.</exception>
     public static FiguresOutput At(string folder, string pictures)
     {
         var output = new FiguresOutput(Writable("--out", folder, "figures.html"), pictures == null ? null : Writable("--pictures", pictures, ".nowpose"));

@@ -3,11 +3,11 @@ using Spectre.Console;
 
 namespace Nowpose.Cli.Figures;
 
-/// <summary>Progress on stderr: a bar on a terminal, a line every few seconds otherwise.</summary>
+/// <summary>Shows progress on stderr: a bar on a terminal, otherwise a line every few seconds.</summary>
 static class FiguresProgress
 {
-    /// <param name="total">Pieces of work.</param>
-    /// <param name="work">Runs to its end; calls back with the pieces done, from any thread.</param>
+    /// <param name="total">Total number of work items.</param>
+    /// <param name="work">The work. It calls back with the number of finished items, from any thread.</param>
     public static T Run<T>(int total, Func<Action<int>, T> work) => Console.IsErrorRedirected ? Lines(total, work) : Bar(total, work);
 
     static T Lines<T>(int total, Func<Action<int>, T> work)

@@ -5,7 +5,7 @@ using Spectre.Console;
 
 namespace Nowpose.Cli.Figures;
 
-/// <summary><c>figures</c>: the paper's figures, recomputed: data as CSV and one HTML page.</summary>
+/// <c>figures</c>: recomputes the paper's figures as CSV data and one HTML page.
 static class FiguresVerb
 {
     public static Command Create()
@@ -21,14 +21,14 @@ static class FiguresVerb
         {
             output, quick, pictures,
         };
-        // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has.
+        // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
         verb.SetAction((parsed, cancel) => Task.Run(
             () => Run(parsed.GetValue(quick) ? FigureSettings.Quick : FigureSettings.Full, parsed.GetValue(output), parsed.GetValue(pictures), cancel),
             CancellationToken.None));
         return verb;
     }
 
-    /// <param name="pictures">Null for none.</param>
+    /// <param name="pictures">Folder of the pictures, or null for none.</param>
     internal static int Run(FigureSettings settings, string folder, string pictures, CancellationToken cancel)
     {
         var output = FiguresOutput.At(folder, pictures);

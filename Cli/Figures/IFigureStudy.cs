@@ -2,12 +2,12 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Figures;
 
-/// <summary>Makes the data of one or more figures.</summary>
+/// <summary>Computes the data of one or more figures.</summary>
 interface IFigureStudy
 {
-    /// <summary>Independent of each other: they may run in any order and at the same time, once each.</summary>
+    /// <summary>Independent work items. They may run in any order and concurrently, each once.</summary>
     IReadOnlyList<Action> Work { get; }
 
-    /// <summary>When all work is done.</summary>
+    /// <summary>Gets the figures. Call this when all work is finished.</summary>
     IEnumerable<Figure> Figures();
 }

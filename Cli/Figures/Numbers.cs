@@ -2,10 +2,10 @@ using System.Globalization;
 
 namespace Nowpose.Cli.Figures;
 
-/// <summary>Numbers within sentences: few digits, with a point.</summary>
+/// <summary>Formats numbers for sentences, with few digits and a decimal point.</summary>
 static class Numbers
 {
-    /// <summary>Three significant digits, two below 1.</summary>
+    /// <summary>Formats a value with three significant digits, or two below 1.</summary>
     public static string Text(double value)
     {
         var size = Math.Abs(value);

@@ -9,8 +9,8 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Headset;
 
-/// <summary>The headset runtime against a gateway that is there already, at a display's pace, without a display.</summary>
-/// <param name="say">Takes a line when the pose ceases to be current, and when it is again.</param>
+/// <summary>Runs the headset runtime against an existing gateway at a display's frame rate, without a display.</summary>
+/// <param name="say">Takes a line when the pose stops being current, and when it is current again.</param>
 sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
 {
     static readonly TimeSpan DescriptionTimeout = TimeSpan.FromSeconds(10);
@@ -40,7 +40,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         return Result(session, robot, _clock.Now - start);
     }
 
-    /// <summary>Why the run failed, in one line; null when it did not. Set by <see cref="Play"/>.</summary>
+    /// <summary>The reason why the run failed, in one line; null when it did not fail. Set by <see cref="Play"/>.</summary>
     public string WhyFailed { get; private set; }
 
     void Frames(CompensationSession session, HeadsetTime start, Action<double, Func<string>> report, CancellationToken cancel)
@@ -49,7 +49,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         var count = (int)(settings.Seconds * settings.FramesPerSecond);
         for (; _frames < count && !cancel.IsCancellationRequested; _frames++)
         {
-            // By its number, never by adding: a frame that was late must not push all the others back.
+            // Computed from the frame's number, not accumulated: a late frame must not delay all others.
             PreciseWait.Until(startCount + (long)(_frames / settings.FramesPerSecond * Stopwatch.Frequency));
             var now = _clock.Now;
             var frame = session.Tick(now);
@@ -68,7 +68,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         _wasTimeTrusted |= frame.IsTimeTrusted;
         if (_wasCurrent || frame.State != PoseState.Current) return;
         _wasCurrent = true;
-        // For the statistics in a recording.
+        // Restarted for the statistics in a recording.
         session.RestartErrorRun();
     }
 
@@ -81,7 +81,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
             HeadsetVerdict.ReasonOf(statistics, missing));
     }
 
-    // What a robot is named by decides how it is read: one from the gateway needs a session that asks for it first.
+    // The robot's name decides how it is read. A robot from the gateway needs a session that requests its description first.
     RobotModel DescribedRobot(CancellationToken cancel)
     {
         using var session = Open(RobotFiles.Load("youbot"));

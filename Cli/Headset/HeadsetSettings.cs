@@ -3,12 +3,12 @@ using Nowpose.Network;
 
 namespace Nowpose.Cli.Headset;
 
-/// <summary>What a run of <c>headset</c> is told.</summary>
+/// <summary>Settings of a run of <c>headset</c>.</summary>
 sealed record HeadsetSettings
 {
     public required ConnectionSettings Connection { get; init; }
 
-    /// <summary>youbot, ur5 or a file; null for the robot that the gateway describes.</summary>
+    /// <summary>"youbot", "ur5" or a file; null for the robot that the gateway describes.</summary>
     public string Robot { get; init; }
 
     public string Predictor { get; init; }
@@ -16,6 +16,6 @@ sealed record HeadsetSettings
     public double Seconds { get; init; }
     public double FramesPerSecond { get; init; }
 
-    /// <summary>Where the session is recorded; null for nowhere.</summary>
+    /// <summary>Path of the session's recording; null for none.</summary>
     public string RecordingPath { get; init; }
 }

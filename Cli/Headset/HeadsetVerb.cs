@@ -8,7 +8,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Cli.Headset;
 
-/// <summary><c>headset</c>: tells whether a gateway and its plant are good enough, before anybody puts a headset on.</summary>
+/// <c>headset</c>: checks whether a gateway and its plant are good enough before a headset is used.
 static class HeadsetVerb
 {
     static readonly Option<string> Host = new("--host") { Description = "The gateway's name or address", DefaultValueFactory = _ => "127.0.0.1" };
@@ -45,7 +45,7 @@ static class HeadsetVerb
         };
         verb.SetAction((parsed, cancel) => Task.Factory.StartNew(
             () => Run(Settings(parsed), parsed.GetValue(Json), cancel),
-            // A thread of its own, as a headset's frame loop is. Cancelled within: what was measured is told.
+            // On a separate thread, like a headset's frame loop. Cancellation is handled inside, so that the measured results are printed.
             CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default));
         return verb;
     }

@@ -9,10 +9,10 @@ static class HeadsetVerdict
     /// <summary>Minimum share of the frames with a current pose.</summary>
     const double MinCurrentShare = 0.5;
 
-    /// <summary>Why the run failed, in one line; null when it did not.</summary>
-    /// <param name="statistics">At the end of the run.</param>
-    /// <param name="wasTimeTrusted">Whether the clock was ever known well enough for a current pose.</param>
-    /// <param name="outages">Times without a current pose; the longest one gives the reason where all is well at the end.</param>
+    /// <summary>Gets the reason why the run failed, in one line; null when it did not fail.</summary>
+    /// <param name="statistics">Statistics at the end of the run.</param>
+    /// <param name="wasTimeTrusted">Whether the clock was ever accurate enough for a current pose.</param>
+    /// <param name="outages">Times without a current pose. The longest gives the reason if the state at the end is good.</param>
     public static string FailureOf(
         HeadsetResult.PoseResult pose, SessionStatistics statistics, bool wasTimeTrusted, IReadOnlyList<HeadsetResult.OutageResult> outages)
     {
@@ -27,7 +27,7 @@ static class HeadsetVerdict
             : FormattableString.Invariant($"the pose was current for {100 * share:0} % of the time, at least {100 * MinCurrentShare:0} % is required; {why}");
     }
 
-    /// <summary>Why a pose is not current, as far as it is known: a connection that fails, or joints without data. Without times.</summary>
+    /// <summary>Gets the reason why a pose is not current, as far as known: a failed connection, or joints without data. Contains no times.</summary>
     public static string ReasonOf(SessionStatistics statistics, IEnumerable<JointStatus> missing) =>
         LinkFaultOf(statistics) ?? JointStatusText.Of(missing, joint => joint.DescriptionSince(null));
 

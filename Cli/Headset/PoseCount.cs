@@ -2,17 +2,17 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Headset;
 
-/// <summary>For how many frames the pose was current, and how long it was not.</summary>
+/// <summary>Counts the frames with a current pose and the time without one.</summary>
 sealed class PoseCount
 {
-    /// <summary>Time that a run allows for the clock's synchronisation before a pose that is not current counts against it.</summary>
+    /// <summary>Time allowed for the clock's synchronisation at the start. Only later is a pose that is not current counted.</summary>
     static readonly TimeSpan StartAllowance = TimeSpan.FromSeconds(3);
 
     TimeSpan? _first, _lost;
     TimeSpan _longest, _notCurrent, _previous;
     int _frames, _framesOfRun, _current;
 
-    /// <param name="time">Since the start; increasing.</param>
+    /// <param name="time">Time since the start; increasing.</param>
     public void Add(TimeSpan time, PoseState state)
     {
         if (state == PoseState.Current) _first ??= time;
@@ -20,7 +20,7 @@ sealed class PoseCount
         if (_first == null) return;
         if (_lost is { } lost)
         {
-            // A frame stays in view until the next one.
+            // A frame is visible until the next one.
             _notCurrent += time - _previous;
             if (time - lost > _longest) _longest = time - lost;
         }
@@ -37,7 +37,7 @@ sealed class PoseCount
         _lost ??= time;
     }
 
-    /// <param name="state">State of the last frame, as diagnostics name it.</param>
+    /// <param name="state">State of the last frame, as named in the diagnostics.</param>
     public HeadsetResult.PoseResult Result(string state) => new(
         state, _first?.TotalSeconds, Share(_frames), _longest.TotalSeconds, Share(_framesOfRun), _notCurrent.TotalSeconds);
 

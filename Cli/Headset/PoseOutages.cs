@@ -1,13 +1,15 @@
 namespace Nowpose.Cli.Headset;
 
 /// <summary>Reports each outage of the pose when it begins, changes and ends, and keeps them for the result.</summary>
-/// <param name="say">Takes one line.</param>
+/// <param name="say">Takes one line of text.</param>
 sealed class PoseOutages(Action<string> say)
 {
-    /// <summary>Shortest time without a current pose that counts as an outage; longer at the start, where the connections are made.</summary>
+    /// <summary>
+    /// Minimum length of an outage. It is longer at the start, where the connections are made.
+    /// </summary>
     internal static readonly TimeSpan MinLength = TimeSpan.FromSeconds(0.5), MinLengthAtStart = TimeSpan.FromSeconds(3);
 
-    /// <summary>Outages kept for the result.</summary>
+    /// <summary>Maximum number of outages in the result.</summary>
     internal const int MaxCount = 100;
 
     static readonly TimeSpan Interval = TimeSpan.FromSeconds(0.25);

@@ -19,7 +19,7 @@ sealed class PoseStretch(TimeSpan from, ControlTime displayTime)
         _notCurrent = 0;
     }
 
-    /// <summary>Counts only when the pose becomes current again before the stretch ends.</summary>
+    /// <summary>Adds a frame without a current pose. It counts only if the pose becomes current again before the stretch ends.</summary>
     public void AddNotCurrent() => _notCurrent++;
 
     /// <summary>Whether a frame was shown after this stretch began.</summary>

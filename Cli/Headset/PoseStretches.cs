@@ -3,7 +3,7 @@ using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Cli.Headset;
 
-/// <summary>Scores the current frames of a run: in total, and before and after each outage apart.</summary>
+/// <summary>Scores the current frames of a run: in total, and separately for each stretch between outages.</summary>
 sealed class PoseStretches
 {
     readonly List<PoseStretch> _stretches = [];
@@ -13,8 +13,8 @@ sealed class PoseStretches
     /// <summary>The errors of all current frames; null while unknown.</summary>
     public HeadsetResult.ErrorResult Total => HeadsetResult.ErrorResult.Of(_errors.Read()?.Times(1000));
 
-    /// <param name="time">Since the start; increasing.</param>
-    /// <param name="isOutage">As <see cref="PoseOutages.IsOutage"/> says of this frame.</param>
+    /// <param name="time">Time since the start; increasing.</param>
+    /// <param name="isOutage">The value of <see cref="PoseOutages.IsOutage"/> for this frame.</param>
     public void Add(TimeSpan time, PoseState state, ControlTime? displayTime, bool isOutage)
     {
         if (state == PoseState.Current)
@@ -29,7 +29,7 @@ sealed class PoseStretches
         if (_isWithin) _stretches[^1].AddNotCurrent();
     }
 
-    /// <summary>Adds the error of a frame that was shown before, m.</summary>
+    /// <summary>Adds the error of an earlier frame, m.</summary>
     /// <param name="displayTime">Display time of the frame.</param>
     /// <param name="state">
     /// State of the frame. Only current frames are scored: the samples after an outage also judge the last frames of the outage, which

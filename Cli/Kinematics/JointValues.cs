@@ -3,7 +3,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.Kinematics;
 
-/// <summary>The values of <c>--joints</c>, checked against the robot they are for.</summary>
+/// <summary>The values of <c>--joints</c>, checked against the robot.</summary>
 sealed class JointValues
 {
     readonly RobotModel _model;
@@ -20,7 +20,7 @@ sealed class JointValues
         foreach (var entry in list.Split(',', StringSplitOptions.TrimEntries)) Take(entry);
     }
 
-    /// <summary>Positions of all moving joints: 0 where nothing else is known, mimic joints after their masters.</summary>
+    /// <summary>Gets the positions of all moving joints: 0 for joints without a value; mimic joints follow their masters.</summary>
     public double[] Complete()
     {
         var positions = (double[])_positions.Clone();
@@ -28,7 +28,7 @@ sealed class JointValues
         return positions;
     }
 
-    /// <summary>One sentence per given value that the joint cannot reach.</summary>
+    /// <summary>Gets one sentence for each given value that is outside the joint's limits.</summary>
     public IEnumerable<string> OutOfLimits()
     {
         for (var i = 0; i < _positions.Length; i++)

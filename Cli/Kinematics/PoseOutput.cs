@@ -32,7 +32,7 @@ static class PoseOutput
     static void WritePose(Utf8JsonWriter json, string link, double[] pose)
     {
         json.WriteStartArray(link);
-        // Shortest text that reads back as the same number, which is what the writer does with a double.
+        // The shortest text that reads back as the same number, which is the writer's format of a double.
         foreach (var number in pose) json.WriteNumberValue(number);
         json.WriteEndArray();
     }
@@ -41,7 +41,7 @@ static class PoseOutput
     {
         foreach (var number in row)
         {
-            // + 0.0: what rounds to zero shows no sign.
+            // + 0.0 removes the sign of negative zero after rounding.
             text.Append(CultureInfo.InvariantCulture, $"{Math.Round(number, 6) + 0.0,13:0.000000}");
         }
         text.Append('\n');

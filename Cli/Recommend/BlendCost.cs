@@ -2,11 +2,11 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>What it costs to let sections of the recommended predictor give way to each other without a jump.</summary>
-/// <remarks>A blend never helps the error, so that it cannot be chosen by it: it is kept unless it costs too much.</remarks>
+/// <summary>The increase of the error when the recommended predictor blends its sections without a jump.</summary>
+/// <remarks>A blend never reduces the error, so it cannot be chosen by the error. It is used unless its cost is too high.</remarks>
 sealed class BlendCost
 {
-    /// <summary>More than this share of the RMS error is too much for the eye's comfort.</summary>
+    /// <summary>Maximum accepted increase, as a share of the RMS error.</summary>
     public const double Greatest = 0.05;
 
     public BlendCost(Verdict verdict, CancellationToken cancellation)
@@ -17,10 +17,10 @@ sealed class BlendCost
         ShareOfHalves = [-blended.GainOver(plain, Half.First), -blended.GainOver(plain, Half.Second)];
     }
 
-    /// <summary>By how much the RMS error grows with the default blend, over both halves; null where there is no error, or when interrupted.</summary>
+    /// <summary>Relative increase of the RMS error with the default blend, over both halves; null without an error, or when interrupted.</summary>
     public double? Share { get; }
 
-    /// <summary>The same of each half.</summary>
+    /// <summary>The same for each half.</summary>
     public IReadOnlyList<double?> ShareOfHalves { get; } = [null, null];
 
     /// <summary>Time constant to use, ms.</summary>

@@ -2,14 +2,14 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>What is tried: every predictor that settings offer, and every degree with other histories.</summary>
+/// <summary>The candidates: every predictor that settings offer, and every degree with other histories.</summary>
 static class Candidates
 {
     const int LongestHistory = 6;
 
     static readonly string[] Degrees = ["linear", "quadratic", "cubic"];
 
-    /// <summary>First the two that others are compared with, so that a run that is cut short says something.</summary>
+    /// <summary>The names. The two that others are compared with come first, so that an interrupted run has a partial result.</summary>
     public static IReadOnlyList<string> Names { get; } =
         [.. new[] { Predictors.Default, "hold" }.Concat(Predictors.Names).Concat(Histories()).Distinct()];
 

@@ -3,15 +3,15 @@ using Nowpose.Cli.Replay;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>Tries all candidates on both halves of each subject, as many at a time as there are cores.</summary>
+/// <summary>Tries all candidates on both halves of each subject, as many in parallel as there are cores.</summary>
 sealed class Contest(IReadOnlyList<ISubject> subjects)
 {
     readonly ConcurrentDictionary<(ISubject Subject, string Predictor, Half Half), ReplayResult> _results = new();
 
     public int Runs => subjects.Count * Candidates.Names.Count * 2;
 
-    /// <param name="report">Takes how many runs are done; from several threads, one at a time.</param>
-    /// <param name="cancellation">What is done until then counts.</param>
+    /// <param name="report">Receives the number of finished runs; called from several threads, one at a time.</param>
+    /// <param name="cancellation">Stops the contest. Finished runs are kept.</param>
     /// <exception cref="InputException">The recording cannot be scored.</exception>
     public void Run(Action<int> report, CancellationToken cancellation)
     {
@@ -19,14 +19,14 @@ sealed class Contest(IReadOnlyList<ISubject> subjects)
         var runs = from predictor in Candidates.Names from subject in subjects from half in Enum.GetValues<Half>() select (subject, predictor, half);
         try
         {
-            // In their order: those that all others are compared with come first.
+            // Kept in order: the candidates that all others are compared with come first.
             Parallel.ForEach(
                 Partitioner.Create(runs, EnumerablePartitionerOptions.NoBuffering),
                 new ParallelOptions { MaxDegreeOfParallelism = Environment.ProcessorCount, CancellationToken = cancellation },
                 run =>
                 {
                     var result = run.subject.Try(run.predictor, run.half, cancellation: cancellation);
-                    // Cut short it is no result.
+                    // An interrupted run has no valid result.
                     if (cancellation.IsCancellationRequested) return;
                     _results[run] = result;
                     lock (gate) report(_results.Count);
@@ -34,7 +34,7 @@ sealed class Contest(IReadOnlyList<ISubject> subjects)
         }
         catch (OperationCanceledException)
         {
-            // Interrupted: whoever asked has what there is.
+            // Interrupted: the finished results are kept.
         }
         catch (AggregateException faults)
         {
@@ -42,7 +42,7 @@ sealed class Contest(IReadOnlyList<ISubject> subjects)
         }
     }
 
-    /// <summary>One for each subject on which the default was tried.</summary>
+    /// <summary>Gets one verdict for each subject on which the default was tried.</summary>
     public IReadOnlyList<Verdict> Verdicts() =>
         [.. subjects.Select(subject => (subject, trials: TrialsOn(subject))).Where(s => s.trials.Count > 1).Select(s => new Verdict(s.subject, s.trials))];
 

@@ -1,7 +1,7 @@
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>Part of a recording that candidates are tried on by themselves: what wins in one must win in the other.</summary>
-/// <remarks>Either has half of the motion, see <see cref="Halving"/>.</remarks>
+/// <summary>Part of a recording on which candidates are tried separately. A candidate must win in both halves.</summary>
+/// <remarks>Each half has half of the motion; see <see cref="Halving"/>.</remarks>
 enum Half
 {
     First,

@@ -1,17 +1,17 @@
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>Finds where a recording has half of its motion behind it.</summary>
+/// <summary>Finds the point that divides a recording into two halves with equal motion.</summary>
 /// <remarks>
-/// Half of the time would do where a robot moves all the while. Many recordings end, or begin, with a rest: whatever is tried on
-/// that would be judged by its noise.
+/// Half of the time would be sufficient if a robot moved without pause. Many recordings begin or end with a rest, on which a candidate
+/// would be judged by its noise.
 /// </remarks>
 static class Halving
 {
-    /// <summary>Of the whole, on either side: a part that is too short says nothing either.</summary>
+    /// <summary>Minimum share of the steps on either side. A shorter part is not meaningful.</summary>
     const double LeastShare = 0.2;
 
-    /// <param name="ways">How far the joints moved in each step, all joints together.</param>
-    /// <returns>How many of the steps belong to the first half.</returns>
+    /// <param name="ways">Distance that all joints together moved in each step.</param>
+    /// <returns>Number of steps in the first half.</returns>
     public static int MiddleOf(IReadOnlyList<double> ways)
     {
         var least = (int)(LeastShare * ways.Count);

@@ -3,7 +3,7 @@ using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>A recorded motion, sampled and delayed as <c>replay</c> does.</summary>
+/// <summary>A recorded motion, sampled and delayed as in <c>replay</c>.</summary>
 sealed class MotionSubject : ISubject
 {
     const double MsPerSecond = 1000;
@@ -11,7 +11,7 @@ sealed class MotionSubject : ISubject
     readonly string _path;
     readonly MotionRecording[] _halves;
 
-    /// <exception cref="InputException">It cannot be halved.</exception>
+    /// <exception cref="InputException">The recording cannot be divided into two halves.</exception>
     public MotionSubject(string path, MotionRecording motion, double samplingMs, double latencyMs)
     {
         _path = path;

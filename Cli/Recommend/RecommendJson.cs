@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>The same as JSON, numbers with all the digits they have.</summary>
+/// <summary>The result as JSON, numbers with all their digits.</summary>
 static class RecommendJson
 {
     public static string Of(string path, RecordingTraits traits, IReadOnlyList<(Verdict Verdict, BlendCost Blend)> results) => JsonText.Of(isIndented: true, json =>

@@ -4,7 +4,7 @@ using Spectre.Console;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>What to use, for reading: every candidate with both halves, then the settings.</summary>
+/// <summary>The recommendation as a table for readers: every candidate with both halves, then the settings.</summary>
 static class RecommendTable
 {
     public static void Write(IAnsiConsole console, string path, RecordingTraits traits, IReadOnlyList<(Verdict Verdict, BlendCost Blend)> results)
@@ -36,7 +36,7 @@ static class RecommendTable
         var reduction = Percent(verdict.Recommended.Reduction, "0");
         console.WriteLine($"It takes {reduction} of the error away ({Percent(verdict.Recommended.First.Reduction, "0")} and "
             + $"{Percent(verdict.Recommended.Second.Reduction, "0")} in the halves).");
-        // Interrupted before it was tried.
+        // The run was interrupted before the blend was tried.
         if (blend.Share == null) return;
         console.WriteLine(Text($"Use blend {blend.RecommendedMs:0} ms: ")
             + $"{PredictionSettings.DefaultBlendMs} ms cost {Percent(blend.Share)} of RMS error ({Percent(blend.ShareOfHalves[0])} and "

@@ -6,7 +6,7 @@ using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary><c>recommend FILE</c>: which predictor suits a recording of one's own.</summary>
+/// <c>recommend FILE</c>: recommends a predictor for a user's recording.
 static class RecommendVerb
 {
     static readonly (double SamplingMs, double LatencyMs)[] Grid = [(20, 100), (50, 100), (100, 150)];
@@ -33,7 +33,7 @@ static class RecommendVerb
             if (SessionFileReader.IsSession(path)) RecordingOptions.RequireUnsetForSession(parsed, path, sampling, latency, grid);
             else if (parsed.GetValue(grid)) RecordingOptions.RequireUnset(parsed, "--grid has its own; leave one of them out", sampling, latency);
             (double, double)[] conditions = parsed.GetValue(grid) ? Grid : [(parsed.GetValue(sampling), parsed.GetValue(latency))];
-            // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has.
+            // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
             return Task.Run(() => Run(path, conditions, parsed.GetValue(json), cancel), CancellationToken.None);
         });
         return verb;

@@ -1,15 +1,15 @@
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>What a recording is like, as far as it bears on what can be recommended from it.</summary>
+/// <summary>Properties of a recording that affect the recommendation.</summary>
 sealed class RecordingTraits
 {
-    /// <summary>Shorter, and the halves say more about chance than about the machine, s.</summary>
+    /// <summary>Minimum duration, s. In shorter recordings, the difference of the halves is mostly chance.</summary>
     const double LeastDuration = 10;
 
-    /// <summary>Of rad or m: less than any robot moves on purpose.</summary>
+    /// <summary>Maximum range of a resting joint, rad or m: less than an intended motion of any robot.</summary>
     const double Standstill = 1e-4;
 
-    /// <summary>A joint that rests repeats its value for longer.</summary>
+    /// <summary>Maximum number of repeated values of a moving joint. A resting joint repeats its value for longer.</summary>
     const int LongestRepeat = 4;
 
     const double NoticeableSpread = 0.2;
@@ -28,28 +28,28 @@ sealed class RecordingTraits
             .Select(joint => (joint.Name, joint.Step.Value))];
     }
 
-    /// <summary>s.</summary>
+    /// <summary>Duration, s.</summary>
     public double Duration { get; }
 
-    /// <summary>From one sample to the next, median, s.</summary>
+    /// <summary>Median interval between samples, s.</summary>
     public double Interval { get; }
 
-    /// <summary>s.</summary>
+    /// <summary>5th percentile of the interval, s.</summary>
     public double IntervalP5 { get; }
 
-    /// <summary>s.</summary>
+    /// <summary>95th percentile of the interval, s.</summary>
     public double IntervalP95 { get; }
 
-    /// <summary>The farthest way of any joint, rad or m.</summary>
+    /// <summary>Largest range of any joint, rad or m.</summary>
     public double GreatestRange { get; }
 
-    /// <summary>Share of the samples of a moving joint that repeat the one before: 0 to 1.</summary>
+    /// <summary>Share of the samples of moving joints that repeat the previous one, 0 to 1.</summary>
     public double Repeats { get; }
 
-    /// <summary>Joints whose values lie on a grid, and its step, rad or m.</summary>
+    /// <summary>Joints whose values lie on a grid, with its step, rad or m.</summary>
     public IReadOnlyList<(string Name, double Step)> RoundingSteps { get; }
 
-    /// <summary>What whoever follows the recommendation should know.</summary>
+    /// <summary>Gets the warnings about the reliability of the recommendation.</summary>
     public IEnumerable<string> Warnings()
     {
         if (GreatestRange < Standstill)
@@ -85,7 +85,7 @@ sealed class RecordingTraits
         return changes == 0 ? 0 : repeats / (double)(changes + repeats);
     }
 
-    // The least step that occurs, when nearly all others are multiples of it.
+    // The smallest step that occurs, if nearly all others are multiples of it.
     static double? RoundingStepOf(IReadOnlyList<double> positions)
     {
         const double noise = 1e-9;
@@ -93,7 +93,7 @@ sealed class RecordingTraits
         if (steps.Count < 20) return null;
         var least = steps.Min();
         var multiples = steps.Count(step => Math.Abs(step / least - Math.Round(step / least)) < 0.01);
-        // Of a smooth motion, steps of every size occur: the least is then a thousandth of the others.
+        // A smooth motion has steps of every size, and its smallest is then a thousandth of the others.
         return multiples > 0.99 * steps.Count && Quantile.Of(steps, 0.5) < 1000 * least ? Rounded(least) : null;
     }
 

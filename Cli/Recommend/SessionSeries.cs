@@ -2,7 +2,7 @@ using Nowpose.Cli.Replay;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>The joints of a recorded session as series, by their stamps; the longest time line, for only within one do times compare.</summary>
+/// <summary>The joints of a recorded session as series over their stamps, from the longest time line: different ones are not comparable.</summary>
 static class SessionSeries
 {
     public static IReadOnlyList<JointSeries> Of(RecordedSession session)

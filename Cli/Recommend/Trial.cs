@@ -2,22 +2,22 @@ using Nowpose.Cli.Replay;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>How one candidate did on both halves; errors in the unit of the recording's axes.</summary>
+/// <summary>The result of one candidate on both halves; errors in the unit of the recording's axes.</summary>
 sealed record Trial(string Predictor, ReplayResult First, ReplayResult Second)
 {
-    /// <summary>Over both halves, each frame for one.</summary>
+    /// <summary>RMS error over the frames of both halves.</summary>
     public double Rms => Pooled(result => result.Rms);
 
-    /// <summary>The same of the newest sample, held.</summary>
+    /// <summary>The same for holding the newest sample.</summary>
     public double RmsHold => Pooled(result => result.RmsHold);
 
-    /// <summary>1 − rms ÷ rms_hold; null where nothing moved.</summary>
+    /// <summary>1 − rms ÷ rms_hold; null if nothing moved.</summary>
     public double? Reduction => Share(Rms, RmsHold);
 
-    /// <summary>By how much less it errs than another, over both halves: 0.1 is a tenth less. Null where the other makes no error.</summary>
+    /// <summary>Gets the relative error reduction over another, for both halves: 0.1 is a tenth less. Null if the other has no error.</summary>
     public double? GainOver(Trial other) => Share(Rms, other.Rms);
 
-    /// <summary>The same on one half.</summary>
+    /// <summary>Gets the same for one half.</summary>
     public double? GainOver(Trial other, Half half) => Share(On(half).Rms, other.On(half).Rms);
 
     public bool IsBetterThan(Trial other, Half half) => On(half).Rms < other.On(half).Rms;

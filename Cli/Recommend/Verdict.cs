@@ -2,18 +2,18 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>Which of the candidates to use under one condition.</summary>
+/// <summary>The recommended candidate under one condition.</summary>
 /// <remarks>
-/// Something else than the default is recommended only where it wins on both halves, and by more than nobody would notice: of
-/// twenty candidates one is always luckier than the rest on the very file that it was chosen by.
+/// Another predictor than the default is recommended only if it wins on both halves, and by a noticeable amount: of twenty candidates, one
+/// always fits the given file best by chance.
 /// </remarks>
 sealed class Verdict
 {
-    /// <summary>Less is no reason to leave the default.</summary>
+    /// <summary>Minimum gain for a recommendation other than the default.</summary>
     public const double LeastGain = 0.02;
 
-    /// <param name="subject">What they were tried on.</param>
-    /// <param name="trials">The default and hold are among them.</param>
+    /// <param name="subject">The subject on which they were tried.</param>
+    /// <param name="trials">The trials, including those of the default and of hold.</param>
     public Verdict(ISubject subject, IReadOnlyCollection<Trial> trials)
     {
         Subject = subject;
@@ -22,23 +22,23 @@ sealed class Verdict
         Recommended = Trials.FirstOrDefault(trial => IsBetter(trial, Default)) ?? Default;
     }
 
-    /// <summary>Whoever errs so much more or less overall is told apart, whatever the halves say.</summary>
+    /// <summary>Maximum difference of a tie. Candidates with a larger overall difference never tie.</summary>
     const double GreatestTie = 0.5;
 
     public ISubject Subject { get; }
 
-    /// <summary>The best one first.</summary>
+    /// <summary>The trials, the best first.</summary>
     public IReadOnlyList<Trial> Trials { get; }
 
     public Trial Default { get; }
 
     public Trial Recommended { get; }
 
-    /// <summary>Whether a candidate and the recommended one each win on one half: nobody can tell which is better.</summary>
+    /// <summary>Whether a candidate and the recommended one each win on one half, so that the better one cannot be determined.</summary>
     public bool IsTie(Trial trial) => trial != Recommended && Math.Abs(trial.GainOver(Recommended) ?? 0) < GreatestTie
         && trial.IsBetterThan(Recommended, Half.First) != trial.IsBetterThan(Recommended, Half.Second);
 
-    /// <summary>In one sentence.</summary>
+    /// <summary>The reason in one sentence.</summary>
     public string Reason
     {
         get

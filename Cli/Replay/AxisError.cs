@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Collects one axis' errors, held and predicted, and sums them up.</summary>
+/// <summary>Collects the held and predicted errors of one axis and computes the results.</summary>
 sealed class AxisError
 {
     readonly List<double> _predicted = [];
@@ -11,7 +11,7 @@ sealed class AxisError
     int _insideOne;
     int _insideTwo;
 
-    /// <summary>Frames so far.</summary>
+    /// <summary>Number of frames so far.</summary>
     public int Count => _predicted.Count;
 
     /// <param name="deviation">Standard deviation of this prediction; NaN where unknown.</param>

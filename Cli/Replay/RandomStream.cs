@@ -1,9 +1,9 @@
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Uniform numbers that depend on seed and purpose only: jitter stays as it is when loss changes.</summary>
+/// <summary>Uniform random numbers that depend on seed and purpose only: the jitter does not change when the loss changes.</summary>
 /// <remarks>
-/// SplitMix64 (Steele, Lea, Flood 2014): the same on every machine, and neighbouring seeds are independent, which
-/// <see cref="Random"/> does not promise.
+/// SplitMix64 (Steele, Lea, Flood 2014). The same on every machine, and neighbouring seeds are independent, which
+/// <see cref="Random"/> does not guarantee.
 /// </remarks>
 sealed class RandomStream
 {
@@ -13,7 +13,7 @@ sealed class RandomStream
 
     public RandomStream(int seed, int purpose) => _state = Mix(Mix((uint)seed + Golden) ^ (uint)purpose);
 
-    /// <summary>From 0 up to but not including 1.</summary>
+    /// <summary>Gets the next number, from 0 inclusive to 1 exclusive.</summary>
     public double Next()
     {
         _state += Golden;

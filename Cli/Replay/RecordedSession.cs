@@ -4,16 +4,16 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>What a replay needs of a session file, in the order in which it acted, small enough to be kept.</summary>
+/// <summary>The data of a session file that a replay needs, in the order in which they were processed, in compact form.</summary>
 sealed class RecordedSession
 {
-    /// <summary>Numbers kept: about 400 MB. A file of the usual greatest size has a tenth of that.</summary>
+    /// <summary>Maximum number of stored numbers: about 400 MB. A file of the usual maximum size has a tenth of that.</summary>
     const int MostNumbers = 50_000_000;
 
-    // Never reached a predictor, so that none is shown them.
+    // Samples that were dropped for these reasons never reached a predictor, so the replay drops them, too.
     static readonly string[] NeverTaken = ["slow_reader", "stamp_in_future"];
 
-    /// <summary>Of frames that stand in for a headset's.</summary>
+    /// <summary>Interval of the frames that substitute for those of a headset.</summary>
     static readonly TimeSpan FrameInterval = new(TimeSpan.TicksPerSecond / 60);
 
     readonly string _path;
@@ -35,17 +35,17 @@ sealed class RecordedSession
         _joints = Enumerable.Range(0, header.Joints.Count).ToDictionary(i => header.Joints[i].Name);
     }
 
-    /// <summary>As it stands in the file; with the joints that the samples name where no robot was described.</summary>
+    /// <summary>The header as in the file. If no robot was described, its joints are those named in the samples.</summary>
     public SessionHeader Header { get; private set; }
 
     public IReadOnlyList<Event> Events => _events;
 
     public int Frames { get; private set; }
 
-    /// <summary>Lines that the recording lost.</summary>
+    /// <summary>Number of lines that the recording lost.</summary>
     public long Lost { get; private set; }
 
-    /// <exception cref="InputException">The file cannot be read or is not of the form.</exception>
+    /// <exception cref="InputException">The file cannot be read or has another format.</exception>
     public static RecordedSession Read(string path)
     {
         using var file = new SessionFileReader(path);
@@ -55,11 +55,11 @@ sealed class RecordedSession
         return session;
     }
 
-    /// <summary>The joints of a sample.</summary>
+    /// <summary>Gets the joint values of a sample.</summary>
     public ReadOnlySpan<Value> ValuesOf(in Event sample) =>
         System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_values).Slice(sample.First, sample.Count);
 
-    /// <summary>The joints that a frame displayed, in the header's order.</summary>
+    /// <summary>Gets the joint positions that a frame displayed, in the header's order.</summary>
     public ReadOnlySpan<double> DisplayedBy(in Event frame) =>
         System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_displayed).Slice(frame.First, frame.Count);
 
@@ -77,7 +77,7 @@ sealed class RecordedSession
             throw new InputException($"{_path}: is too long to be kept in memory; record shorter sessions");
     }
 
-    /// <summary>The set-points of a plan, of the header's joints.</summary>
+    /// <summary>Gets the set-points of a plan, for the header's joints.</summary>
     public PlannedMotion PlanOf(in Event plan) => _plans[plan.First];
 
     void Add(SampleLine sample)
@@ -92,11 +92,11 @@ sealed class RecordedSession
         _events.Add(new Event(EventKind.Sample, sample.Stamp, true, _timeLine, first, _values.Count - first));
     }
 
-    // A gateway displays nothing: frames stand in for those of a headset that has what arrives at once, and shows it at once.
+    // A gateway displays nothing. Its recording gets the frames of a headset that receives and shows each sample immediately.
     void AddFramesUntil(ControlTime arrival)
     {
         var next = _nextFrame ?? arrival;
-        // Nothing is displayed of a source that was away.
+        // No frames while the source was away.
         if (next + Header.Prediction.MaximumGap < arrival) next = arrival;
         for (; next < arrival; next += FrameInterval)
         {
@@ -125,7 +125,7 @@ sealed class RecordedSession
         var plan = PlannedMotion.Of(line.Arrival, name => _joints.GetValueOrDefault(name, -1));
         _events.Add(new Event(EventKind.Plan, plan.Stamp, true, _timeLine, _plans.Count, plan.Count));
         _plans.Add(plan);
-        // Position, velocity and acceleration, in the message and in the paths that are made of it.
+        // Position, velocity and acceleration, both in the message and in the paths created from it.
         _planned += 6L * line.Arrival.Message.Names.Length * line.Arrival.Message.Points.Count;
     }
 
@@ -145,17 +145,17 @@ sealed class RecordedSession
         Frame,
     }
 
-    /// <summary>A sample or a plan that was taken, or a frame.</summary>
-    /// <param name="At">t_k of a sample, the stamp of a plan, the moment of light of a frame.</param>
-    /// <param name="IsTimed">Whether a frame knew its moment of light.</param>
-    /// <param name="TimeLine">Grows when the session forgot all samples, for then control times began to mean something else.</param>
-    /// <param name="First">Where its joints begin; of a plan, its place among the plans.</param>
-    /// <param name="Count">How many joints it has.</param>
+    /// <summary>An accepted sample or plan, or a frame.</summary>
+    /// <param name="At">t_k of a sample, the stamp of a plan, or the display time of a frame.</param>
+    /// <param name="IsTimed">Whether a frame had a display time.</param>
+    /// <param name="TimeLine">Increases when the session discarded all samples. Control times of different time lines are not comparable.</param>
+    /// <param name="First">Index of its first joint; for a plan, its index among the plans.</param>
+    /// <param name="Count">Number of its joints.</param>
     public readonly record struct Event(EventKind Kind, ControlTime At, bool IsTimed, int TimeLine, int First, int Count);
 
     /// <param name="Joint">Index into the header's joints.</param>
     /// <param name="Position">rad or m.</param>
-    /// <param name="Velocity">rad/s or m/s; NaN where it was not told.</param>
-    /// <param name="Acceleration">rad/s² or m/s²; NaN where it was not told.</param>
+    /// <param name="Velocity">rad/s or m/s; NaN if unknown.</param>
+    /// <param name="Acceleration">rad/s² or m/s²; NaN if unknown.</param>
     public readonly record struct Value(int Joint, double Position, double Velocity, double Acceleration);
 }

@@ -3,10 +3,10 @@ using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Where a recorded joint was: its own samples, joined on the control clock by cubics through them.</summary>
+/// <summary>The true position of a recorded joint: its own samples, interpolated on the control clock by cubics.</summary>
 /// <remarks>
-/// The cubic of the headset's own hindcast. It knows nothing before the first sample, after the last, and between two that lie
-/// further apart than the maximum gap.
+/// Uses the cubic of the headset's own hindcast. There is no truth before the first sample, after the last one, or between two samples
+/// that are further apart than the maximum gap.
 /// </remarks>
 sealed class RecordedTruth
 {
@@ -23,7 +23,7 @@ sealed class RecordedTruth
         _samples.Add((ticks, position));
     }
 
-    /// <summary>Puts late samples in their place; of two of the same time the first counts. Once, after the last was added.</summary>
+    /// <summary>Sorts late samples. Of two samples with the same time, the first is used. Call this once, after the last sample.</summary>
     public void Complete()
     {
         if (_isSorted) return;
@@ -34,12 +34,12 @@ sealed class RecordedTruth
         _isSorted = true;
     }
 
-    /// <returns>False where nobody knows.</returns>
+    /// <returns>False if there is no truth at that time.</returns>
     public bool TryAt(ControlTime at, out double position)
     {
         var ticks = at.SinceEpoch.Ticks;
         var after = FirstAfter(ticks);
-        // The last sample's own moment lies between it and the one before.
+        // The last sample's own time belongs to the interval before it.
         if (after == _samples.Count && after > 1 && _samples[^1].Ticks == ticks) after--;
         position = 0;
         if (after == 0 || after == _samples.Count || !AreNear(after - 1)) return false;

@@ -2,14 +2,14 @@ using System.CommandLine;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Options that contradict another, or a recorded session, which has its own sampling, latency and frames.</summary>
+/// <summary>Checks options that contradict another option, or a recorded session, which has its own sampling, latency and frames.</summary>
 static class RecordingOptions
 {
     /// <exception cref="InputException">One of them was given.</exception>
     public static void RequireUnsetForSession(ParseResult parsed, string path, params Option[] options) =>
         RequireUnset(parsed, $"a recorded session has its own; leave it out for {path}", options);
 
-    /// <param name="why">Stands behind the option's name.</param>
+    /// <param name="why">The reason, appended to the option's name.</param>
     /// <exception cref="InputException">One of them was given.</exception>
     public static void RequireUnset(ParseResult parsed, string why, params Option[] options)
     {

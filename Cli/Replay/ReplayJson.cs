@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>A replay's result as JSON, numbers with all the digits they have.</summary>
+/// <summary>A replay's result as JSON, numbers with all their digits.</summary>
 static class ReplayJson
 {
     public static string Of(ReplayResult result) => JsonText.Of(isIndented: true, json => Write(json, result));

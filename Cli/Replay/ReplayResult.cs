@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Replay;
 
-/// <summary>What a replay measured; errors in the unit of the recording's columns.</summary>
+/// <summary>The result of a replay; errors in the unit of the recording's columns.</summary>
 public sealed class ReplayResult
 {
     public ReplayResult(string file, string predictor, int frames, IReadOnlyList<Axis> axes)
@@ -13,16 +13,16 @@ public sealed class ReplayResult
         Rms = Math.Sqrt(axes.Sum(axis => axis.Rms * axis.Rms));
     }
 
-    /// <summary>One column: error of holding (RMS) and of the prediction (RMS; of the absolute error P95 and maximum).</summary>
+    /// <summary>Errors of one column: of hold (RMS) and of the prediction (RMS, and P95 and maximum of the absolute error).</summary>
     public readonly record struct Axis(string Name, double RmsHold, double Rms, double P95, double Max)
     {
-        /// <summary>Null where the predictor gives no standard deviation.</summary>
+        /// <summary>Null if the predictor gives no standard deviation.</summary>
         public Deviation? Deviation { get; init; }
     }
 
     /// <summary>
     /// Standard deviations given by the predictor: their mean, and the shares, 0 to 1, of frames whose absolute error is at most one and
-    /// at most two of them. Over the frames that have one.
+    /// at most two of them. Computed over the frames that have one.
     /// </summary>
     public readonly record struct Deviation(double Mean, double InsideOne, double InsideTwo);
 
@@ -30,7 +30,7 @@ public sealed class ReplayResult
 
     public string Predictor { get; }
 
-    /// <summary>Scored frames.</summary>
+    /// <summary>Number of scored frames.</summary>
     public int Frames { get; }
 
     public IReadOnlyList<Axis> Axes { get; }
@@ -41,6 +41,6 @@ public sealed class ReplayResult
     /// <summary>Root of the summed mean squares of all axes, predicted.</summary>
     public double Rms { get; }
 
-    /// <summary>1 − rms / rms_hold; null where holding makes no error.</summary>
+    /// <summary>1 − rms / rms_hold; null if hold has no error.</summary>
     public double? Reduction => RmsHold == 0 ? null : 1 - Rms / RmsHold;
 }

@@ -3,14 +3,14 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Plays a recording in virtual time to one predictor per joint, frame by frame, and compares with the file.</summary>
-/// <remarks>All times are seconds since the recording's start: dates in seconds would cost the precision of the fit.</remarks>
+/// <summary>Plays a recording in virtual time to one predictor per joint, frame by frame, and compares the result with the file.</summary>
+/// <remarks>All times are seconds since the recording's start. Dates in seconds would reduce the precision of the fit.</remarks>
 public sealed class ReplayRun
 {
-    /// <summary>Frames × axes: about 400 MB of errors. More means a wrong unit of time rather than a long motion.</summary>
+    /// <summary>Maximum of frames × axes: about 400 MB of errors. More indicates a wrong time unit rather than a long motion.</summary>
     const double MostValues = 5e7;
 
-    /// <summary>Samples taken, which cost time even where few frames look at them.</summary>
+    /// <summary>Maximum number of samples. They take time even if few frames use them.</summary>
     const double MostSamples = 5e7;
 
     readonly string _path;
@@ -24,9 +24,9 @@ public sealed class ReplayRun
     bool _anyArrived;
     double _displayed = double.NaN;
 
-    /// <param name="path">Named in results and messages.</param>
+    /// <param name="path">Path for results and messages.</param>
     /// <exception cref="InputException">The predictor is unknown, or the recording is too long to replay.</exception>
-    /// <param name="newPredictor">Makes a joint's predictor; null for the one that the settings name.</param>
+    /// <param name="newPredictor">Creates a joint's predictor; null for the predictor of the settings.</param>
     public ReplayRun(string path, MotionRecording recording, ReplaySettings settings, Func<JointPredictor> newPredictor = null)
     {
         _path = path;
@@ -40,7 +40,7 @@ public sealed class ReplayRun
         RequireBearableLength();
     }
 
-    /// <summary>Runs once to the recording's end; cancelled, it returns what was measured so far.</summary>
+    /// <summary>Runs once to the recording's end. When cancelled, it returns the results so far.</summary>
     /// <exception cref="InputException">No frame could be scored, or the errors overflow.</exception>
     /// <exception cref="OperationCanceledException">Cancelled before anything was measured.</exception>
     public ReplayResult Run(CancellationToken cancellation = default)

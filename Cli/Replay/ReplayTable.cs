@@ -3,7 +3,7 @@ using Spectre.Console;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>A replay's result for reading: uncompensated against compensated, axis by axis.</summary>
+/// <summary>A replay's result as a table for readers: uncompensated and compensated, axis by axis.</summary>
 static class ReplayTable
 {
     public static void Write(IAnsiConsole console, ReplayResult result)

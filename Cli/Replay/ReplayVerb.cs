@@ -5,7 +5,7 @@ using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary><c>replay FILE</c>: predicts a recorded motion or session as the headset would have; no network, virtual time.</summary>
+/// <c>replay FILE</c>: predicts a recorded motion or session like the headset, in virtual time and without a network.
 static class ReplayVerb
 {
     const double MsPerSecond = 1000;
@@ -50,7 +50,7 @@ static class ReplayVerb
                 Blend = RecordingOptions.IsGiven(parsed, blend) ? parsed.GetValue(blend) / MsPerSecond : null,
                 Seed = parsed.GetValue(seed)
             };
-            // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has measured.
+            // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
             return Task.Run(
                 () => Run(path, settings, parsed.GetValue(json), cancellation), CancellationToken.None);
         });

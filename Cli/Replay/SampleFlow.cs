@@ -2,11 +2,11 @@ using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Samples a recording every T_s and hands the samples out as they arrive.</summary>
+/// <summary>Samples a recording every T_s and returns the samples in the order of their arrival.</summary>
 /// <remarks>Times in seconds since the recording's start.</remarks>
 sealed class SampleFlow
 {
-    /// <summary>The sample whose arrival starts the scoring: the first with the longest history, h = 4, behind it.</summary>
+    /// <summary>Index of the sample whose arrival starts the scoring: the first with the longest history, h = 4, before it.</summary>
     const int FirstScoredSample = 4;
 
     readonly MotionRecording _recording;
@@ -29,10 +29,10 @@ sealed class SampleFlow
         _stamp = new RandomStream(settings.Seed, 3);
     }
 
-    /// <summary>t_k, the t_k the predictor is told, and the joints' positions.</summary>
+    /// <summary>t_k, the t_k given to the predictor, and the joints' positions.</summary>
     public readonly record struct Sample(double Time, double Stamp, double[] Positions);
 
-    /// <summary>The next sample that has arrived by a frame's time, in order of arrival; frames must not go back.</summary>
+    /// <summary>Gets the next sample that has arrived by a frame's time, in order of arrival. Frame times must not decrease.</summary>
     public bool TryTake(double frameTime, out Sample sample)
     {
         var frame = Ticks.Of(frameTime);
@@ -41,7 +41,7 @@ sealed class SampleFlow
         return _underWay.TryPeek(out _, out var due) && due.Arrival <= frame && _underWay.TryDequeue(out sample, out _);
     }
 
-    /// <summary>Whether sample 4 has arrived; if it is lost, whether it would have.</summary>
+    /// <summary>Whether sample 4 has arrived, or would have arrived if it was not lost.</summary>
     public bool ScoringHasStarted(double frameTime) => Ticks.Of(frameTime) >= _scoringStart;
 
     double TimeOf(long index) => index * _settings.SamplingInterval;
@@ -52,7 +52,7 @@ sealed class SampleFlow
 
     void Send(long index)
     {
-        // Every sample draws from every stream, so that one option's value does not shift another's numbers.
+        // Every sample draws from every stream, so that changing one option does not change another's random numbers.
         var time = TimeOf(index);
         var told = time + _settings.StampError * (2 * _stamp.Next() - 1);
         var arrival = Ticks.Of(time + _settings.Latency + _settings.Jitter * _jitter.Next());

@@ -3,14 +3,16 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Plays a recorded session in virtual time to one predictor per joint: its samples and plans as they came, its frames as they were.</summary>
+/// <summary>
+/// Plays a recorded session in virtual time to one predictor per joint, with its own samples, plans and frames.
+/// </summary>
 /// <remarks>
-/// In the order of the file, which is the order in which the headset took them; with the limits, the horizon cap and the maximum
-/// gap of the recording. So the predictor that ran then says again what was displayed.
+/// The order is that of the file, in which the headset processed the lines. Limits, horizon cap and maximum gap are those of the recording.
+/// The predictor that was recorded therefore reproduces the displayed values.
 /// </remarks>
 sealed class SessionReplay
 {
-    /// <summary>As in the replay of a motion: the longest history of an offered polynomial, and the newest sample.</summary>
+    /// <summary>As in the replay of a motion: the longest history of an offered polynomial, plus the newest sample.</summary>
     const int SamplesBeforeScoring = 5;
 
     readonly string _path;
@@ -27,9 +29,9 @@ sealed class SessionReplay
     double _displayed = double.NaN;
     int _frames;
 
-    /// <param name="path">Named in results and messages.</param>
-    /// <param name="truth">Of the session.</param>
-    /// <param name="settings">Predictor, errors and seed; what a recording has of its own is not asked for.</param>
+    /// <param name="path">Path for results and messages.</param>
+    /// <param name="truth">Truth of the session.</param>
+    /// <param name="settings">Predictor, errors and seed. Values that the recording has of its own are ignored.</param>
     public SessionReplay(string path, RecordedSession session, SessionTruth truth, ReplaySettings settings)
     {
         _path = path;
@@ -48,15 +50,15 @@ sealed class SessionReplay
         _errors = [.. _joints.Select(_ => new AxisError())];
     }
 
-    /// <summary>Is told each frame's predictions: the frame, one position per joint, and how each was made.</summary>
+    /// <summary>Receives each frame's predictions: the frame, one position per joint, and their kinds.</summary>
     public Action<RecordedSession.Event, double[], PredictionKind[]> Predicted { get; init; }
 
     /// <exception cref="InputException">No frame could be scored.</exception>
     /// <exception cref="OperationCanceledException">Cancelled before anything was measured.</exception>
     public ReplayResult Run(CancellationToken cancellation = default) => Run(0, _session.Events.Count, cancellation);
 
-    /// <param name="first">Where among the events it begins, as if nothing had been before.</param>
-    /// <param name="end">Where it ends.</param>
+    /// <param name="first">Index of the first event. Earlier events are ignored.</param>
+    /// <param name="end">End of the events, exclusive.</param>
     /// <inheritdoc cref="Run(CancellationToken)"/>
     public ReplayResult Run(int first, int end, CancellationToken cancellation = default)
     {
@@ -82,7 +84,7 @@ sealed class SessionReplay
         else if (next.IsTimed) Show(next);
     }
 
-    // What was before belongs to another time line.
+    // Earlier samples belong to another time line.
     void StartAnew(in RecordedSession.Event next)
     {
         if (next.TimeLine != _timeLine)

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Where all joints of a recorded session were, each time line for itself.</summary>
+/// <summary>The true positions of all joints of a recorded session, separately for each time line.</summary>
 sealed class SessionTruth
 {
     readonly Dictionary<(int Joint, int TimeLine), RecordedTruth> _truths = [];
@@ -15,10 +15,10 @@ sealed class SessionTruth
         foreach (var truth in _truths.Values) truth.Complete();
     }
 
-    /// <summary>Whether a joint has samples at all.</summary>
+    /// <summary>Whether a joint has any samples.</summary>
     public bool Has(int joint) => _truths.Keys.Any(key => key.Joint == joint);
 
-    /// <returns>False where nobody knows.</returns>
+    /// <returns>False if there is no truth at that time.</returns>
     public bool TryAt(int joint, in RecordedSession.Event frame, out double position)
     {
         position = 0;

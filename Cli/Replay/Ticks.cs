@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Rounding to the 100 ns of the time types, which decides what comes first; nothing is computed with it.</summary>
+/// <summary>Rounds to the 100 ns of the time types, to decide the order of events. Not used for computations.</summary>
 static class Ticks
 {
     public static long Of(double seconds) => (long)Math.Round(seconds * TimeSpan.TicksPerSecond);

@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Nowpose.Cli.Sessions;
 
-/// <summary>The fields of one JSON object; one that is missing or of another type is one line that names file, line and field.</summary>
+/// <summary>The fields of one JSON object. A field that is missing or has another type causes an error that names file, line and field.</summary>
 readonly struct LineFields(string place, JsonElement fields)
 {
     readonly JsonElement _fields = fields;
@@ -24,7 +24,7 @@ readonly struct LineFields(string place, JsonElement fields)
         return kind is JsonValueKind.True or JsonValueKind.False ? kind == JsonValueKind.True : throw Wrong(name, "is neither true nor false");
     }
 
-    /// <summary>A whole number that 64 bits hold, such as a time in nanoseconds.</summary>
+    /// <summary>Gets a 64-bit whole number, for example a time in nanoseconds.</summary>
     public long Whole(string name)
     {
         var value = Required(name);
@@ -43,8 +43,8 @@ readonly struct LineFields(string place, JsonElement fields)
 
     public double NumberOr(string name, double otherwise) => Has(name) ? Number(name) : otherwise;
 
-    /// <param name="count">So many there must be; null for any number.</param>
-    /// <param name="mayBeAbsent">Whether an element may be null, which is NaN here.</param>
+    /// <param name="count">Required number of elements; null for any number.</param>
+    /// <param name="mayBeAbsent">Whether an element may be null, which is returned as NaN.</param>
     public double[] Numbers(string name, int? count = null, bool mayBeAbsent = false)
     {
         var array = Array(name);

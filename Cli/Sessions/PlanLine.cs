@@ -2,6 +2,6 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Sessions;
 
-/// <summary>A message of set-points as it was received.</summary>
-/// <param name="Dropped">Why it was of no use to the session; null when it could be.</param>
+/// <summary>A received message of set-points.</summary>
+/// <param name="Dropped">The reason why the session dropped it; null if it was used.</param>
 sealed record PlanLine(PlanArrival Arrival, string Dropped) : SessionLine;

@@ -4,14 +4,14 @@ using Nowpose.Recording;
 
 namespace Nowpose.Cli.Sessions;
 
-/// <summary>Reads a session file from its first line to its last, one at a time, so that its size does not matter.</summary>
+/// <summary>Reads a session file line by line, so that files of any size can be read.</summary>
 sealed class SessionFileReader : IDisposable
 {
     readonly string _path;
     readonly TextReader _text;
     int _line;
 
-    /// <exception cref="InputException">The file cannot be read, is no session file, or is newer than this program.</exception>
+    /// <exception cref="InputException">The file cannot be read, is not a session file, or is newer than this program.</exception>
     public SessionFileReader(string path)
     {
         _path = path;
@@ -29,19 +29,19 @@ sealed class SessionFileReader : IDisposable
 
     public SessionHeader Header { get; }
 
-    /// <summary>Whether the name promises a session file.</summary>
+    /// <summary>Whether the file name has the extension of a session file.</summary>
     public static bool IsSession(string path) => path != null
         && (path.EndsWith(".jsonl", StringComparison.OrdinalIgnoreCase) || path.EndsWith(".jsonl.gz", StringComparison.OrdinalIgnoreCase));
 
-    /// <summary>The lines below the header; kinds that are not known are passed over.</summary>
-    /// <exception cref="InputException">A line is not of its form; names file, line and field.</exception>
+    /// <summary>Gets the lines below the header. Unknown kinds are skipped.</summary>
+    /// <exception cref="InputException">A line has another format. The message names file, line and field.</exception>
     public IEnumerable<SessionLine> Lines()
     {
         while (ReadLine() is string text)
         {
             if (string.IsNullOrWhiteSpace(text)) continue;
             var line = Parse(text, out var isTorn);
-            // Written while the process died: all that came before is whole.
+            // The process ended while it wrote this line. All earlier lines are complete.
             if (isTorn) yield break;
             if (line != null) yield return line;
         }

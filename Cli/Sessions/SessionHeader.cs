@@ -3,10 +3,10 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Sessions;
 
-/// <summary>The first line of a session file: what was in force.</summary>
-/// <param name="Robot">Its name.</param>
+/// <summary>The first line of a session file: the settings of the session.</summary>
+/// <param name="Robot">Name of the robot.</param>
 /// <param name="Joints">The moving joints, in the order of the frames' positions.</param>
-/// <param name="Prediction">How the session predicted.</param>
+/// <param name="Prediction">The session's prediction settings.</param>
 sealed record SessionHeader(string Robot, IReadOnlyList<SessionHeader.Joint> Joints, PredictionSettings Prediction)
 {
     /// <param name="Unit">rad or m.</param>

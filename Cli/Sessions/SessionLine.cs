@@ -1,4 +1,4 @@
 namespace Nowpose.Cli.Sessions;
 
-/// <summary>One line of a session file below its header; kinds nobody here has use for are not made into one.</summary>
+/// <summary>One line of a session file below its header. Unused kinds of lines have no type.</summary>
 abstract record SessionLine;

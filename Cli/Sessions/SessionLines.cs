@@ -5,7 +5,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Sessions;
 
-/// <summary>The lines of version 1, field by field, as <c>session-file.md</c> describes them.</summary>
+/// <summary>Reads the lines of version 1, field by field, as specified in <c>session-file.md</c>.</summary>
 static class SessionLines
 {
     const int NanosecondsPerTick = 100;
@@ -22,7 +22,7 @@ static class SessionLines
         return new SessionHeader(robot.Text("name"), joints, ReadPrediction(line, line.Object("settings")));
     }
 
-    /// <returns>Null for a kind that is of no use here, or not known.</returns>
+    /// <returns>Null for an unused or unknown kind.</returns>
     public static SessionLine Read(LineFields line) => line.Text("kind") switch
     {
         "sync" => ReadSync(line),

@@ -5,10 +5,10 @@ using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Sync;
 
-/// <summary>Reads CSV files of whole numbers under a fixed header; errors name file, line and field.</summary>
+/// <summary>Reads CSV files of whole numbers with a fixed header. Errors name file, line and field.</summary>
 static class IntegerTable
 {
-    /// <exception cref="InputException">The file cannot be read or is not of that form.</exception>
+    /// <exception cref="InputException">The file cannot be read or has another format.</exception>
     public static List<long[]> Read(string path, params string[] header)
     {
         using var text = RecordingText.Open(path);

@@ -3,22 +3,22 @@ using Nowpose.Sync;
 namespace Nowpose.Cli.Sync;
 
 /// <summary>
-/// The resolution of the control clock that a log does not tell: a PLC stamps the beginning of its cycle, so all its stamps
-/// are whole cycles apart, and half a cycle late on average.
+/// Finds the resolution of the control clock, which a log does not contain. A PLC stamps the beginning of its cycle, so its stamps are
+/// whole cycles apart, and half a cycle early on average.
 /// </summary>
 static class LoggedResolution
 {
-    /// <summary>Fewer stamps may be whole milliseconds apart by chance.</summary>
+    /// <summary>Minimum number of exchanges. Fewer stamps may be whole milliseconds apart by chance.</summary>
     const int FewestExchanges = 50;
 
-    /// <summary>Below, half of it hardly matters; above, no control system is that slow.</summary>
+    /// <summary>Range of the resolution, ns. Below it, half a cycle is negligible; no control system has a longer cycle.</summary>
     const long LeastNs = 100_000, GreatestNs = 20_000_000;
 
-    /// <summary>A log of made-up times may be round on both clocks: then the control clock's are none of its cycle.</summary>
+    /// <summary>Minimum ratio to the headset clock's resolution. In a synthetic log, both clocks may be rounded, without any cycle.</summary>
     const int FinerHeadsetClock = 10;
 
     /// <param name="rows">t1, t2, t3, t4 in ns.</param>
-    /// <returns>Zero where the stamps do not show one.</returns>
+    /// <returns>Zero if the stamps do not show a resolution.</returns>
     public static TimeSpan Of(IReadOnlyList<long[]> rows)
     {
         if (rows.Count < FewestExchanges) return TimeSpan.Zero;

@@ -2,13 +2,13 @@ using System.Globalization;
 
 namespace Nowpose.Cli.Sync;
 
-/// <summary>What the clock synchroniser said at one moment.</summary>
-/// <param name="Nanoseconds">The moment on C2 exactly as the log has it; the time types round to 100 ns.</param>
+/// <summary>The clock synchroniser's estimate at one instant.</summary>
+/// <param name="Nanoseconds">The instant on C2 exactly as in the log; the time types round to 100 ns.</param>
 readonly record struct SyncBelief(long Nanoseconds, HeadsetTime At, ClockModel Model)
 {
     const int NanosecondsPerTick = 100;
 
-    /// <summary>C2 − C1, ns; wider than 64 bits, since two epochs can lie that far apart.</summary>
+    /// <summary>C2 − C1, ns. More than 64 bits, because the epochs can be that far apart.</summary>
     public Int128? OffsetNanoseconds => Model.IsKnown
         ? (Int128)Model.OffsetAt(At).HeadsetMinusControl.Ticks * NanosecondsPerTick : null;
 

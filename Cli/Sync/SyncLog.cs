@@ -3,10 +3,10 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Sync;
 
-/// <summary>A log of sync exchanges, and the instants at which to ask for the offset.</summary>
+/// <summary>Reads a log of sync exchanges, and the instants at which the offset is requested.</summary>
 static class SyncLog
 {
-    /// <summary>Exchanges as logged, unchecked, each with t4 to the nanosecond.</summary>
+    /// <summary>Reads the logged exchanges without checks, each with t4 in ns.</summary>
     public static IReadOnlyList<(long T4Nanoseconds, SyncExchange Exchange)> Read(string path) =>
         SessionFileReader.IsSession(path) ? OfSession(path) : OfTable(path);
 

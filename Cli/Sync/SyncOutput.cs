@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Nowpose.Cli.Sync;
 
-/// <summary>Prints beliefs as CSV or JSON, with the columns that cli.md fixes.</summary>
+/// <summary>Prints estimates as CSV or JSON, with the columns specified in cli.md.</summary>
 static class SyncOutput
 {
     public static void WriteCsv(IEnumerable<SyncBelief> beliefs, bool atInstants, TextWriter output)

@@ -2,18 +2,18 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Sync;
 
-/// <summary>Feeds a log to the headset's own clock synchroniser and tells what it believed.</summary>
+/// <summary>Feeds a log to the headset's own clock synchroniser and returns its estimates.</summary>
 sealed class SyncReplay(IClockEstimator estimator)
 {
     readonly ClockSynchroniser _clock = new(estimator, ClockSettings.Default);
     readonly SortedDictionary<SyncExchangeFault, int> _dropped = [];
 
-    /// <summary>Exchanges that broke a rule, by rule.</summary>
+    /// <summary>Number of dropped exchanges by fault.</summary>
     public IReadOnlyDictionary<SyncExchangeFault, int> Dropped => _dropped;
 
     public int Steps => _clock.Steps;
 
-    /// <summary>One belief per exchange, at its t4.</summary>
+    /// <summary>Gets one estimate per exchange, at its t4.</summary>
     public IEnumerable<SyncBelief> AfterEach(IReadOnlyList<(long T4Nanoseconds, SyncExchange Exchange)> log)
     {
         foreach (var (t4, exchange) in log)
@@ -23,7 +23,7 @@ sealed class SyncReplay(IClockEstimator estimator)
         }
     }
 
-    /// <summary>One belief per instant, from the exchanges with t4 up to it.</summary>
+    /// <summary>Gets one estimate per instant, from the exchanges with t4 up to it.</summary>
     public IEnumerable<SyncBelief> At(IReadOnlyList<long> instants, IReadOnlyList<(long T4Nanoseconds, SyncExchange Exchange)> log)
     {
         var next = 0;

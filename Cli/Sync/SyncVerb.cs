@@ -4,7 +4,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Sync;
 
-/// <summary><c>sync FILE.csv</c>: the clock estimator over a log of sync exchanges.</summary>
+/// <c>sync FILE.csv</c>: runs the clock estimator over a log of sync exchanges.
 static class SyncVerb
 {
     public static Command Create()
@@ -22,7 +22,7 @@ static class SyncVerb
         };
         var json = new Option<bool>("--json") { Description = "Print JSON instead of CSV." };
         var verb = new Command("sync", "Run the clock estimator over a log of sync exchanges.") { file, estimator, at, json };
-        // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has.
+        // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
         verb.SetAction((parsed, cancel) => Task.Run(
             () => Run(parsed.GetValue(file), parsed.GetValue(estimator), parsed.GetValue(at), parsed.GetValue(json), cancel), CancellationToken.None));
         return verb;
@@ -41,7 +41,7 @@ static class SyncVerb
         return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
     }
 
-    // Collected first: the console flushes at every line, which takes longer than the estimator.
+    // Collected first: the console flushes after every line, which takes longer than the estimator.
     static void Print(IEnumerable<SyncBelief> beliefs, bool atInstants, bool json)
     {
         var text = new StringWriter { NewLine = "\n" };

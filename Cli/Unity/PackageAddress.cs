@@ -3,25 +3,25 @@ using Nowpose.Editor.Setup;
 
 namespace Nowpose.Cli.Unity;
 
-/// <summary>Reads <c>--package</c>: where a manifest finds the package.</summary>
+/// <summary>Reads <c>--package</c>: the package's address in a manifest.</summary>
 static class PackageAddress
 {
     const string File = "file:";
 
     static readonly string[] GitSchemes = ["https://", "http://", "ssh://", "git://", "git+https://", "git+ssh://", "git@"];
 
-    /// <summary>The address of a folder, absolute: a project and a clone are moved one without the other.</summary>
+    /// <summary>Gets the absolute address of a folder. A relative one would break when only the project or only the clone is moved.</summary>
     public static string Of(PackageFolder folder) => File + folder.Root.Replace('\\', '/');
 
     /// <param name="given">What the user typed.</param>
     /// <param name="version">The version of the package that this program belongs to.</param>
     /// <param name="project">The project in whose manifest the address is written.</param>
-    /// <exception cref="InputException">Nothing can be found there.</exception>
+    /// <exception cref="InputException">There is no package at this address.</exception>
     public static string Read(string given, string version, UnityProject project)
     {
         if (GitSchemes.Any(scheme => given.StartsWith(scheme, StringComparison.Ordinal))) return Git(given, version);
         var isAddress = given.StartsWith(File, StringComparison.Ordinal);
-        // What stands in a manifest is relative to the folder of the manifest; what is typed, to the working folder.
+        // Paths in a manifest are relative to the manifest's folder; paths on the command line to the working folder.
         var path = isAddress ? Path.Combine(project.Root, "Packages", given[File.Length..]) : Path.GetFullPath(given);
         if (path.EndsWith(".tgz", StringComparison.Ordinal) && System.IO.File.Exists(path))
             return isAddress ? given : File + path.Replace('\\', '/');

@@ -4,7 +4,7 @@ using Nowpose.Editor.Setup;
 
 namespace Nowpose.Cli.Unity;
 
-/// <summary>A folder with the package, and what its package.json says.</summary>
+/// <summary>A folder with the package, and the content of its package.json.</summary>
 sealed class PackageFolder
 {
     const string Below = "Packages/" + ProjectNeeds.Package;
@@ -24,8 +24,8 @@ sealed class PackageFolder
     public string Version { get; }
     public IReadOnlyList<PackageSample> Samples { get; }
 
-    /// <summary>Finds the package of the clone that the program lies in, or the copy that a published program has beside it.</summary>
-    /// <returns>Null where neither is there.</returns>
+    /// <summary>Finds the package in the clone that contains the program, or the copy next to a published program.</summary>
+    /// <returns>Null if neither exists.</returns>
     public static PackageFolder Find()
     {
         for (var at = new DirectoryInfo(AppContext.BaseDirectory); at != null; at = at.Parent)
@@ -79,7 +79,7 @@ sealed class PackageFolder
         }
         catch (InvalidOperationException)
         {
-            // Half of a surrogate pair, written as an escape.
+            // An escape that is half of a surrogate pair.
         }
         throw new FormatException($"{at}{name} must be a string");
     }

@@ -30,13 +30,13 @@ sealed class Preparation
 
     public UnityProject Project { get; }
 
-    /// <summary>One line each; empty where there is nothing to do.</summary>
+    /// <summary>The changes, one line each; empty if there are none.</summary>
     public IReadOnlyList<string> Changes => _changes;
 
     /// <summary>Notes for the user.</summary>
     public IReadOnlyList<string> Notes => _notes;
 
-    /// <summary>Why <see cref="Apply"/> would be refused as things are, in one line; null where nothing is known to be in the way.</summary>
+    /// <summary>The known reason why <see cref="Apply"/> would fail, in one line; null for none.</summary>
     public string Obstacle => _merge.Changes.Count > 0 ? _file.Obstacle : null;
 
     /// <summary>Steps that the user has to do.</summary>
@@ -50,12 +50,12 @@ sealed class Preparation
         return preparation;
     }
 
-    /// <returns>The path of the copy of the manifest that was there; null where it was not changed.</returns>
+    /// <returns>Path of the copy of the previous manifest; null if it was not changed.</returns>
     /// <exception cref="InputException">The manifest is read-only, or a sample cannot be copied; the manifest is not changed.</exception>
     public string Apply()
     {
         if (Obstacle is { } obstacle) throw new InputException(obstacle);
-        // The manifest last: it stays as it is where a sample cannot be copied.
+        // The manifest is written last, so that it stays unchanged if a sample cannot be copied.
         foreach (var sample in _samples) sample.Apply();
         return _merge.Changes.Count > 0 ? _file.Write(_merge.Text) : null;
     }
@@ -104,7 +104,7 @@ sealed class Preparation
         }
         var address = _settings.Package == null ? PackageAddress.Of(package) : PackageAddress.Read(_settings.Package, package.Version, Project);
         var origin = PackageOrigin.At(ProjectNeeds.Package, address, least: package.Version);
-        // Without --package a folder or a commit that is there already serves.
+        // Without --package, an existing folder or commit is sufficient.
         var present = _merge.VersionOf(ProjectNeeds.Package);
         if (_settings.Package == null && present != null && origin.Serves(present) == null) return;
         _merge.Need(origin, isExact: _settings.Package != null);

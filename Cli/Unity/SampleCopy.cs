@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Unity;
 
-/// <summary>Copies a sample to where Unity's Package Manager would put it, with the .meta files.</summary>
+/// <summary>Copies a sample with its .meta files to the folder that Unity's Package Manager uses.</summary>
 sealed class SampleCopy
 {
     readonly string _source, _target;
@@ -16,14 +16,14 @@ sealed class SampleCopy
 
     public PackageSample Sample { get; }
 
-    /// <summary>Whether a file is to be copied.</summary>
+    /// <summary>Whether any file has to be copied.</summary>
     public bool IsNeeded => _missing.Count > 0;
 
     /// <summary>Description of the change.</summary>
     public string Change => FormattableString.Invariant($"sample: {Sample.Name}, {_missing.Count} files to {_target}");
 
     /// <exception cref="InputException">
-    /// The package has no such sample, or the project has a file in the place of a folder, or changed files.
+    /// The package has no such sample, or the project has changed files, or a file in place of a folder.
     /// </exception>
     public static SampleCopy Plan(UnityProject project, PackageFolder package, string name)
     {
@@ -47,7 +47,7 @@ sealed class SampleCopy
         return new SampleCopy(sample, sample.Folder, target, [.. files.Except(present)]);
     }
 
-    /// <summary>Copies what is missing. A folder that is new appears whole.</summary>
+    /// <summary>Copies the missing files. A new folder is created as a whole.</summary>
     /// <exception cref="InputException">A file cannot be copied.</exception>
     public void Apply()
     {

@@ -37,14 +37,14 @@ sealed class UnityProject
             $"{VersionIn(root)}: no line 'm_EditorVersion: VERSION' with a version of Unity, such as 2022.3.62f1"));
     }
 
-    /// <summary>Whether a package lies in the project itself, which no line of the manifest can override.</summary>
+    /// <summary>Whether a package is embedded in the project, which the manifest cannot override.</summary>
     public bool Embeds(string package) => File.Exists(Path.Combine(Root, "Packages", package, "package.json"));
 
     static string VersionIn(string root) => Path.Combine(root, "ProjectSettings", "ProjectVersion.txt");
 
     static string ManifestIn(string root) => Path.Combine(root, "Packages", "manifest.json");
 
-    // A user who names Assets or Packages means the folder above.
+    // A user who gives Assets or Packages means the parent folder.
     static string Hint(string root)
     {
         var parent = Path.GetDirectoryName(root);

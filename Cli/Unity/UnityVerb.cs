@@ -64,7 +64,7 @@ static class UnityVerb
         }
     }
 
-    // Help works where the package's files are missing or damaged, too.
+    // Help also works if the package's files are missing or damaged.
     static string SampleNames()
     {
         const string unknown = "see its package.json";

@@ -1,5 +1,5 @@
-// Makes dist/plant.mjs, a file for each kind of plant beside it, the schema of their configuration and the licences of what is in them.
-// `npm run build` and prepare.mjs call it.
+// Builds dist/plant.mjs, a file for each kind of plant beside it, the schema of their configuration and the licences of the bundled packages.
+// `npm run build` and prepare.mjs run it.
 import { mkdirSync, readdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -9,7 +9,7 @@ import { kinds, loading } from './loading.mjs';
 const adapters = dirname(fileURLToPath(import.meta.url));
 const entries = { plant: 'src/main.ts', ...Object.fromEntries(kinds.map(kind => [kind, `src/${kind}/adapter.ts`])) };
 
-// At each start node-opcua makes a key of 4096 bits, a second's work, to try a padding that none of our security policies uses.
+// At each start, node-opcua generates a 4096-bit key, which takes a second, to test a padding that none of our security policies uses.
 const withoutTrial = {
   name: 'without-trial',
   setup: ({ onLoad }) => onLoad({ filter: /node-opcua-secure-channel.*verify_pcks1\.js$/ }, () => ({
@@ -17,23 +17,23 @@ const withoutTrial = {
   })),
 };
 
-// Renamed into place: a build that reads the file meanwhile sees the old one or the new one, never half of one.
+// Renamed into place, so that a concurrent build never reads an incomplete file.
 function write(name, text) {
   const unfinished = join(adapters, 'dist', `${name}.${process.pid}.tmp`);
   writeFileSync(unfinished, text);
   renameSync(unfinished, join(adapters, 'dist', name));
 }
 
-/** The folders below node_modules out of which something was bundled. */
+/** Gets the folders below node_modules from which something was bundled. */
 function packagesIn(inputs) {
   const folders = Object.keys(inputs).map(path => /^(.*node_modules\/(?:@[^/]+\/)?[^/]+)\//.exec(path)?.[1]);
   return [...new Set(folders)].filter(folder => folder !== undefined).sort();
 }
 
-/** Stated in its README and in each of its files, but not where npm looks for it. */
+/** Licences that a package states in its README and in each of its files, but not where npm looks for it. */
 const STATED = { precond: 'MIT' };
 
-/** What a package without a licence file says in its README or in its sources lies in the folder licences. */
+/** Gets a package's licence. For a package without a licence file, the folder licences has the text of its README or sources. */
 function licenceOf(folder) {
   const { name, version, license = STATED[name] } = JSON.parse(readFileSync(join(adapters, folder, 'package.json'), 'utf8'));
   if (license === undefined) throw new Error(`${name} ${version} states no licence; find out which it has, and say so in bundle.mjs`);
@@ -58,9 +58,9 @@ const { outputFiles, metafile } = await build({
   format: 'esm',
   target: 'node20',
   charset: 'utf8',
-  // Loaded only where a package that keeps locks is told to keep them by it, which it is not.
+  // Loaded only by a package that is configured to use it for locks, which ours is not.
   external: ['proper-lockfile', 'bufferutil', 'utf-8-validate'],
-  // CommonJS packages ask for Node's modules as CommonJS does.
+  // CommonJS packages load Node's modules with require.
   banner: {
     js: `// Contains packages by others; see adapter-licences.txt.
 import { createRequire } from 'node:module';

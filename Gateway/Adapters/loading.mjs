@@ -1,4 +1,4 @@
-// What esbuild needs to know to load the sources, for the bundle and for tests of single parts.
+// esbuild options to load the sources, for the bundle and for tests of single parts.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname } from 'node:path';
@@ -12,7 +12,7 @@ const schemaOf = () => JSON.parse(readFileSync(new URL('plant.schema.json', impo
 
 export const kinds = schemaOf().properties.plant.properties.kind.enum;
 
-/** The source of one function per kind of plant that checks its configuration. Compiled at each start, they took 0.3 s. */
+/** Gets the source of one function per kind of plant that checks its configuration. Compiling them at each start took 0.3 s. */
 function schemaChecks() {
   const schema = schemaOf();
   const ajv = new Ajv({

@@ -2,12 +2,12 @@ using System.Globalization;
 
 namespace Nowpose.Gateway.Clock;
 
-/// <summary>Says in the log how the clocks of one control system differ: once, and again when the difference has moved.</summary>
+/// <summary>Logs how the clocks of one control system differ: once, and again when the difference has changed.</summary>
 sealed class ClockComparison : IDisposable
 {
     static readonly TimeSpan Interval = TimeSpan.FromSeconds(1);
 
-    /// <summary>More than this beyond what both bounds explain has moved.</summary>
+    /// <summary>Minimum change of the difference, beyond both error bounds, that is logged again.</summary>
     static readonly TimeSpan Moved = TimeSpan.FromMilliseconds(1);
 
     readonly ServedClock _served;
@@ -27,7 +27,7 @@ sealed class ClockComparison : IDisposable
 
     public void Dispose() => _timer?.Dispose();
 
-    /// <summary>Looks once, unless a slow log still holds the look before.</summary>
+    /// <summary>Compares once, unless the previous comparison is still being logged.</summary>
     internal void Look() => _look.RunUnlessBusy();
 
     void LookNow()

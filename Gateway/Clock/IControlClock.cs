@@ -1,20 +1,22 @@
 namespace Nowpose.Gateway.Clock;
 
 /// <summary>The control clock C1, the master clock of the control system. May be read from any thread.</summary>
-/// <remarks>Goes back where that one does, and by microseconds where it is estimated anew: whoever takes two times in a row minds it.</remarks>
+/// <remarks>
+/// Goes back when the master clock does, and by microseconds when its estimate is updated. Callers that take two times must handle this.
+/// </remarks>
 public interface IControlClock
 {
     ControlTime Now { get; }
 
-    /// <summary>How wrong the clock itself may be against its own reference.</summary>
+    /// <summary>Maximum error of the clock against its own reference.</summary>
     TimeSpan ErrorBound => TimeSpan.Zero;
 
-    /// <summary>Whether the clock follows its own reference.</summary>
+    /// <summary>Whether the clock is synchronised with its own reference.</summary>
     bool IsSynchronised => true;
 
     /// <summary>The step in which the clock advances; zero when unknown.</summary>
     TimeSpan Resolution => TimeSpan.Zero;
 
-    /// <summary>Its rate over that of this machine's counter, less one; 1e-6 is 1 ppm.</summary>
+    /// <summary>Rate of the clock relative to this machine's counter, minus one; 1e-6 is 1 ppm.</summary>
     double Skew => 0;
 }

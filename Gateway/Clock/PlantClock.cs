@@ -2,14 +2,14 @@ using Nowpose.Sync;
 
 namespace Nowpose.Gateway.Clock;
 
-/// <summary>One clock of the control system, as its adapter tells it: measured against this machine's counter as a headset measures C1.</summary>
+/// <summary>One clock of the control system, offered by an adapter. Measured against this machine's counter as a headset measures C1.</summary>
 /// <remarks>
-/// The gateway is the headset of these exchanges: its counter stands in the place of C2. What was learned stays when the adapter goes,
-/// and is gone on with when one of the same name comes. Any thread.
+/// The gateway acts as the headset of these exchanges, with its counter as C2. The estimate is kept when the adapter disconnects, and is
+/// continued when one with the same name connects. Any thread.
 /// </remarks>
 public sealed class PlantClock
 {
-    /// <summary>Whoever was asked for so long without an answer may be gone: its connection ends only when pings find out.</summary>
+    /// <summary>Time without an answer after which another adapter may take over. A lost connection ends only when its pings time out.</summary>
     internal static readonly TimeSpan SilenceOfTheGone = TimeSpan.FromSeconds(3);
 
     internal const int LongestFailure = 200;
@@ -31,22 +31,22 @@ public sealed class PlantClock
 
     public string Name { get; }
 
-    /// <summary>Whether an adapter offers it at present.</summary>
+    /// <summary>Whether an adapter offers the clock at present.</summary>
     public bool IsConnected => Volatile.Read(ref _caller) != null;
 
-    /// <summary>Each exchange with what became of it, on the thread that made it. A handler must be quick and must not throw.</summary>
+    /// <summary>Raised for each exchange with its result, on the thread that made it. Handlers must be quick and must not throw.</summary>
     internal event SyncExchangeHandler Judged;
 
-    /// <summary>Exchanges that could be used, and questions that were not answered or not usably, since the start.</summary>
+    /// <summary>Number of usable exchanges, and of requests without a usable answer, since the start.</summary>
     public long Exchanges => Interlocked.Read(ref _exchanges);
 
     /// <inheritdoc cref="Exchanges"/>
     public long Failures => Interlocked.Read(ref _failures);
 
-    /// <summary>Why the newest of the failures; null without one.</summary>
+    /// <summary>The reason of the newest failure; null without one.</summary>
     public string LastFailure => _lastFailure;
 
-    /// <summary>What is known of it now; Φ is this machine's counter less this clock.</summary>
+    /// <summary>The current estimate. Φ is this machine's counter minus this clock.</summary>
     public ClockModel Model => _synchroniser.ModelAt(_counter.Now);
 
     public TimeSpan RoundTripTime => _synchroniser.RoundTripTime;
@@ -54,7 +54,7 @@ public sealed class PlantClock
 
     internal ClockSynchroniser Synchroniser => _synchroniser;
 
-    /// <summary>Whether nobody answers for this clock, or whoever did has been silent for long.</summary>
+    /// <summary>Whether no adapter offers this clock, or the adapter has been silent for too long.</summary>
     internal bool IsFree
     {
         get
@@ -65,7 +65,7 @@ public sealed class PlantClock
 
     internal bool IsAskedBy(PlantClockCaller caller) => Volatile.Read(ref _caller) == caller;
 
-    /// <summary>Takes the place of who answers for this clock; whoever had it before is asked no more.</summary>
+    /// <summary>Sets the adapter that offers this clock. The previous one is not asked any more.</summary>
     /// <returns>False while it is not <see cref="IsFree"/>.</returns>
     internal bool TryAttach(PlantClockCaller caller)
     {
@@ -82,8 +82,8 @@ public sealed class PlantClock
         return true;
     }
 
-    /// <summary>Somebody answered, with a time or without.</summary>
-    /// <returns>Whether it is the one that is asked.</returns>
+    /// <summary>Reports an answer of an adapter, with a time or without.</summary>
+    /// <returns>Whether this adapter is the current one.</returns>
     internal bool TryHear(PlantClockCaller caller)
     {
         lock (_gate)
@@ -109,7 +109,7 @@ public sealed class PlantClock
         else Failed($"the exchange was unusable: {fault}");
     }
 
-    /// <param name="why">May be a peer's own words.</param>
+    /// <param name="why">The reason; may contain text from a peer.</param>
     internal void Failed(string why)
     {
         _lastFailure = InputException.OneLine(why, LongestFailure);

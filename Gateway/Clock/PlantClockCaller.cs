@@ -3,8 +3,8 @@ using Nowpose.Sync;
 
 namespace Nowpose.Gateway.Clock;
 
-/// <summary>Asks one adapter for the time of its control system again and again, one question at a time, as a headset asks the gateway.</summary>
-/// <remarks>The gateway asks, and not the adapter, so that t1 and t4 are this machine's wherever the adapter runs.</remarks>
+/// <summary>Requests the time of its control system from one adapter repeatedly, one request at a time, as a headset does from the gateway.</summary>
+/// <remarks>The gateway sends the requests, not the adapter, so that t1 and t4 are this machine's times wherever the adapter runs.</remarks>
 sealed class PlantClockCaller : IDisposable
 {
     readonly PlantClock _clock;
@@ -17,7 +17,7 @@ sealed class PlantClockCaller : IDisposable
     volatile Question _open;
     long _asked;
 
-    /// <param name="call">Sends a question with this id; must not wait.</param>
+    /// <param name="call">Sends a request with this id; must not wait.</param>
     public PlantClockCaller(PlantClock clock, IHeadsetClock counter, TimeProvider time, Action<string> call)
     {
         _clock = clock;
@@ -28,16 +28,16 @@ sealed class PlantClockCaller : IDisposable
 
     public PlantClock Clock => _clock;
 
-    /// <summary>Begins to ask.</summary>
+    /// <summary>Starts the requests.</summary>
     public void Start() => _ = Task.Run(AskAsync);
 
-    /// <summary>An answer; any thread. One to no open question is passed over: it came too late, and was counted then.</summary>
-    /// <param name="arrival">When its last byte had been read.</param>
+    /// <summary>Takes an answer; any thread. Ignores a late answer, which has already been counted as a failure.</summary>
+    /// <param name="arrival">Time at which its last byte was read.</param>
     public void Answer(RosbridgeMessage response, HeadsetTime arrival)
     {
         var question = _open;
         if (question == null || response.Id != question.Id) return;
-        // The response itself is overwritten by the next message.
+        // The response object is overwritten by the next message.
         question.Answered.TrySetResult(new Reply(response.PlantTime, response.Text, arrival));
     }
 
@@ -86,7 +86,7 @@ sealed class PlantClockCaller : IDisposable
 
     void Take(Question question, Reply reply)
     {
-        // Another's place by now: two clocks of one name would be one line.
+        // Another adapter has taken over: estimates from two clocks must not be mixed.
         if (!_clock.TryHear(this)) return;
         if (reply.Time is not { } time)
         {
@@ -102,7 +102,7 @@ sealed class PlantClockCaller : IDisposable
 
     sealed record Question(string Id, HeadsetTime Asked)
     {
-        // Answered on the thread that reads the connection: what follows must not hold it up.
+        // Completed on the thread that reads the connection, which must not be blocked by the continuation.
         public TaskCompletionSource<Reply> Answered { get; } = new(TaskCreationOptions.RunContinuationsAsynchronously);
     }
 }

@@ -2,13 +2,13 @@ using System.Collections.Immutable;
 
 namespace Nowpose.Gateway.Clock;
 
-/// <summary>The clocks of the control system that adapters offer, and which of them is C1. Any thread.</summary>
+/// <summary>The clocks of the control system that adapters offer, and the selection of C1. Any thread.</summary>
 public sealed class PlantClocks
 {
-    /// <summary>Asks for the gateway's own clock, whatever adapters offer.</summary>
+    /// <summary>Selects the gateway's own clock, even if adapters offer others.</summary>
     public const string Own = "own";
 
-    /// <summary>One plant has two or three; a source that invents names must not fill the memory.</summary>
+    /// <summary>Maximum number of clocks. A plant has two or three; a source that invents names must not exhaust the memory.</summary>
     internal const int AtMost = 16;
 
     readonly IPerformanceCounterClock _counter;
@@ -16,32 +16,32 @@ public sealed class PlantClocks
     readonly object _gate = new();
     ImmutableArray<PlantClock> _clocks = [];
 
-    /// <param name="wanted">The name of the clock that is C1; null for the first that comes; <see cref="Own"/> for none of them.</param>
-    /// <param name="counter">This machine's, in the place of C2.</param>
+    /// <param name="wanted">Name of the clock that is C1; null for the first one offered; <see cref="Own"/> for the gateway's own.</param>
+    /// <param name="counter">This machine's counter, used as C2.</param>
     internal PlantClocks(string wanted, IPerformanceCounterClock counter)
     {
         _wanted = wanted;
         _counter = counter;
-        // Known from the start, so that whoever waits for it can see what for.
+        // Added at the start, so that the status shows the missing clock.
         if (wanted is not (null or Own)) _clocks = [new PlantClock(wanted, counter)];
     }
 
-    /// <summary>In the order in which they came.</summary>
+    /// <summary>The clocks in the order in which they were first offered.</summary>
     public IReadOnlyList<PlantClock> All => _clocks;
 
-    /// <summary>The one that is C1; null while the gateway's own is.</summary>
+    /// <summary>The clock that is C1; null while it is the gateway's own.</summary>
     public PlantClock Control => _wanted == Own ? null : _clocks.FirstOrDefault();
 
-    /// <summary>A clock that was not known before. A handler must be quick and must not throw.</summary>
+    /// <summary>Raised for a new clock. Handlers must be quick and must not throw.</summary>
     public event Action<PlantClock> Added;
 
     internal IPerformanceCounterClock Counter => _counter;
 
-    /// <summary>Whether a text can name a clock: 1 to 32 of a–z, 0–9, _ and -.</summary>
+    /// <summary>Whether a text is a valid name of a clock: 1 to 32 of a–z, 0–9, _ and -.</summary>
     public static bool IsName(string text) =>
         text.Length is > 0 and <= 32 && text != Own && text.All(c => c is (>= 'a' and <= 'z') or (>= '0' and <= '9') or '_' or '-');
 
-    /// <summary>The clock of a name, a new one if need be; null when there are <see cref="AtMost"/> others.</summary>
+    /// <summary>Gets the clock with a name; creates it if necessary. Null if there are already <see cref="AtMost"/> others.</summary>
     internal PlantClock Find(string name)
     {
         PlantClock added;

@@ -2,24 +2,24 @@ using System.Diagnostics;
 
 namespace Nowpose.Gateway.Clock;
 
-/// <summary>Waits to a fraction of a millisecond: sleeps while there is time, and spins the rest, since a sleep may end late by one.</summary>
+/// <summary>Waits with an accuracy of a fraction of a millisecond: sleeps first, then spins, because a sleep may end a millisecond late.</summary>
 public static class PreciseWait
 {
     static readonly TimeSpan SpinLength = TimeSpan.FromMilliseconds(1.5);
 
-    // What a sleep can be told; shorter ones would only be spun away in another place.
+    // Shortest duration of a sleep. The system would only spin for shorter ones.
     static readonly TimeSpan ShortestSleep = TimeSpan.FromMilliseconds(1);
 
-    /// <param name="count">Of <see cref="Stopwatch"/>; the past returns at once.</param>
+    /// <param name="count">Count of <see cref="Stopwatch"/>; a past count returns immediately.</param>
     public static void Until(long count)
     {
         using var never = new ManualResetEventSlim();
         While(() => Stopwatch.GetElapsedTime(Stopwatch.GetTimestamp(), count), never);
     }
 
-    /// <param name="left">How long is left, asked again and again; nothing left ends the wait.</param>
+    /// <param name="left">Gets the remaining time; called repeatedly. Zero or less ends the wait.</param>
     /// <param name="stop">Ends the wait when it is set.</param>
-    /// <returns>False when stopped.</returns>
+    /// <returns>False if stopped.</returns>
     public static bool While(Func<TimeSpan> left, ManualResetEventSlim stop)
     {
         for (var rest = left(); rest > TimeSpan.Zero && !stop.IsSet; rest = left())

@@ -2,18 +2,18 @@ using Nowpose.Sync;
 
 namespace Nowpose.Gateway.Clock;
 
-/// <summary>What the gateway serves as C1: the control system's clock where an adapter tells it, and else its own.</summary>
+/// <summary>The clock that the gateway serves as C1: the control system's clock if an adapter offers it, otherwise the gateway's own.</summary>
 /// <remarks>
-/// A clock of the control system that was never known is replaced by the gateway's own, and not synchronised. One that has been lost for
-/// so long that its bound exceeds what a headset bears in a holdover is served on, marked as not synchronised. Its step in time is
-/// continuous here, so the resolution is that of the time types: what is coarse in the plant's clock is in the bound.
+/// While the selected clock of the control system has never been known, the gateway's own clock is served, marked as not synchronised. A
+/// clock that was lost for so long that its bound exceeds a headset's holdover limit is still served, marked as not synchronised. The
+/// served clock is continuous, so its resolution is that of the time types. The resolution of the plant's clock is part of the bound.
 /// </remarks>
 public sealed class ServedClock : IControlClock
 {
     readonly IControlClock _own;
     readonly PlantClocks _plant;
 
-    /// <param name="system">Clock and counter of the system, for the comparison with stamps; null for those of this machine.</param>
+    /// <param name="system">System clock and counter, for the comparison with stamps; null for those of this machine.</param>
     internal ServedClock(IControlClock own, PlantClocks plant, TimeProvider system = null)
     {
         _own = own;
@@ -25,7 +25,7 @@ public sealed class ServedClock : IControlClock
     /// <summary>Compares the stamps of sources with this clock.</summary>
     internal StampWatch Stamps { get; }
 
-    /// <summary>The name of the plant's clock that is C1; <see cref="PlantClocks.Own"/> for the gateway's.</summary>
+    /// <summary>Name of the plant's clock that is C1; <see cref="PlantClocks.Own"/> for the gateway's own.</summary>
     public string Source => _plant.Control?.Name ?? PlantClocks.Own;
 
     public ControlTime Now => Known is { } model ? model.ToControl(_plant.Counter.Now) : _own.Now;
@@ -34,15 +34,15 @@ public sealed class ServedClock : IControlClock
     public TimeSpan Resolution => Known == null ? _own.Resolution : new TimeSpan(1);
     public double Skew => -Known?.Skew ?? _own.Skew;
 
-    // Null while the gateway's own is served: also as long as the one that is to be C1 is not known.
+    // Null while the gateway's own clock is served, also while the selected clock is unknown.
     ClockModel? Known => _plant.Control?.Model is { IsKnown: true } model ? model : null;
 
-    /// <summary>How far C1 is known: of the gateway's own clock synchronised, or converging where it says it is not.</summary>
+    /// <summary>State of C1. The gateway's own clock is synchronised, or converging if it is not synchronised with its reference.</summary>
     public ClockState State => _plant.Control?.Model.State ?? (_own.IsSynchronised ? ClockState.Synchronised : ClockState.Converging);
 
-    /// <summary>A time that a clock of the plant showed, on C1.</summary>
-    /// <param name="from">Null for a time that is on C1 already.</param>
-    /// <returns>False while either clock is unknown, or the one that is not C1 no longer trusted.</returns>
+    /// <summary>Converts a time of a plant's clock to C1.</summary>
+    /// <param name="from">The plant's clock; null for a time that is already on C1.</param>
+    /// <returns>False while either clock is unknown, or the plant's clock is no longer accurate enough.</returns>
     public bool TryMap(PlantClock from, ControlTime time, out ControlTime onControl)
     {
         onControl = time;
@@ -51,12 +51,12 @@ public sealed class ServedClock : IControlClock
         if (from == _plant.Control) return model.IsKnown;
         var now = _plant.Counter.Now;
         if (!ClockSettings.Default.Trusts(model) || OffsetToControl(model, now) is not { } ahead || !IsNear(time, model.ToControl(now))) return false;
-        // The difference now is that of then: stamps are a second old, in which two clocks part by microseconds.
+        // Uses the current difference. Stamps are at most a second old, in which two clocks diverge by microseconds.
         onControl = time - ahead;
         return true;
     }
 
-    /// <summary>How all clocks of the plant do.</summary>
+    /// <summary>Gets the status of all clocks of the plant.</summary>
     public IReadOnlyList<PlantClockStatus> Status()
     {
         var now = _plant.Counter.Now;
@@ -79,7 +79,7 @@ public sealed class ServedClock : IControlClock
         return model.ToControl(now) - control;
     }
 
-    // A stamp of another century minus an offset may exceed what the types bear; and is none of this clock's.
+    // A stamp of another century minus an offset may overflow the types, and is not from this clock.
     static bool IsNear(ControlTime stamp, ControlTime now) =>
         Math.Abs((decimal)stamp.SinceEpoch.Ticks - now.SinceEpoch.Ticks) < (decimal)TimeSpan.TicksPerDay * 36500;
 }

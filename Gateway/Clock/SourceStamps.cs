@@ -1,18 +1,18 @@
 namespace Nowpose.Gateway.Clock;
 
-/// <summary>Counts the samples of one source in the last seconds by how their stamps fit the clocks. Used by one thread at a time.</summary>
+/// <summary>Counts the samples of one source in the last seconds by how their stamps match the clocks. For one thread at a time.</summary>
 sealed class SourceStamps
 {
     readonly Second[] _seconds = new Second[StampWatch.Seconds];
     long? _first;
 
-    /// <summary>The least ages of the first seconds, with which later ones are compared; null until there are enough.</summary>
+    /// <summary>Minimum ages of the first seconds, with which later ones are compared; null until there are enough samples.</summary>
     public LeastAges? Usual { get; set; }
 
-    /// <param name="now">Number of the present second.</param>
+    /// <param name="now">Number of the current second.</param>
     /// <param name="age">Control time minus the stamp.</param>
     /// <param name="systemAge">System time minus the stamp.</param>
-    /// <param name="isAhead">Whether the stamp lies further in the future than the clocks explain.</param>
+    /// <param name="isAhead">Whether the stamp is further in the future than the clocks' errors explain.</param>
     public void Add(long now, TimeSpan age, TimeSpan systemAge, bool isRefused, bool fitsSystem, bool isAhead)
     {
         _first ??= now;
@@ -26,8 +26,8 @@ sealed class SourceStamps
         if (isRefused || fitsSystem || isAhead) second.Age = age;
     }
 
-    /// <summary>Sums up the seconds that are not older than <see cref="StampWatch.Seconds"/>.</summary>
-    /// <param name="isCorrected">Whether the clocks have been corrected against each other, so that stamps of now are no measure for later.</param>
+    /// <summary>Sums up the seconds within <see cref="StampWatch.Seconds"/>.</summary>
+    /// <param name="isCorrected">Whether the clocks have been corrected against each other, so that current stamps are not a valid reference.</param>
     public StampCounts Read(long now, bool isCorrected)
     {
         var recent = Array.FindAll(_seconds, second => second.Samples > 0 && second.Number > now - StampWatch.Seconds);
@@ -53,10 +53,10 @@ sealed class SourceStamps
     }
 }
 
-/// <summary>The least ages of a source's samples in some time, once by the control clock and once by the system clock.</summary>
+/// <summary>The minimum ages of a source's samples in an interval, by the control clock and by the system clock.</summary>
 readonly record struct LeastAges(TimeSpan Control, TimeSpan System)
 {
-    /// <summary>Both clocks went on together where the difference of the ages stays within this.</summary>
+    /// <summary>Maximum change of the difference of the ages if neither clock was corrected.</summary>
     static readonly TimeSpan MaxDifference = TimeSpan.FromMilliseconds(20);
 
     TimeSpan Ahead => Control - System;
@@ -64,7 +64,7 @@ readonly record struct LeastAges(TimeSpan Control, TimeSpan System)
     public LeastAges With(LeastAges other) =>
         new(Control < other.Control ? Control : other.Control, System < other.System ? System : other.System);
 
-    /// <summary>Whether neither clock was corrected meanwhile.</summary>
+    /// <summary>Whether neither clock was corrected in the interval.</summary>
     public static bool Agree(IEnumerable<LeastAges> all)
     {
         var ahead = all.Select(one => one.Ahead).ToArray();
@@ -72,7 +72,7 @@ readonly record struct LeastAges(TimeSpan Control, TimeSpan System)
     }
 
     /// <summary>
-    /// By how much the stamps have moved against the control clock, if they have kept their distance from the system clock; zero otherwise.
+    /// Gets the change of the ages by the control clock, if the ages by the system clock are unchanged; zero otherwise.
     /// </summary>
     public TimeSpan ShiftWithSystem(LeastAges usual)
     {
@@ -82,16 +82,18 @@ readonly record struct LeastAges(TimeSpan Control, TimeSpan System)
 }
 
 /// <param name="Refused">Samples that were refused because their stamps lie in the future.</param>
-/// <param name="OnSystem">Samples that fit the system clock and not the control clock.</param>
-/// <param name="Ahead">Samples whose stamps lie in the future, refused or not.</param>
+/// <param name="OnSystem">Samples whose stamps match the system clock but not the control clock.</param>
+/// <param name="Ahead">Samples whose stamps are in the future, refused or not.</param>
 /// <param name="IsLasting">Whether the source has sent samples for <see cref="StampWatch.Seconds"/> or longer.</param>
-/// <param name="Shift">By how much the stamps followed a correction of the system clock, at plausible ages; positive when they became older.</param>
+/// <param name="Shift">
+/// Change of the stamps' ages after a correction of the system clock that they followed, at plausible ages; positive when they became older.
+/// </param>
 /// <param name="Age">Control time minus the newest of these stamps.</param>
 readonly record struct StampCounts(int Samples, int Refused, int OnSystem, int Ahead, bool IsLasting, TimeSpan Shift, TimeSpan Age)
 {
     public bool IsContradiction => IsImplausible || IsShifted;
 
-    /// <summary>Whether most stamps cannot be those of live samples.</summary>
+    /// <summary>Whether most stamps cannot belong to live samples.</summary>
     public bool IsImplausible => Samples >= StampWatch.MinSamples && 2 * Math.Max(Refused, OnSystem) > Samples;
 
     public bool IsShifted => Samples >= StampWatch.MinSamples && Shift != TimeSpan.Zero;

@@ -3,44 +3,44 @@ using Nowpose.Gateway.Hub;
 
 namespace Nowpose.Gateway.Clock;
 
-/// <summary>Finds out that the served clock and the stamps of the sources contradict each other. Any thread.</summary>
+/// <summary>Detects contradictions between the served clock and the stamps of the sources. Any thread.</summary>
 /// <remarks>
-/// A source that stamps with system time and a control clock that does not follow a correction of the system clock differ from then on: its
-/// samples lie in the future and are refused, or they are old. Only stamps without a plant clock of their own are looked at.
+/// If a source stamps with system time and the control clock does not follow a correction of the system clock, the two differ from then
+/// on. The source's samples are then in the future and refused, or they are old. Only stamps without a plant clock are checked.
 /// </remarks>
 /// <param name="control">The control clock.</param>
 /// <param name="own">The gateway's own clock; null while another one is the control clock.</param>
-/// <param name="errorBound">How wrong the control clock may be.</param>
+/// <param name="errorBound">Maximum error of the control clock.</param>
 /// <param name="system">The system clock, Unix time.</param>
 sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Func<IControlClock> own, Func<ControlTime> system, TimeProvider time)
 {
-    /// <summary>A correction that a headset would see: at 1 m/s it is 100 mm.</summary>
+    /// <summary>Minimum correction that is reported. It is visible in a headset: 100 mm at 1 m/s.</summary>
     internal static readonly TimeSpan MinCorrection = TimeSpan.FromMilliseconds(100);
 
-    /// <summary>The time that is looked back.</summary>
+    /// <summary>Length of the evaluated interval, s.</summary>
     internal const int Seconds = 5;
 
-    /// <summary>Samples in that time below which nothing is concluded.</summary>
+    /// <summary>Minimum number of samples in that interval for a conclusion.</summary>
     internal const int MinSamples = 5;
 
-    /// <summary>A stamp may lie this far in the future: two clocks that NTP keeps differ by less.</summary>
+    /// <summary>Maximum distance of a stamp in the future. Two clocks synchronised by NTP differ by less.</summary>
     static readonly TimeSpan MaxAhead = TimeSpan.FromMilliseconds(50);
 
-    /// <summary>Samples of a live source are not older.</summary>
+    /// <summary>Maximum age of the samples of a live source.</summary>
     static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(1);
 
-    /// <summary>A reading of two clocks that took longer says little about their difference.</summary>
+    /// <summary>Maximum duration of reading two clocks. Slower readings do not give an accurate difference.</summary>
     static readonly TimeSpan MaxReading = TimeSpan.FromMilliseconds(5);
 
-    /// <summary>Sources that are judged at the same time; further ones are not.</summary>
+    /// <summary>Maximum number of sources that are checked; further ones are ignored.</summary>
     const int MaxSources = 64;
 
-    /// <summary>Sources that a warning names.</summary>
+    /// <summary>Maximum number of sources named in a warning.</summary>
     const int MaxNamed = 5;
 
     readonly Lock _lock = new();
     readonly Dictionary<HubSource, SourceStamps> _sources = [];
-    // By the source's title, so that one that connects again is still compared with its first seconds.
+    // Keyed by the source's title, so that a source that reconnects is compared with its first seconds.
     readonly Dictionary<string, LeastAges> _usual = [];
     TimeSpan? _ahead;
     ControlTime _since;
@@ -56,13 +56,13 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
     /// <summary>Whether most samples of a source in the last seconds cannot be used with the control clock.</summary>
     public bool IsContradicted => Found is { IsContradiction: true };
 
-    /// <summary>The sources whose accepted samples lie in the future for long, and by how much.</summary>
+    /// <summary>The sources whose accepted samples have been in the future for long, and by how much.</summary>
     public IReadOnlyList<(string Source, string By)> Ahead { get; private set; } = [];
 
     long Now => time.GetTimestamp() / time.TimestampFrequency;
 
     /// <summary>Takes the stamp of a sample.</summary>
-    /// <param name="isRefused">Whether it was refused as in the future.</param>
+    /// <param name="isRefused">Whether it was refused because it is in the future.</param>
     public void Add(HubSource source, ControlTime stamp, bool isRefused)
     {
         var age = control() - stamp;
@@ -81,7 +81,7 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
         }
     }
 
-    /// <summary>Looks once a second; says in the log what has changed.</summary>
+    /// <summary>Evaluates the stamps once a second and logs changes.</summary>
     public void Look(Action<string> log)
     {
         MeasureCorrection();
@@ -96,7 +96,7 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
         _said = kind;
     }
 
-    // Forgets the sources without recent samples.
+    // Removes the sources without recent samples.
     (string Source, StampCounts Counts)[] Read()
     {
         lock (_lock)
@@ -129,7 +129,7 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
         if ((clock.Now - before).Duration() > MaxReading) return;
         var ahead = shown - before;
         if (_ahead == null) (_ahead, _since) = (ahead, before);
-        // The rate that the gateway's clock was given is no correction of the other one.
+        // The skew set on the gateway's clock is not a correction of the system clock.
         _correction = ahead - _ahead.Value + ((before - _since) * clock.Skew);
     }
 
@@ -157,7 +157,7 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
         return new StampWarning(reason, fits ? Remedy : "Set the clock of the source, or let its adapter offer that clock.", true);
     }
 
-    // No option of the verb simulate, whose gateway has this clock as well.
+    // Does not apply to the verb simulate, whose gateway also has this clock.
     const string Remedy = "Restart the gateway. Started as serve --own-clock system, it follows the system clock.";
 
     static string Length(TimeSpan length) =>

@@ -2,16 +2,16 @@ using System.Diagnostics;
 
 namespace Nowpose.Gateway.Clock;
 
-/// <summary>A control clock made of this machine's monotonic counter, with an epoch and a rate of its own.</summary>
-/// <remarks>The truth of a simulation: <see cref="AtCount"/> tells what it showed at any count of <see cref="Stopwatch"/>.</remarks>
+/// <summary>A control clock based on this machine's monotonic counter, with its own epoch and rate.</summary>
+/// <remarks>The ground truth of a simulation: <see cref="AtCount"/> gives its time at any count of <see cref="Stopwatch"/>.</remarks>
 public sealed class StopwatchControlClock : IControlClock
 {
     readonly long _startCount = Stopwatch.GetTimestamp();
     readonly ControlTime _start;
     readonly double _skew;
 
-    /// <param name="atStart">What the clock shows now.</param>
-    /// <param name="skew">Its rate less one: it advances (1 + skew) seconds in a second of the counter. 1e-6 is 1 ppm.</param>
+    /// <param name="atStart">Time that the clock shows now.</param>
+    /// <param name="skew">Rate minus one: the clock advances (1 + skew) seconds per second of the counter. 1e-6 is 1 ppm.</param>
     public StopwatchControlClock(ControlTime atStart, double skew = 0)
     {
         if (!(Math.Abs(skew) < 0.1))
@@ -27,23 +27,23 @@ public sealed class StopwatchControlClock : IControlClock
     public TimeSpan ErrorBound { get; init; }
     public bool IsSynchronised { get; init; } = true;
 
-    /// <summary>At least the 100 ns of the time types. Longer for a controller that stamps whole cycles: times are cut to it.</summary>
+    /// <summary>At least the 100 ns of the time types. Longer for a controller that stamps whole cycles: times are rounded down to it.</summary>
     public TimeSpan Resolution { get; init; } = new(1);
 
-    /// <summary>A clock that shows Unix time from now on.</summary>
+    /// <summary>Creates a clock that shows Unix time from now on.</summary>
     public static StopwatchControlClock FromUnixTime(double skew = 0) => new(new ControlTime(DateTime.UtcNow - DateTime.UnixEpoch), skew);
 
-    /// <summary>What the clock shows when <see cref="Stopwatch.GetTimestamp"/> returns <paramref name="count"/>.</summary>
+    /// <summary>Gets the clock's time when <see cref="Stopwatch.GetTimestamp"/> returns <paramref name="count"/>.</summary>
     public ControlTime AtCount(long count)
     {
-        // Whole ticks first: the skew's share is small, so a double holds it to far below a tick.
+        // Whole ticks first. The skew's share is small, so a double holds it with a resolution far below a tick.
         var elapsed = (long)((Int128)(count - _startCount) * TimeSpan.TicksPerSecond / Stopwatch.Frequency);
         var shown = _start + new TimeSpan(elapsed + (long)Math.Round(elapsed * _skew));
         return shown - new TimeSpan(FloorRest(shown.SinceEpoch.Ticks, Resolution.Ticks));
     }
 
     /// <summary>Gets the clock as a line over this machine's monotonic counter in nanoseconds: C1 = intercept + rate · counter, in ns.</summary>
-    /// <remarks>On Linux the counter is CLOCK_MONOTONIC, which all processes of a machine share. The resolution is not in it.</remarks>
+    /// <remarks>On Linux the counter is CLOCK_MONOTONIC, which all processes of a machine share. The line does not include the resolution.</remarks>
     public (long InterceptNs, double Rate) OverMonotonicCounter
     {
         get

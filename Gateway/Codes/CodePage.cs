@@ -5,12 +5,12 @@ using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Codes;
 
-/// <summary>The control clock as a code for cameras: a page for a monitor in the place of LEDs, and the time it asks for.</summary>
+/// <summary>The control clock as a code for cameras: a page that replaces LEDs by a monitor, and the time that the page requests.</summary>
 /// <remarks>
-/// The page tells nothing and needs no token, for a browser that opens it has none to send; the time needs one where there are tokens. It
-/// is asked for by POST, with which browsers always say what page asks.
+/// The page contains no data and needs no token, because a browser that opens it cannot send one. The time needs a token if the gateway
+/// has tokens. It is requested by POST, for which browsers always send the Origin header.
 /// </remarks>
-/// <param name="html">Null where it was not built.</param>
+/// <param name="html">Null if the page was not built.</param>
 sealed class CodePage(GatewayOptions options, IControlClock clock, Door door, ConnectionCounters counters, Action<string> log, string html)
 {
     public const string Path = "/vlc";
@@ -21,10 +21,10 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, Door door, Co
 
     public bool IsBuilt => _page.IsBuilt;
 
-    /// <summary>Answers its own requests and hands on the others, WebSockets on every path.</summary>
+    /// <summary>Answers its own requests and passes on the others, WebSockets on every path.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
-        // First of all: what comes in between would count as the way to here.
+        // Read first: any work before it would count as network latency.
         var received = clock.Now;
         var isSocket = context.Request.Headers.Upgrade.Count > 0;
         if (!isSocket && context.Request.Path == TimePath) return TellTimeAsync(context, received);
@@ -40,7 +40,7 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, Door door, Co
 
     Task SendPageAsync(HttpContext context)
     {
-        // A page that shares its process with no other is given a finer clock by browsers.
+        // With cross-origin isolation, browsers give a page a finer clock.
         context.Response.Headers["Cross-Origin-Opener-Policy"] = "same-origin";
         context.Response.Headers["Cross-Origin-Embedder-Policy"] = "require-corp";
         return _page.SendAsync(context);
@@ -62,7 +62,7 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, Door door, Co
         await context.Response.Body.WriteAsync(answer);
     }
 
-    // As strings: a browser's numbers do not hold nanoseconds since 1970.
+    // Written as strings: a browser's numbers cannot hold nanoseconds since 1970.
     byte[] TimeText(ControlTime received)
     {
         var stepNs = clock.Resolution.Ticks * TimeSpan.NanosecondsPerTick;

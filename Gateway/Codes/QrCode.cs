@@ -4,7 +4,7 @@ using QRCoder;
 
 namespace Nowpose.Gateway.Codes;
 
-/// <summary>A text as a QR code of the smallest version at error correction M, with the white margin of four modules that readers need.</summary>
+/// <summary>A text as a QR code of the smallest version with error correction level M, with the required white margin of four modules.</summary>
 sealed class QrCode : IDisposable
 {
     const int Margin = 4;
@@ -18,22 +18,22 @@ sealed class QrCode : IDisposable
         _data = Generate(text);
     }
 
-    /// <summary>Along an edge, without the margin.</summary>
+    /// <summary>Number of modules along an edge, without the margin.</summary>
     public int Modules => Edge - 2 * Margin;
 
-    /// <summary>Dark squares, with the margin around them.</summary>
+    /// <summary>Whether a module is dark; indices include the margin.</summary>
     public bool IsDark(int row, int column) => row < Edge && _data.ModuleMatrix[row][column];
 
-    /// <summary>The same with the margin.</summary>
+    /// <summary>Number of modules along an edge, with the margin.</summary>
     public int Edge => _data.ModuleMatrix.Count;
 
-    /// <summary>For a terminal: two rows of squares a line, light on dark, or black on white where colours are understood.</summary>
+    /// <summary>Gets text for a terminal: two rows of modules per line, light on dark, or black on white if colours are supported.</summary>
     public string Blocks(bool hasColours)
     {
         var text = new StringBuilder();
         for (var row = 0; row < Edge; row += 2)
         {
-            // Black on white whatever the terminal's own colours are: not every reader takes a code of which they are reversed.
+            // Black on white independent of the terminal's own colours: not every reader accepts an inverted code.
             if (hasColours) text.Append("\u001b[30;107m");
             for (var column = 0; column < Edge; column++)
                 text.Append(Block(IsInk(row, column, hasColours), IsInk(row + 1, column, hasColours)));
@@ -44,7 +44,7 @@ sealed class QrCode : IDisposable
         return text.ToString();
     }
 
-    /// <summary>A drawing in millimetres, of which the code without its margin has the given edge.</summary>
+    /// <summary>Gets a drawing in millimetres in which the code without its margin has the given edge length.</summary>
     public string Svg(double edgeMm, string caption)
     {
         var squares = new StringBuilder();
@@ -63,10 +63,10 @@ sealed class QrCode : IDisposable
             """).ReplaceLineEndings("\n");
     }
 
-    /// <summary>A picture with so many pixels a module. It knows no size: print it at the width that the drawing would have.</summary>
+    /// <summary>Gets a picture with the given number of pixels per module. It has no physical size: print it at the width of the drawing.</summary>
     public byte[] Png(int pixelsPerModule)
     {
-        // It disposes of what it is given.
+        // PngByteQRCode disposes the data that it is given.
         using var picture = new PngByteQRCode(Generate(_text));
         return picture.GetGraphic(pixelsPerModule);
     }

@@ -5,11 +5,11 @@ using Nowpose.Gateway.Sync;
 
 namespace Nowpose.Gateway.Codes;
 
-/// <summary>Lets connections ask for the time by HTTP: each takes a WebSocket's place until it ends, and asks no faster than sync may.</summary>
-/// <remarks>They stay open between requests: to connect anew would count as the way to here.</remarks>
+/// <summary>Limits requests for the time by HTTP: each connection counts as one WebSocket connection, with the rate limit of sync requests.</summary>
+/// <remarks>Connections stay open between requests, because connecting again would count as network latency.</remarks>
 sealed class TimePlaces(GatewayOptions options, ConnectionCounters counters, Action<string> log)
 {
-    /// <summary>Whether this request may be served; when not it was refused, and answered, and its connection ends.</summary>
+    /// <summary>Whether this request may be served. If not, it was refused and answered, and its connection ends.</summary>
     public async Task<bool> AdmitAsync(HttpContext context)
     {
         if (PlaceOf(context) is not { } place)
@@ -28,7 +28,7 @@ sealed class TimePlaces(GatewayOptions options, ConnectionCounters counters, Act
         return Door.RefuseForNowAsync(context, TimeSpan.FromSeconds(1), $"no more than {options.SyncRequestsPerSecond} requests a second");
     }
 
-    // Requests of one connection come one after another.
+    // Requests of one connection are sequential.
     Place PlaceOf(HttpContext context)
     {
         var items = context.Features.GetRequiredFeature<IConnectionItemsFeature>().Items;

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Configuration;
 
-/// <summary>One line of a configuration file: an option and what it is set to.</summary>
+/// <summary>One line of a configuration file: an option and its value.</summary>
 /// <param name="Place">File and line, for messages.</param>
 sealed record ConfigurationEntry(string Key, IReadOnlyList<string> Values, bool IsList, string Place)
 {

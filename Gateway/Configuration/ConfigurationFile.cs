@@ -3,19 +3,19 @@ using YamlDotNet.Core.Events;
 
 namespace Nowpose.Gateway.Configuration;
 
-/// <summary>Reads a configuration file: YAML, one mapping of keys to a word or to a list of words.</summary>
+/// <summary>Reads a configuration file: YAML with one mapping from keys to a word or a list of words.</summary>
 /// <remarks>
-/// Event by event, without a tree: what is nested a thousand times costs nothing. References, tags and anchors are refused.
+/// Reads event by event without a tree, so that deep nesting needs no memory. References, tags and anchors are refused.
 /// </remarks>
 static class ConfigurationFile
 {
     const int GreatestBytes = 64 * 1024;
 
-    /// <param name="wrong">Is added a line for each place that is something else.</param>
-    /// <exception cref="InputException">It cannot be read.</exception>
+    /// <param name="wrong">Receives one line for each invalid place.</param>
+    /// <exception cref="InputException">The file cannot be read.</exception>
     public static IReadOnlyList<ConfigurationEntry> Read(string path, List<string> wrong) => Parse(Load(path), path, wrong);
 
-    /// <param name="path">Stands in messages.</param>
+    /// <param name="path">Path used in messages.</param>
     internal static IReadOnlyList<ConfigurationEntry> Parse(string text, string path, List<string> wrong)
     {
         var entries = new List<ConfigurationEntry>();
@@ -30,7 +30,7 @@ static class ConfigurationFile
         {
             wrong.Add($"{path}:{broken.Start.Line}: is no YAML: {(broken.InnerException ?? broken).Message.ReplaceLineEndings(" ")}");
         }
-        // What the parser trips over itself, such as a plain word where a flow mapping was left open.
+        // Exceptions of the parser itself, for example for a plain word in an unclosed flow mapping.
         catch (Exception broken) when (broken is InvalidOperationException or ArgumentException or IndexOutOfRangeException or EndOfStreamException)
         {
             wrong.Add($"{PlaceOf(path, parser.Current)}: is no YAML, here or in the lines that follow");
@@ -56,7 +56,7 @@ static class ConfigurationFile
 
     static bool TryReadDocument(Parser parser, string path, List<ConfigurationEntry> entries, List<string> wrong)
     {
-        // All but comments commented out: nothing is set.
+        // Everything is commented out: nothing is set.
         if (parser.Accept<Scalar>(out var only) && only.Value.Length == 0)
         {
             parser.Consume<Scalar>();
@@ -93,7 +93,7 @@ static class ConfigurationFile
         else entries.Add(entry);
     }
 
-    // Null for what is neither a word nor a list of words.
+    // Null for a value that is neither a word nor a list of words.
     static ConfigurationEntry ReadValue(Parser parser, string key, string place)
     {
         if (TryReadWord(parser, out var word)) return new ConfigurationEntry(key, [word], false, place);
@@ -126,7 +126,7 @@ static class ConfigurationFile
 
     static bool IsBare(ParsingEvent at) => at is NodeEvent { Tag.IsEmpty: true, Anchor.IsEmpty: true };
 
-    // The next node with all that is in it.
+    // Skips the next node with all its content.
     static void Skip(Parser parser)
     {
         var depth = 0;

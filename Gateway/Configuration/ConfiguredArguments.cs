@@ -5,24 +5,24 @@ using Nowpose.Gateway.Plants;
 
 namespace Nowpose.Gateway.Configuration;
 
-/// <summary>Puts what a configuration file says before what was typed: its keys are the verb's options, and what is typed wins.</summary>
+/// <summary>Inserts the entries of a configuration file before the typed arguments. Keys are option names; typed options take precedence.</summary>
 sealed class ConfiguredArguments
 {
     public const string Option = "--config";
 
     readonly ConfiguredPlaces _places = new();
 
-    /// <summary>A list stands under the plural.</summary>
+    /// <summary>A list has the plural as its key.</summary>
     static readonly Dictionary<string, string> Plurals = new() { ["plants"] = "plant" };
 
-    // Of the command line alone.
+    // Options of the command line only.
     static readonly string[] NotInAFile = [Option, "--check", "--help"];
 
-    // What takes a path; in a file it is one from the file's own folder.
+    // Placeholders of options that take a path. In a file, paths are relative to the file's folder.
     static readonly string[] Paths = ["FILE", "FOLDER"];
 
-    /// <returns>The arguments with those of the file; the same ones where no file is named.</returns>
-    /// <exception cref="InputException">The file has wrong entries: all of them, each with its line.</exception>
+    /// <returns>The arguments with those of the file; unchanged if no file is given.</returns>
+    /// <exception cref="InputException">The file has invalid entries. The message lists all of them with their lines.</exception>
     public string[] Of(Command root, string[] args)
     {
         var typed = root.Parse(args);
@@ -34,12 +34,12 @@ sealed class ConfiguredArguments
         var wrong = new List<string>();
         foreach (var entry in ConfigurationFile.Read(path, wrong)) Add(root, typed, entry, path, added, wrong);
         if (wrong.Count > 0) throw new WrongEntriesException(wrong);
-        // Before the typed ones, which may end in values that have no option before them.
+        // Before the typed arguments, which may end with values without an option.
         var place = Array.IndexOf(args, verb.Name) + 1;
         return [.. args[..place], .. added, .. args[place..]];
     }
 
-    /// <summary>A complaint about what was configured, with its place in the file.</summary>
+    /// <summary>Adds the place in the file to a message about a configured option.</summary>
     public string Place(string complaint) => _places.Place(complaint);
 
     void Add(Command root, ParseResult typed, ConfigurationEntry entry, string path, List<string> added, List<string> wrong)
@@ -57,7 +57,7 @@ sealed class ConfiguredArguments
         var fault = Fault(entry, option);
         if (fault == null)
         {
-            // In one word: what begins with a dash or an @ is a value, too.
+            // As one argument, because a value may begin with a dash or an @.
             foreach (var value in entry.Values) arguments.Add($"{name}={Placed(value, option, path)}");
             fault = root.Parse([verb.Name, .. arguments]).Errors.FirstOrDefault(error => IsOf(error, option))?.Message;
         }
@@ -70,7 +70,7 @@ sealed class ConfiguredArguments
         }
     }
 
-    // What the command line would say of another form than it has.
+    // The message that the command line would give for an option of another form.
     static string Fault(ConfigurationEntry entry, Option option)
     {
         var takesMany = option.Arity.MaximumNumberOfValues > 1;

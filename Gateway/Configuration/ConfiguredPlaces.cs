@@ -1,22 +1,22 @@
 namespace Nowpose.Gateway.Configuration;
 
-/// <summary>Where in the configuration file each option stands: a complaint about one then says so.</summary>
+/// <summary>Maps options to their place in the configuration file, so that messages can state it.</summary>
 sealed class ConfiguredPlaces
 {
     readonly List<(string Beginning, string Told)> _beginnings = [];
 
-    /// <param name="option">As it is typed.</param>
-    /// <param name="paths">What it names files or folders by; others are not told by their value.</param>
+    /// <param name="option">The option as typed.</param>
+    /// <param name="paths">The files or folders that it names. Other values do not identify the option in a message.</param>
     public void Add(string option, ConfigurationEntry entry, IEnumerable<string> paths)
     {
         var named = entry.Wrong("");
         _beginnings.Add((option + ":", named.TrimEnd()));
         _beginnings.Add((option + " ", named.TrimEnd(' ', ':') + " "));
-        // "PATH, line 3" is a place by itself.
+        // "PATH, line 3" is already a place.
         foreach (var path in paths) _beginnings.Add((path + ": ", $"{named}{path}: "));
     }
 
-    /// <summary>The same complaint, with its place where it is about something of the file.</summary>
+    /// <summary>Returns the message, with its place if it is about an entry of the file.</summary>
     public string Place(string complaint)
     {
         foreach (var (beginning, told) in _beginnings)

@@ -6,10 +6,10 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Configuration;
 
-/// <summary>Looks at all that a gateway would be started with, and leaves nothing behind.</summary>
+/// <summary>Checks everything that a gateway would be started with, without leaving any changes.</summary>
 static class DryRun
 {
-    /// <param name="path">May be missing: it would be made.</param>
+    /// <param name="path">Path of the certificate. It may be missing; the gateway would create it.</param>
     public static X509Certificate2 Certificate(string path, string keyPath, Findings findings)
     {
         if (!File.Exists(path) && keyPath == null)
@@ -54,7 +54,7 @@ static class DryRun
         findings.Try(() => findings.Good("websocket", $"{scheme}://{webSocket}/{Remark("--ws-port", webSocket)}"));
     }
 
-    // A port that is taken is no mistake in what is configured: it may be by the gateway that this one is to replace.
+    // A port in use is not a configuration error: it may be used by the gateway that this one is to replace.
     static string Remark(string option, IPEndPoint at)
     {
         try
@@ -84,7 +84,7 @@ static class DryRun
     {
         try
         {
-            // Tried, for rights alone do not tell: not of a file system that can only be read.
+            // Tested by writing, because permissions are not sufficient on a read-only file system.
             using var trial = new FileStream(
                 Path.Combine(folder, Path.GetRandomFileName()), FileMode.CreateNew, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose);
         }

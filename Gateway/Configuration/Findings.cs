@@ -2,7 +2,7 @@ using Nowpose.Gateway.Options;
 
 namespace Nowpose.Gateway.Configuration;
 
-/// <summary>What a check found: lines "key value" of what is good, and all that is wrong.</summary>
+/// <summary>The result of a check: lines "key value" for valid settings, and all errors.</summary>
 sealed class Findings
 {
     readonly List<string> _good = [];
@@ -37,8 +37,8 @@ sealed class Findings
         return true;
     });
 
-    /// <summary>Writes what would be served.</summary>
-    /// <exception cref="InputException">Something is wrong: all of it.</exception>
+    /// <summary>Writes the settings that would be used.</summary>
+    /// <exception cref="InputException">There are errors. The message lists all of them.</exception>
     public void Conclude()
     {
         foreach (var line in _good) Console.Out.WriteLine(line);

@@ -1,19 +1,19 @@
 namespace Nowpose.Gateway.Configuration;
 
-/// <summary>Finds the word that was probably meant.</summary>
+/// <summary>Finds the known word that was probably meant.</summary>
 static class Nearest
 {
-    /// <returns>The one that fewest letters part from <paramref name="word"/>; null where that is more than a third of them.</returns>
+    /// <returns>The word with the smallest edit distance to <paramref name="word"/>; null if the distance exceeds a third of its letters.</returns>
     public static string Of(string word, IEnumerable<string> known)
     {
         var (near, letters) = known.Select(other => (other, Distance(word, other))).MinBy(pair => pair.Item2);
         return letters <= Math.Max(1, near.Length / 3) ? near : null;
     }
 
-    // Levenshtein's: letters added, left out or replaced.
+    // Levenshtein distance: letters added, removed or replaced.
     static int Distance(string a, string b)
     {
-        // A longer one is near to nothing.
+        // Longer words have no near match.
         if (a.Length > 64) return int.MaxValue;
         var row = Enumerable.Range(0, b.Length + 1).ToArray();
         for (var i = 1; i <= a.Length; i++)

@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Hub;
 
-/// <summary>One message on its way to the subscribers of its topic: written once for each spelling of time, for all of them.</summary>
+/// <summary>One message for the subscribers of its topic. It is serialised once per time format, for all of them.</summary>
 public sealed class HubMessage
 {
     readonly Lazy<byte[]> _sec;
@@ -22,13 +22,13 @@ public sealed class HubMessage
 
     public string Topic { get; }
 
-    /// <summary>Null where it is not known.</summary>
+    /// <summary>The source, or null if unknown.</summary>
     internal HubSource Source { get; }
 
-    /// <summary>The message as it was read: of the topic's type, a text for the robot description.</summary>
+    /// <summary>The deserialised message: an object of the topic's type, or a text for the robot description.</summary>
     public object Content { get; }
 
-    /// <summary>When its last byte was read, or when it was made in this process; a count of <see cref="Stopwatch"/>.</summary>
+    /// <summary>Time at which its last byte was read, or at which it was created in this process; a count of <see cref="Stopwatch"/>.</summary>
     public long ReceivedAt { get; }
 
     public static HubMessage Of(JointStateMessage message, long receivedAt, HubSource source = null) => new(
@@ -41,18 +41,18 @@ public sealed class HubMessage
         RosTopics.Diagnostics, message, Stopwatch.GetTimestamp(), form => RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, message, form),
         source);
 
-    /// <summary>The joints that are not live, for headsets.</summary>
+    /// <summary>Creates a message with the joints that are not live, for headsets.</summary>
     internal static HubMessage JointStatus(DiagnosticsMessage message) => new(
         RosTopics.JointStatus, message, Stopwatch.GetTimestamp(),
         form => RosbridgeWriter.PublishDiagnostics(RosTopics.JointStatus, message, form));
 
-    /// <summary>What a headset shows; no sample of the robot.</summary>
+    /// <summary>Creates a message with the pose that a headset displays. It is not a sample of the robot.</summary>
     public static HubMessage Displayed(JointStateMessage message) => new(
         RosTopics.Displayed, message, Stopwatch.GetTimestamp(), form => RosbridgeWriter.PublishJointState(RosTopics.Displayed, message, form));
 
     public static HubMessage Description(string urdf) => new(
         RosTopics.RobotDescription, urdf, Stopwatch.GetTimestamp(), _ => RosbridgeWriter.PublishString(RosTopics.RobotDescription, urdf));
 
-    /// <summary>The message as UTF-8; the same array for all who ask.</summary>
+    /// <summary>Gets the message as UTF-8; the same array for all callers.</summary>
     internal ReadOnlyMemory<byte> Utf8(RosTimeForm form) => form == RosTimeForm.Secs ? _secs.Value : _sec.Value;
 }

@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Hub;
 
-/// <summary>One publisher on the hub: a plant of this process, or a client. Disposing it frees its joints.</summary>
+/// <summary>One publisher on the hub: a plant in this process, or a client. Disposing it releases its joints.</summary>
 public sealed class HubSource : IDisposable
 {
     static readonly string[] TheRobot = ["the robot"];
@@ -15,23 +15,23 @@ public sealed class HubSource : IDisposable
     internal const string Unnamed = "rosbridge";
 
     readonly MessageHub _hub;
-    // The last names claimed: a source sends the same ones over and over.
+    // The names of the last claim: a source sends the same ones repeatedly.
     string[] _claimed = [];
 
     internal HubSource(MessageHub hub) => _hub = hub;
 
-    /// <summary>Shown to users: the adapter's name where it is an adapter.</summary>
+    /// <summary>Name for users; for an adapter, the adapter's name.</summary>
     internal string Name { get; set; } = Own;
 
     /// <summary>Remote address of a client, without the port; null for a source of this process.</summary>
     internal string Address { get; set; }
 
-    /// <summary>Name for messages; with the address where the client has not named itself.</summary>
+    /// <summary>Name for messages, with the address if the client has not named itself.</summary>
     internal string Title => Name == Unnamed && Address != null ? $"{Name} {Address}" : Name;
 
     /// <summary>Publishes to all subscribers, unless a joint of the message belongs to another source.</summary>
-    /// <param name="receivedAt">When its last byte was read, a count of <see cref="Stopwatch"/>; null for now.</param>
-    /// <returns>That joint, or null when the message went out.</returns>
+    /// <param name="receivedAt">Time at which its last byte was read, a count of <see cref="Stopwatch"/>; null for now.</param>
+    /// <returns>The name of that joint, or null if the message was published.</returns>
     public string TryPublish(JointStateMessage message, long? receivedAt = null)
     {
         var taken = message.Names.AsSpan().SequenceEqual(_claimed) ? null : _hub.Claim(this, RosTopics.JointStates, message.Names);
@@ -42,7 +42,7 @@ public sealed class HubSource : IDisposable
         return null;
     }
 
-    /// <summary>The same with set-points; a source's newest are kept for whoever subscribes later: they last, and come once.</summary>
+    /// <summary>Publishes set-points. The newest of each source are kept for later subscribers, because they stay valid and are sent once.</summary>
     /// <inheritdoc cref="TryPublish(JointStateMessage, long?)"/>
     internal string TryPublish(JointTrajectoryMessage message, long? receivedAt = null)
     {
@@ -52,8 +52,8 @@ public sealed class HubSource : IDisposable
         return taken;
     }
 
-    /// <summary>Publishes the robot description, kept for whoever subscribes later, unless another source has given one.</summary>
-    /// <returns>What is taken, or null when it went out.</returns>
+    /// <summary>Publishes the robot description and keeps it for later subscribers, unless another source has published one.</summary>
+    /// <returns>The reason for the refusal, or null if it was published.</returns>
     public string TryDescribe(string urdf)
     {
         var taken = _hub.Claim(this, RosTopics.RobotDescription, TheRobot);
@@ -62,7 +62,7 @@ public sealed class HubSource : IDisposable
         return taken;
     }
 
-    /// <summary>What a headset shows: forwarded, and owned by nobody.</summary>
+    /// <summary>Publishes the pose that a headset displays. It is forwarded without owning the joints.</summary>
     public void PublishDisplayed(JointStateMessage message) => _hub.Publish(HubMessage.Displayed(message));
 
     internal void Publish(DiagnosticsMessage message) => _hub.Publish(HubMessage.Of(message, this));
@@ -77,10 +77,10 @@ public sealed class HubSource : IDisposable
     /// <param name="names">The joints that it names, as far as they can be read.</param>
     internal void ReportDropped(string[] names, string reason) => _hub.ReportDropped(this, names, reason);
 
-    /// <summary>The source ends in order: its joints are missed no longer than usual.</summary>
+    /// <summary>Reports that the source ends normally, so that its missing joints are not reported for longer than usual.</summary>
     internal void Leave() => _hub.ReportLeft(this);
 
-    /// <summary>Gives back what was claimed on one topic.</summary>
+    /// <summary>Releases the joints claimed on one topic.</summary>
     public void Release(string topic)
     {
         _claimed = [];

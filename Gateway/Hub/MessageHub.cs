@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Hub;
 
-/// <summary>Where sources and subscribers meet. Any thread; publishing never waits for a subscriber.</summary>
+/// <summary>Distributes messages from sources to subscribers. Any thread; publishing never waits for a subscriber.</summary>
 public sealed class MessageHub
 {
     readonly Lock _lock = new();
@@ -14,10 +14,10 @@ public sealed class MessageHub
     readonly Dictionary<HubSource, HubMessage> _newest = [];
     HubMessage _description;
 
-    /// <summary>How many topics somebody subscribes to.</summary>
+    /// <summary>Number of topics with at least one subscriber.</summary>
     internal int Topics => Volatile.Read(ref _subscribers).Count;
 
-    /// <summary>The robot description; null before a source has published one.</summary>
+    /// <summary>The robot description; null until a source has published one.</summary>
     internal string Description
     {
         get
@@ -26,26 +26,28 @@ public sealed class MessageHub
         }
     }
 
-    /// <summary>How long joint states took from their receipt to the sockets of those that subscribe.</summary>
+    /// <summary>Times from the receipt of joint states until they are written to the subscribers' sockets.</summary>
     public ForwardingTimes Forwarding { get; } = new();
 
-    /// <summary>A sample was refused: the source, the joint, and the source that the joint belongs to. Called under the hub's lock.</summary>
+    /// <summary>Raised when a sample was refused: the source, the joint, and the joint's owner. Called under the hub's lock.</summary>
     internal event Action<HubSource, string, HubSource> JointRefused;
 
-    /// <summary>A sample was dropped for its content: the source, the joints that it names, and the reason. They belong to no other source.</summary>
+    /// <summary>
+    /// Raised when a sample was dropped for its content: the source, the joints named in it, and the reason. Joints of other sources are excluded.
+    /// </summary>
     internal event Action<HubSource, string[], string> SampleDropped;
 
-    /// <summary>A client closed its connection in order: its name.</summary>
+    /// <summary>Raised when a client closed its connection normally, with its name.</summary>
     internal event Action<string> Left;
 
-    /// <summary>A source ended in order: it closed its connection, or said that it publishes no more joint states.</summary>
+    /// <summary>Raised when a source ended normally: it closed its connection or unadvertised its joint states.</summary>
     internal event Action<HubSource> SourceLeft;
 
-    /// <summary>Somebody who publishes; a joint belongs to the first source that publishes it, until that one is disposed.</summary>
+    /// <summary>Creates a publisher. A joint belongs to the first source that publishes it, until that source is disposed.</summary>
     public HubSource OpenSource() => new(this);
 
     /// <summary>Calls <paramref name="receive"/> for every message of a topic from now on, on the publisher's thread: it must not wait.</summary>
-    /// <remarks>A robot description that was published before is handed over at once, and each source's newest set-points.</remarks>
+    /// <remarks>A robot description that was published before is passed immediately, and so are each source's newest set-points.</remarks>
     public IDisposable Subscribe(string topic, Action<HubMessage> receive)
     {
         lock (_lock)
@@ -70,7 +72,7 @@ public sealed class MessageHub
 
     internal void PublishDescription(HubMessage message)
     {
-        // Under the lock: a subscriber that comes just now gets it once, as the kept one or as the new one.
+        // Under the lock, so that a new subscriber gets it exactly once, as the kept or as the new message.
         lock (_lock)
         {
             _description = message;
@@ -78,10 +80,10 @@ public sealed class MessageHub
         }
     }
 
-    /// <summary>Publishes what stays true until its source publishes the next.</summary>
+    /// <summary>Publishes a message that stays valid until its source publishes the next.</summary>
     internal void PublishNewest(HubSource source, HubMessage message)
     {
-        // Under the lock, as the description.
+        // Under the lock, like the description.
         lock (_lock)
         {
             _newest[source] = message;
@@ -89,8 +91,8 @@ public sealed class MessageHub
         }
     }
 
-    /// <summary>Takes all of the names or none.</summary>
-    /// <returns>The name that belongs to another source, or null when all are the asker's now.</returns>
+    /// <summary>Claims all of the names or none.</summary>
+    /// <returns>The name that belongs to another source, or null if all were claimed.</returns>
     internal string Claim(HubSource source, string topic, string[] names)
     {
         lock (_lock)
@@ -120,7 +122,7 @@ public sealed class MessageHub
     {
         lock (_lock)
         {
-            // A valid sample would have been refused, too: the joints of the other source are not affected.
+            // A valid sample would have been refused, too, so the joints of the other source are not affected.
             if (FindTaken(source, RosTopics.JointStates, names) is { } taken)
             {
                 JointRefused?.Invoke(source, taken, _owners[(RosTopics.JointStates, taken)]);
@@ -143,7 +145,7 @@ public sealed class MessageHub
         }
     }
 
-    // The first name that belongs to another source; null where there is none. Called under the lock.
+    // Gets the first name that belongs to another source; null if there is none. Called under the lock.
     string FindTaken(HubSource source, string topic, string[] names) =>
         Array.Find(names, name => _owners.TryGetValue((topic, name), out var owner) && owner != source);
 
@@ -152,7 +154,7 @@ public sealed class MessageHub
         lock (_lock)
         {
             var left = _subscribers.GetValueOrDefault(topic, []).Remove(receive);
-            // Anybody may name any topic, as many as there are names: nothing may be left of them.
+            // Removed when unused: a client may subscribe to any number of topics, which must not accumulate.
             _subscribers = left.IsEmpty ? _subscribers.Remove(topic) : _subscribers.SetItem(topic, left);
         }
     }

@@ -1,9 +1,9 @@
 namespace Nowpose.Gateway.MotionRecordings;
 
-/// <summary>Joint positions over time as a user recorded them; between two rows they move on a straight line.</summary>
+/// <summary>Joint positions over time as recorded by a user, with linear interpolation between rows.</summary>
 /// <remarks>
-/// Units are the file's own (rad, m). Times are seconds relative to the file's first row, so that a recording stamped
-/// with the date keeps its precision. Immutable, any thread.
+/// Units are the file's own (rad, m). Times are seconds relative to the file's first row, which preserves the precision of a recording
+/// stamped with dates. Immutable, any thread.
 /// </remarks>
 public sealed class MotionRecording
 {
@@ -22,7 +22,7 @@ public sealed class MotionRecording
     /// <summary>The joints, in the order of the file's columns and of <see cref="At"/>.</summary>
     public IReadOnlyList<string> Names => _names;
 
-    /// <summary>Time of the first row as the file says, s.</summary>
+    /// <summary>Time of the first row as given in the file, s.</summary>
     public double Start { get; }
 
     /// <summary>Time of the last row relative to the first, s; positive.</summary>
@@ -32,7 +32,7 @@ public sealed class MotionRecording
     /// Reads <c>FILE.csv</c> or <c>FILE.csv.gz</c>: a header, first the time <c>t</c> or <c>t_s</c> (seconds, strictly
     /// increasing), then one column per joint.
     /// </summary>
-    /// <exception cref="InputException">The file cannot be read or is not of this form; names file, line and field.</exception>
+    /// <exception cref="InputException">The file cannot be read or has another format. The message names file, line and field.</exception>
     public static MotionRecording Read(string path)
     {
         using var text = RecordingText.Open(path);
@@ -40,9 +40,9 @@ public sealed class MotionRecording
         return reader.Read();
     }
 
-    /// <summary>All joints at a time, interpolated linearly; before the first row the first, after the last the last.</summary>
+    /// <summary>Gets all joints at a time, interpolated linearly. Before the first row, it returns the first; after the last row, the last.</summary>
     /// <param name="secondsSinceStart">Relative to <see cref="Start"/>.</param>
-    /// <param name="positions">Filled; one element per joint, in the order of <see cref="Names"/>.</param>
+    /// <param name="positions">Receives one element per joint, in the order of <see cref="Names"/>.</param>
     public void At(double secondsSinceStart, Span<double> positions)
     {
         if (double.IsNaN(secondsSinceStart)) throw new ArgumentException("a time is a number", nameof(secondsSinceStart));
@@ -62,12 +62,12 @@ public sealed class MotionRecording
     /// <summary>Times of the rows relative to <see cref="Start"/>, s.</summary>
     public IReadOnlyList<double> Times => _times;
 
-    /// <summary>A joint as it was recorded, one position per row.</summary>
+    /// <summary>Gets the recorded positions of a joint, one per row.</summary>
     /// <param name="joint">Index into <see cref="Names"/>.</param>
     public double[] PositionsOf(int joint) => [.. Enumerable.Range(0, _times.Length).Select(row => _positions[row * _names.Length + joint])];
 
-    /// <summary>The rows from one time to another, both included, as a recording of its own.</summary>
-    /// <returns>Null where fewer than two rows lie there.</returns>
+    /// <summary>Gets the rows from one time to another, both inclusive, as a new recording.</summary>
+    /// <returns>Null for fewer than two rows.</returns>
     public MotionRecording Between(double from, double to)
     {
         var first = Array.FindIndex(_times, t => t >= from);

@@ -4,12 +4,12 @@ using CsvHelper.Configuration;
 
 namespace Nowpose.Gateway.MotionRecordings;
 
-/// <summary>Reads one motion recording row by row and says where it is wrong.</summary>
+/// <summary>Reads one motion recording row by row and reports the place of errors.</summary>
 sealed class MotionRecordingReader : IDisposable
 {
     const int LongestShownValue = 40;
 
-    /// <summary>So that differences of any two are finite.</summary>
+    /// <summary>Maximum magnitude, so that the difference of any two values is finite.</summary>
     const double GreatestValue = 8e307;
 
     readonly string _path;
@@ -74,7 +74,7 @@ sealed class MotionRecordingReader : IDisposable
     {
         do
         {
-            // Where the row starts: a quotation mark that is never closed runs on to the end of the file.
+            // The row's start: an unclosed quotation mark extends the row to the end of the file.
             _row = _csv.RawRow + 1;
             if (!_csv.Read()) return false;
         }
@@ -89,7 +89,7 @@ sealed class MotionRecordingReader : IDisposable
         var time = Number(0);
         var exact = Exact(time);
         if (_times.Count == 0) (_start, _exactStart) = (time, exact);
-        // A double that holds a date resolves 0.24 µs: the difference is taken before anything is rounded to it.
+        // A double that holds a date has a resolution of 0.24 µs, so the difference is computed before rounding.
         var elapsed = (double?)(exact - _exactStart) ?? time - _start;
         if (_times.Count > 0 && !(elapsed > _times[^1]))
             throw Wrong($"field {_header[0]}: {Shown(_csv[0])} s is not after the row before; time must increase strictly");
@@ -97,11 +97,11 @@ sealed class MotionRecordingReader : IDisposable
         for (var i = 1; i < _header.Length; i++) _positions.Add(Number(i));
     }
 
-    /// <summary>The row's time as it is written; null where a decimal does not hold it.</summary>
+    /// <summary>Gets the exact time of the row; null if a decimal cannot hold it.</summary>
     decimal? Exact(double rounded)
     {
         var isRead = decimal.TryParse(_csv[0], NumberStyles.Float, CultureInfo.InvariantCulture, out var value);
-        // What is too small for a decimal becomes 0 without a word.
+        // A value too small for a decimal becomes 0 without an error.
         return isRead && Math.Abs((double)value - rounded) <= 1e-15 * Math.Abs(rounded) ? value : null;
     }
 
@@ -119,7 +119,7 @@ sealed class MotionRecordingReader : IDisposable
 
     InputException Wrong(string what) => new($"{_path}:{_csv.RawRow}: {what}");
 
-    /// <summary>A value as it may stand in a one-line message: short and without line breaks.</summary>
+    /// <summary>Formats a value for a one-line message: short and without line breaks.</summary>
     static string Shown(string value)
     {
         var text = value.Length <= LongestShownValue ? value : value[..LongestShownValue] + "…";

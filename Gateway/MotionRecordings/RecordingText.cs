@@ -2,11 +2,11 @@ using System.IO.Compression;
 
 namespace Nowpose.Gateway.MotionRecordings;
 
-/// <summary>Opens text files that users name, compressed or not, with errors a user understands.</summary>
+/// <summary>Opens text files given by users, compressed or not, with clear errors.</summary>
 public static class RecordingText
 {
-    /// <summary>The text of a file, unpacked while read if its name ends in <c>.gz</c>. The caller disposes it.</summary>
-    /// <exception cref="InputException">There is no such file, or it cannot be opened.</exception>
+    /// <summary>Opens a file's text, unpacked while it is read if its name ends in <c>.gz</c>. The caller disposes it.</summary>
+    /// <exception cref="InputException">The file does not exist or cannot be opened.</exception>
     public static TextReader Open(string path)
     {
         if (string.IsNullOrWhiteSpace(path))
@@ -30,7 +30,7 @@ public static class RecordingText
         }
     }
 
-    /// <summary>What to throw when reading the text fails half way.</summary>
+    /// <summary>Creates the exception for a failure in the middle of reading.</summary>
     public static InputException Unreadable(string path, Exception e) => e is InvalidDataException
         ? new InputException($"{path}: is not a complete gzip file; a name ending in .gz promises one", e)
         : new InputException($"{path}: cannot be read: {e.Message.ReplaceLineEndings(" ")}", e);

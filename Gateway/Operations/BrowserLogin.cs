@@ -3,8 +3,8 @@ using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Operations;
 
-/// <summary>Exchanges a token for a cookie, and takes it back.</summary>
-/// <remarks>No script reads the cookie, no other site's page sends it, and over TLS it travels over TLS only. It ends with its token.</remarks>
+/// <summary>Exchanges a token for a session cookie, and ends the session.</summary>
+/// <remarks>The cookie is hidden from scripts and other sites, and with TLS sent over TLS only. It is valid as long as its token.</remarks>
 sealed class BrowserLogin(GatewayOptions options, Door door, ConnectionCounters counters, Action<string> log)
 {
     readonly WrongTokens _wrong = new(options.Time);
@@ -16,7 +16,7 @@ sealed class BrowserLogin(GatewayOptions options, Door door, ConnectionCounters 
             return;
         if (!options.AsksForTokens)
             await RefuseAsync(context, StatusCodes.Status400BadRequest, "this gateway asks for no token");
-        // Others of this address may have been answered while the body was on its way.
+        // The address may have been blocked by other requests while the body was being received.
         else if (await SmallJson.ReadAsync(context) is not { } request || await RefuseBlockedAsync(context))
             return;
         else if (options.RoleOf(request.GetValueOrDefault("token", "").Trim()) is { } role)

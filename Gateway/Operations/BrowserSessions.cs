@@ -4,25 +4,25 @@ using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Operations;
 
-/// <summary>Browsers that showed a token once, and show a random name for it since: a page cannot keep a token as safely. Any thread.</summary>
-/// <remarks>In memory only: a gateway that is started again asks again. A session is worth what its token is worth at the moment.</remarks>
+/// <summary>Sessions of browsers that have presented a token. They send a random id, as a page cannot store a token safely. Any thread.</summary>
+/// <remarks>Kept in memory only, so a restarted gateway requires a new login. A session has the current rights of its token.</remarks>
 sealed class BrowserSessions(TimeProvider time)
 {
-    /// <summary>Of more than this the one that was idle longest ends: who may log in does not fill the memory.</summary>
+    /// <summary>Maximum number of sessions. Beyond it, the one that was idle longest ends, so that logins cannot exhaust the memory.</summary>
     const int GreatestCount = 256;
 
     const int IdBytes = 32;
 
-    /// <summary>A browser that was left open asks again the next morning.</summary>
+    /// <summary>Maximum idle time: a browser that was left open requires a new login the next morning.</summary>
     static readonly TimeSpan GreatestIdle = TimeSpan.FromHours(12);
 
     readonly Dictionary<string, Session> _sessions = [];
 
-    /// <summary>Another port is another gateway, but to a browser the same place.</summary>
+    /// <summary>Gets the cookie's name. It includes the port, because browsers share cookies between the ports of a host.</summary>
     public static string CookieOf(HttpContext context) => $"nowpose-{context.Connection.LocalPort}";
 
-    /// <param name="tokenHash">As <see cref="TokenList.HashOf"/> makes it.</param>
-    /// <returns>What the browser shows from now on: 32 random bytes, as text.</returns>
+    /// <param name="tokenHash">Hash from <see cref="TokenList.HashOf"/>.</param>
+    /// <returns>The session's id for the browser: 32 random bytes as text.</returns>
     public string Open(byte[] tokenHash)
     {
         var id = Base64Url.EncodeToString(RandomNumberGenerator.GetBytes(IdBytes));
@@ -35,7 +35,7 @@ sealed class BrowserSessions(TimeProvider time)
         return id;
     }
 
-    /// <summary>The hash of the token that was shown for it; null for what is no session, or none any more.</summary>
+    /// <summary>Gets the hash of a session's token; null for an unknown or expired session.</summary>
     public byte[] TokenHashOf(string id)
     {
         var key = KeyOf(id);
@@ -53,7 +53,7 @@ sealed class BrowserSessions(TimeProvider time)
         }
     }
 
-    /// <summary>Whether it still counts; asking does not make it last longer.</summary>
+    /// <summary>Whether the session is valid. This does not extend it.</summary>
     public bool IsOpen(string id)
     {
         lock (_sessions)
@@ -66,7 +66,7 @@ sealed class BrowserSessions(TimeProvider time)
             _sessions.Remove(KeyOf(id));
     }
 
-    // Looked up by its hash: how much of a guess fits does not show in the time.
+    // Looked up by its hash, so that the time does not reveal how much of a guess is right.
     static string KeyOf(string id) => Convert.ToBase64String(TokenList.HashOf(id ?? ""));
 
     readonly record struct Session(byte[] TokenHash, long Used);

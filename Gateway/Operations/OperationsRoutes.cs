@@ -2,9 +2,9 @@ using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Operations;
 
-/// <summary>The page of operations, and how a browser logs in for it. What it shows is served below the same path by others.</summary>
-/// <remarks>The page itself tells nothing and needs no token: it has the form that asks for one.</remarks>
-/// <param name="html">Null where it was not built.</param>
+/// <summary>Serves the operations page and its login. The data that it shows are served below the same path by others.</summary>
+/// <remarks>The page itself contains no data and needs no token: it has the login form.</remarks>
+/// <param name="html">Null if the page was not built.</param>
 sealed class OperationsRoutes(GatewayOptions options, Door door, ConnectionCounters counters, Action<string> log, string html)
 {
     public const string Path = "/operations";
@@ -13,7 +13,7 @@ sealed class OperationsRoutes(GatewayOptions options, Door door, ConnectionCount
     readonly HtmlPage _page = new(html);
     readonly BrowserLogin _login = new(options, door, counters, log);
 
-    /// <summary>Answers its own requests and hands on the others, WebSockets on every path.</summary>
+    /// <summary>Answers its own requests and passes on the others, WebSockets on every path.</summary>
     public async Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         var request = context.Request;

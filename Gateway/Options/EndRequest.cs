@@ -2,10 +2,10 @@ using System.Runtime.InteropServices;
 
 namespace Nowpose.Gateway.Options;
 
-/// <summary>Ctrl-C, and what else asks a process to end: a service manager, a terminal that is closed. The second one ends it at once.</summary>
+/// <summary>Handles Ctrl-C and other requests to end, for example of a service manager. The second one ends the process immediately.</summary>
 sealed class EndRequest : IDisposable
 {
-    /// <summary>Room to write what was measured or recorded so far.</summary>
+    /// <summary>Time to write the results measured or recorded so far.</summary>
     static readonly TimeSpan TimeToEnd = TimeSpan.FromSeconds(15);
 
     static readonly PosixSignal[] Signals = [PosixSignal.SIGINT, PosixSignal.SIGTERM, PosixSignal.SIGHUP, PosixSignal.SIGQUIT];
@@ -19,7 +19,7 @@ sealed class EndRequest : IDisposable
 
     public CancellationToken Token => _stop.Token;
 
-    /// <summary>Whether it was Ctrl-C; so is whatever else cancelled.</summary>
+    /// <summary>Whether the request was Ctrl-C. Other cancellations count as Ctrl-C, too.</summary>
     public bool IsInterrupt { get; private set; } = true;
 
     public void Dispose()
@@ -34,7 +34,7 @@ sealed class EndRequest : IDisposable
         context.Cancel = true;
         IsInterrupt = context.Signal == PosixSignal.SIGINT;
         _patience = new Timer(_ => Environment.Exit(IsInterrupt ? ExitStatus.Interrupted : ExitStatus.Terminated), null, TimeToEnd, Timeout.InfiniteTimeSpan);
-        // Whoever waits for it goes on where it waits: not on the thread that brings signals.
+        // Continuations of the cancellation must not run on the thread that delivers signals.
         Task.Run(_stop.Cancel);
     }
 }

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Options;
 
-/// <summary>What the process says when it ends.</summary>
+/// <summary>The exit status of the process.</summary>
 public static class ExitStatus
 {
     public const int Done = 0;

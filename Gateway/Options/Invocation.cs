@@ -3,10 +3,10 @@ using System.CommandLine.Help;
 
 namespace Nowpose.Gateway.Options;
 
-/// <summary>How every program here runs a command: bad input is one line on stderr and exit 2, a failure 1, Ctrl-C 130.</summary>
+/// <summary>Runs a command of any program here: invalid input gives one line on stderr and exit status 2, a failure 1, Ctrl-C 130.</summary>
 public static class Invocation
 {
-    /// <summary>The command above all verbs, called by the program's own name whatever its file is called.</summary>
+    /// <summary>Creates the root command. It has the program's own name, even if the executable file is named differently.</summary>
     public static Command Root(string program, string description, params Command[] verbs)
     {
         var root = new Command(program, description) { new HelpOption { Recursive = true }, new VersionOption() };
@@ -14,12 +14,12 @@ public static class Invocation
         return root;
     }
 
-    /// <param name="root">What <see cref="Root"/> made; its name stands before each complaint.</param>
+    /// <param name="root">The command from <see cref="Root"/>. Its name precedes each error message.</param>
     /// <param name="args">As typed.</param>
-    /// <param name="whenTerminated">The status after a request to end that is no Ctrl-C, as a service manager sends it.</param>
-    /// <param name="complete">Adds to the arguments what else was configured; null for nothing.</param>
-    /// <param name="place">Says of a complaint about something configured where that stands; null for as it is.</param>
-    /// <returns>The exit status; never throws for what the user typed or gave.</returns>
+    /// <param name="whenTerminated">Exit status after a request to end other than Ctrl-C, for example by a service manager.</param>
+    /// <param name="complete">Adds configured arguments; null for none.</param>
+    /// <param name="place">Adds the place in the configuration to an error message; null to leave it unchanged.</param>
+    /// <returns>The exit status. Never throws for invalid user input.</returns>
     public static async Task<int> RunAsync(
         Command root, string[] args, int whenTerminated = ExitStatus.Terminated,
         Func<Command, string[], string[]> complete = null, Func<string, string> place = null)
@@ -32,7 +32,7 @@ public static class Invocation
             var parsed = root.Parse(complete == null ? args : complete(root, args));
             if (parsed.Errors.Count > 0 && parsed.Action is not HelpAction)
                 return Fail(program, ExitStatus.BadInput, Complaint(parsed) + " See --help.");
-            // Null: the library's own handling of signals, which ends with the same status whatever the signal was, stays out of it.
+            // Null disables the library's signal handling, which ends with the same status for every signal.
             var configuration = new InvocationConfiguration { EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null };
             return await parsed.InvokeAsync(configuration, end.Token);
         }
@@ -55,7 +55,7 @@ public static class Invocation
         }
     }
 
-    // What is not known comes after "no command" in the list of errors, but is what went wrong.
+    // An unknown command comes after "no command" in the list of errors, but is the actual error.
     static string Complaint(ParseResult parsed)
     {
         if (parsed.UnmatchedTokens.Count == 0) return parsed.Errors[0].Message;

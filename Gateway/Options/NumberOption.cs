@@ -5,10 +5,10 @@ using System.Numerics;
 
 namespace Nowpose.Gateway.Options;
 
-/// <summary>Options that take a number within a range; anything else is one line that names option, value, unit and range.</summary>
+/// <summary>Options that take a number within a range. An invalid value gives one line that names option, value, unit and range.</summary>
 public static class NumberOption
 {
-    /// <param name="unit">Written after the numbers in messages: "ms", "s", or empty.</param>
+    /// <param name="unit">Unit after the numbers in messages: "ms", "s", or empty.</param>
     public static Option<T> Create<T>(string name, string description, T standard, T least, T greatest, string unit)
         where T : INumber<T>
     {
@@ -20,7 +20,7 @@ public static class NumberOption
         };
     }
 
-    /// <summary>The same without a standard: null when it is not given.</summary>
+    /// <summary>Creates an option without a default: null when it is not given.</summary>
     public static Option<T?> CreateOptional<T>(string name, string description, T least, T greatest, string unit)
         where T : struct, INumber<T>
     {
@@ -36,7 +36,7 @@ public static class NumberOption
     {
         var text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
         var allowed = Invariant($"allowed are {least} to {greatest}{Suffix(unit)}.");
-        // As a double first: a number that does not fit is out of range, not "no number".
+        // Parsed as a double first: a number that does not fit the type is out of range, not "no number".
         if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var number))
             result.AddError($"{name}: '{text}' is not a number; {allowed}");
         else if (!(number >= double.CreateChecked(least) && number <= double.CreateChecked(greatest)))

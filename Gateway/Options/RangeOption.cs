@@ -28,7 +28,7 @@ public static class RangeOption
         return default;
     }
 
-    // Without a sign: "5--3" is no range.
+    // Without a sign: "5--3" is not a range.
     static bool IsNumber(string text, out double value) =>
         double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out value);
 }

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Options;
 
-/// <summary>All that is wrong with what the user gave, a line each: who mends a file wants to know it at once.</summary>
+/// <summary>All errors in the user's input, one line each, so that a file can be corrected at once.</summary>
 public sealed class WrongEntriesException(IReadOnlyList<string> lines) : InputException(string.Join("; ", lines))
 {
     public IReadOnlyList<string> Lines { get; } = lines;

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>The headsets that were paired, a line each, for programs and people; only its owner may read it.</summary>
+/// <summary>The file of paired headsets, one line each, for programs and people. Only its owner may read it.</summary>
 static class HeadsetFile
 {
     const string Head = "# Headsets that this gateway has paired. Remove a line to revoke its token; its connections end at once.\n";
@@ -11,38 +11,38 @@ static class HeadsetFile
 
     static readonly TimeSpan AttemptInterval = TimeSpan.FromMilliseconds(25);
 
-    /// <summary>Makes the file where there is none.</summary>
-    /// <exception cref="InputException">It cannot be made or read, or a line is something else.</exception>
+    /// <summary>Creates the file if it does not exist.</summary>
+    /// <exception cref="InputException">The file cannot be created or read, or a line is invalid.</exception>
     public static IReadOnlyList<PairedHeadset> Open(string path) => Guarded(path, () =>
     {
         if (!File.Exists(path)) Rewrite(path, FileMode.OpenOrCreate, text => text.Length == 0 ? Head : text);
         return Load(path);
     });
 
-    /// <summary>No file is no headsets.</summary>
-    /// <exception cref="InputException">It cannot be read, or a line is something else.</exception>
+    /// <summary>Reads the file; a missing file means no headsets.</summary>
+    /// <exception cref="InputException">The file cannot be read, or a line is invalid.</exception>
     public static IReadOnlyList<PairedHeadset> Load(string path)
     {
         var headsets = Load(path, out var fault);
         return fault == null ? headsets : throw new InputException(fault);
     }
 
-    /// <summary>All lines that can be used: one that cannot must not keep a token alive that was removed beside it.</summary>
-    /// <param name="fault">Names the first line that is something else; null where all are headsets.</param>
-    /// <exception cref="InputException">It cannot be read.</exception>
+    /// <summary>Reads all valid lines. An invalid line must not keep a token valid that was removed in the same edit.</summary>
+    /// <param name="fault">Describes the first invalid line; null if all are valid.</param>
+    /// <exception cref="InputException">The file cannot be read.</exception>
     public static IReadOnlyList<PairedHeadset> Load(string path, out string fault)
     {
         var lines = Guarded(path, () => File.Exists(path) ? Patient(() => File.ReadAllLines(path)) : []);
         return Parse(path, lines, out fault);
     }
 
-    /// <exception cref="InputException">It cannot be written.</exception>
+    /// <exception cref="InputException">The file cannot be written.</exception>
     public static void Add(string path, PairedHeadset headset) => Rewrite(path, FileMode.OpenOrCreate, text =>
-        // An editor may have left the last line without its end.
+        // An editor may have left the last line without a line end.
         text + (text.Length > 0 && text[^1] != '\n' ? "\n" : "") + headset + "\n");
 
-    /// <summary>Removes lines, and keeps what stands between them, and whose file it is.</summary>
-    /// <exception cref="InputException">It cannot be read or written.</exception>
+    /// <summary>Removes lines. Keeps the text between them, and the file's owner.</summary>
+    /// <exception cref="InputException">The file cannot be read or written.</exception>
     public static void Remove(string path, IReadOnlyCollection<PairedHeadset> headsets)
     {
         var gone = headsets.Select(headset => headset.ToString()).ToHashSet();
@@ -65,7 +65,7 @@ static class HeadsetFile
         return headsets;
     }
 
-    // In place, and closed to all others from reading to writing: a gateway that pairs while somebody revokes loses neither.
+    // Edited in place with an exclusive lock: a gateway that pairs while a token is revoked loses neither change.
     static void Rewrite(string path, FileMode mode, Func<string, string> change) => Guarded(path, () =>
     {
         var options = new FileStreamOptions { Mode = mode, Access = FileAccess.ReadWrite, Share = FileShare.None };
@@ -82,7 +82,7 @@ static class HeadsetFile
         return true;
     });
 
-    // Another one has it open for a moment only.
+    // Another process has the file open for a short time only.
     static T Patient<T>(Func<T> work)
     {
         for (var left = Attempts; ; left--)

@@ -4,11 +4,11 @@ using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>The headsets that may connect with a token of their own. Any thread.</summary>
-/// <remarks>Follows its file: a line that somebody removes is a token that counts no longer.</remarks>
+/// <summary>The headsets that may connect with their own tokens. Any thread.</summary>
+/// <remarks>Follows its file: the token of a removed line is no longer valid.</remarks>
 public sealed class HeadsetList
 {
-    /// <summary>More than this no gateway serves; each line is compared at each connection.</summary>
+    /// <summary>Maximum number of headsets. No gateway serves more; each line is compared at each connection.</summary>
     const int GreatestCount = 1000;
 
     const int TokenBytes = 32;
@@ -18,20 +18,20 @@ public sealed class HeadsetList
     readonly object _gate = new();
     readonly FollowedFile<IReadOnlyList<PairedHeadset>> _headsets;
 
-    /// <param name="path">Made where there is none.</param>
-    /// <param name="log">Is told when the file cannot be read any more; null for nobody.</param>
-    /// <exception cref="InputException">The file cannot be used; names it and the line.</exception>
+    /// <param name="path">Path of the file; created if it does not exist.</param>
+    /// <param name="log">Receives a line when the file cannot be read any more; null for none.</param>
+    /// <exception cref="InputException">The file is invalid. The message names it and the line.</exception>
     public HeadsetList(string path, TimeProvider time = null, Action<string> log = null)
     {
         _path = path;
         _time = time ?? TimeProvider.System;
         HeadsetFile.Open(path);
-        // At once: who writes it keeps all others out meanwhile.
+        // Without a delay: a writer locks the file exclusively.
         _headsets = new FollowedFile<IReadOnlyList<PairedHeadset>>(
             [path], (out string fault) => HeadsetFile.Load(path, out fault), TimeSpan.Zero, log);
     }
 
-    /// <summary>Reads the file again if it changed.</summary>
+    /// <summary>Reads the file again if it has changed.</summary>
     internal void Follow() => _ = _headsets.Current;
 
     internal string Path => _path;
@@ -39,8 +39,8 @@ public sealed class HeadsetList
     /// <inheritdoc cref="Knows(byte[])"/>
     public bool Knows(string token) => Knows(TokenList.HashOf(token ?? ""));
 
-    /// <summary>Whether the token is a headset's. Takes as long whichever it is.</summary>
-    /// <param name="hash">As <see cref="TokenList.HashOf"/> makes it.</param>
+    /// <summary>Whether the token belongs to a headset. Takes the same time for all tokens.</summary>
+    /// <param name="hash">Hash from <see cref="TokenList.HashOf"/>.</param>
     public bool Knows(byte[] hash)
     {
         var isKnown = false;
@@ -49,8 +49,8 @@ public sealed class HeadsetList
         return isKnown;
     }
 
-    /// <summary>Makes a token for a headset and keeps its hash; the token itself is nowhere else.</summary>
-    /// <exception cref="InputException">It cannot be kept, or there are too many.</exception>
+    /// <summary>Creates a token for a headset and stores its hash. The token itself is not stored.</summary>
+    /// <exception cref="InputException">The hash cannot be stored, or there are too many headsets.</exception>
     internal string Add(string name, out PairedHeadset headset)
     {
         var token = Base64Url.EncodeToString(RandomNumberGenerator.GetBytes(TokenBytes));

@@ -3,14 +3,14 @@ using System.Security.Cryptography;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>A headset that was given a token: its name, when, and the token's hash. A line of the list.</summary>
+/// <summary>One line of the list: the headset's name, the time of its pairing, and the hash of its token.</summary>
 sealed record PairedHeadset(string Name, DateTime PairedUtc, byte[] Hash)
 {
     public const int GreatestName = 64;
 
     const string Role = "observer", HashPrefix = "sha256/", TimeFormat = "yyyy-MM-dd'T'HH:mm:ss'Z'";
 
-    /// <summary>Null for a line that is none.</summary>
+    /// <summary>Reads a line; null if it is invalid.</summary>
     public static PairedHeadset Read(string line)
     {
         var words = line.Split(' ', 4);
@@ -22,7 +22,7 @@ sealed record PairedHeadset(string Name, DateTime PairedUtc, byte[] Hash)
             ? new PairedHeadset(words[3], paired, hash[..length]) : null;
     }
 
-    /// <summary>What a headset calls itself, as a line may hold it: without what nobody sees, and no longer than allowed.</summary>
+    /// <summary>Cleans a headset's name for a line: removes invisible characters and limits the length.</summary>
     public static string NameOf(string name)
     {
         var plain = new string([.. (name ?? "").Where(IsPlain)]).Trim();

@@ -5,17 +5,17 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>The page that shows the code and prints markers, and what it asks for. For browsers on this machine, and those of operators.</summary>
+/// <summary>The page that shows the code and prints markers, with its requests. For browsers on this machine, and for operators' browsers.</summary>
 /// <remarks>
-/// Who can open it can pair a headset. From elsewhere an operator logs in on the page of operations first; or the page comes through
-/// a tunnel of somebody who may log in here, or the verb "pair" shows the code on a terminal.
+/// Anyone who can open the page can pair a headset. From other machines, an operator logs in on the operations page first. Alternatively,
+/// the page is opened through a tunnel by a user of this machine, or the verb "pair" shows the code on a terminal.
 /// </remarks>
-/// <param name="html">Null where it was not built.</param>
+/// <param name="html">Null if the page was not built.</param>
 sealed class PairingPage(GatewayOptions options, ShownCode shown, Door door, string html)
 {
     readonly HtmlPage _page = new(html);
 
-    /// <summary>Of both servers, once they are known.</summary>
+    /// <summary>Ports of both servers, once they are known.</summary>
     public int SyncPort { get; set; }
 
     /// <inheritdoc cref="SyncPort"/>
@@ -31,7 +31,7 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, Door door, str
         if (await AdmitAsync(context)) await _page.SendAsync(context);
     }
 
-    /// <summary>POST /pair/code: {"renew": ""} for another one.</summary>
+    /// <summary>POST /pair/code: {"renew": ""} requests a new code.</summary>
     public async Task TellCodeAsync(HttpContext context)
     {
         if (!await AdmitAsync(context) || await SmallJson.ReadAsync(context) is not { } request) return;
@@ -40,7 +40,7 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, Door door, str
         await SmallJson.AnswerAsync(context, new { text = code.Text, left_s = left.TotalSeconds, key = code.Pin?.Beginning ?? "" });
     }
 
-    /// <summary>POST /pair/cell: the marker's code of name, host, offset and size_mm; with nothing what to begin with.</summary>
+    /// <summary>POST /pair/cell: gets the marker's code for name, host, offset and size_mm; without them, the default values.</summary>
     public async Task TellCellAsync(HttpContext context)
     {
         if (!await AdmitAsync(context) || await SmallJson.ReadAsync(context) is not { } request) return;
@@ -69,16 +69,16 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, Door door, str
         }
     }
 
-    // Behind a plain gateway there is nobody but this machine.
+    // A gateway without TLS serves this machine only.
     string[] Hosts() => options.Certificate == null
         ? ["localhost"] : [.. OwnHosts.Reachable(options.Bind).Select(host => host.Trim('[', ']'))];
 
     async Task<bool> AdmitAsync(HttpContext context)
     {
         if (!await door.AdmitOriginAsync(context)) return false;
-        // A page whose name was made to point here (DNS rebinding) would read along: it comes with its own name.
+        // A page whose name was made to resolve to this address (DNS rebinding) could read the answer. It sends its own host name.
         if (IsFromThisMachine(context.Connection) && door.IsOwnHost(context)) return true;
-        // An operator's cookie or header does not come with such a name.
+        // An operator's cookie or header is not sent with such a name.
         if (door.IsOperator(context)) return true;
         await Door.AnswerAsync(
             context, StatusCodes.Status403Forbidden,
@@ -86,7 +86,7 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, Door door, str
         return false;
     }
 
-    // Nobody else gets an answer to an address that is this machine's own.
+    // Answers to an address of this machine cannot reach any other machine.
     static bool IsFromThisMachine(ConnectionInfo connection) =>
         IPAddress.IsLoopback(connection.RemoteIpAddress) || connection.RemoteIpAddress.Equals(connection.LocalIpAddress);
 }

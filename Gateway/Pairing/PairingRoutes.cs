@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>What the gateway answers below /pair when it pairs headsets.</summary>
+/// <summary>Serves the requests below /pair when the gateway pairs headsets.</summary>
 sealed class PairingRoutes
 {
     const string CodePath = PairingLimits.Path + "/code", CellPath = PairingLimits.Path + "/cell";
@@ -12,7 +12,7 @@ sealed class PairingRoutes
     readonly PairingService _service;
     readonly bool _isOn;
 
-    /// <param name="html">Of the page; null where it was not built.</param>
+    /// <param name="html">The HTML of the page; null if it was not built.</param>
     public PairingRoutes(GatewayOptions options, Door door, ConnectionCounters counters, Action<string> log, string html)
     {
         var shown = new ShownCode(options.Certificate == null ? null : CertificatePin.Of(options.Certificate), options.Time);
@@ -23,7 +23,7 @@ sealed class PairingRoutes
 
     public PairingPage Page { get; }
 
-    /// <summary>Answers its own requests and hands on the others, WebSockets on every path.</summary>
+    /// <summary>Answers its own requests and passes on the others, WebSockets on every path.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         var request = context.Request;

@@ -3,7 +3,7 @@ using Nowpose.Pairing;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>Gives a headset a token of its own for the one of the shown code.</summary>
+/// <summary>Exchanges the token of the shown code for a headset's own token.</summary>
 sealed class PairingService(GatewayOptions options, ShownCode shown, Door door, ConnectionCounters counters, Action<string> log)
 {
     readonly WrongTokens _wrong = new(options.Time);
@@ -11,10 +11,10 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, Door door, 
     /// <summary>POST /pair.</summary>
     public async Task ServeAsync(HttpContext context)
     {
-        // A headset sends no Origin; a page of somebody else's that tries codes does.
+        // A headset sends no Origin. Another site's page that tries codes does.
         if (!await door.AdmitOriginAsync(context)) return;
         if (await RefuseBlockedAsync(context)) return;
-        // Others of this address may have been answered while the body was on its way.
+        // The address may have been blocked by other requests while the body was being received.
         if (await SmallJson.ReadAsync(context) is not { } request || await RefuseBlockedAsync(context)) return;
         if (!request.TryGetValue("token", out var token) || !request.TryGetValue("name", out var name))
             await Door.AnswerAsync(context, StatusCodes.Status400BadRequest, "token and name are needed");
@@ -40,7 +40,7 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, Door door, 
         }
         catch (InputException fault)
         {
-            // The code stays worth something: it was not the headset's fault.
+            // The code stays valid: the failure was not the headset's.
             log("pairing: " + fault.Message);
             return Door.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, "the headset's token cannot be kept");
         }

@@ -6,8 +6,8 @@ using Base64Url = System.Buffers.Text.Base64Url;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>The one code that a headset may exchange at the moment. Any thread.</summary>
-/// <remarks>Another one takes its place when it is used, when it is too old, and when somebody asks for one.</remarks>
+/// <summary>The code that a headset can exchange at present. Any thread.</summary>
+/// <remarks>It is replaced when it is used, when it expires, and on request.</remarks>
 sealed class ShownCode(CertificatePin pin, TimeProvider time)
 {
     readonly object _gate = new();
@@ -15,7 +15,7 @@ sealed class ShownCode(CertificatePin pin, TimeProvider time)
     long _made;
     bool _isUsed = true;
 
-    /// <summary>The code to show, and for how long it is still worth something.</summary>
+    /// <summary>Gets the code to show, and the remaining time of its validity.</summary>
     public TokenCode Current(out TimeSpan left)
     {
         lock (_gate)
@@ -26,20 +26,20 @@ sealed class ShownCode(CertificatePin pin, TimeProvider time)
         }
     }
 
-    /// <summary>The code that is shown is worth nothing any more.</summary>
+    /// <summary>Invalidates the shown code.</summary>
     public void Discard()
     {
         lock (_gate)
             _isUsed = true;
     }
 
-    /// <summary>Exchanges the token of the shown code, once: it stays what it was when <paramref name="give"/> fails.</summary>
-    /// <returns>What was given; null for any other token.</returns>
+    /// <summary>Exchanges the token of the shown code once. The code stays valid if <paramref name="give"/> fails.</summary>
+    /// <returns>The result of the exchange; null for any other token.</returns>
     public string Take(string token, Func<string> give)
     {
         lock (_gate)
         {
-            // Compared all the same: whether there is a code at all does not show in the time.
+            // Always compared, so that the time does not reveal whether there is a code.
             var isIt = CryptographicOperations.FixedTimeEquals(TokenList.HashOf(token ?? ""), TokenList.HashOf(_code?.Token ?? ""));
             if (!isIt || !IsValid) return null;
             var given = give();

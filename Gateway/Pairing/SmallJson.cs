@@ -4,12 +4,14 @@ using Nowpose.Pairing;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>Requests and answers of a few texts, bounded before they are read.</summary>
+/// <summary>Reads and writes requests and answers with a few texts. Their size is checked before they are read.</summary>
 static class SmallJson
 {
     static readonly JsonDocumentOptions Strict = new() { MaxDepth = 2 };
 
-    /// <returns>The texts of the request's object, unknown ones too; null when it is something else: it was refused then, and answered.</returns>
+    /// <returns>
+    /// The texts of the request's object, including unknown ones; null for any other request, which has then been refused and answered.
+    /// </returns>
     public static async Task<Dictionary<string, string>> ReadAsync(HttpContext context)
     {
         var length = context.Request.ContentLength;

@@ -3,10 +3,10 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>How a program that this gateway starts reaches it: told by its environment, which neither a file nor a list of processes shows.</summary>
-/// <param name="WebSocket">On this machine.</param>
-/// <param name="Token">Of a source, made at each start of the gateway.</param>
-/// <param name="Pin">Of the gateway's key; null without TLS.</param>
+/// <summary>Access to this gateway for a program that it starts. Passed in the environment, which files and process lists do not show.</summary>
+/// <param name="WebSocket">Address of the WebSocket on this machine.</param>
+/// <param name="Token">Token with the role of a source, created at each start of the gateway.</param>
+/// <param name="Pin">Pin of the gateway's key; null without TLS.</param>
 sealed record AdapterAccess(Uri WebSocket, string Token, CertificatePin Pin)
 {
     public static AdapterAccess To(GatewayServer gateway)
@@ -26,6 +26,6 @@ sealed record AdapterAccess(Uri WebSocket, string Token, CertificatePin Pin)
         else environment["NOWPOSE_PIN"] = Pin.ToString();
     }
 
-    /// <summary>Without the token.</summary>
+    /// <summary>Gets the address, without the token.</summary>
     public override string ToString() => WebSocket.ToString();
 }

@@ -2,12 +2,12 @@ using System.Diagnostics;
 
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>Keeps the program that reads one control system running: starts it again when it ends, and ends it with the gateway.</summary>
+/// <summary>Keeps the program of one control system's adapter running: restarts it when it ends, and ends it with the gateway.</summary>
 sealed class AdapterProcess : IAsyncDisposable
 {
     static readonly TimeSpan FirstPause = TimeSpan.FromSeconds(0.5), LongestPause = TimeSpan.FromSeconds(30);
 
-    /// <summary>One that ran for so long did not fail at its start.</summary>
+    /// <summary>Minimum run time of a successful start.</summary>
     static readonly TimeSpan Steady = TimeSpan.FromSeconds(60);
 
     static readonly TimeSpan TimeToEnd = TimeSpan.FromSeconds(4);
@@ -23,8 +23,8 @@ sealed class AdapterProcess : IAsyncDisposable
     long _startedAt;
     int _starts;
 
-    /// <summary>Starts it at once.</summary>
-    /// <param name="log">Takes its lines as well.</param>
+    /// <summary>Starts the program immediately.</summary>
+    /// <param name="log">Receives the program's lines, too.</param>
     public AdapterProcess(PlantFile plant, AdapterAccess access, TimeProvider time, Action<string> log)
     {
         _plant = plant;
@@ -34,13 +34,13 @@ sealed class AdapterProcess : IAsyncDisposable
         _running = Task.Run(RunAsync);
     }
 
-    /// <summary>How often it was started.</summary>
+    /// <summary>Number of starts.</summary>
     public int Starts => Volatile.Read(ref _starts);
 
     public AdapterState State =>
         new(_plant.Name, _process == null ? null : _time.GetElapsedTime(Interlocked.Read(ref _startedAt)), _end);
 
-    /// <summary>Of the program at present; null while it does not run.</summary>
+    /// <summary>Id of the running program; null while it is not running.</summary>
     internal int? ProcessId => _process?.Id;
 
     public async ValueTask DisposeAsync()
@@ -106,7 +106,7 @@ sealed class AdapterProcess : IAsyncDisposable
         }
         catch (Exception e) when (e is InvalidOperationException or IOException or ObjectDisposedException)
         {
-            // Has ended by itself.
+            // The process has already ended.
         }
     }
 }

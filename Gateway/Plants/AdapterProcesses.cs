@@ -3,7 +3,7 @@ using Nowpose.Gateway.Options;
 
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>The adapters that a gateway brings with it, one for each control system.</summary>
+/// <summary>The programs of the adapters that a gateway starts, one for each control system.</summary>
 sealed class AdapterProcesses : IAsyncDisposable
 {
     readonly AdapterProcess[] _processes;
@@ -11,8 +11,8 @@ sealed class AdapterProcesses : IAsyncDisposable
     AdapterProcesses(AdapterProcess[] processes) => _processes = processes;
 
     /// <summary>Checks all configurations.</summary>
-    /// <param name="options">Of the gateway that they are for.</param>
-    /// <exception cref="InputException">Any has wrong entries: all of them, of all files.</exception>
+    /// <param name="options">Options of their gateway.</param>
+    /// <exception cref="InputException">A configuration has invalid entries. The message lists all entries of all files.</exception>
     public static async Task<IReadOnlyList<PlantFile>> CheckAsync(
         IReadOnlyCollection<string> files, GatewayOptions options, CancellationToken stop)
     {
@@ -46,7 +46,7 @@ sealed class AdapterProcesses : IAsyncDisposable
     }
 
     /// <summary>Starts an adapter for each plant.</summary>
-    /// <param name="gateway">Serves already. It writes their lines into its log and is not ready until all of them report.</param>
+    /// <param name="gateway">The running gateway. It logs the programs' lines and is not ready until all of them report.</param>
     public static AdapterProcesses Start(IEnumerable<PlantFile> plants, GatewayServer gateway)
     {
         var access = AdapterAccess.To(gateway);

@@ -5,15 +5,15 @@ using Nowpose.Gateway.Options;
 
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>The program under Node.js that reads a control system; Gateway/Adapters makes it.</summary>
+/// <summary>The Node.js program that reads a control system, built from Gateway/Adapters.</summary>
 static class AdapterProgram
 {
     const string Needed = "--plant: Node.js 20 or newer is needed to read a control system";
     static readonly TimeSpan CheckTimeout = TimeSpan.FromSeconds(30);
     static readonly string Script = Path.Combine(AppContext.BaseDirectory, "adapters", "plant.mjs");
 
-    /// <summary>Has the program check a configuration file, without reading the plant.</summary>
-    /// <exception cref="InputException">The file has wrong entries, each with its line; or the program cannot run.</exception>
+    /// <summary>Lets the program check a configuration file, without reading the plant.</summary>
+    /// <exception cref="InputException">The file has invalid entries, listed with their lines, or the program cannot run.</exception>
     public static async Task<PlantFile> CheckAsync(string file, CancellationToken stop)
     {
         using var process = Start(file, ["--check"], null);
@@ -39,9 +39,9 @@ static class AdapterProgram
         }
     }
 
-    /// <summary>Starts it with its input and outputs redirected.</summary>
-    /// <param name="access">Where the gateway is; null for a run that needs none.</param>
-    /// <exception cref="InputException">Node.js is missing, or was where this program was built.</exception>
+    /// <summary>Starts the program with redirected input and outputs.</summary>
+    /// <param name="access">Access to the gateway; null for a run that needs none.</param>
+    /// <exception cref="InputException">Node.js is missing, or was missing when this program was built.</exception>
     public static Process Start(string file, IEnumerable<string> options, AdapterAccess access)
     {
         if (!File.Exists(Script)) throw new InputException($"{Needed}; this program was built without it: install it and build again");
@@ -56,7 +56,7 @@ static class AdapterProgram
                 StandardErrorEncoding = Encoding.UTF8,
             },
         };
-        // It ends when its input does: also when this process was killed.
+        // The program ends when its input is closed, also when this process was killed.
         process.StartInfo.Environment["NOWPOSE_SUPERVISED"] = "1";
         access?.Tell(process.StartInfo.Environment);
         try

@@ -1,14 +1,14 @@
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>When a simulated cell samples, and how long a sample takes until it is sent.</summary>
+/// <summary>The sampling times of a simulated cell, and the delay until a sample is sent.</summary>
 public sealed record CellTiming
 {
-    /// <summary>The cell's control cycle: stamps are whole cycles.</summary>
+    /// <summary>The cell's control cycle. Stamps are multiples of it.</summary>
     public static readonly TimeSpan Cycle = TimeSpan.FromMilliseconds(1);
 
     /// <param name="samplingInterval">T_s, at least one cycle.</param>
-    /// <param name="acquisitionMin">Shortest time from t_k until the sample is sent.</param>
-    /// <param name="acquisitionMax">Longest; in between all are equally likely.</param>
+    /// <param name="acquisitionMin">Minimum time from t_k until the sample is sent.</param>
+    /// <param name="acquisitionMax">Maximum time; uniformly distributed between both.</param>
     public CellTiming(TimeSpan samplingInterval, TimeSpan acquisitionMin, TimeSpan acquisitionMax)
     {
         if (samplingInterval < Cycle)

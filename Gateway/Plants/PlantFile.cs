@@ -1,7 +1,7 @@
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>A plant's configuration that was checked.</summary>
-/// <param name="Path">Of the file.</param>
-/// <param name="Name">Of the plant: its adapter reports under it.</param>
-/// <param name="Summary">A line for the log: what is read from where.</param>
+/// <summary>A checked plant configuration.</summary>
+/// <param name="Path">Path of the file.</param>
+/// <param name="Name">Name of the plant, under which its adapter reports.</param>
+/// <param name="Summary">A line for the log: the data and their source.</param>
 sealed record PlantFile(string Path, string Name, string Summary);

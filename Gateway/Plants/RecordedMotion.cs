@@ -4,7 +4,7 @@ using Nowpose.Motion;
 
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>A recording played forth and back: one pass there and one back is one cycle.</summary>
+/// <summary>A recording played forward and backward. One pass in each direction is one cycle.</summary>
 public sealed class RecordedMotion : IMotion
 {
     readonly MotionRecording _recording;
@@ -13,9 +13,9 @@ public sealed class RecordedMotion : IMotion
     readonly bool[] _given;
     readonly double[] _rest;
 
-    /// <summary>Columns move the joints of their names; when not all of them are joints of the robot, its joints in order.</summary>
-    /// <remarks>Joints without a column stand still at 0 or the limit next to it; mimic joints follow theirs.</remarks>
-    /// <exception cref="InputException">The recording has more columns than the robot joints, or the robot too many.</exception>
+    /// <summary>Assigns columns to joints by name; if any name is not a joint of the robot, to its joints in order.</summary>
+    /// <remarks>Joints without a column stay at 0, or at the limit nearest to 0. Mimic joints follow their masters.</remarks>
+    /// <exception cref="InputException">The recording has more columns than the robot has joints, or the robot has too many joints.</exception>
     public RecordedMotion(MotionRecording recording, RobotModel robot)
     {
         _recording = recording;

@@ -2,16 +2,16 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>Robots by the name of one that comes along, or by the path of a URDF.</summary>
+/// <summary>Loads robots by the name of an included one, or by the path of a URDF.</summary>
 public static class RobotFiles
 {
     static readonly string[] Included = ["youbot", "ur5", "ur3e", "ur5e", "ur10e", "ur16e"];
 
-    /// <summary>Whether it names one that comes along.</summary>
+    /// <summary>Whether the name is that of an included robot.</summary>
     public static bool IsIncluded(string name) => Included.Contains(name);
 
-    /// <param name="nameOrPath">"youbot", "ur5e" or another that comes along, or the path of a .urdf file.</param>
-    /// <exception cref="InputException">There is no such robot, or its URDF cannot be read or computed.</exception>
+    /// <param name="nameOrPath">"youbot", "ur5e" or another included robot, or the path of a .urdf file.</param>
+    /// <exception cref="InputException">The robot does not exist, or its URDF cannot be read or computed.</exception>
     public static RobotModel Load(string nameOrPath) => Load(nameOrPath, out _);
 
     /// <param name="urdf">The robot's text, as it is sent to a headset.</param>
@@ -22,7 +22,7 @@ public static class RobotFiles
         return UrdfReader.Read(urdf, nameOrPath);
     }
 
-    /// <summary>The URDF itself, as it is sent to a headset; not checked.</summary>
+    /// <summary>Reads the URDF text that is sent to a headset, without checks.</summary>
     /// <inheritdoc cref="Load(string)"/>
     public static string LoadText(string nameOrPath)
     {

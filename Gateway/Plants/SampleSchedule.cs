@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>The samples of a cell one after the other: when each is taken and when it is sent. Made of a seed, without a clock.</summary>
+/// <summary>The times at which a cell takes and sends its samples. Computed from a seed, without a clock.</summary>
 sealed class SampleSchedule
 {
     readonly ControlTime _start;
@@ -8,7 +8,7 @@ sealed class SampleSchedule
     readonly Random _random;
     long _index = -1;
 
-    /// <param name="from">The first sample is taken at the first multiple of T_s that is not before.</param>
+    /// <param name="from">The first sample is taken at the first multiple of T_s that is not earlier.</param>
     public SampleSchedule(ControlTime from, CellTiming timing, int seed)
     {
         var step = timing.SamplingInterval.Ticks;
@@ -19,13 +19,13 @@ sealed class SampleSchedule
         Taken = Sent = _start;
     }
 
-    /// <summary>t_k, cut to the control cycle.</summary>
+    /// <summary>t_k, rounded down to the control cycle.</summary>
     public ControlTime Taken { get; private set; }
 
-    /// <summary>Never before the one before it: a sample waits for its forerunner.</summary>
+    /// <summary>Time of sending, never before that of the previous sample.</summary>
     public ControlTime Sent { get; private set; }
 
-    /// <summary>Goes on to the next sample; to the first when called first.</summary>
+    /// <summary>Advances to the next sample. The first call advances to the first sample.</summary>
     public void Next()
     {
         var nominal = _start + new TimeSpan(++_index * _timing.SamplingInterval.Ticks);

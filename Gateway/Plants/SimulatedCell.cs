@@ -6,7 +6,7 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>A robot cell that publishes its joint positions, and knows where its robot truly is.</summary>
+/// <summary>A robot cell that publishes its joint positions, with access to the robot's true position.</summary>
 public sealed class SimulatedCell : IDisposable
 {
     readonly IControlClock _clock;
@@ -18,8 +18,8 @@ public sealed class SimulatedCell : IDisposable
     long _samples;
 
     /// <param name="timing">When samples are taken and sent.</param>
-    /// <param name="seed">Of the acquisition delays.</param>
-    /// <param name="publishesPlan">Whether the set-points of the next second are published too, four times a second.</param>
+    /// <param name="seed">Seed of the acquisition delays.</param>
+    /// <param name="publishesPlan">Whether the set-points of the next second are published, too, four times a second.</param>
     public SimulatedCell(IMotion motion, IControlClock clock, CellTiming timing, int seed, bool publishesPlan = false)
     {
         Motion = motion;
@@ -32,26 +32,26 @@ public sealed class SimulatedCell : IDisposable
 
     public IMotion Motion { get; }
 
-    /// <summary>When the motion began.</summary>
+    /// <summary>Start of the motion.</summary>
     public ControlTime Start { get; }
 
     /// <summary>Samples sent so far. Any thread.</summary>
     public long Samples => Interlocked.Read(ref _samples);
 
-    /// <summary>Where the robot truly is; any thread, allocates nothing.</summary>
+    /// <summary>Gets the robot's true position; any thread, no allocations.</summary>
     /// <param name="positions">As long as the motion's joint names, rad or m.</param>
     public void TruthAt(ControlTime time, Span<double> positions) => Motion.At((time - Start).Ticks / (double)TimeSpan.TicksPerSecond, positions);
 
-    /// <summary>Begins to publish into a hub, on a thread of its own until disposed.</summary>
+    /// <summary>Starts to publish to a hub, on a separate thread until disposed.</summary>
     /// <remarks>
-    /// After a gateway was restarted the cell goes on in the new one's hub when called again. Not to be called, nor the cell
-    /// disposed, by a subscriber that is being handed a sample.
+    /// After a restart of the gateway, call this again to continue in the new hub. A subscriber that is receiving a sample must not call this
+    /// or dispose the cell.
     /// </remarks>
     public void PublishInto(MessageHub hub)
     {
         StopThread();
         _stop.Reset();
-        // Above the others: who is late here makes the acquisition look longer than it was set.
+        // A higher priority: a late thread would increase the acquisition time beyond its setting.
         _thread = new Thread(() => Publish(hub)) { IsBackground = true, Name = "simulated cell", Priority = ThreadPriority.AboveNormal };
         _thread.Start();
     }
@@ -65,7 +65,7 @@ public sealed class SimulatedCell : IDisposable
     void Publish(MessageHub hub)
     {
         using var source = hub.OpenSource();
-        // What was due while there was no hub is lost, as it is with a real cell.
+        // Samples that were due without a hub are lost, as with a real cell.
         do
             _schedule.Next();
         while (_schedule.Sent < _clock.Now);
@@ -85,7 +85,7 @@ public sealed class SimulatedCell : IDisposable
         }
     }
 
-    // False when stopped.
+    // False if stopped.
     bool WaitUntil(ControlTime time) => PreciseWait.While(() => time - _clock.Now, _stop);
 
     void StopThread()

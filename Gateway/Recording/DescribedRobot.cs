@@ -3,20 +3,20 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Recording;
 
-/// <summary>The robot that a source described. Any thread.</summary>
+/// <summary>The robot description from a source, with its model. Any thread.</summary>
 sealed class DescribedRobot(string urdf)
 {
     public static readonly DescribedRobot None = new(null);
 
     readonly Lazy<RobotModel> _model = new(() => ModelOf(urdf));
 
-    /// <summary>Null where none was described.</summary>
+    /// <summary>Null if no robot was described.</summary>
     public string Urdf => urdf;
 
-    /// <summary>Null where there is none; read at the first call, which takes its time: not under a lock.</summary>
+    /// <summary>The model, or null if there is none. Computed slowly at the first call, so do not call this under a lock.</summary>
     public RobotModel Model => _model.Value;
 
-    // A description that no headset could use is none here either.
+    // Null for a description that a headset could not use.
     static RobotModel ModelOf(string urdf)
     {
         try

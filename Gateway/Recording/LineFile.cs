@@ -1,15 +1,15 @@
 namespace Nowpose.Gateway.Recording;
 
-/// <summary>A file of lines that knows which of them are on the disk: also when a disk is full in the middle of one.</summary>
+/// <summary>A file of lines that tracks which lines are on the disk, even if the disk becomes full in the middle of one.</summary>
 /// <remarks>
-/// A buffered file that fails has lost what was in its buffer, and nobody knows how much that was. Of one thread, except for the counts.
+/// A normal buffered file that fails loses an unknown part of its buffer. For one thread, except for the counts.
 /// </remarks>
 sealed class LineFile : Stream
 {
     const int BufferBytes = 64 * 1024;
     const byte End = (byte)'\n';
 
-    // What the recording says of itself is none of the lines that can be missed.
+    // Lines that the recorder writes about itself do not count as records.
     static readonly byte[][] Own = [.. new[] { "session", "lost", "end" }.Select(kind => System.Text.Encoding.ASCII.GetBytes($"{{\"kind\":\"{kind}\""))];
 
     readonly Stream _disk;
@@ -18,10 +18,10 @@ sealed class LineFile : Stream
     long _lines, _waiting;
     bool _hasFailed;
 
-    /// <param name="disk">Unbuffered; disposed of with this.</param>
+    /// <param name="disk">The unbuffered file; disposed with this object.</param>
     public LineFile(Stream disk) => _disk = disk;
 
-    /// <summary>A file that did not exist; for its owner, to be read by the group.</summary>
+    /// <summary>Creates a file that must not exist yet, writable by its owner and readable by its group.</summary>
     public static LineFile Create(string path)
     {
         var options = new FileStreamOptions
@@ -33,7 +33,7 @@ sealed class LineFile : Stream
         return new LineFile(new FileStream(path, options));
     }
 
-    /// <summary>Records on the disk, or on their way to it as long as nothing failed. Any thread.</summary>
+    /// <summary>Number of records on the disk, including buffered ones as long as nothing has failed. Any thread.</summary>
     public long Records => Interlocked.Read(ref _lines) + (Volatile.Read(ref _hasFailed) ? 0 : Interlocked.Read(ref _waiting));
 
     public override bool CanRead => false;
@@ -42,7 +42,7 @@ sealed class LineFile : Stream
     public override long Length => _disk.Length;
     public override long Position { get => _disk.Position; set => throw new NotSupportedException(); }
 
-    /// <summary>Takes whole lines.</summary>
+    /// <summary>Writes whole lines.</summary>
     public override void Write(ReadOnlySpan<byte> line)
     {
         if (_length + line.Length > _buffer.Length) Flush();
@@ -102,7 +102,7 @@ sealed class LineFile : Stream
         Interlocked.Exchange(ref _waiting, 0);
     }
 
-    // How many of the bytes stay: the whole lines of those that reached the disk. A torn one is cut off.
+    // Returns how many of the bytes to keep: the whole lines that reached the disk. An incomplete line is cut off.
     int Mend(long before, ReadOnlySpan<byte> lines)
     {
         try

@@ -3,15 +3,15 @@ using Nowpose.Recording;
 
 namespace Nowpose.Gateway.Recording;
 
-/// <summary>One session file while it is written: who is told of something puts it into a ring, a thread of its own writes.</summary>
+/// <summary>One session file while it is written. Producers put records into a ring buffer; a separate thread writes them.</summary>
 sealed class RecordedFile
 {
-    /// <summary>Eight seconds of a thousand messages each; a power of two.</summary>
+    /// <summary>Capacity for eight seconds of a thousand messages each; a power of two.</summary>
     const int RingLength = 8192;
 
     const double GreatestMegabytes = 500;
 
-    /// <summary>The next file is begun before this one is full, so that nothing is lost between them.</summary>
+    /// <summary>Size at which the next file is started, before this one is full, so that nothing is lost between them.</summary>
     internal const long GreatestBytes = (long)(0.9 * GreatestMegabytes * 1e6);
 
     readonly RecordRing _ring = new(RingLength, DropsLine.Count);
@@ -21,7 +21,7 @@ sealed class RecordedFile
     int _isNextAskedFor;
     volatile string _deletion;
 
-    /// <param name="open">Makes the file of this path; called on the writing thread.</param>
+    /// <param name="open">Creates the file at this path; called on the writing thread.</param>
     public RecordedFile(string path, Func<string, LineFile> open, string cell, DescribedRobot robot, DateTime startedUtc)
     {
         Path = path;
@@ -35,13 +35,13 @@ sealed class RecordedFile
 
     public string Path { get; }
 
-    /// <summary>What the header was written with.</summary>
+    /// <summary>The robot in the file's header.</summary>
     public DescribedRobot Robot { get; }
 
-    /// <summary>When the next file took its place, a count of <see cref="System.Diagnostics.Stopwatch"/>.</summary>
+    /// <summary>Time at which the next file replaced this one, a count of <see cref="System.Diagnostics.Stopwatch"/>.</summary>
     public long RetiredAt { get; set; }
 
-    /// <summary>Whether the file was deleted: nothing of it can be read any more.</summary>
+    /// <summary>Whether the file was deleted, so that its content is lost.</summary>
     public bool IsDeleted { get; private set; }
 
     /// <inheritdoc cref="RecordingStatus.IsDeletedWhileWritten"/>
@@ -49,21 +49,23 @@ sealed class RecordedFile
 
     public RecordingState State => _writer.State;
 
-    /// <summary>Why the recording ended by itself; null otherwise.</summary>
+    /// <summary>The reason why the recording ended because of an error; null otherwise.</summary>
     public string Problem => _deletion ?? _writer.Problem;
     public long Bytes => _writer.Written;
     public Task Ended => _writer.Ended;
 
-    /// <summary>Records in the file, or on their way into it. Any thread.</summary>
+    /// <summary>Number of records in the file or on their way to it. Any thread.</summary>
     public long Records => State == RecordingState.Recording && !IsDeleted ? Interlocked.Read(ref _offered) - _ring.Lost : Written;
 
-    /// <summary>Records that should be in the file and are not: for want of room in the ring, or since the disk failed. Any thread.</summary>
+    /// <summary>Number of missing records: because the ring was full, or since the disk failed. Any thread.</summary>
     public long Lost => Interlocked.Read(ref _offered) - Records;
 
-    /// <summary>Whether it is as long as it may be, so that another is to be begun: said once. Any thread.</summary>
+    /// <summary>Whether the file has reached its maximum size and the next one must be started. True only once. Any thread.</summary>
     public bool AsksForTheNext(long greatestBytes) => Bytes > greatestBytes && Interlocked.Exchange(ref _isNextAskedFor, 1) == 0;
 
-    /// <summary>A record to fill and hand to <see cref="Publish"/>; null when it cannot be kept: it is counted then. Any thread; waits for nobody.</summary>
+    /// <summary>
+    /// Gets a record to fill and pass to <see cref="Publish"/>; null if it cannot be stored, which is counted as lost. Any thread; does not wait.
+    /// </summary>
     public SessionRecord TryClaim(RecordKind kind)
     {
         Interlocked.Increment(ref _offered);
@@ -72,21 +74,21 @@ sealed class RecordedFile
 
     public void Publish(SessionRecord record) => _ring.Publish(record);
 
-    /// <summary>Completes when all that was recorded by now is in the file, or the recording has ended.</summary>
+    /// <summary>Completes when all records up to now are in the file, or the recording has ended.</summary>
     public Task FlushAsync() => _writer.FlushAsync();
 
-    /// <summary>What was recorded by now is still written; returns at once, see <see cref="Ended"/>.</summary>
+    /// <summary>Stops the recording. Records up to now are still written. Returns immediately; see <see cref="Ended"/>.</summary>
     public void Stop() => _writer.Stop();
 
-    /// <summary>The file is gone from the folder.</summary>
-    /// <param name="isRecording">Whether it was still to be written: that is a problem then, and the file is ended.</param>
+    /// <summary>Reports that the file was removed from the folder.</summary>
+    /// <param name="isRecording">Whether it was still being written. This is an error, and the file is ended.</param>
     public void SetDeleted(bool isRecording)
     {
         IsDeleted = true;
         if (isRecording) _deletion = "the file was deleted while it was written, and its lines are lost";
     }
 
-    /// <summary>Whether the file has been made.</summary>
+    /// <summary>Whether the file has been created.</summary>
     public bool IsMade => _lines != null;
 
     long Written => IsDeleted ? 0 : _lines?.Records ?? 0;

@@ -8,8 +8,8 @@ using Nowpose.Sync;
 
 namespace Nowpose.Gateway.Recording;
 
-/// <summary>Puts what passes the gateway into the words of a session file: its counter stands in the place of C2.</summary>
-/// <remarks>Any thread; who publishes waits for nobody.</remarks>
+/// <summary>Converts the gateway's traffic to records of a session file, with the gateway's counter as C2.</summary>
+/// <remarks>Any thread; publishers never wait.</remarks>
 sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters drops)
 {
     readonly IPerformanceCounterClock _counter = plant.Counter;
@@ -28,7 +28,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
 
     public void Add(RecordedFile file, PlantClock asked, in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault)
     {
-        // C1 is one clock: exchanges with the others would tell of another.
+        // Exchanges with clocks other than C1 are not recorded.
         if (asked != plant.Control || file.TryClaim(RecordKind.Sync) is not { } record) return;
         record.Exchange = exchange;
         record.Verdict = verdict;
@@ -36,7 +36,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
         file.Publish(record);
     }
 
-    /// <summary>What there is to say once a second; one thread at a time.</summary>
+    /// <summary>Writes the periodic records, once a second; one thread at a time.</summary>
     public void Tick(RecordedFile file)
     {
         AddTimeLine(file);
@@ -44,7 +44,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
         AddDrops(file);
     }
 
-    /// <summary>A new file says again what C1 is.</summary>
+    /// <summary>Starts a new file, which repeats the description of C1.</summary>
     public void Begin()
     {
         _timeLine = null;
@@ -77,7 +77,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
         file.Publish(record);
     }
 
-    // Stamps from before mean something else: C1 is another clock now, or was set.
+    // Earlier stamps are not comparable: C1 is another clock now, or was set.
     void AddTimeLine(RecordedFile file)
     {
         var now = (clock.Source, plant.Control?.Model.Steps ?? 0);
@@ -89,7 +89,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
         file.Publish(record);
     }
 
-    // Of the gateway's own clock it knows the offset: told as an exchange with itself, so that whoever reads files finds it.
+    // The gateway's own clock has a known offset, recorded as an exchange with itself so that readers of the file find it.
     void AddOwnClock(RecordedFile file)
     {
         var before = _counter.Now;

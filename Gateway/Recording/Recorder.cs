@@ -8,20 +8,20 @@ using Nowpose.Recording;
 
 namespace Nowpose.Gateway.Recording;
 
-/// <summary>Records what passes the gateway into session files, when it is switched on. Any thread; the hub never waits for it.</summary>
+/// <summary>Records the gateway's traffic to session files while it is enabled. Any thread; the hub never waits for it.</summary>
 /// <remarks>
-/// Another robot begins another file, for a file's header describes one; so does the greatest size. A disk that fails ends the
-/// recording until it is switched on again: the status tells why, and how many lines are missing.
+/// A new robot starts a new file, because a file's header describes one robot; so does reaching the maximum size. A disk error ends the
+/// recording until it is enabled again. The status gives the reason and the number of missing lines.
 /// </remarks>
 public sealed class Recorder : IAsyncDisposable
 {
     static readonly string[] Topics = [RosTopics.JointStates, RosTopics.JointTrajectory, RosTopics.Diagnostics];
     static readonly TimeSpan TickInterval = TimeSpan.FromSeconds(1);
 
-    /// <summary>After which nobody has the former file in hand any more.</summary>
+    /// <summary>Time after which no producer uses the previous file any more.</summary>
     static readonly TimeSpan Retirement = TimeSpan.FromSeconds(0.5);
 
-    /// <summary>For a disk that hangs, not one that is slow.</summary>
+    /// <summary>Timeout for a disk that hangs, not for a slow one.</summary>
     static readonly TimeSpan TimeToEnd = TimeSpan.FromSeconds(8);
 
     readonly GatewayOptions _options;
@@ -34,21 +34,21 @@ public sealed class Recorder : IAsyncDisposable
     readonly Lock _gate = new();
     readonly List<IDisposable> _subscriptions = [];
     readonly HashSet<PlantClock> _listened = [];
-    // Replaced, but a publisher may hold one for a moment longer.
+    // Replaced files that a publisher may still use for a moment.
     readonly List<RecordedFile> _retired = [];
     readonly List<Task> _ending = [];
-    // Each file is made on a thread of its own: on the disk it may be seen only later.
+    // Paths of started files. Each file is created on a separate thread and may appear on the disk later.
     readonly HashSet<string> _begun = [];
     readonly Timer _timer;
     volatile RecordedFile _file;
     volatile bool _isWanted;
     DescribedRobot _robot = DescribedRobot.None;
     bool _isDisposed;
-    // Of the files before, since it was switched on.
+    // Counts of the previous files since the recorder was enabled.
     long _linesBefore, _lostBefore;
 
-    /// <param name="open">Makes the file of a path that did not exist; null for one on the disk.</param>
-    /// <param name="greatestBytes">Of a file; then the next is begun.</param>
+    /// <param name="open">Creates a file at a path that does not exist yet; null for a file on the disk.</param>
+    /// <param name="greatestBytes">Size of a file after which the next one is started.</param>
     internal Recorder(
         GatewayOptions options, MessageHub hub, ServedClock clock, PlantClocks plant, DropCounters drops, Action<string> log,
         Func<string, LineFile> open = null, long greatestBytes = RecordedFile.GreatestBytes)
@@ -67,13 +67,13 @@ public sealed class Recorder : IAsyncDisposable
         foreach (var asked in plant.All) Listen(asked);
     }
 
-    /// <summary>Whether it was given a folder.</summary>
+    /// <summary>Whether a folder for recordings is configured.</summary>
     public bool CanRecord => _options.Recordings != null;
 
-    /// <summary>Whether it records: it was switched on, and no disk has failed since.</summary>
+    /// <summary>Whether it records: it was enabled and has had no disk error since.</summary>
     public bool IsOn => _isWanted && _file.Problem == null;
 
-    /// <summary>The file that is written, or was last; null before the first.</summary>
+    /// <summary>Path of the current or last file; null before the first.</summary>
     public string Path => _file?.Path;
 
     internal RecordingStatus Status
@@ -94,8 +94,8 @@ public sealed class Recorder : IAsyncDisposable
         }
     }
 
-    /// <summary>Begins a file; nothing where one is being written.</summary>
-    /// <exception cref="InputException">It was given no folder.</exception>
+    /// <summary>Starts a file, unless one is being written.</summary>
+    /// <exception cref="InputException">No folder is configured.</exception>
     public void SwitchOn()
     {
         if (!CanRecord) throw new InputException("recording: there is no folder for it; start the gateway with --recordings FOLDER");
@@ -103,7 +103,7 @@ public sealed class Recorder : IAsyncDisposable
         lock (_gate)
         {
             if (_isDisposed || IsOn) return;
-            // Of a recording that a disk has ended: it is counted no more, but what it holds is still written.
+            // The file of a recording that a disk error ended is no longer counted, but its buffered records are still written.
             EndRetired(TimeSpan.Zero);
             _retired.Clear();
             _linesBefore = _lostBefore = 0;
@@ -115,7 +115,7 @@ public sealed class Recorder : IAsyncDisposable
         RenewForANewRobot();
     }
 
-    /// <summary>Ends the file; completes when all that was received by now is in it.</summary>
+    /// <summary>Ends the file. Completes when everything received up to now is in it.</summary>
     public Task SwitchOffAsync()
     {
         lock (_gate)
@@ -133,7 +133,7 @@ public sealed class Recorder : IAsyncDisposable
         }
     }
 
-    /// <summary>Ends the recording when its file was deleted. Asks the disk: to be called where that may take its time.</summary>
+    /// <summary>Ends the recording if its file was deleted. Accesses the disk, so call this where it may block.</summary>
     internal void NoticeDeletion()
     {
         var file = _file;
@@ -148,7 +148,7 @@ public sealed class Recorder : IAsyncDisposable
         }
     }
 
-    /// <summary>Ends the file as <see cref="SwitchOffAsync"/>; a disk that does not answer is not waited for for long.</summary>
+    /// <summary>Ends the file like <see cref="SwitchOffAsync"/>, with a timeout for a disk that does not respond.</summary>
     public async ValueTask DisposeAsync()
     {
         foreach (var subscription in _subscriptions) subscription.Dispose();
@@ -170,18 +170,18 @@ public sealed class Recorder : IAsyncDisposable
 
     void Describe(HubMessage message)
     {
-        // Under the hub's lock: it waits for nobody here.
+        // Under the hub's lock: this must not wait.
         Interlocked.Exchange(ref _robot, new DescribedRobot((string)message.Content));
         RenewForANewRobot();
     }
 
-    // After a robot was described, and after a file was begun: whichever is later sees the other.
+    // Called after a robot was described and after a file was started: the later call sees the change of the other.
     void RenewForANewRobot()
     {
         Interlocked.MemoryBarrier();
         if (!_isWanted) return;
         var file = _file;
-        // Reading a URDF takes its time: not the publisher's.
+        // Reading a URDF is slow and must not block the publisher.
         if (file.Robot.Urdf != _robot.Urdf) ThreadPool.UnsafeQueueUserWorkItem(_ => Renew(file), null);
     }
 
@@ -210,7 +210,7 @@ public sealed class Recorder : IAsyncDisposable
         var next = Prepare();
         lock (_gate)
         {
-            // Somebody else may have done it, or switched it off, or the disk has failed.
+            // Another thread may have done it or disabled the recorder, or the disk may have failed.
             if (!IsOn || _isDisposed || _file != old) return;
             Begin(next);
             old.RetiredAt = Stopwatch.GetTimestamp();
@@ -220,7 +220,7 @@ public sealed class Recorder : IAsyncDisposable
         RenewForANewRobot();
     }
 
-    // Without the lock: a long URDF is read here, and the disk asked.
+    // Without the lock, because a long URDF is read and the disk is accessed here.
     (DateTime Now, string Path, DescribedRobot Robot) Prepare()
     {
         var robot = _robot;
@@ -231,7 +231,7 @@ public sealed class Recorder : IAsyncDisposable
 
     void Begin((DateTime Now, string Path, DescribedRobot Robot) next)
     {
-        // Begun by somebody else since it was looked for.
+        // Another thread has started this file since the path was chosen.
         if (!_begun.Add(next.Path)) _begun.Add((next = Prepare()).Path);
         _traffic.Begin();
         var file = new RecordedFile(next.Path, _open, _options.Cell, next.Robot, next.Now);
@@ -266,7 +266,7 @@ public sealed class Recorder : IAsyncDisposable
         _ending.Add(file.Ended);
     }
 
-    // Two within one second, or two gateways, make two files.
+    // Two recordings within a second, or two gateways, create two files.
     string FreePath(DateTime now)
     {
         var name = $"{Safe(_options.Cell) ?? "gateway"}-{now.ToString("yyyyMMdd'T'HHmmss'Z'", CultureInfo.InvariantCulture)}";

@@ -4,15 +4,15 @@ using Nowpose.Gateway.Status;
 
 namespace Nowpose.Gateway.Recording;
 
-/// <summary>Switches the recorder, lists the recordings and sends them. For operators.</summary>
+/// <summary>Enables and disables the recorder, lists the recordings and sends them. For operators.</summary>
 /// <remarks>
-/// POST /operations/recording with {"on": "true"} or {"on": "false"}; GET /operations/recordings for the list, with a name behind it for the file.
+/// POST /operations/recording with {"on": "true"} or {"on": "false"}. GET /operations/recordings for the list; with a name appended for a file.
 /// </remarks>
 sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, Door door)
 {
     const string SwitchPath = "/operations/recording", ListPath = "/operations/recordings", FilePath = ListPath + "/";
 
-    /// <summary>Answers its own requests and hands on the others, WebSockets on every path.</summary>
+    /// <summary>Answers its own requests and passes on the others, WebSockets on every path.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         if (context.Request.Headers.Upgrade.Count > 0) return next(context);
@@ -64,12 +64,12 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, Door do
         response.Headers.ContentDisposition = $"attachment; filename=\"{file.Name}\"";
         response.Headers.CacheControl = "no-store";
         response.Headers.Connection = "close";
-        // What the recorder appends meanwhile is not sent.
+        // Data that the recorder appends from now on are not sent.
         response.ContentLength = file.Length;
         await response.SendFileAsync(file.FullName, 0, file.Length, context.RequestAborted);
     }
 
-    // Browsers name no origin when a page asks its own host.
+    // Browsers send no Origin header when a page requests from its own host.
     async Task<bool> AdmitReaderAsync(HttpContext context)
     {
         if (door.IsNoRebinding(context)) return await door.AdmitOperatorAsync(context);

@@ -7,12 +7,12 @@ namespace Nowpose.Gateway.Recording;
 sealed record StoredRecording(string Name, long Bytes, string ChangedUtc);
 
 /// <summary>The recordings in the gateway's folder. Any thread.</summary>
-/// <param name="path">Null where the gateway has no folder.</param>
+/// <param name="path">Path of the folder; null if none is configured.</param>
 sealed partial class RecordingsFolder(string path)
 {
     internal const int MaxListed = 1000;
 
-    /// <summary>The newest first; empty while the folder cannot be read.</summary>
+    /// <summary>Gets the recordings, the newest first; empty while the folder cannot be read.</summary>
     public IReadOnlyList<StoredRecording> List()
     {
         try
@@ -30,16 +30,16 @@ sealed partial class RecordingsFolder(string path)
         }
     }
 
-    /// <summary>The file of a recording; null for a name that is none in this folder.</summary>
+    /// <summary>Gets the file of a recording; null for a name that is not a recording in this folder.</summary>
     public FileInfo Find(string name)
     {
-        // A name that matches has no separator: it cannot lead out of the folder.
+        // A matching name has no separator, so the path stays inside the folder.
         if (path == null || !Name().IsMatch(name)) return null;
         var file = new FileInfo(Path.Combine(path, name));
         return file.Exists && IsRecording(file) ? file : null;
     }
 
-    // A link could lead to a file outside the folder.
+    // A link could point to a file outside the folder.
     static bool IsRecording(FileInfo file) => file.LinkTarget == null && Name().IsMatch(file.Name);
 
     [GeneratedRegex(@"\A[A-Za-z0-9_-]{1,100}\.jsonl\z")]

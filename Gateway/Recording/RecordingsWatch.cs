@@ -2,7 +2,7 @@ using Nowpose.Gateway.Status.Events;
 
 namespace Nowpose.Gateway.Recording;
 
-/// <summary>Notices recordings that are deleted, also the one that is being written.</summary>
+/// <summary>Detects deleted recordings, including the one that is being written.</summary>
 sealed class RecordingsWatch : IDisposable
 {
     static readonly TimeSpan Interval = TimeSpan.FromSeconds(1);
@@ -27,7 +27,7 @@ sealed class RecordingsWatch : IDisposable
 
     public void Dispose() => _timer.Dispose();
 
-    // On a disk that hangs, one thread waits and not one more each second.
+    // If the disk hangs, only one thread waits, not one more each second.
     internal void LookUnlessBusy() => _look.RunUnlessBusy();
 
     void LookNow()
@@ -35,7 +35,7 @@ sealed class RecordingsWatch : IDisposable
         _recorder.NoticeDeletion();
         var present = _folder.List().Select(file => file.Name).ToHashSet();
         var stopped = _recorder.Status is { Problem: not null } status ? status.File : null;
-        // Beyond the longest list a file that is missing may only have become too old for it.
+        // The list has a maximum length, so a file that is missing from it may only have become too old.
         foreach (var name in _listed.Where(name => !present.Contains(name) && name != stopped && _folder.Find(name) == null))
             _events.Note(new Condition("recording", name, "was deleted", "", Level.Warning));
         _listed = present;

@@ -1,7 +1,7 @@
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>A WebSocket's stream: received bytes pass a <see cref="FragmentCounter"/>, and pings are sent between frames.</summary>
-/// <remarks>A WebSocket writes each frame with one call, so a ping never lands inside of one.</remarks>
+/// <summary>A WebSocket's stream. Received bytes pass through a <see cref="FragmentCounter"/>, and pings are sent between frames.</summary>
+/// <remarks>A WebSocket writes each frame with one call, so a ping is never inside a frame.</remarks>
 sealed class CountingStream(Stream inner, FragmentCounter counter, Action received) : Stream
 {
     const byte FinalPing = 0x89;
@@ -70,7 +70,7 @@ sealed class CountingStream(Stream inner, FragmentCounter counter, Action receiv
     public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
     public override void SetLength(long value) => throw new NotSupportedException();
 
-    // The lock is left to the garbage collector: a ping may still wait for it.
+    // The lock is not disposed, because a ping may still be waiting for it.
     protected override void Dispose(bool disposing)
     {
         if (disposing)

@@ -2,7 +2,7 @@ using Microsoft.AspNetCore.Http.Features;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Stands before Kestrel's own upgrade so that the WebSocket's bytes are counted on their way in.</summary>
+/// <summary>Wraps Kestrel's own upgrade so that the WebSocket's received bytes are counted.</summary>
 sealed class CountingUpgrade(IHttpUpgradeFeature inner) : IHttpUpgradeFeature
 {
     Stream _stream;
@@ -23,11 +23,11 @@ sealed class CountingUpgrade(IHttpUpgradeFeature inner) : IHttpUpgradeFeature
         return counting;
     }
 
-    /// <summary>Sends a ping of the WebSocket, once it was accepted.</summary>
+    /// <summary>Sends a ping once the WebSocket has been accepted.</summary>
     public Task PingAsync(ReadOnlyMemory<byte> payload) => _ping(payload);
 
-    /// <summary>Reads past what a peer still sends that was told why its WebSocket ends, until it goes or the time is up.</summary>
-    /// <remarks>Closing with bytes unread would reset the connection, and what was told be lost.</remarks>
+    /// <summary>Reads and discards what a peer still sends after the close, until it disconnects or the time is up.</summary>
+    /// <remarks>Closing with unread bytes would reset the connection, and the reason of the close would be lost.</remarks>
     public async Task DrainAsync(TimeSpan atMost)
     {
         using var timeUp = new CancellationTokenSource(atMost);
@@ -37,7 +37,7 @@ sealed class CountingUpgrade(IHttpUpgradeFeature inner) : IHttpUpgradeFeature
         }
         catch (Exception e) when (e is IOException or OperationCanceledException or ObjectDisposedException)
         {
-            // Gone without a goodbye, or not going.
+            // The peer disconnected without a close, or the time is up.
         }
     }
 }

@@ -2,7 +2,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>What a client is told of a dropped message: the rule, and what is allowed.</summary>
+/// <summary>Messages to a client about a dropped message: the rule that it broke, and the limit.</summary>
 static class DropText
 {
     public static string Of(DropReason reason) => reason switch

@@ -1,9 +1,9 @@
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Counts the frames of which each message of a WebSocket consists, from the bytes as they come (RFC 6455, 5.2).</summary>
+/// <summary>Counts the frames of each WebSocket message from the received bytes (RFC 6455, 5.2).</summary>
 /// <remarks>
-/// The WebSocket classes hand out bytes as they arrive and do not tell where a frame ends: a long frame over a slow network
-/// looks there like many fragments. Control frames, which may stand between fragments, do not count; pongs are handed on.
+/// The WebSocket classes return bytes as they arrive and do not report the end of a frame: a long frame over a slow network looks like
+/// many fragments. Control frames, which may occur between fragments, do not count; pongs are passed on.
 /// </remarks>
 sealed class FragmentCounter
 {
@@ -26,10 +26,10 @@ sealed class FragmentCounter
     int _pongLength;
     bool _isPong;
 
-    /// <summary>Takes the payload of each pong, on the thread that receives.</summary>
+    /// <summary>Receives the payload of each pong, on the receiving thread.</summary>
     public Action<ReadOnlyMemory<byte>> Pong { get; set; }
 
-    /// <summary>Takes the bytes that follow those of the call before.</summary>
+    /// <summary>Processes the bytes that follow those of the previous call.</summary>
     public void Feed(ReadOnlySpan<byte> bytes)
     {
         while (bytes.Length > 0)
@@ -53,7 +53,7 @@ sealed class FragmentCounter
         }
     }
 
-    /// <summary>The fragments of the oldest message not asked for yet: to be called once for each message that ended.</summary>
+    /// <summary>Gets the fragment count of the oldest message not yet taken. Call this once for each completed message.</summary>
     public int Take()
     {
         lock (_lock)
@@ -79,7 +79,7 @@ sealed class FragmentCounter
 
     void Keep(ReadOnlySpan<byte> bytes)
     {
-        // A client masks what it sends with the last four bytes of the frame's header, which is two bytes long without them.
+        // A client masks its payload with the last four bytes of the frame's header, which is two bytes long without the mask.
         foreach (var one in bytes)
         {
             _pong[_pongLength] = (byte)(one ^ _header[2 + (_pongLength % MaskBytes)]);
@@ -96,7 +96,7 @@ sealed class FragmentCounter
         var length = 0UL;
         foreach (var digit in _header.AsSpan(2, bytes))
             length = length << 8 | digit;
-        // A length beyond 63 bits is an error that the WebSocket itself closes on.
+        // A length of more than 63 bits is a protocol error, for which the WebSocket itself closes.
         return (long)Math.Min(length, long.MaxValue);
     }
 

@@ -14,8 +14,8 @@ static class InvalidJointState
     const string Field = "position";
 
     /// <summary>
-    /// Returns the names of the joints, and describes the first position that is not a finite number, such as "position of joint a is null"; null
-    /// where there is none.
+    /// Returns the names of the joints, and a description of the first position that is not a finite number, such as "position of joint a is
+    /// null"; null if there is none.
     /// </summary>
     /// <param name="utf8">A whole message.</param>
     public static (string[] Names, string Trouble) Read(ReadOnlySpan<byte> utf8)
@@ -43,7 +43,7 @@ static class InvalidJointState
         {
             if (IsFinite(values[i])) continue;
             var name = InputException.OneLine(names[i].ToString(), ProtocolLimits.NameLength);
-            // NaN as it was written, without the quotation marks of Newtonsoft.Json.
+            // NaN as it was sent, without the quotation marks that Newtonsoft.Json adds.
             var value = values[i].Type == JTokenType.Float ? values[i].ToString() : values[i].ToString(Formatting.None);
             return $"{Field} of joint {name} is {InputException.OneLine(value, MaxValueLength)}";
         }

@@ -1,13 +1,13 @@
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Definitions of the message types of the gateway's topics, as ROS 1 and ROS 2 write them.</summary>
+/// <summary>Definitions of the message types of the gateway's topics in the formats of ROS 1 and ROS 2.</summary>
 /// <param name="isRos2">Whether types are named package/msg/Name, and times have the types of ROS 2.</param>
 sealed class MessageDefinitions(bool isRos2)
 {
     const string Separator = "================================================================================";
     const string HeaderType = "std_msgs/Header";
 
-    // Each with the types it needs after it, in the spelling of ROS 1; "time" and "duration" are built in there.
+    // Each type precedes the types that it needs, with ROS 1 names; "time" and "duration" are built-in types there.
     static readonly Dictionary<string, string[]> Fields = new()
     {
         [HeaderType] = ["time stamp", "string frame_id"],
@@ -24,11 +24,11 @@ sealed class MessageDefinitions(bool isRos2)
         ["builtin_interfaces/Duration"] = ["int32 sec", "uint32 nanosec"],
     };
 
-    /// <summary>A type's name in this ROS's spelling.</summary>
+    /// <summary>Gets a type's name in the format of this ROS version.</summary>
     public string Spelled(string type) => isRos2 && !type.Contains("/msg/", StringComparison.Ordinal)
         ? type.Replace("/", "/msg/", StringComparison.Ordinal) : type;
 
-    /// <summary>The definition with those of all types in it, as one text; empty for an unknown type.</summary>
+    /// <summary>Gets the definition with those of all nested types as one text; empty for an unknown type.</summary>
     public string FullText(string type)
     {
         var types = WithParts(Plain(type));
@@ -36,7 +36,7 @@ sealed class MessageDefinitions(bool isRos2)
             (i == 0 ? "" : $"{Separator}\nMSG: {part}\n") + string.Concat(FieldsOf(part).Select(field => $"{field.Text}\n"))));
     }
 
-    /// <summary>The definition and those of all types in it, field by field; none for an unknown type.</summary>
+    /// <summary>Gets the definitions of the type and all nested types, field by field; empty for an unknown type.</summary>
     public IEnumerable<TypeDefinition> Details(string type) => WithParts(Plain(type)).Select(part => new TypeDefinition(
         Spelled(part),
         [.. FieldsOf(part).Select(field => field.Name)],

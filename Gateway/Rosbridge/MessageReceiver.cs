@@ -5,17 +5,17 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Puts messages together and gets past those that break a limit, as far as that is bounded itself.</summary>
-/// <param name="longest">Bytes of a message that are kept; one that is longer is dropped.</param>
+/// <summary>Assembles messages and skips those that exceed a limit, within bounds of time and size.</summary>
+/// <param name="longest">Maximum length of a message in bytes; longer ones are dropped.</param>
 sealed class MessageReceiver(
     WebSocket socket, FragmentCounter fragments, GatewayOptions options, int longest, RequestRate rate, TimeProvider time)
 {
     const int FirstBytes = 4096;
 
-    /// <summary>Of the one topic whose messages may be longer than the others'; without its slash, which JSON may write as "\/".</summary>
+    /// <summary>The topic whose messages may be longer than the others', without its slash, which JSON may write as "\/".</summary>
     static readonly byte[] LongTopic = Encoding.UTF8.GetBytes(RosTopics.RobotDescription.TrimStart('/'));
 
-    /// <summary>Whoever sends more than allowed is read more slowly, and TCP makes it wait.</summary>
+    /// <summary>Pause between reads from a client that exceeds its rate limit. TCP then makes the client wait.</summary>
     static readonly TimeSpan Pause = TimeSpan.FromMilliseconds(50);
 
     byte[] _buffer = new byte[FirstBytes];
@@ -42,8 +42,8 @@ sealed class MessageReceiver(
         }
     }
 
-    /// <summary>Reads what still comes after <see cref="NextAsync"/> said the end, until the peer's close or the time is up.</summary>
-    /// <remarks>Closing with bytes unread would reset the connection, and the peer might never see why it was closed.</remarks>
+    /// <summary>Reads and discards what follows after <see cref="NextAsync"/> returned the end, until the peer closes or the time is up.</summary>
+    /// <remarks>Closing with unread bytes would reset the connection, and the peer might not see the reason of the close.</remarks>
     public async Task DrainAsync(TimeSpan atMost)
     {
         var timeUp = Task.Delay(atMost, time);
@@ -52,7 +52,7 @@ sealed class MessageReceiver(
             _receiving = socket.ReceiveAsync(_buffer.AsMemory(), CancellationToken.None).AsTask();
     }
 
-    // Beyond the longest message bytes are read over each other: the message is lost, but its end is found.
+    // Bytes beyond the maximum length overwrite each other: the message is lost, but its end is found.
     Memory<byte> Room()
     {
         if (_length >= longest)
@@ -62,7 +62,7 @@ sealed class MessageReceiver(
         return _buffer.AsMemory((int)_length);
     }
 
-    // Waiting for a message to begin has no end; one that began must end.
+    // The wait for the start of a message has no timeout; a message that has started must end in time.
     async Task<bool> IsInTimeAsync(Task receiving)
     {
         if (_startedAt is not { } startedAt || receiving.IsCompleted)

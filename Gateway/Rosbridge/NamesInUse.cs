@@ -1,14 +1,14 @@
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Under which name which client speaks: one at a time, so that nobody speaks as another. Any thread.</summary>
+/// <summary>Ensures that each name is used by one client at a time, so that no client can impersonate another. Any thread.</summary>
 sealed class NamesInUse(TimeProvider time)
 {
-    /// <summary>Headsets speak once a second. One that comes back is let in before pings find out that its old connection is gone.</summary>
+    /// <summary>Headsets report once a second. A headset that reconnects gets its name before pings detect the loss of its old connection.</summary>
     internal static readonly TimeSpan FreeAfter = TimeSpan.FromSeconds(3);
 
     readonly Dictionary<string, (object Holder, long Heard)> _held = [];
 
-    /// <summary>Takes a name, or says that it is still used.</summary>
+    /// <summary>Tries to reserve a name for a client.</summary>
     /// <returns>False while another client uses it.</returns>
     public bool TryUse(string name, object holder)
     {
@@ -20,7 +20,7 @@ sealed class NamesInUse(TimeProvider time)
         }
     }
 
-    /// <summary>Gives a name back; nothing where another client has it by now.</summary>
+    /// <summary>Releases a name, unless another client has it by now.</summary>
     /// <returns>Whether this client had it.</returns>
     public bool Release(string name, object holder)
     {

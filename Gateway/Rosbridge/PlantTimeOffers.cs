@@ -4,16 +4,18 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>The clocks of the control system that one client answers for. Called by the thread that handles its messages.</summary>
+/// <summary>The clocks of the control system that one client offers. Called by the thread that handles its messages.</summary>
 sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> send) : IDisposable
 {
     readonly Dictionary<string, Offered> _offers = [];
 
-    /// <summary>The clock that stamps what this client publishes: the first it offered, whoever answers for it; null without one.</summary>
+    /// <summary>The clock that stamps this client's messages: the first it offered, whichever client serves it; null without one.</summary>
     public PlantClock StampClock { get; private set; }
 
-    /// <summary>Begins to ask for the time behind a service; where another client answers for that clock, as soon as it does not any more.</summary>
-    /// <returns>Why not now; <see cref="DropReason.None"/> also where this client is asked already.</returns>
+    /// <summary>
+    /// Starts to request the time from a service. If another client serves that clock, the requests start when that client stops.
+    /// </summary>
+    /// <returns>The reason for a refusal; <see cref="DropReason.None"/> also if the requests are already running.</returns>
     public DropReason Offer(string service)
     {
         if (!service.StartsWith(RosTopics.PlantTime, StringComparison.Ordinal) || !PlantClocks.IsName(service[RosTopics.PlantTime.Length..]))
@@ -23,7 +25,7 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
         {
             if (clocks.Find(name) is not { } clock)
             {
-                // Its stamps are not on C1 either: by a clock that nobody asks nothing is mapped.
+                // Its stamps are not on C1 either. A clock without exchanges is set, so that they are not mapped.
                 StampClock ??= new PlantClock(name, clocks.Counter);
                 return DropReason.OutOfRange;
             }
@@ -35,7 +37,7 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
         return offered.TryAsk() ? DropReason.None : DropReason.JointTaken;
     }
 
-    /// <summary>Begins to ask for the clocks that were another client's, where that one is gone or silent.</summary>
+    /// <summary>Starts the requests to this client for clocks whose former client has disconnected or is silent.</summary>
     public void TryAgain()
     {
         foreach (var offered in _offers.Values) offered.TryAsk();
@@ -48,7 +50,7 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
         if (StampClock == offered.Clock) StampClock = _offers.Values.FirstOrDefault()?.Clock;
     }
 
-    /// <param name="count">When its last byte had been read, in counts of <see cref="System.Diagnostics.Stopwatch"/>.</param>
+    /// <param name="count">Time at which its last byte was read, a count of <see cref="System.Diagnostics.Stopwatch"/>.</param>
     public void Answer(RosbridgeMessage response, long count)
     {
         if (_offers.TryGetValue(response.Service, out var offered)) offered.Caller?.Answer(response, clocks.Counter.At(count));
@@ -67,10 +69,10 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
     {
         public PlantClock Clock => clock;
 
-        /// <summary>Null before this client was asked first.</summary>
+        /// <summary>Null before the first request to this client.</summary>
         public PlantClockCaller Caller { get; private set; }
 
-        /// <returns>False while another client answers.</returns>
+        /// <returns>False while another client serves the clock.</returns>
         public bool TryAsk()
         {
             if (Caller != null && clock.IsAskedBy(Caller)) return true;

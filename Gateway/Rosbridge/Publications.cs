@@ -15,28 +15,28 @@ static class Publications
         [RosTopics.JointStatus] = RosTopics.DiagnosticsType,
     };
 
-    /// <summary>Every topic with its type.</summary>
+    /// <summary>All topics with their types.</summary>
     public static IReadOnlyCollection<KeyValuePair<string, string>> All => Types;
 
-    /// <summary>The type of a known topic, in ROS 1's spelling.</summary>
+    /// <summary>Gets the type of a known topic, with its ROS 1 name.</summary>
     public static string TypeOf(string topic) => Types[topic];
 
     public static bool IsKnown(string topic) => Types.ContainsKey(topic);
 
-    /// <summary>Whether clients can publish on the topic. The gateway alone publishes the state of joints.</summary>
+    /// <summary>Whether clients can publish on the topic. Only the gateway publishes the state of joints.</summary>
     public static bool IsOpen(string topic) => IsKnown(topic) && topic != RosTopics.JointStatus;
 
-    /// <summary>Whether a type named for a known topic is the topic's, in either ROS's spelling; none named is.</summary>
+    /// <summary>Whether a type matches that of a known topic, with its ROS 1 or ROS 2 name. No type matches, too.</summary>
     public static bool HasType(string topic, string type) =>
         string.IsNullOrEmpty(type) || type.Replace("/msg/", "/", StringComparison.Ordinal) == Types[topic];
 
-    /// <summary>Whether it tells of its sender alone, as every client may.</summary>
+    /// <summary>Whether the topic describes only its sender, so that every client may publish it.</summary>
     public static bool IsOfItself(string topic) => topic is RosTopics.Diagnostics or RosTopics.Displayed;
 
-    /// <summary>What a client calls itself in a message of that kind; null in others.</summary>
+    /// <summary>Gets the client's own name in a message; null for kinds of messages without one.</summary>
     public static string NameIn(RosbridgeMessage message) => message.Diagnostics?.HardwareId ?? message.Displayed?.FrameId;
 
-    /// <summary>The stamp that must not lie in the future; null where there is none.</summary>
+    /// <summary>Gets the stamp that must not be in the future; null if there is none.</summary>
     public static ControlTime? StampOf(RosbridgeMessage message) =>
         (message.JointState ?? message.Displayed)?.Stamp ?? message.JointTrajectory?.Stamp;
 }

@@ -2,16 +2,16 @@ using System.Buffers.Binary;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Follows by pings how far a client has read, and says when more may be sent to it. Any thread.</summary>
+/// <summary>Measures by pings how far a client has read, and limits the unread data. Any thread.</summary>
 sealed class ReaderProgress : IDisposable
 {
     const int PayloadBytes = sizeof(long);
 
-    /// <summary>A client that reads more slowly than this may be closed while a long message is on its way to it.</summary>
+    /// <summary>Minimum read rate. A slower client may be closed while a long message is being sent to it.</summary>
     const double MinBytesPerSecond = 3000;
 
     /// <summary>Time from the message that makes a ping due to the ping.</summary>
-    /// <remarks>A sample goes to all clients at once. Pings that followed it without a delay, and their pongs, delayed those who got it last.</remarks>
+    /// <remarks>A sample goes to all clients at once. Immediate pings and their pongs delayed the sample for the last clients.</remarks>
     internal static readonly TimeSpan PingDelay = TimeSpan.FromMilliseconds(5);
 
     static readonly TimeSpan MaxTick = TimeSpan.FromMilliseconds(250);
@@ -24,7 +24,7 @@ sealed class ReaderProgress : IDisposable
     readonly SendWindow _window = new();
     readonly long _start;
     readonly ITimer _delayedPing;
-    // Only one ping is on its way at a time.
+    // At most one ping is outstanding at a time.
     readonly byte[] _payload = new byte[PayloadBytes];
     bool _isPingPlanned;
     // Null while no message waits.
@@ -45,10 +45,10 @@ sealed class ReaderProgress : IDisposable
 
     TimeSpan Now => _time.GetElapsedTime(_start);
 
-    /// <summary>How long a client may take to read some bytes, and to answer.</summary>
+    /// <summary>Gets the timeout for a client to read a number of bytes and to answer.</summary>
     public TimeSpan Patience(long bytes) => _pongTimeout + TimeSpan.FromSeconds(bytes / MinBytesPerSecond);
 
-    /// <summary>Until when messages had to wait for the client the last time, a count of the time provider.</summary>
+    /// <summary>End of the last time in which messages had to wait for the client, a count of the time provider.</summary>
     public long WaitedUntil { get; private set; } = long.MinValue;
 
     /// <summary>Completes when a message may be sent.</summary>
@@ -61,10 +61,10 @@ sealed class ReaderProgress : IDisposable
         }
     }
 
-    /// <summary>Notes that a message had to wait for the client. By one thread at a time, as <see cref="OpensAsync"/>.</summary>
+    /// <summary>Records that a message had to wait for the client. For one thread at a time, like <see cref="OpensAsync"/>.</summary>
     public void OnWaited() => WaitedUntil = _time.GetTimestamp();
 
-    /// <summary>To be called before a message is sent.</summary>
+    /// <summary>Call this before a message is sent.</summary>
     public Task SendsAsync(int bytes)
     {
         lock (_lock)
@@ -72,7 +72,7 @@ sealed class ReaderProgress : IDisposable
         return PingAsync();
     }
 
-    /// <summary>To be called after a message was sent.</summary>
+    /// <summary>Call this after a message was sent.</summary>
     public void OnSent(int bytes)
     {
         lock (_lock)
@@ -82,13 +82,13 @@ sealed class ReaderProgress : IDisposable
         }
     }
 
-    /// <summary>Notes that something came from the client.</summary>
+    /// <summary>Records that data were received from the client.</summary>
     public void OnReceived()
     {
         lock (_lock) _lastReceived = Now;
     }
 
-    /// <summary>Takes the payload of a pong; those that answer no ping of this class are ignored.</summary>
+    /// <summary>Processes the payload of a pong. Ignores pongs for pings of others.</summary>
     public void OnPong(ReadOnlySpan<byte> payload)
     {
         if (payload.Length != PayloadBytes) return;
@@ -102,7 +102,7 @@ sealed class ReaderProgress : IDisposable
     }
 
     /// <summary>Sends a ping each interval until the client does not answer in time.</summary>
-    /// <exception cref="OperationCanceledException">Stopped.</exception>
+    /// <exception cref="OperationCanceledException">The wait was cancelled.</exception>
     public async Task BecomesSilentAsync(CancellationToken stop)
     {
         var shortest = _pingInterval < _pongTimeout ? _pingInterval : _pongTimeout;
@@ -112,7 +112,7 @@ sealed class ReaderProgress : IDisposable
             if (IsSilent()) return;
             bool isPingDue;
             lock (_lock) isPingDue = _window.PingAt == null && Now - _lastPing >= _pingInterval;
-            // Time passes for a window, too: it opens for a client that answers no pings.
+            // The window also depends on time: it opens for a client that answers no pings.
             Signal();
             if (isPingDue) _ = PingAsync();
         }
@@ -124,16 +124,16 @@ sealed class ReaderProgress : IDisposable
         lock (_lock)
         {
             if (_window.PingAt is not { } pingAt) return false;
-            // What a client sends counts as long as it never answered a ping. One that did, and does not any more, has stopped reading.
+            // Received data count as an answer until the client has answered a ping. If it stops answering later, it has stopped reading.
             var last = _window.HasAnswered || _lastReceived < pingAt ? pingAt : _lastReceived;
-            // Bytes behind the ping delay no pong.
+            // Bytes sent after the ping do not delay its pong.
             return Now - last >= Patience(_window.BytesBeforePing);
         }
     }
 
     public void Dispose() => _delayedPing.Dispose();
 
-    // Under the lock.
+    // Call this under the lock.
     void PlanPing()
     {
         if (_isPingPlanned || !_window.IsPingDue) return;
@@ -157,7 +157,7 @@ sealed class ReaderProgress : IDisposable
         }
         catch (Exception e) when (e is IOException or ObjectDisposedException or InvalidOperationException or OperationCanceledException)
         {
-            // The connection ends, which the receiving side notices.
+            // The connection has ended, which the receiving side detects.
         }
     }
 

@@ -5,8 +5,10 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>The services of rosapi that clients call when they connect; they describe the gateway as one node.</summary>
-/// <remarks>/rosapi/get_time and /rosapi/topics are the session's. Types are named as the ROS of the caller names them; ROS 1 where it has not shown which.</remarks>
+/// <summary>The rosapi services that clients call when they connect. They describe the gateway as one node.</summary>
+/// <remarks>
+/// /rosapi/get_time and /rosapi/topics are in the session. Type names have the format of the caller's ROS version; ROS 1 while it is unknown.
+/// </remarks>
 static class Rosapi
 {
     const string Node = "/nowpose_gateway";
@@ -44,8 +46,8 @@ static class Rosapi
 
     static IEnumerable<string> Topics => Publications.All.Select(topic => topic.Key);
 
-    /// <summary>The values of a service's response; null for no service of this class.</summary>
-    /// <param name="service">With its slash.</param>
+    /// <summary>Gets the values of a service's response; null for a service that is not in this class.</summary>
+    /// <param name="service">Name of the service, with its slash.</param>
     /// <param name="text">The whole call, valid JSON.</param>
     /// <param name="isRos2">Whether the caller has named types of ROS 2.</param>
     public static string Call(string service, ReadOnlyMemory<byte> text, bool isRos2, MessageHub hub)
@@ -55,7 +57,7 @@ static class Rosapi
         return known.Answer(call).ToJsonString();
     }
 
-    /// <summary>Every topic with its type.</summary>
+    /// <summary>Gets every topic with its type.</summary>
     public static IEnumerable<KeyValuePair<string, string>> Types(bool isRos2) =>
         Publications.All.Select(topic => KeyValuePair.Create(topic.Key, new MessageDefinitions(isRos2).Spelled(topic.Value)));
 
@@ -79,7 +81,7 @@ static class Rosapi
         ["services"] = List(isKnown ? ServiceNames : []),
     };
 
-    // Parameters of rosapi are JSON texts.
+    // Parameter values of rosapi are JSON texts.
     static string Value(RosapiCall call) =>
         call.Argument("name")?.Split(':')[^1].TrimStart('/') == Description[1..] && call.Description is { } urdf ? JsonSerializer.Serialize(urdf) : null;
 

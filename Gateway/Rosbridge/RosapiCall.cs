@@ -23,10 +23,10 @@ sealed class RosapiCall : IDisposable
 
     public string ServicePackage => IsRos2 ? "rosapi_msgs/srv/" : "rosapi/";
 
-    /// <summary>The robot description; null while there is none.</summary>
+    /// <summary>The robot description; null if there is none.</summary>
     public string Description => _hub.Description;
 
-    /// <summary>An argument that is a text; null without it.</summary>
+    /// <summary>Gets a text argument; null if it is missing.</summary>
     public string Argument(string name) => _text.RootElement.TryGetProperty("args", out var args) ? Text(args, name) : null;
 
     public void Dispose() => _text.Dispose();

@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>One client's WebSocket: reads messages one by one, sends whatever its session and subscriptions have.</summary>
+/// <summary>One client's WebSocket. Receives messages one by one and sends the data of its session and subscriptions.</summary>
 sealed class RosbridgeConnection : IDisposable
 {
     internal const int WaitingReplies = 64;
@@ -21,7 +21,7 @@ sealed class RosbridgeConnection : IDisposable
     readonly Dictionary<string, TopicPump> _pumps = [];
     int _ended = NotEnded;
 
-    /// <param name="reader">How far the peer has read, and how long it may take.</param>
+    /// <param name="reader">Tracks how far the peer has read, and its timeout.</param>
     public RosbridgeConnection(
         WebSocket socket, MessageReceiver receiver, ReaderProgress reader, DropCounters drops, CancellationToken serverStops)
     {
@@ -33,16 +33,16 @@ sealed class RosbridgeConnection : IDisposable
             new BoundedChannelOptions(WaitingReplies) { FullMode = BoundedChannelFullMode.DropOldest }, _ => drops.Count(DropReason.SlowReader));
     }
 
-    /// <summary>Who sends, or did not long ago: no more than one for a topic.</summary>
+    /// <summary>Number of topic pumps, including those that ended recently: at most one per topic.</summary>
     internal int Pumps => _pumps.Count;
 
-    /// <summary>Sends when there is room; a client that reads nothing loses the oldest replies.</summary>
+    /// <summary>Queues a reply. If the client does not read, the oldest replies are dropped.</summary>
     public void Reply(ReadOnlyMemory<byte> message) => _replies.Writer.TryWrite(message);
 
-    /// <summary>Sends what a subscription gets. From the thread that handles the messages.</summary>
+    /// <summary>Starts to send the messages of a subscription. Called by the thread that handles the client's messages.</summary>
     public void Start(Subscription subscription)
     {
-        // A client may name other topics as long as it is connected. One that failed is waited for, and tells.
+        // Removed because a client can use any number of topics over time. A failed pump stays, so that its exception is reported.
         foreach (var (topic, pump) in _pumps)
             if (pump.Ended.IsCompletedSuccessfully) _pumps.Remove(topic);
         if (!_pumps.TryGetValue(subscription.Topic, out var own))
@@ -50,20 +50,20 @@ sealed class RosbridgeConnection : IDisposable
         own.Start(subscription);
     }
 
-    /// <summary>Says goodbye, and listens to nothing more. Any thread; waits for nobody.</summary>
+    /// <summary>Starts the close and ignores further messages. Any thread; does not wait.</summary>
     public void End(Closure why)
     {
         if (Interlocked.CompareExchange(ref _ended, (int)why, NotEnded) == NotEnded)
             _ = SayGoodbyeAsync(why);
     }
 
-    /// <summary>Serves until either side ends it; says why it ended.</summary>
+    /// <summary>Serves the client until either side ends the connection; returns the reason.</summary>
     public async Task<Closure> RunAsync(RosbridgeSession session)
     {
         var replying = PumpAsync(RepliesAsync);
         var watching = PumpAsync(EndWhenSilentAsync);
         Closure why;
-        // The client answers with its own close, which ends the receiving; or it does not, and time is up.
+        // The client answers with its own close, which ends the receiving, or the timeout ends it.
         await using (_serverStops.UnsafeRegister(_ => End(Closure.Stopped), null))
             why = await ReceiveAsync(session);
         if (Ended == null && HasPeerLeft) session.Leave();
@@ -81,10 +81,10 @@ sealed class RosbridgeConnection : IDisposable
         _sending.Dispose();
     }
 
-    // What this side decided, if it did.
+    // The reason chosen by this side; null if there is none.
     Closure? Ended => Volatile.Read(ref _ended) is var ended && ended != NotEnded ? (Closure)ended : null;
 
-    // A close with another code reports a fault of the peer.
+    // Other close codes report a fault of the peer.
     bool HasPeerLeft => _socket.CloseStatus
         is WebSocketCloseStatus.NormalClosure or WebSocketCloseStatus.EndpointUnavailable or WebSocketCloseStatus.Empty;
 
@@ -108,7 +108,7 @@ sealed class RosbridgeConnection : IDisposable
 
     static Closure Explain(Exception e) => (e as WebSocketException)?.WebSocketErrorCode switch
     {
-        // Frames and texts against RFC 6455, which the socket itself answers with a close of 1002 or 1007.
+        // Violations of RFC 6455 in frames or texts, which the socket itself answers with a close of 1002 or 1007.
         WebSocketError.Faulted or WebSocketError.InvalidMessageType => Closure.MalformedFrame,
         WebSocketError.ConnectionClosedPrematurely => Closure.ByPeer,
         _ => Closure.ByPeer,
@@ -120,7 +120,7 @@ sealed class RosbridgeConnection : IDisposable
             await SendAsync(_ => _replies.Reader.TryRead(out var reply) ? reply : default);
     }
 
-    // The message is chosen when there is room for it: one that was chosen before would be old by then.
+    // The message is selected when it can be sent: one selected earlier would be outdated by then.
     async Task SendAsync(Func<long, ReadOnlyMemory<byte>> next)
     {
         await _sending.WaitAsync(_stop.Token);
@@ -143,7 +143,7 @@ sealed class RosbridgeConnection : IDisposable
         }
     }
 
-    // No goodbye would get past what it does not read.
+    // No close is sent: a peer that does not read would not receive it.
     async Task EndWhenSilentAsync()
     {
         await _reader.BecomesSilentAsync(_stop.Token);
@@ -151,7 +151,7 @@ sealed class RosbridgeConnection : IDisposable
         _socket.Abort();
     }
 
-    // Whatever comes from a peer counts for the pong that does not: one that sends and reads nothing would stay for ever.
+    // Received data do not extend this timeout, unlike that of pongs: a peer that sends but never reads would stay forever.
     async Task BecomesSentAsync(Task sending, int length)
     {
         try
@@ -161,7 +161,7 @@ sealed class RosbridgeConnection : IDisposable
         }
         catch (TimeoutException)
         {
-            // No goodbye either would get past what it does not read.
+            // A close would not reach a peer that does not read.
             Interlocked.CompareExchange(ref _ended, (int)Closure.Silence, NotEnded);
             _socket.Abort();
             await sending;
@@ -180,7 +180,7 @@ sealed class RosbridgeConnection : IDisposable
         }
     }
 
-    // Aborting throws away what is still on its way out, the close with its code among it: only for a peer that takes nothing.
+    // Aborting discards unsent data, including the close code. It is done only for a peer that does not read.
     async Task StopPumpsAsync(Task replying, bool isGone)
     {
         var pumps = Task.WhenAll([replying, .. _pumps.Values.Select(pump => pump.Ended)]);
@@ -194,7 +194,7 @@ sealed class RosbridgeConnection : IDisposable
         using var patience = new CancellationTokenSource(GoodbyeTimeout);
         try
         {
-            // A peer's close is answered with its own code, or with none where it gave none.
+            // A peer's close is answered with the same code, or with none if it had none.
             if (why == Closure.ByPeer)
                 await _socket.CloseOutputAsync(_socket.CloseStatus ?? WebSocketCloseStatus.NormalClosure, null, patience.Token);
             else
@@ -206,7 +206,7 @@ sealed class RosbridgeConnection : IDisposable
         }
         catch (Exception e) when (IsEndOfConnection(e) || e is InvalidOperationException)
         {
-            // Already gone.
+            // The connection is already closed.
         }
 
         if (Ended != null)

@@ -9,7 +9,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Speaks rosbridge v2 on every path of the WebSocket port.</summary>
+/// <summary>Serves rosbridge v2 on every path of the WebSocket port.</summary>
 sealed class RosbridgeServer(
     GatewayOptions options, ServedClock clock, PlantClocks plant, MessageHub hub, Door door, AccessWatch access, ConnectionCounters counters,
     Action<string> log)
@@ -26,7 +26,7 @@ sealed class RosbridgeServer(
 
     public void Dispose() => _stop.Dispose();
 
-    /// <summary>Before the WebSocket middleware, which takes the upgrade that is there when it is called.</summary>
+    /// <summary>Middleware that must run before the WebSocket middleware, which uses the upgrade feature present when it is called.</summary>
     public static Task CountFragmentsAsync(HttpContext context, RequestDelegate next)
     {
         if (context.Features.Get<IHttpUpgradeFeature>() is { } upgrade)
@@ -64,17 +64,17 @@ sealed class RosbridgeServer(
     async Task<Closure> TalkAsync(HttpContext context, Role role)
     {
         var upgrade = (CountingUpgrade)context.Features.Get<IHttpUpgradeFeature>();
-        // One that reads slowly loses messages; what is too slow, the connection knows.
+        // Slow readers lose messages; the connection itself detects those that are too slow.
         if (context.Features.Get<IHttpMinResponseDataRateFeature>() is { } rate)
             rate.MinDataRate = null;
         using var socket = await context.WebSockets.AcceptWebSocketAsync(new WebSocketAcceptContext
         {
-            // The connection sends pings itself, which also tell how far the client has read.
+            // The connection sends its own pings, which also measure how far the client has read.
             KeepAliveInterval = Timeout.InfiniteTimeSpan,
         });
         PendingPlaces.GiveBack(context);
         var isSource = role == Role.Source;
-        // Only a source sends what may be long.
+        // Only a source may send long messages.
         var longest = isSource ? ProtocolLimits.DescriptionBytes : ProtocolLimits.MessageBytes;
         var allowed = new RequestRate(isSource ? options.SourceMessagesPerSecond : options.ObserverMessagesPerSecond);
         var receiver = new MessageReceiver(socket, upgrade.Fragments, options, longest, allowed, TimeProvider.System);
@@ -99,7 +99,7 @@ sealed class RosbridgeServer(
     static string AddressOf(ConnectionInfo connection)
     {
         if (connection.RemoteIpAddress is not { } address) return null;
-        // Without the port, which is another one for each connection: a client that reconnects is the same source in the list of events.
+        // Without the port, which changes with each connection: a client that reconnects is the same source in the list of events.
         return (address.IsIPv4MappedToIPv6 ? address.MapToIPv4() : address).ToString();
     }
 }

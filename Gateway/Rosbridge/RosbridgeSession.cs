@@ -7,7 +7,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>What one client asks and what becomes of it; knows no sockets. Called by one thread at a time.</summary>
+/// <summary>Handles the requests of one client, without access to sockets. Called by one thread at a time.</summary>
 sealed class RosbridgeSession : IDisposable
 {
     const string Operations = "subscribe, unsubscribe, advertise, unadvertise, publish, call_service, advertise_service, unadvertise_service, "
@@ -55,7 +55,9 @@ sealed class RosbridgeSession : IDisposable
         set => _source.Address = value;
     }
 
-    /// <summary>Ends what the client reported of itself, because it closed the connection in order. Call it before <see cref="Dispose"/>.</summary>
+    /// <summary>
+    /// Removes the state that the client reported of itself, because it closed the connection normally. Call it before <see cref="Dispose"/>.
+    /// </summary>
     public void Leave()
     {
         if (_name != null && _names.Release(_name, this)) _hub.ReportLeft(_name);
@@ -178,15 +180,15 @@ sealed class RosbridgeSession : IDisposable
             AddStamp(message, stamp, false);
     }
 
-    // A source that another one keeps from publishing says nothing about the stamps of this cell.
+    // A source whose joints belong to another one is not evidence about the stamps of this cell.
     void AddStamp(RosbridgeMessage message, ControlTime stamp, bool isRefused)
     {
         if (message.JointState is not { } state || stamp == default || _offers.StampClock != null) return;
-        // Of an accepted sample the hub has found it out.
+        // For an accepted sample, the hub has already checked this.
         if (!isRefused || _source.MayPublish(state.Names)) _clock.Stamps.Add(_source, stamp, isRefused);
     }
 
-    // What another clock of the plant stamped is put on C1.
+    // Maps stamps of another clock of the plant to C1.
     DropReason Judge(ref ControlTime stamp)
     {
         if (!_clock.TryMap(_offers.StampClock, stamp, out stamp))
@@ -194,7 +196,7 @@ sealed class RosbridgeSession : IDisposable
         return StampRule.IsInFuture(stamp, _clock.Now, _clock.ErrorBound) ? DropReason.StampInFuture : DropReason.None;
     }
 
-    // Returns what belongs to somebody else.
+    // Returns the joint or topic that belongs to another source; null if the message was published.
     string Hand(RosbridgeMessage message, ControlTime stamp)
     {
         if (message.JointState is { } state)
@@ -210,7 +212,7 @@ sealed class RosbridgeSession : IDisposable
         return null;
     }
 
-    // The first name a client gives is its name; that of a plant is not an observer's.
+    // The first name that a client uses is its name. An observer must not use the name of a plant.
     bool IsOwn(string name)
     {
         if (_role != Role.Source && StatusObjects.IsAdapter(name))
@@ -235,7 +237,7 @@ sealed class RosbridgeSession : IDisposable
         }
     }
 
-    // A name without its slash begins at the root, where rosbridge's own node is. roslib calls the services of rosapi so.
+    // A name without a slash is relative to the root, where rosbridge's own node is. roslib uses this form for rosapi services.
     static string Absolute(string name) => name.StartsWith('/') ? name : "/" + name;
 
     DropReason Allowance(string topic)
@@ -254,7 +256,7 @@ sealed class RosbridgeSession : IDisposable
         return isNameGood && topics.Count <= ProtocolLimits.TopicsPerClient;
     }
 
-    // The newest type a client named tells which ROS it speaks; responses of services name none.
+    // The newest type that a client names shows its ROS version; responses of services name none.
     void Remember(string type)
     {
         if (string.IsNullOrEmpty(type)) return;
@@ -262,7 +264,7 @@ sealed class RosbridgeSession : IDisposable
         _isRos2 = _form == RosTimeForm.Sec;
     }
 
-    // The request is served, but not as it was asked for.
+    // The request is served, but without an unsupported option.
     void Warn(RosbridgeMessage message)
     {
         if (Unsupported.In(_text) is { } unsupported) Warn(message, unsupported);
@@ -282,7 +284,7 @@ sealed class RosbridgeSession : IDisposable
             : $"{Subject(message)}dropped: {rule} ({reason})";
         if (_level != "none")
             Reply(RosbridgeWriter.Status("error", text, Short(message?.Id)));
-        // The board knows by itself which joints belong to another source.
+        // The joint board handles joints of other sources itself.
         if (message is { Op: RosbridgeOp.Publish, Topic: RosTopics.JointStates } && reason != DropReason.JointTaken)
             ReportDropped(message.JointState, rule, reason);
     }
@@ -296,7 +298,7 @@ sealed class RosbridgeSession : IDisposable
     static string Subject(RosbridgeMessage message) =>
         string.Concat(new[] { message?.OpName, message?.Topic ?? message?.Service }.Where(part => !string.IsNullOrEmpty(part)).Select(part => $"{Short(part)} "));
 
-    // What is sent back is never longer than a name may be.
+    // Replies repeat at most the maximum length of a name.
     static string Short(string text) =>
         text?.Length > ProtocolLimits.NameLength ? string.Concat(text.AsSpan(0, ProtocolLimits.NameLength - 1), "…") : text;
 

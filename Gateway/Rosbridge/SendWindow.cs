@@ -1,35 +1,42 @@
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Limits how many bytes are on their way to a client: those that were sent and that it has not read yet.</summary>
+/// <summary>Limits the number of bytes that were sent to a client but not yet read by it.</summary>
 /// <remarks>
-/// The buffers between the gateway and the client's own read call (TLS, both kernels, proxies) hold seconds of samples for a slow
-/// reader, and no system call shows all of them. A ping in the stream does: its pong says that everything before it was read. The window
-/// is what the client reads in about <see cref="Target"/>. A ping goes in a packet of its own: by it TCP notices a lost packet sooner, and
-/// sent along with messages it cost over lossy links nearly a tenth of the reduction (Benchmarks -- links: 86 instead of 94 %). Takes the time as an argument; not thread-safe.
+/// The buffers between the gateway and the client's own read call (TLS, both kernels, proxies) can hold seconds of samples for a slow
+/// reader, and no system call reports all of them. A ping in the stream does: its pong confirms that everything before it was read. The
+/// window is the amount that the client reads in about <see cref="Target"/>. A ping is sent in a separate packet: TCP then detects a lost
+/// packet sooner. Sent together with messages, pings cost nearly a tenth of the reduction over lossy links (Benchmarks -- links: 86 instead
+/// of 94 %). Takes the time as an argument; not thread-safe.
 /// </remarks>
 sealed class SendWindow
 {
-    /// <summary>A window this long keeps two messages of an arm on their way, because the last one may exceed it; a reader of 1 kB/s needs a second for them.</summary>
+    /// <summary>
+    /// Minimum window size. It allows two messages of an arm, because the last one may exceed the window; a reader of 1 kB/s needs a second for them.
+    /// </summary>
     internal const int MinBytes = 512;
 
-    /// <summary>Before the first pong. At 4 kB/s it is read within a third of a second.</summary>
+    /// <summary>Window size before the first pong. At 4 kB/s it is read within a third of a second.</summary>
     internal const int FirstBytes = 1280;
 
-    /// <summary>For a client that answers within <see cref="Quick"/>: half as many pings, and at 4 kB/s still read within two thirds of a second.</summary>
+    /// <summary>
+    /// Window size for a client that answers within <see cref="Quick"/>: half as many pings, and at 4 kB/s still read within two thirds of a second.
+    /// </summary>
     internal const int QuickBytes = 2560;
 
     internal const int MaxBytes = 256 * 1024;
 
     static readonly TimeSpan Quick = TimeSpan.FromMilliseconds(50);
 
-    /// <summary>A ping stands at least half a window behind the oldest unread byte, so at most twice this is on its way.</summary>
+    /// <summary>Target time to read a window. Pings are at least half a window behind the oldest unread byte: at most twice this is unread.</summary>
     internal static readonly TimeSpan Target = TimeSpan.FromMilliseconds(200);
 
-    /// <summary>A client that has not answered the first ping by then is sent everything: only the buffers of its connection limit what waits for it.</summary>
-    /// <remarks>A client that reads 700 bytes a second answers in time.</remarks>
+    /// <summary>
+    /// Timeout of the first pong. Without it, the window is unlimited, and only the buffers of the connection limit the unread data.
+    /// </summary>
+    /// <remarks>A client that reads 700 bytes per second answers in time.</remarks>
     internal static readonly TimeSpan FirstPongTimeout = TimeSpan.FromSeconds(2);
 
-    /// <summary>Window size of a client whose window was not full, as a multiple of what was on its way.</summary>
+    /// <summary>Window size of a client whose window was not full, as a multiple of its unread bytes.</summary>
     const double Reserve = 1.5;
 
     long _sent;
@@ -45,16 +52,16 @@ sealed class SendWindow
     /// <summary>Window size, bytes.</summary>
     public int Size { get; private set; } = FirstBytes;
 
-    /// <summary>Bytes that were sent and are not known to be read.</summary>
+    /// <summary>Number of sent bytes that are not confirmed as read.</summary>
     public long Unread => _sent - _read;
 
-    /// <summary>Bytes that the client has to read before the newest ping.</summary>
+    /// <summary>Number of bytes that the client has to read before the newest ping.</summary>
     public long BytesBeforePing => _pingPosition - _read;
 
     /// <summary>Whether the client has answered a ping.</summary>
     public bool HasAnswered => _hasAnswered;
 
-    /// <summary>When the ping that has no pong yet was sent; null without one.</summary>
+    /// <summary>Time at which the outstanding ping was sent; null if there is none.</summary>
     public TimeSpan? PingAt => _pingAt;
 
     /// <summary>Whether a message may be sent; the last one may exceed the window.</summary>
@@ -68,13 +75,13 @@ sealed class SendWindow
 
     public void OnSent(int bytes) => _sent += bytes;
 
-    /// <summary>Whether a ping should come first: behind a long message the first pong would take as long as that.</summary>
+    /// <summary>Whether a ping should be sent first: after a long message, the first pong would be delayed by it.</summary>
     public bool IsPingDueBefore(int bytes) => !_hasAnswered && _pingAt == null && bytes > FirstBytes;
 
-    /// <summary>Whether a ping should follow what was sent.</summary>
+    /// <summary>Whether a ping should follow the sent data.</summary>
     public bool IsPingDue => _pingAt == null && 2 * (_sent - Math.Max(_read, _pingPosition)) >= Math.Min(Size, QuickBytes);
 
-    /// <summary>Notes a ping at the end of what was sent.</summary>
+    /// <summary>Records a ping at the end of the sent data.</summary>
     /// <returns>Its number, which the pong repeats.</returns>
     public long OnPing(TimeSpan now)
     {
@@ -83,7 +90,7 @@ sealed class SendWindow
         return ++_pingId;
     }
 
-    /// <summary>Takes a pong. Other numbers than that of the newest ping are ignored.</summary>
+    /// <summary>Processes a pong. Numbers other than that of the newest ping are ignored.</summary>
     public void OnPong(long id, TimeSpan now)
     {
         if (_pingAt is not { } pingAt || id != _pingId) return;
@@ -93,14 +100,14 @@ sealed class SendWindow
         _read = _pingPosition;
         _hasAnswered = true;
         _isUnlimited = false;
-        // The pong of an idle connection says nothing about how fast the client could read.
+        // The pong of an idle connection does not show how fast the client could read.
         if (hadData) Resize(now - pingAt, unread);
         _mayGrow = _wasFull;
         _wasFull = false;
     }
 
-    // A full window grows with the next pong: the first one of a client that has just become slow is still a quick one.
-    // A window that is not full shrinks to what it needs: a burst of messages must not leave it large for a client that becomes slow later.
+    // A full window grows with the next pong, because the first pong of a client that has just become slow is still fast.
+    // A window that is not full shrinks to what it needs: after a burst of messages, it must not stay large for a client that becomes slow later.
     void Resize(TimeSpan took, long unread)
     {
         var factor = Math.Clamp(Target / (took + TimeSpan.FromTicks(1)), 0.25, 2);

@@ -6,12 +6,12 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>One client's subscription to one topic: a queue that loses its oldest message, and who empties it.</summary>
+/// <summary>One client's subscription to one topic: a queue that drops its oldest message when full, and the loop that sends from it.</summary>
 sealed class Subscription : IDisposable
 {
     const int LongestQueue = 1024;
 
-    /// <summary>Samples that have waited longer for a slow reader are dropped where a newer one waits.</summary>
+    /// <summary>Maximum waiting time for a slow reader. Older samples are dropped if a newer one is queued.</summary>
     internal static readonly TimeSpan MaxSampleAge = TimeSpan.FromMilliseconds(150);
 
     readonly Channel<HubMessage> _queue;
@@ -25,7 +25,7 @@ sealed class Subscription : IDisposable
     {
         Topic = topic;
         _terms = terms;
-        // What a client does not want that often is not lost to it.
+        // Messages skipped because of the client's throttle rate are not counted as drops.
         _lost = () => drops.Count(terms.ThrottleMs > 0 ? DropReason.None : DropReason.SlowReader);
         var bounds = new BoundedChannelOptions(QueueOf(terms, standardQueue)) { FullMode = BoundedChannelFullMode.DropOldest, SingleReader = true };
         _queue = Channel.CreateBounded<HubMessage>(bounds, _ => _lost());
@@ -35,10 +35,10 @@ sealed class Subscription : IDisposable
 
     public string Topic { get; }
 
-    /// <summary>Sends what comes until the subscription is disposed or sending fails.</summary>
+    /// <summary>Sends messages until the subscription is disposed or sending fails.</summary>
     /// <param name="send">
-    /// Sends the message that it takes when the client has room for one. It passes until when messages had to wait for the client, a count of
-    /// <see cref="Stopwatch"/>.
+    /// Sends the message from its argument when the client has room for one. It passes the end of the last time in which messages had to wait
+    /// for the client, a count of <see cref="Stopwatch"/>.
     /// </param>
     public async Task PumpAsync(Func<Func<long, ReadOnlyMemory<byte>>, Task> send, CancellationToken stop)
     {
@@ -55,19 +55,19 @@ sealed class Subscription : IDisposable
         }
     }
 
-    /// <summary>Of one that nobody empties: what waits in it is lost.</summary>
+    /// <summary>Counts the messages that stay queued in a subscription without a sending loop as dropped.</summary>
     public void CountUnsent()
     {
         while (_queue.Reader.TryRead(out _))
             _lost();
     }
 
-    // Null when the queue was emptied meanwhile.
+    // Null if the queue has been emptied.
     HubMessage Next(long waitedUntil)
     {
         while (_queue.Reader.TryRead(out var message))
         {
-            // What waited for something else than the client, such as a busy processor, is sent late rather than never.
+            // A message that waited for another reason, such as a busy processor, is sent late instead of dropped.
             var isOld = message.Content is JointStateMessage && message.ReceivedAt < waitedUntil
                 && Stopwatch.GetElapsedTime(message.ReceivedAt) > MaxSampleAge;
             if (!isOld || !_queue.Reader.TryPeek(out _)) return message;
@@ -77,7 +77,7 @@ sealed class Subscription : IDisposable
         return null;
     }
 
-    // A client may ask for a message a month: unsubscribed, nobody waits for the next one.
+    // A throttle interval may be very long, for example a month. After an unsubscription, the wait must end.
     async Task<bool> IsOverWithinAsync(TimeSpan rest, CancellationToken stop)
     {
         using var waited = CancellationTokenSource.CreateLinkedTokenSource(stop);
@@ -93,7 +93,7 @@ sealed class Subscription : IDisposable
         _queue.Writer.TryComplete();
     }
 
-    // A throttled client that names no queue gets the newest there is when its time has come.
+    // A throttled client without a queue length gets the newest message at the end of each interval.
     static int QueueOf(SubscriptionTerms terms, int standard)
     {
         if (terms.QueueLength > 0)

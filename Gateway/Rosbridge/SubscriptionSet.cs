@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>The subscriptions of one client, by topic and the id it gave each. Used by one thread at a time.</summary>
+/// <summary>The subscriptions of one client, by topic and the client's id. For one thread at a time.</summary>
 sealed class SubscriptionSet(MessageHub hub, int queueLength, DropCounters drops, Action<Subscription> start) : IDisposable
 {
     readonly Dictionary<string, (List<(string Id, SubscriptionTerms Terms)> Wishes, Subscription Live)> _topics = [];
@@ -18,8 +18,8 @@ sealed class SubscriptionSet(MessageHub hub, int queueLength, DropCounters drops
         Renew(topic, wishes, present.Live);
     }
 
-    /// <param name="topic">A topic.</param>
-    /// <param name="id">Null ends all of the topic's.</param>
+    /// <param name="topic">Name of the topic.</param>
+    /// <param name="id">Id of the subscription; null removes all subscriptions to the topic.</param>
     public void Remove(string topic, string id)
     {
         if (!_topics.TryGetValue(topic, out var present))

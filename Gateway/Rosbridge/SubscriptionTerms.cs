@@ -2,15 +2,17 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>How a client wants a topic.</summary>
-/// <param name="ThrottleMs">Shortest time between two messages; 0 for all.</param>
-/// <param name="QueueLength">Messages that may wait; 0 leaves it to the gateway.</param>
+/// <summary>A client's options for a topic.</summary>
+/// <param name="ThrottleMs">Minimum time between two messages; 0 for all messages.</param>
+/// <param name="QueueLength">Maximum number of queued messages; 0 for the gateway's default.</param>
 readonly record struct SubscriptionTerms(RosTimeForm Form, int ThrottleMs, int QueueLength)
 {
     public static SubscriptionTerms Of(RosbridgeMessage message) =>
         new(RosTopics.TimeFormOf(message.Type), message.ThrottleRateMs, message.QueueLength);
 
-    /// <summary>One stream for both of a client's subscriptions to a topic, as rosbridge does it: the faster, the shorter.</summary>
+    /// <summary>
+    /// Combines the options of two subscriptions of a client to a topic into one stream, like rosbridge: the higher rate and the shorter queue.
+    /// </summary>
     public SubscriptionTerms With(SubscriptionTerms other) =>
         new(Form, Math.Min(ThrottleMs, other.ThrottleMs), Shorter(QueueLength, other.QueueLength));
 

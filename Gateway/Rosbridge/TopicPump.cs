@@ -1,21 +1,21 @@
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Sends what a client's subscriptions to one topic get, one after the other in their order.</summary>
+/// <summary>Sends the messages of a client's subscriptions to one topic, one subscription after the other.</summary>
 /// <remarks>
-/// A client that reads nothing may change its wishes as often as it likes: one subscription is being sent, one waits, and those
-/// between were never begun.
+/// A client that does not read may change its subscription any number of times: one is being sent, one waits, and those in between are
+/// never started.
 /// </remarks>
-/// <param name="pump">Sends what a subscription gets, to its end.</param>
+/// <param name="pump">Sends the messages of a subscription until its end.</param>
 sealed class TopicPump(Func<Subscription, Task> pump)
 {
     readonly Lock _lock = new();
     Subscription _next;
     bool _isRunning;
 
-    /// <summary>Completes when all that were started have ended.</summary>
+    /// <summary>Completes when all started subscriptions have ended.</summary>
     public Task Ended { get; private set; } = Task.CompletedTask;
 
-    /// <summary>Sends what the subscription gets as soon as the one before has ended. From one thread at a time.</summary>
+    /// <summary>Sends the messages of a subscription as soon as the previous one has ended. For one thread at a time.</summary>
     public void Start(Subscription subscription)
     {
         lock (_lock)

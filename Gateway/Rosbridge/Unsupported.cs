@@ -2,10 +2,10 @@ using System.Text.Json;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Options of rosbridge requests that the gateway does not have; the request is served without them.</summary>
+/// <summary>Finds options of rosbridge requests that the gateway does not support. The request is served without them.</summary>
 static class Unsupported
 {
-    /// <summary>What to tell the client; null where it asks for nothing of the kind.</summary>
+    /// <summary>Gets the warning to the client; null if there are no unsupported options.</summary>
     /// <param name="text">A whole message, valid JSON.</param>
     public static string In(ReadOnlyMemory<byte> text)
     {

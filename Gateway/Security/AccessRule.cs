@@ -4,16 +4,16 @@ using Nowpose.Gateway.Operations;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Who may open a WebSocket or ask for a page, and as what.</summary>
-/// <param name="sessions">Of browsers, which open pages and WebSockets without a header of ours.</param>
+/// <summary>Decides who may open a WebSocket or request a page, and with which role.</summary>
+/// <param name="sessions">Sessions of browsers, which open pages and WebSockets without an Authorization header.</param>
 sealed class AccessRule(GatewayOptions options, BrowserSessions sessions)
 {
     const string TokenScheme = "Bearer ";
 
-    /// <summary>Whether the request comes from no browser page, or from one of the gateway's own.</summary>
+    /// <summary>Whether the request comes from one of the gateway's own pages, or not from a browser page.</summary>
     /// <remarks>
-    /// The Host header is not asked: a page whose name was made to point here (DNS rebinding) sends its own there. A page
-    /// of the gateway's was loaded from the address this connection has.
+    /// The Host header is not used: a page whose name was made to resolve to this address (DNS rebinding) sends its own host there. A page
+    /// of the gateway was loaded from the address of this connection.
     /// </remarks>
     public bool IsOriginAllowed(HttpContext context)
     {
@@ -26,12 +26,12 @@ sealed class AccessRule(GatewayOptions options, BrowserSessions sessions)
             && OwnHosts.Contain(origin, context.Connection.LocalIpAddress);
     }
 
-    /// <summary>What <see cref="IsOriginAllowed"/> accepts, in words: "http://10.0.0.7:47011, http://cell:47011".</summary>
+    /// <summary>Gets the origins that <see cref="IsOriginAllowed"/> accepts as text: "http://10.0.0.7:47011, http://cell:47011".</summary>
     public string AllowedOrigins(HttpContext context) => string.Join(
         ", ", OwnHosts.Of(context.Connection.LocalIpAddress).Select(host => $"{Scheme}://{host}:{context.Connection.LocalPort}"));
 
-    /// <summary>The role of whoever asks, or null when it has none of the tokens asked for.</summary>
-    /// <remarks>Where none are asked for, an adapter of the gateway's still shows its own: bound to one address, it comes from there.</remarks>
+    /// <summary>Gets the role of a request, or null if its token is missing or unknown.</summary>
+    /// <remarks>If no tokens are required, the gateway's own adapter still shows its token: bound to one address, it comes from there.</remarks>
     public Role? RoleOf(HttpContext context)
     {
         var known = TokenHashOf(context) is { } hash ? options.RoleOf(hash) : null;
@@ -40,10 +40,10 @@ sealed class AccessRule(GatewayOptions options, BrowserSessions sessions)
         return IsFromHere(context) ? Role.Source : Role.Observer;
     }
 
-    /// <summary>Whether the one who asks may switch the recorder and pair headsets.</summary>
+    /// <summary>Whether the request may control the recorder and pair headsets.</summary>
     public bool IsOperator(HttpContext context) => options.AsksForTokens ? RoleOf(context) == Role.Operator : IsFromHere(context);
 
-    /// <summary>Of the token in the request's header, or the one its browser logged in with; null without. Known or not.</summary>
+    /// <summary>Gets the hash of the token in the request's header or of its browser's login, known or not; null without one.</summary>
     public byte[] TokenHashOf(HttpContext context)
     {
         var values = context.Request.Headers[HeaderNames.Authorization];
@@ -53,15 +53,15 @@ sealed class AccessRule(GatewayOptions options, BrowserSessions sessions)
         return value.StartsWith(TokenScheme, StringComparison.OrdinalIgnoreCase) ? TokenList.HashOf(value[TokenScheme.Length..].Trim()) : null;
     }
 
-    /// <summary>Whether the request shows a token in its header.</summary>
+    /// <summary>Whether the request has a token in its header.</summary>
     public static bool HasBearer(HttpContext context) => context.Request.Headers[HeaderNames.Authorization].Count > 0;
 
-    /// <summary>Whether the login that let a request in still counts, from now on; null for one that was let in without.</summary>
+    /// <summary>Gets a check whether the login of a request is still valid; null for a request without one.</summary>
     public Func<bool> LoginOf(HttpContext context) =>
         options.AsksForTokens && context.Request.Headers[HeaderNames.Authorization].Count == 0 && SessionOf(context) is { } id
             ? () => sessions.IsOpen(id) : null;
 
-    /// <summary>Whether the address asked for is one of the gateway's own: not a name that was made to point here (DNS rebinding).</summary>
+    /// <summary>Whether the requested host is one of the gateway's own, not a name made to resolve to this address (DNS rebinding).</summary>
     public bool IsOwnHost(HttpContext context) =>
         Uri.TryCreate($"{Scheme}://{context.Request.Host.Value}", UriKind.Absolute, out var uri)
         && OwnHosts.Contain(uri, context.Connection.LocalIpAddress);

@@ -1,7 +1,7 @@
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Ends connections whose token counts no longer. Any thread.</summary>
-/// <remarks>Looking also makes the lists and the certificate follow their files, and tell what is wrong with them, while nobody connects.</remarks>
+/// <summary>Ends connections whose token is no longer valid. Any thread.</summary>
+/// <remarks>The check also updates the lists and the certificate from their files, and reports errors when no clients connect.</remarks>
 sealed class AccessWatch : IDisposable
 {
     internal static readonly TimeSpan Interval = TimeSpan.FromMilliseconds(500);
@@ -20,7 +20,7 @@ sealed class AccessWatch : IDisposable
         _timer = new Timer(_ => Look());
     }
 
-    /// <summary>Connections that end with their token.</summary>
+    /// <summary>Number of connections that end when their token is revoked.</summary>
     public int Count
     {
         get
@@ -29,13 +29,15 @@ sealed class AccessWatch : IDisposable
         }
     }
 
-    /// <summary>Looks now, and from now on.</summary>
+    /// <summary>Starts the periodic check, with the first one immediately.</summary>
     public void Start() => _timer.Change(TimeSpan.Zero, Timeout.InfiniteTimeSpan);
 
-    /// <param name="tokenHash">Of the token that let somebody in; null for one that needed none.</param>
-    /// <param name="role">As what.</param>
-    /// <param name="end">Called once when the token counts no longer, unless what is returned was disposed before; must not wait.</param>
-    /// <param name="lasts">Whether what the token was exchanged for still counts; null where it was shown itself. Must not wait.</param>
+    /// <param name="tokenHash">Hash of the connection's token; null if none was needed.</param>
+    /// <param name="role">Role of the connection.</param>
+    /// <param name="end">
+    /// Called once when the token is no longer valid, unless the returned object was disposed before; must not wait.
+    /// </param>
+    /// <param name="lasts">Checks whether the browser session is still valid; null for a connection with the token itself. Must not wait.</param>
     public IDisposable Watch(byte[] tokenHash, Role role, Action end, Func<bool> lasts = null)
     {
         var watched = new Watched(this, tokenHash, role, end, lasts);
@@ -58,7 +60,7 @@ sealed class AccessWatch : IDisposable
         }
         catch (Exception e)
         {
-            // All of them: what leaves a timer's thread ends the process, and every connection.
+            // Catches all exceptions: an unhandled one on a timer's thread ends the process with every connection.
             _log($"security: tokens and certificate could not be looked at ({e.GetType().Name}: {e.Message})");
         }
 
@@ -68,7 +70,7 @@ sealed class AccessWatch : IDisposable
         }
         catch (ObjectDisposedException)
         {
-            // Disposed meanwhile.
+            // Already disposed.
         }
     }
 

@@ -3,11 +3,11 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>The gateway's certificate, followed in its file: a renewed one is shown to whoever connects next. Any thread.</summary>
-/// <remarks>Only one with the same key is taken: headsets pin the key, and would refuse another without a word to the gateway.</remarks>
+/// <summary>The gateway's certificate, updated from its file: new connections get a renewed one. Any thread.</summary>
+/// <remarks>Only a certificate with the same key is used. Headsets pin the key, and would refuse another one without informing the gateway.</remarks>
 public sealed class CertificateFile
 {
-    // Certificate and key are two files sometimes, which are not written at one moment.
+    // Certificate and key may be two files, which are not written at the same instant.
     static readonly TimeSpan Settles = TimeSpan.FromMilliseconds(500);
 
     readonly FollowedFile<X509Certificate2> _file;
@@ -15,9 +15,9 @@ public sealed class CertificateFile
     readonly string _path;
     readonly string _keyPath;
 
-    /// <param name="path">A .pfx or .pem file; a new certificate is made there when there is none.</param>
-    /// <param name="keyPath">The .pem file of the key when it is not in the certificate's own; null otherwise.</param>
-    /// <param name="log">Is told when the file cannot be used any more; null for nobody.</param>
+    /// <param name="path">A .pfx or .pem file; a new certificate is created there if the file does not exist.</param>
+    /// <param name="keyPath">The .pem file of the key if it is not in the certificate's file; null otherwise.</param>
+    /// <param name="log">Receives a line when the file becomes invalid; null for none.</param>
     /// <exception cref="InputException">The file cannot be read, has no private key, or is not valid now.</exception>
     public CertificateFile(string path, string keyPath, Action<string> log)
     {
@@ -33,7 +33,7 @@ public sealed class CertificateFile
 
     internal X509Certificate2 Current => _file.Current;
 
-    /// <summary>Of the file that holds the private key.</summary>
+    /// <summary>Path of the file that contains the private key.</summary>
     internal string KeyPath => _keyPath ?? _path;
 
     X509Certificate2 Load(string path, string keyPath)

@@ -4,16 +4,16 @@ using System.Security.Cryptography.X509Certificates;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>The gateway's TLS certificate: loaded from a file, or made by itself.</summary>
+/// <summary>The gateway's TLS certificate: loaded from a file, or generated.</summary>
 public static class CertificateFiles
 {
-    // Headsets pin the key, so the end date only matters to clients that trust it by hand; theirs is a limit of 825 days.
+    // Headsets pin the key, so the end date only matters to clients that trust the certificate manually. Their limit is 825 days.
     static readonly TimeSpan Validity = TimeSpan.FromDays(825);
 
-    /// <summary>A self-signed ECDSA P-256 certificate for this machine, in memory only: its pin is new each time.</summary>
+    /// <summary>Generates a self-signed ECDSA P-256 certificate for this machine, in memory only. Its pin is new each time.</summary>
     public static X509Certificate2 Generate() => Generate(DateTimeOffset.UtcNow.AddDays(-1), DateTimeOffset.UtcNow + Validity);
 
-    /// <summary>The same with dates of the caller's.</summary>
+    /// <summary>Generates a certificate with the given dates.</summary>
     public static X509Certificate2 Generate(DateTimeOffset from, DateTimeOffset to)
     {
         using var key = ECDsa.Create(ECCurve.NamedCurves.nistP256);
@@ -26,8 +26,8 @@ public static class CertificateFiles
         return Usable(certificate);
     }
 
-    /// <summary>Loads a .pfx without password or a .pem with its key; a path where no file is gets a new one.</summary>
-    /// <param name="keyPath">The .pem file of the key when it is not in the certificate's own; null otherwise.</param>
+    /// <summary>Loads a .pfx without password or a .pem with its key. If the file does not exist, creates a new one.</summary>
+    /// <param name="keyPath">The .pem file of the key if it is not in the certificate's file; null otherwise.</param>
     /// <exception cref="InputException">The file cannot be read, has no private key, or is not valid now.</exception>
     public static X509Certificate2 LoadOrGenerate(string path, string keyPath)
     {
@@ -93,7 +93,7 @@ public static class CertificateFiles
     static bool IsPfx(string path) =>
         path.EndsWith(".pfx", StringComparison.OrdinalIgnoreCase) || path.EndsWith(".p12", StringComparison.OrdinalIgnoreCase);
 
-    // Windows' TLS cannot use a key that lives in memory only: through PKCS #12 it gets one it can.
+    // TLS on Windows cannot use a key that exists in memory only; an import through PKCS #12 creates a usable one.
     static X509Certificate2 Usable(X509Certificate2 certificate) =>
         X509CertificateLoader.LoadPkcs12(certificate.Export(X509ContentType.Pfx), null, X509KeyStorageFlags.Exportable);
 

@@ -3,14 +3,14 @@ using Nowpose.Gateway.Operations;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Lets requests in as the protocol says, and answers those it does not. One for all that a gateway serves.</summary>
+/// <summary>Admits requests according to the protocol and answers those that it refuses. One instance for everything that a gateway serves.</summary>
 sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters counters, Action<string> log)
 {
     public BrowserSessions Sessions { get; } = new(options.Time);
 
     AccessRule Rule => field ??= new AccessRule(options, Sessions);
 
-    /// <summary>The role of whoever asks; null when the request was refused, and answered.</summary>
+    /// <summary>Gets the role of a request; null if it was refused and answered.</summary>
     public async Task<Role?> AdmitAsync(HttpContext context)
     {
         if (!await AdmitOriginAsync(context)) return null;
@@ -19,7 +19,7 @@ sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters 
         return null;
     }
 
-    /// <summary>Whether it is not another site's page that asks; when it is, the request was refused, and answered.</summary>
+    /// <summary>Whether the request does not come from another site's page. If it does, it was refused and answered.</summary>
     public async Task<bool> AdmitOriginAsync(HttpContext context)
     {
         if (Rule.IsOriginAllowed(context)) return true;
@@ -28,7 +28,7 @@ sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters 
         return false;
     }
 
-    /// <summary>Whether the one who asks may switch and pair; when not, the request was refused, and answered.</summary>
+    /// <summary>Whether the request may control the recorder and pair headsets. If not, it was refused and answered.</summary>
     public async Task<bool> AdmitOperatorAsync(HttpContext context)
     {
         if (await AdmitAsync(context) == null) return false;
@@ -47,37 +47,37 @@ sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters 
     /// <inheritdoc cref="AccessRule.LoginOf"/>
     public Func<bool> LoginOf(HttpContext context) => Rule.LoginOf(context);
 
-    /// <summary>Whether no page whose name was made to point here (DNS rebinding) can be asking: it has no token, where one is asked for.</summary>
+    /// <summary>Whether the request cannot come from a page by DNS rebinding. Such a page has no token where one is required.</summary>
     public bool IsNoRebinding(HttpContext context) => options.AsksForTokens || IsOwnHost(context);
 
     /// <inheritdoc cref="AccessRule.IsOwnHost"/>
     public bool IsOwnHost(HttpContext context) => Rule.IsOwnHost(context);
 
-    /// <summary>One line of text, and the end of the connection.</summary>
+    /// <summary>Answers with one line of text and ends the connection.</summary>
     public static Task AnswerAsync(HttpContext context, int status, string text)
     {
         context.Response.StatusCode = status;
-        // Whoever is not let in must not hold one of the places that are.
+        // Closed, because a refused client must not use one of the places of admitted ones.
         context.Response.Headers.Connection = "close";
         context.Response.ContentType = "text/plain; charset=utf-8";
         return context.Response.WriteAsync(text + "\n");
     }
 
-    /// <summary>For requests of another method than those that are allowed there.</summary>
+    /// <summary>Answers requests with a method that is not allowed.</summary>
     public static Task RefuseMethodAsync(HttpContext context, string allowed)
     {
         context.Response.Headers.Allow = allowed;
         return AnswerAsync(context, StatusCodes.Status405MethodNotAllowed, $"{context.Request.Path}: allowed is {allowed}");
     }
 
-    /// <summary>For requests that may be made again after a while.</summary>
+    /// <summary>Answers requests that may be repeated after a while.</summary>
     public static Task RefuseForNowAsync(HttpContext context, TimeSpan wait, string text)
     {
         context.Response.Headers.RetryAfter = Math.Ceiling(wait.TotalSeconds).ToString(CultureInfo.InvariantCulture);
         return AnswerAsync(context, StatusCodes.Status429TooManyRequests, text);
     }
 
-    // A known token is let in before this, also from an address that others guess from.
+    // Known tokens are accepted before this, also from an address with many wrong ones.
     async Task RefuseTokenAsync(HttpContext context)
     {
         const string Text = "no or an unknown bearer token";
@@ -92,7 +92,7 @@ sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters 
 
         counters.Count(Closure.Token);
         log("websocket: refused a connection, too many wrong tokens of its address");
-        // Also when the client goes away: its place as a pending connection is taken until then.
+        // Waits even if the client disconnects: until then, it uses a place of the pending connections.
         await Task.Delay(wait, options.Time);
         await RefuseForNowAsync(context, blocked, $"{Text}, and too many of them from this address");
     }

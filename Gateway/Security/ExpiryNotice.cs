@@ -2,14 +2,14 @@ using System.Globalization;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Says once, and in time, that a certificate expires, that it has expired, and that it was renewed.</summary>
+/// <summary>Logs once each that a certificate will expire soon, that it has expired, and that it was renewed.</summary>
 sealed class ExpiryNotice(Action<string> log)
 {
     static readonly TimeSpan Ahead = TimeSpan.FromDays(30);
 
     bool _isClose, _isOver;
 
-    /// <param name="expires">When; null without a certificate.</param>
+    /// <param name="expires">Expiry of the certificate; null without one.</param>
     public void Look(DateTime? expires, DateTime now)
     {
         if (expires is not { } end) return;

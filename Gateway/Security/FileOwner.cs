@@ -2,17 +2,17 @@ using System.Runtime.InteropServices;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Whom a file belongs to, which .NET does not tell.</summary>
+/// <summary>Gets the owner of a file, for which .NET has no function.</summary>
 static class FileOwner
 {
-    // linux/stat.h, the same on every processor: which fields are asked for, and where they stand.
+    // Constants of linux/stat.h, the same on every processor: the requested fields and their offsets.
     const int AtCurrentFolder = -100;
     const uint UidAndGid = 0x8 | 0x10;
     const int UidAt = 20;
     const int GidAt = 24;
     const int Size = 256;
 
-    /// <summary>Whether somebody else owns it, and its group is this process's own. False where that cannot be told.</summary>
+    /// <summary>Whether another user owns the file, and its group is this process's own. False if this cannot be determined.</summary>
     public static bool IsOthersForOwnGroup(string path)
     {
         if (!OperatingSystem.IsLinux()) return false;
@@ -24,7 +24,7 @@ static class FileOwner
         }
         catch (EntryPointNotFoundException)
         {
-            // A system library from before 2018.
+            // System libraries from before 2018 do not have the function.
             return false;
         }
     }

@@ -1,10 +1,10 @@
 namespace Nowpose.Gateway.Security;
 
-/// <summary>What a file says: read again, when it is asked for, after the file changed. Any thread.</summary>
+/// <summary>The content of a file. It is read again on access after the file has changed. Any thread.</summary>
 sealed class FollowedFile<T>
 {
-    /// <param name="fault">Why not all of the file can be used; null where it can.</param>
-    /// <exception cref="InputException">Nothing of it can be used.</exception>
+    /// <param name="fault">The reason why a part of the file is invalid; null if all of it is valid.</param>
+    /// <exception cref="InputException">The whole file is invalid.</exception>
     public delegate T Reader(out string fault);
 
     readonly FileInfo[] _files;
@@ -16,17 +16,17 @@ sealed class FollowedFile<T>
     Stamp[] _stamps;
     string _fault;
 
-    /// <param name="paths">Of the file, or of all that are read together.</param>
-    /// <param name="settles">A file that was written less than this ago is looked at later: somebody may still be at it.</param>
-    /// <param name="log">Is told once of each fault; null for nobody.</param>
-    /// <exception cref="InputException">The file cannot be used now.</exception>
+    /// <param name="paths">Path of the file, or of all files that are read together.</param>
+    /// <param name="settles">Minimum age of a change before the file is read again, because it may still be being written.</param>
+    /// <param name="log">Receives one line per fault; null for none.</param>
+    /// <exception cref="InputException">The file is invalid.</exception>
     public FollowedFile(IEnumerable<string> paths, Reader read, TimeSpan settles, Action<string> log)
     {
         _files = [.. paths.Where(path => path != null).Select(path => new FileInfo(path))];
         _read = read;
         _settles = settles;
         _log = log ?? (_ => { });
-        // Before it is read: what is written meanwhile is then seen as a change.
+        // Taken before reading, so that a change during the reading is detected later.
         _stamps = Stamps();
         _value = read(out var fault);
         if (fault != null) throw new InputException(fault);
@@ -55,7 +55,7 @@ sealed class FollowedFile<T>
         }
         catch (InputException fault)
         {
-            // Looked at again the next time: it may have been locked only.
+            // Read again on the next access, because it may only have been locked.
             Tell(fault.Message, "; what it said before goes on, also what was removed from it");
         }
     }
@@ -70,14 +70,14 @@ sealed class FollowedFile<T>
 
     readonly record struct Stamp(DateTime Written, long Length)
     {
-        // Of a file that is not there the same each time.
+        // Constant for a missing file.
         public static Stamp Of(FileInfo file)
         {
             file.Refresh();
             return new Stamp(file.LastWriteTimeUtc, file.Exists ? file.Length : -1);
         }
 
-        // Of a file from the future too: clocks of file servers differ.
+        // Handles times in the future, too: clocks of file servers differ.
         public bool IsOlderThan(TimeSpan age) => (DateTime.UtcNow - Written).Duration() >= age;
     }
 }

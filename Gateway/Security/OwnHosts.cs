@@ -4,10 +4,10 @@ using System.Net.Sockets;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>The hosts that a page of the gateway's own may have been loaded from: addresses and names of this machine.</summary>
+/// <summary>The hosts from which the gateway's own pages can be loaded: addresses and names of this machine.</summary>
 static class OwnHosts
 {
-    /// <param name="origin">Of the page that asks; only its host is looked at.</param>
+    /// <param name="origin">Origin of the requesting page; only its host is used.</param>
     /// <param name="local">This machine's address on the page's connection.</param>
     public static bool Contain(Uri origin, IPAddress local)
     {
@@ -16,24 +16,24 @@ static class OwnHosts
         return NamesOf(local).Contains(origin.Host, StringComparer.OrdinalIgnoreCase);
     }
 
-    /// <summary>All that <see cref="Contain"/> accepts on connections to an address, as they stand in an URL.</summary>
+    /// <summary>Gets all hosts that <see cref="Contain"/> accepts on connections to an address, in URL form.</summary>
     public static IEnumerable<string> Of(IPAddress local) => NamesOf(local).Prepend(UrlTextOf(local));
 
-    /// <summary>Under which a gateway is found that listens there: what <see cref="Contain"/> accepts, and a browser can open.</summary>
+    /// <summary>Gets the hosts of a gateway that listens on an address, as accepted by <see cref="Contain"/> and usable in a browser.</summary>
     public static IEnumerable<string> Reachable(IPAddress bind)
     {
         if (!bind.Equals(IPAddress.Any) && !bind.Equals(IPAddress.IPv6Any)) return [UrlTextOf(bind)];
-        // Listening on all of IPv6 is listening on all of IPv4 as well.
+        // Listening on all IPv6 addresses includes all IPv4 addresses.
         var addresses = AddressesOfThisMachine()
             .Where(address => address.AddressFamily == AddressFamily.InterNetwork || bind.Equals(IPAddress.IPv6Any));
-        // The name last: not every network knows it.
+        // The name comes last, because not every network resolves it.
         return addresses.Select(UrlTextOf).Append(Environment.MachineName);
     }
 
     static IEnumerable<string> NamesOf(IPAddress local) =>
         IPAddress.IsLoopback(local) ? ["localhost", Environment.MachineName] : [Environment.MachineName];
 
-    // Of IPv6 not those of one link alone: they need the name of an interface, which browsers do not take.
+    // Without link-local IPv6 addresses: they need the name of an interface, which browsers do not accept.
     static IEnumerable<IPAddress> AddressesOfThisMachine() =>
         from network in NetworkInterface.GetAllNetworkInterfaces()
         where network.OperationalStatus == OperationalStatus.Up && network.NetworkInterfaceType != NetworkInterfaceType.Loopback

@@ -2,7 +2,7 @@ using System.Net;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>A connection that has not shown yet whether it may stay. Any thread.</summary>
+/// <summary>A connection that has not been authenticated yet. Any thread.</summary>
 sealed class PendingConnection : IDisposable
 {
     readonly PendingConnections _all;
@@ -22,7 +22,7 @@ sealed class PendingConnection : IDisposable
     public LinkedListNode<PendingConnection> OfAll { get; }
     public bool IsKnown { get; set; }
 
-    /// <summary>Notes that the connection has completed its TLS handshake, or sent a whole request.</summary>
+    /// <summary>Records that the connection has completed its TLS handshake, or sent a whole request.</summary>
     public void CompleteHandshake() => _all.MarkKnown(this);
 
     public void Dispose() => _all.Leave(this);

@@ -3,21 +3,21 @@ using System.Net;
 namespace Nowpose.Gateway.Security;
 
 /// <summary>
-/// Limits, for each address and in all, the connections that have not shown yet whether they may stay. Any thread.
+/// Limits the connections that have not been authenticated yet, for each address and in total. Any thread.
 /// </summary>
 /// <remarks>
-/// A full address loses its oldest connection, never the new one: behind one NAT address there may be a headset beside many half-open
-/// clients. Connections that have completed a handshake have places of their own, so others that say nothing cannot take theirs.
+/// A full address loses its oldest connection, not the new one: behind one NAT address, there may be a headset next to many half-open
+/// clients. Connections that have completed a handshake have separate places, so that silent ones cannot take theirs.
 /// </remarks>
-/// <param name="maxOfAddress">Connections of one address, before the handshake and after it.</param>
-/// <param name="maxInAll">Connections of all addresses.</param>
+/// <param name="maxOfAddress">Maximum number of connections of one address, separately before and after the handshake.</param>
+/// <param name="maxInAll">Maximum number of connections of all addresses.</param>
 sealed class PendingConnections(int maxOfAddress, int maxInAll = int.MaxValue)
 {
     readonly Lock _lock = new();
     readonly Dictionary<IPAddress, (LinkedList<PendingConnection> Silent, LinkedList<PendingConnection> Known)> _addresses = [];
     readonly LinkedList<PendingConnection> _all = [];
 
-    /// <summary>Connections that have a place now.</summary>
+    /// <summary>Number of current connections.</summary>
     internal int Count
     {
         get
@@ -26,11 +26,13 @@ sealed class PendingConnections(int maxOfAddress, int maxInAll = int.MaxValue)
         }
     }
 
-    /// <param name="evict">Ends the connection when its place goes to a newer one. Called once at most, on the newer one's thread.</param>
-    /// <returns>To be disposed when the connection was let in, or is gone.</returns>
+    /// <param name="evict">
+    /// Ends the connection when a newer one takes its place. Called at most once, on the newer one's thread.
+    /// </param>
+    /// <returns>Dispose it when the connection was authenticated or has ended.</returns>
     public PendingConnection Enter(EndPoint remote, Action evict)
     {
-        // Connections of unknown addresses count as one address.
+        // Connections with unknown addresses count as one address.
         var connection = new PendingConnection(this, (remote as IPEndPoint)?.Address ?? IPAddress.None, evict);
         PendingConnection evicted;
         lock (_lock)
@@ -49,7 +51,7 @@ sealed class PendingConnections(int maxOfAddress, int maxInAll = int.MaxValue)
     }
 
     /// <summary>Ends the oldest connection of all addresses.</summary>
-    /// <returns>False when there is none.</returns>
+    /// <returns>False if there is none.</returns>
     public bool TryEvictOldest()
     {
         PendingConnection evicted;
@@ -58,7 +60,7 @@ sealed class PendingConnections(int maxOfAddress, int maxInAll = int.MaxValue)
         return evicted != null;
     }
 
-    // One that has said nothing, while there is one.
+    // A silent connection if there is one.
     PendingConnection OldestOfAll() => _all.FirstOrDefault(one => !one.IsKnown) ?? _all.First?.Value;
 
     internal void MarkKnown(PendingConnection connection)
@@ -83,7 +85,7 @@ sealed class PendingConnections(int maxOfAddress, int maxInAll = int.MaxValue)
         lock (_lock) Remove(connection);
     }
 
-    // Nothing for one that is not there, or not any more.
+    // Does nothing for a connection that is not in the list.
     void Remove(PendingConnection connection)
     {
         if (connection?.OfAddress.List is not { } list) return;

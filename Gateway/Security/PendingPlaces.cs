@@ -3,22 +3,24 @@ using Microsoft.AspNetCore.Connections.Features;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Takes a pending connection's place for each TCP connection of the web server, before TLS, and gives it back once it was let in.</summary>
+/// <summary>
+/// Reserves a place of the pending connections for each TCP connection of the web server, before TLS, and releases it after authentication.
+/// </summary>
 sealed class PendingPlaces(PendingConnections pending, ConnectionCounters counters, Action<string> log)
 {
     static readonly object Key = new();
 
-    /// <summary>Gives the place of a request back that was let in.</summary>
+    /// <summary>Releases the place of an admitted request.</summary>
     public static void GiveBack(HttpContext context) => Of(context.Features.Get<IConnectionItemsFeature>()?.Items)?.Dispose();
 
-    /// <summary>Notes that a connection has sent a whole request.</summary>
+    /// <summary>Records that a connection has sent a whole request.</summary>
     public static Task CompleteHandshakeAsync(HttpContext context, RequestDelegate next)
     {
         Of(context.Features.Get<IConnectionItemsFeature>()?.Items)?.CompleteHandshake();
         return next(context);
     }
 
-    /// <summary>Notes that the TLS handshake of a connection is complete.</summary>
+    /// <summary>Records that the TLS handshake of a connection is complete.</summary>
     public static Task CompleteHandshakeAsync(ConnectionContext connection, ConnectionDelegate next)
     {
         Of(connection.Items)?.CompleteHandshake();

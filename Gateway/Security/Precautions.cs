@@ -1,12 +1,12 @@
 namespace Nowpose.Gateway.Security;
 
-/// <summary>What whoever runs a gateway should know about how it is run.</summary>
+/// <summary>Security warnings for the operator of a gateway.</summary>
 static class Precautions
 {
     const UnixFileMode Group = UnixFileMode.GroupRead | UnixFileMode.GroupWrite;
     const UnixFileMode Others = UnixFileMode.OtherRead | UnixFileMode.OtherWrite;
 
-    /// <param name="credentials">The folder in which a service manager hands secrets over, and guards them; null for none.</param>
+    /// <param name="credentials">The protected folder in which a service manager passes secrets; null for none.</param>
     public static IEnumerable<string> Of(GatewayOptions options, string credentials)
     {
         if (Environment.IsPrivilegedProcess)
@@ -20,7 +20,7 @@ static class Precautions
         foreach (var path in options.SecretFiles.Where(File.Exists).Where(path => !IsBelow(credentials, path)))
         {
             var mode = File.GetUnixFileMode(path);
-            // Root's file that only the gateway's own group may read is kept as well as one of its own.
+            // A file owned by root that only the gateway's own group may read is as safe as a file of its own.
             var shared = (mode & Group) == UnixFileMode.GroupRead && FileOwner.IsOthersForOwnGroup(path) ? Others : Others | Group;
             if ((mode & shared) != 0)
                 yield return $"security: {path} can be read by others than its owner (mode {Convert.ToString((int)mode, 8)}); chmod 600 {path}";

@@ -1,14 +1,14 @@
 namespace Nowpose.Gateway.Security;
 
-/// <summary>What a client may do.</summary>
+/// <summary>The permissions of a client.</summary>
 public enum Role
 {
-    /// <summary>Subscribe, and publish its own diagnostics and what it shows itself.</summary>
+    /// <summary>May subscribe, and publish its own diagnostics and displayed pose.</summary>
     Observer,
 
-    /// <summary>Also publish joint states, trajectories and the robot description.</summary>
+    /// <summary>May also publish joint states, trajectories and the robot description.</summary>
     Source,
 
-    /// <summary>An observer that may also switch the recorder, and see the code that pairs a headset from another machine.</summary>
+    /// <summary>An observer that may also control the recorder, and see the pairing code from another machine.</summary>
     Operator,
 }

@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>The tokens a gateway accepts, each with its role. Keeps their hashes only. Any thread.</summary>
+/// <summary>The tokens that a gateway accepts, with their roles. Stores their hashes only. Any thread.</summary>
 public sealed class TokenList
 {
     public static readonly TokenList None = new([]);
@@ -14,7 +14,7 @@ public sealed class TokenList
     static readonly Dictionary<string, Role> Roles =
         new() { ["observer"] = Role.Observer, ["source"] = Role.Source, ["operator"] = Role.Operator };
 
-    // Long enough for an editor that empties the file and writes it anew.
+    // Sufficient for an editor that truncates the file and then writes it.
     internal static readonly TimeSpan Settles = TimeSpan.FromMilliseconds(250);
 
     readonly Func<(byte[] Hash, Role Role)[]> _current;
@@ -34,19 +34,19 @@ public sealed class TokenList
         Path = path;
     }
 
-    /// <summary>Where the file has tokens that are too easily guessed, and how strong they are, bits.</summary>
+    /// <summary>The places of tokens in the file that are too easy to guess, with their strength in bits.</summary>
     internal IReadOnlyList<(string Where, double Bits)> Weak => _weak;
 
-    /// <summary>Of the file; null for a list without.</summary>
+    /// <summary>Path of the file; null for a list without one.</summary>
     internal string Path { get; }
 
-    /// <summary>Whether it lets in everybody. The list of a file never does: with its last token removed it lets in nobody.</summary>
+    /// <summary>Whether all clients are accepted. This is never true for a file: after its last token is removed, it accepts no client.</summary>
     public bool IsEmpty { get; }
 
     /// <summary>Reads lines "observer TOKEN", "source TOKEN" or "operator TOKEN"; empty lines and lines that start with # are skipped.</summary>
-    /// <remarks>Follows the file from then on; while it cannot be used, what it said last holds.</remarks>
-    /// <param name="log">Is told when the file cannot be used any more; null for nobody.</param>
-    /// <exception cref="InputException">A line is something else, or there is none. Names file and line, never the token.</exception>
+    /// <remarks>Reads the file again after changes. While it is invalid, its last valid content is used.</remarks>
+    /// <param name="log">Receives a line when the file becomes invalid; null for none.</param>
+    /// <exception cref="InputException">A line is invalid, or there is no token. The message names file and line, never the token.</exception>
     public static TokenList Read(string path, Action<string> log = null)
     {
         var tokens = new FollowedFile<(byte[] Hash, Role Role)[]>([path], (out string fault) =>
@@ -62,14 +62,14 @@ public sealed class TokenList
     /// <inheritdoc cref="RoleOf(byte[])"/>
     public Role? RoleOf(string token) => RoleOf(HashOf(token ?? ""));
 
-    /// <summary>The role of a token, or null when it is none of these. Takes as long whichever it is.</summary>
-    /// <param name="hash">As <see cref="HashOf"/> makes it.</param>
+    /// <summary>Gets the role of a token, or null if it is unknown. Takes the same time for all tokens.</summary>
+    /// <param name="hash">Hash from <see cref="HashOf"/>.</param>
     public Role? RoleOf(byte[] hash)
     {
         var role = default(Role?);
         foreach (var known in _current())
         {
-            // Every token is compared, whole: neither which one nor how much of it fits shows in the time.
+            // Every token is compared completely, so that the time reveals neither which one matches nor how much of it.
             if (CryptographicOperations.FixedTimeEquals(known.Hash, hash))
                 role = known.Role;
         }
@@ -77,10 +77,10 @@ public sealed class TokenList
         return role;
     }
 
-    /// <summary>What is kept of a token, and compared: SHA-256 of its UTF-8.</summary>
+    /// <summary>Gets the hash of a token that is stored and compared: SHA-256 of its UTF-8.</summary>
     public static byte[] HashOf(string token) => SHA256.HashData(Encoding.UTF8.GetBytes(token));
 
-    /// <summary>Reads the file again if it changed.</summary>
+    /// <summary>Reads the file again if it has changed.</summary>
     internal void Follow() => _current();
 
     static (byte[] Hash, Role Role)[] Hashed(IEnumerable<(string Token, Role Role)> tokens) =>

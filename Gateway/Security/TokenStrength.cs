@@ -1,9 +1,9 @@
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Estimates how hard a token is to guess: its length times the bits of a character of its alphabet.</summary>
+/// <summary>Estimates how hard a token is to guess: its length times the bits per character of its alphabet.</summary>
 /// <remarks>
-/// The alphabet is the smallest common one that has all of the token's characters: digits, hexadecimal digits, or the sum of digits,
-/// lower-case letters, upper-case letters and other characters, as far as they occur. Characters that repeat count less.
+/// The alphabet is the smallest common one that contains all of the token's characters: digits, hexadecimal digits, or the sum of those
+/// groups that occur: digits, lower-case letters, upper-case letters and other characters. Repeated characters count less.
 /// </remarks>
 static class TokenStrength
 {
@@ -12,14 +12,14 @@ static class TokenStrength
 
     const int Digits = 10, HexadecimalDigits = 16, MixedHexadecimalDigits = 22, Letters = 26, OtherCharacters = 32;
 
-    /// <summary>A random token of this many characters or more has at least half as many different ones as it can have.</summary>
+    /// <summary>Divisor of the expected minimum: a random token has at least half as many different characters as it can have.</summary>
     const int RepetitionShare = 2;
 
     public static double BitsOf(string token)
     {
         var alphabet = AlphabetOf(token);
         var distinct = token.Distinct().Count();
-        // "aaaa…" is no random choice among 26 letters.
+        // "aaaa…" is not a random choice among 26 letters.
         var possible = Math.Min(alphabet, token.Length);
         return token.Length * Math.Log2(distinct * RepetitionShare < possible ? distinct : alphabet);
     }

@@ -4,26 +4,29 @@ using Nowpose.Pairing;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Counts the wrong tokens and codes of each IPv4 address and each IPv6 network (/64), and blocks an address with too many until the minute is over. Any thread.</summary>
-/// <remarks>128 bits are not guessed at any rate. The limit slows the guessing of weaker tokens, and keeps log and processor quiet.</remarks>
+/// <summary>
+/// Counts the wrong tokens and codes of each IPv4 address and each IPv6 network (/64), and blocks an address with too many until the minute
+/// is over. Any thread.
+/// </summary>
+/// <remarks>128 bits cannot be guessed at any rate. The limit slows the guessing of weaker tokens, and reduces log output and load.</remarks>
 sealed class WrongTokens(TimeProvider time)
 {
-    /// <summary>Maximum number of addresses. Beyond it, the one that has tried nothing for the longest time is forgotten.</summary>
+    /// <summary>Maximum number of addresses. Beyond it, the one without an attempt for the longest time is removed.</summary>
     internal const int MaxAddresses = 1000;
 
-    /// <summary>Maximum number of answers of one address that wait one after the other.</summary>
+    /// <summary>Maximum number of delayed answers of one address that wait one after the other.</summary>
     internal const int MaxTurns = 10;
 
     static readonly TimeSpan Span = TimeSpan.FromMinutes(1);
 
     readonly Lock _lock = new();
     readonly Dictionary<IPAddress, LinkedListNode<Address>> _addresses = [];
-    // By their last attempt, the oldest first.
+    // Sorted by their last attempt, the oldest first.
     readonly LinkedList<Address> _order = [];
 
     public bool IsBlocked(IPAddress address) => BlockedFor(address) > TimeSpan.Zero;
 
-    /// <summary>How long an address is still blocked; zero for one that is not.</summary>
+    /// <summary>Gets the remaining time for which an address is blocked; zero if it is not.</summary>
     public TimeSpan BlockedFor(IPAddress address)
     {
         lock (_lock) return Find(address) is { } known ? BlockedFor(known) : TimeSpan.Zero;
@@ -31,8 +34,12 @@ sealed class WrongTokens(TimeProvider time)
 
     public void Count(IPAddress address) => Count(address, TimeSpan.Zero);
 
-    /// <summary>Counts a wrong token. Returns how long its answer waits: those to an address that was blocked leave one by one, a delay apart.</summary>
-    /// <remarks>However many connections an address opens, it gets one answer per delay; the one beyond <see cref="MaxTurns"/> waits with the last.</remarks>
+    /// <summary>
+    /// Counts a wrong token. Returns the delay of its answer: answers to an address that was blocked are sent one by one, a delay apart.
+    /// </summary>
+    /// <remarks>
+    /// An address gets one answer per delay, for any number of connections. Answers beyond <see cref="MaxTurns"/> wait with the last one.
+    /// </remarks>
     public TimeSpan Count(IPAddress address, TimeSpan delay)
     {
         lock (_lock)
@@ -57,7 +64,7 @@ sealed class WrongTokens(TimeProvider time)
         return left > TimeSpan.Zero ? left : TimeSpan.Zero;
     }
 
-    // Whoever is looked for has just tried something. Null for an address that has sent nothing wrong.
+    // Moves the address to the end, because it has just made an attempt. Null for an address without wrong tokens.
     Address Find(IPAddress address)
     {
         if (!_addresses.TryGetValue(Key(address), out var node)) return null;
@@ -77,7 +84,7 @@ sealed class WrongTokens(TimeProvider time)
         return (_addresses[key] = _order.AddLast(new Address(key))).Value;
     }
 
-    // A machine has as many IPv6 addresses as it likes, but one /64 network.
+    // A machine can have any number of IPv6 addresses, but only one /64 network.
     static IPAddress Key(IPAddress address)
     {
         if (address == null) return IPAddress.None;
@@ -89,11 +96,11 @@ sealed class WrongTokens(TimeProvider time)
     {
         public IPAddress Key => key;
 
-        // Wrong tokens, and when the first of them came.
+        // Number of wrong tokens, and the time of the first of them.
         public int Count;
         public long Since;
 
-        // How long the last answer that was held back had to wait, and from when.
+        // Delay of the last delayed answer, and the time from which it counts.
         public TimeSpan Waiting;
         public long WaitingAt;
     }

@@ -3,21 +3,21 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>What each headset and adapter said last of itself. Any thread; however many names come, so many are kept.</summary>
+/// <summary>The latest diagnostics of each headset and adapter. Any thread; the number of names is limited.</summary>
 sealed class DiagnosticsBoard(TimeProvider time)
 {
-    /// <summary>More have not spoken within the seconds after which they are forgotten, unless somebody makes names up.</summary>
+    /// <summary>Maximum number of names. More do not report within the timeout, unless a client invents names.</summary>
     internal const int Greatest = 512;
 
     internal const int GreatestValues = 256;
 
-    /// <summary>As long as the lines of the adapters' log: why a server's certificate is refused, and what to do, takes half of it.</summary>
+    /// <summary>Maximum length of a value, that of the adapters' log lines. The reason for a refused certificate needs half of it.</summary>
     internal const int GreatestValue = 1000;
 
-    /// <summary>Letters of names and values together.</summary>
+    /// <summary>Maximum number of characters of all names and values together.</summary>
     internal const int GreatestLength = 16 * 1024;
 
-    /// <summary>Headsets only: an adapter that is gone is a fault until the gateway is started again.</summary>
+    /// <summary>Timeout for headsets only: a lost adapter is a fault until the gateway is restarted.</summary>
     internal static readonly TimeSpan ForgottenAfter = TimeSpan.FromSeconds(30);
 
     readonly Lock _lock = new();
@@ -33,14 +33,14 @@ sealed class DiagnosticsBoard(TimeProvider time)
         }
     }
 
-    /// <summary>Removes a headset that has left. An adapter that is gone stays a fault.</summary>
+    /// <summary>Removes a headset that has disconnected. A lost adapter stays a fault.</summary>
     public void Remove(string name)
     {
         if (StatusObjects.IsAdapter(name)) return;
         lock (_lock) _said.Remove(name);
     }
 
-    /// <summary>In the order of their names.</summary>
+    /// <summary>Gets the diagnostics in the order of their names.</summary>
     public IReadOnlyList<(string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>> Values)> Read()
     {
         lock (_lock)
@@ -55,7 +55,7 @@ sealed class DiagnosticsBoard(TimeProvider time)
         }
     }
 
-    // Not the message itself: 64 KiB each would be too much to keep of hundreds.
+    // A compact copy: the messages themselves, 64 KiB each, would use too much memory for hundreds of names.
     static KeyValuePair<string, string>[] Kept(IEnumerable<KeyValuePair<string, string>> values)
     {
         var room = GreatestLength;
@@ -66,6 +66,6 @@ sealed class DiagnosticsBoard(TimeProvider time)
         ];
     }
 
-    // Whoever is there speaks once a second: the one that was silent longest is the one to go.
+    // Connected clients report once a second, so the one that has been silent longest is removed.
     void MakeRoom() => _said.Remove(_said.OrderBy(said => StatusObjects.IsAdapter(said.Key)).ThenBy(said => said.Value.At).First().Key);
 }

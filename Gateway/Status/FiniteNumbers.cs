@@ -3,7 +3,7 @@ using System.Text.Json.Serialization;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>Writes a number that JSON has no word for as null: one peer's nonsense must not take the whole answer from everybody.</summary>
+/// <summary>Writes NaN and infinity as null: an invalid number from one peer must not make the whole answer invalid.</summary>
 sealed class FiniteNumbers : JsonConverter<double>
 {
     public override double Read(ref Utf8JsonReader reader, Type typeToConvert, JsonSerializerOptions options) => reader.GetDouble();

@@ -2,13 +2,13 @@ using System.Diagnostics;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>From a joint state's receipt to where a subscriber's socket takes it: of all, and of the newest half minute to minute.</summary>
-/// <remarks>Any thread. What a client wants throttled is not counted: it waits because it was asked to.</remarks>
+/// <summary>Times from a joint state's receipt until a subscriber's socket accepts it: in total, and over the last half minute to minute.</summary>
+/// <remarks>Any thread. Messages that a client throttles are not counted, because their wait is intended.</remarks>
 public sealed class ForwardingTimes(TimeProvider time = null)
 {
     static readonly TimeSpan Window = TimeSpan.FromSeconds(30);
 
-    /// <summary>Upper ends of the classes that are counted from the start on, s; the last class has none.</summary>
+    /// <summary>Upper bounds of the classes counted since the start, s; the last class has none.</summary>
     internal static readonly double[] Limits = [0.0001, 0.00025, 0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1];
 
     readonly TimeProvider _time = time ?? TimeProvider.System;
@@ -19,10 +19,10 @@ public sealed class ForwardingTimes(TimeProvider time = null)
     LatencyHistogram _before = new();
     long _turned = (time ?? TimeProvider.System).GetTimestamp();
 
-    /// <summary>Of all since the start, in s.</summary>
+    /// <summary>Sum of all times since the start, s.</summary>
     internal double Sum => Interlocked.Read(ref _ticks) / (double)TimeSpan.TicksPerSecond;
 
-    /// <summary>How many were in each class, one more than <see cref="Limits"/>.</summary>
+    /// <summary>Gets the count of each class; one more than <see cref="Limits"/>.</summary>
     internal long[] Counts() => [.. Enumerable.Range(0, _counts.Length).Select(i => Interlocked.Read(ref _counts[i]))];
 
     /// <param name="receivedAt">A count of <see cref="Stopwatch"/>.</param>
@@ -39,7 +39,7 @@ public sealed class ForwardingTimes(TimeProvider time = null)
         Volatile.Read(ref _now).Add(length);
     }
 
-    /// <summary>Null where nothing was forwarded lately.</summary>
+    /// <summary>Gets a percentile over the last half minute to minute; null if nothing was forwarded.</summary>
     public TimeSpan? Percentile(double fraction)
     {
         Turn();
@@ -53,7 +53,7 @@ public sealed class ForwardingTimes(TimeProvider time = null)
         {
             var elapsed = _time.GetElapsedTime(_turned);
             if (elapsed < Window) return;
-            // One that is still being added to the former finds its way into neither or the later: one in millions.
+            // A time that is being added concurrently may be lost or counted late: one in millions.
             var old = _before;
             _before = _now;
             old.Clear();

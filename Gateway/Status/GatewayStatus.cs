@@ -11,10 +11,10 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>Watches what passes the hub, and says how the gateway does. Any thread; who publishes waits for nobody.</summary>
+/// <summary>Monitors the hub and reports the state of the gateway. Any thread; publishers never wait.</summary>
 sealed class GatewayStatus : IDisposable
 {
-    // The state is read once per second by each page; /operations/events has all of them.
+    // Each page reads the state once per second; /operations/events has all events.
     const int EventsInState = 100;
 
     static readonly string[] Topics = [RosTopics.JointStates, RosTopics.JointTrajectory, RosTopics.RobotDescription, RosTopics.Diagnostics];
@@ -70,7 +70,7 @@ sealed class GatewayStatus : IDisposable
 
     public EventList Events { get; }
 
-    /// <summary>Why headsets cannot be served, one line for each reason; empty when the gateway is ready.</summary>
+    /// <summary>Gets the reasons why headsets cannot be served, one line each; empty when the gateway is ready.</summary>
     public IReadOnlyList<string> NotReadyReasons() =>
         [.. ConditionsOf(_joints.Read()).Where(condition => condition.Blocks).Select(condition => condition.TextWithSince)];
 
@@ -167,7 +167,7 @@ sealed class GatewayStatus : IDisposable
         Measured(clock.Resolution)?.TotalMicroseconds, clock.Exchanges, clock.Failures, clock.LastFailure,
         clock.EstimatedError is { } error ? Rounded(error.TotalMicroseconds) : null);
 
-    // Zero is what it is before the first.
+    // Zero means that nothing has been measured yet.
     static TimeSpan? Measured(TimeSpan? length) => length > TimeSpan.Zero ? length : null;
 
     static double Rounded(double value) => Math.Round(value, 3);

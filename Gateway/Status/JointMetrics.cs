@@ -5,14 +5,16 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>Writes what an alert needs: a state per joint and source, refusals by reason, the poses of headsets, and events that last.</summary>
+/// <summary>
+/// Writes the metrics for alerts: a state per joint and source, refusals by reason, the poses of headsets, and active events.
+/// </summary>
 /// <remarks>Labels are bounded: states are a fixed set, and joints, adapters, reasons and headsets are limited where they are received.</remarks>
 static class JointMetrics
 {
     const string Gauge = "gauge", Counter = "counter", RefusedPrefix = "refused/", Other = "other";
     const int MaxReasons = 32;
 
-    // The words of the protocol for pose; every other word counts as other.
+    // The protocol's pose states; every other state counts as other.
     static readonly string[] PoseStates = ["current", "coarse", "held", "unsynchronised", "incomplete", "outside", Other];
 
     public static void Add(PrometheusText text, StatusSnapshot state)

@@ -2,13 +2,15 @@ using System.Numerics;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>How often lengths of time occurred, in classes that are 6 % wide: memory that does not grow. Any thread; adding waits for nobody.</summary>
+/// <summary>
+/// A histogram of durations with classes that are 6 % wide. Its memory is constant. Any thread; adding never waits.
+/// </summary>
 sealed class LatencyHistogram
 {
     const int ClassesPerOctaveBits = 4;
     const int ClassesPerOctave = 1 << ClassesPerOctaveBits;
 
-    // Below 2^4 ticks classes are one tick wide; the last ends at 2^30 ticks, 107 s.
+    // Below 2^4 ticks, classes are one tick wide. The last class ends at 2^30 ticks, 107 s.
     const int Classes = (31 - ClassesPerOctaveBits) * ClassesPerOctave;
 
     readonly long[] _counts = new long[Classes];
@@ -20,7 +22,9 @@ sealed class LatencyHistogram
         for (var i = 0; i < Classes; i++) Interlocked.Exchange(ref _counts[i], 0);
     }
 
-    /// <summary>The length below which a fraction of all those of two histograms lie, at most a class too long; null where there are none.</summary>
+    /// <summary>
+    /// Gets the duration that a fraction of all durations of two histograms do not exceed, at most one class too long; null if there are none.
+    /// </summary>
     public static TimeSpan? Percentile(LatencyHistogram a, LatencyHistogram b, double fraction)
     {
         var all = 0L;
@@ -43,7 +47,7 @@ sealed class LatencyHistogram
         return Math.Min(Classes - 1, octave * ClassesPerOctave + (int)(ticks >> octave));
     }
 
-    // Exclusive.
+    // Exclusive upper bound of a class.
     static long EndOf(int index)
     {
         if (index < ClassesPerOctave) return index + 1;

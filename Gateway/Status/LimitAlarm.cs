@@ -5,7 +5,9 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>Says once of each joint that it is told to be where the robot described cannot be. Any thread; who publishes waits for nobody.</summary>
+/// <summary>
+/// Logs once per joint that its published position is beyond the limits of the described robot. Any thread; publishers never wait.
+/// </summary>
 sealed class LimitAlarm : IDisposable
 {
     readonly Action<string> _log;
@@ -22,7 +24,7 @@ sealed class LimitAlarm : IDisposable
         _subscriptions = [hub.Subscribe(RosTopics.RobotDescription, Describe), hub.Subscribe(RosTopics.JointStates, Take)];
     }
 
-    /// <summary>Joints that are beyond their limits now.</summary>
+    /// <summary>Joints that are beyond their limits at present.</summary>
     public IReadOnlyList<JointBeyondLimits> Beyond
     {
         get
@@ -31,7 +33,7 @@ sealed class LimitAlarm : IDisposable
         }
     }
 
-    /// <summary>Names of the joints that are beyond their limits now.</summary>
+    /// <summary>Names of the joints that are beyond their limits at present.</summary>
     public IReadOnlyList<string> Joints => [.. Beyond.Select(found => found.Joint.Name)];
 
     public void Dispose()
@@ -44,7 +46,7 @@ sealed class LimitAlarm : IDisposable
         var described = new DescribedRobot((string)message.Content);
         lock (_lock)
         {
-            // The same again after each of the source's reconnections: what was said of it was said.
+            // The source sends the same description after each reconnection. Joints that were already logged are not logged again.
             if (described.Urdf == _described.Urdf) return;
             _described = described;
         }
@@ -52,7 +54,7 @@ sealed class LimitAlarm : IDisposable
         _ = Task.Run(() => Follow(described));
     }
 
-    // Reading takes its time.
+    // Reads the description, which is slow.
     void Follow(DescribedRobot described)
     {
         var robot = described.Model;

@@ -4,7 +4,7 @@ using System.Text.Json.Nodes;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>How a gateway does, as metrics: in seconds, bytes and ratios, named nowpose_….</summary>
+/// <summary>The gateway's metrics, in seconds, bytes and ratios, with names nowpose_….</summary>
 static class Metrics
 {
     const string Gauge = "gauge", Counter = "counter";
@@ -155,7 +155,7 @@ static class Metrics
         foreach (var one in all) text.Add(value(one), label(one));
     }
 
-    // A comma within a name is not one between two. In order, whichever joint of the source moved first.
+    // Commas in names are escaped. Sorted, so that the label does not depend on which joint was published first.
     static (string, string) LabelOf(SourceStatus source) => (
         "joints", string.Join(',', source.Joints.Order(StringComparer.Ordinal).Select(Escaped)));
 

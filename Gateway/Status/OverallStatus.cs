@@ -9,7 +9,7 @@ namespace Nowpose.Gateway.Status;
 /// <param name="Level">ok, warning or error.</param>
 sealed record OverallStatus(string Level, string Text)
 {
-    /// <param name="conditions">The worst first.</param>
+    /// <param name="conditions">Present conditions, the worst first.</param>
     public static OverallStatus Of(
         IReadOnlyList<Condition> conditions, IReadOnlyList<JointStatus> joints,
         IReadOnlyList<(string Name, TimeSpan, IReadOnlyList<KeyValuePair<string, string>>)> said)

@@ -9,11 +9,11 @@ sealed class PrometheusText
     public const string ContentType = "text/plain; version=0.0.4; charset=utf-8";
 
     readonly StringBuilder _text = new();
-    // Of the present metric, as they are written. Two of the same would make the whole text useless to Prometheus.
+    // The written samples of the current metric. A duplicate would make the whole text invalid for Prometheus.
     readonly HashSet<string> _written = [];
     string _name;
 
-    /// <summary>Begins a metric: its samples follow.</summary>
+    /// <summary>Starts a metric; its samples follow.</summary>
     public PrometheusText Begin(string name, string type, string help)
     {
         _name = name;
@@ -23,10 +23,10 @@ sealed class PrometheusText
         return this;
     }
 
-    /// <summary>A sample; one that is not known or no number is left out, and so is a second one of the same labels.</summary>
+    /// <summary>Adds a sample. A value that is unknown or not finite is skipped, and so is a second one with the same labels.</summary>
     public PrometheusText Add(double? value, params ReadOnlySpan<(string Name, string Value)> labels) => Add("", value, labels);
 
-    /// <param name="suffix">After the metric's name: "_bucket".</param>
+    /// <param name="suffix">Suffix of the metric's name, for example "_bucket".</param>
     public PrometheusText Add(string suffix, double? value, params ReadOnlySpan<(string Name, string Value)> labels)
     {
         if (value is not { } known || !double.IsFinite(known)) return this;
@@ -35,7 +35,7 @@ sealed class PrometheusText
         return this;
     }
 
-    /// <summary>A metric of one sample without labels.</summary>
+    /// <summary>Adds a metric with one sample without labels.</summary>
     public PrometheusText One(string name, string type, string help, double? value) => value == null ? this : Begin(name, type, help).Add(value);
 
     public override string ToString() => _text.ToString();
@@ -53,7 +53,7 @@ sealed class PrometheusText
         return labels.Length > 0 ? text.Append('}').ToString() : text.ToString();
     }
 
-    // A lone surrogate is no UTF-8, and replaced here: two of them would differ until the encoder has replaced both.
+    // A lone surrogate is not valid UTF-8. It is replaced here, so that duplicates are detected before the encoder replaces it.
     static void Escape(StringBuilder text, string value)
     {
         foreach (var rune in value.EnumerateRunes()) _ = rune.Value switch

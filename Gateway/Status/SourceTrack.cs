@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>One source's newest messages: when they came, and how old they were.</summary>
+/// <summary>The newest messages of one source, with the times of their receipt and their ages.</summary>
 sealed class SourceTrack
 {
     const int Remembered = 512;
@@ -11,7 +11,7 @@ sealed class SourceTrack
     readonly (long At, TimeSpan Age)[] _ring = new (long, TimeSpan)[Remembered];
     int _count, _next;
 
-    /// <summary>In the order in which they came first.</summary>
+    /// <summary>The joints in the order of their first receipt.</summary>
     public List<string> Joints { get; } = [];
 
     public long Newest { get; private set; }
@@ -24,7 +24,7 @@ sealed class SourceTrack
         _count = Math.Min(_count + 1, Remembered);
     }
 
-    /// <summary>Becomes both of them.</summary>
+    /// <summary>Merges another track into this one.</summary>
     public void Take(SourceTrack other)
     {
         var both = _ring.Take(_count).Concat(other._ring.Take(other._count)).OrderBy(sample => sample.At).TakeLast(Remembered).ToArray();
@@ -33,7 +33,7 @@ sealed class SourceTrack
         Joints.AddRange(other.Joints);
     }
 
-    /// <summary>The samples of the last seconds.</summary>
+    /// <summary>Gets the samples of the last seconds.</summary>
     public (long At, TimeSpan Age)[] Recent(long now) =>
         [.. _ring.Take(_count).Where(sample => Stopwatch.GetElapsedTime(sample.At, now) < Span)];
 }

@@ -3,17 +3,17 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>How often each source's joints come, and how old their samples are. Any thread; bounded.</summary>
+/// <summary>The rate of each source's samples and their ages. Any thread; bounded.</summary>
 /// <remarks>
-/// A source is what shares joints: who tells changes only publishes now these joints and now those of one robot, in ever other sets. Arm and
-/// gripper that are never published together are two.
+/// A source is a set of messages that share joints: a publisher that sends only changes uses varying sets of one robot's joints. An arm and
+/// a gripper that are never published together are two sources.
 /// </remarks>
 sealed class SourceWatch
 {
-    /// <summary>Sources that are told apart; further ones are not watched until one is forgotten.</summary>
+    /// <summary>Maximum number of sources; further ones are ignored until one is removed.</summary>
     internal const int Greatest = 64;
 
-    /// <summary>Of all sources together; likewise.</summary>
+    /// <summary>Maximum number of joints of all sources together.</summary>
     internal const int GreatestJoints = 4 * ProtocolLimits.Joints;
 
     static readonly TimeSpan ForgottenAfter = TimeSpan.FromSeconds(10);
@@ -25,7 +25,7 @@ sealed class SourceWatch
     bool IsFull => _tracks.Count >= Greatest || _byJoint.Count >= GreatestJoints;
 
     /// <param name="receivedAt">A count of <see cref="Stopwatch"/>.</param>
-    /// <param name="age">C1 at the receipt less t_k.</param>
+    /// <param name="age">C1 at the receipt minus t_k.</param>
     public void Add(string[] names, long receivedAt, TimeSpan age)
     {
         lock (_lock)
@@ -40,13 +40,13 @@ sealed class SourceWatch
         }
     }
 
-    /// <summary>Those that publish, with the ages of their samples lately.</summary>
+    /// <summary>Gets the active sources with the ages of their recent samples.</summary>
     public IReadOnlyList<(string[] Names, double RateHz, TimeSpan[] SortedAges)> Read() => Read(Stopwatch.GetTimestamp());
 
     internal IReadOnlyList<(string[] Names, double RateHz, TimeSpan[] SortedAges)> Read(long now)
     {
         (string[] Names, (long At, TimeSpan Age)[] Samples)[] copies;
-        // Who publishes waits for the copies, not for the sorting.
+        // Publishers wait for the copies, not for the sorting.
         lock (_lock)
         {
             Forget(now);
@@ -56,7 +56,7 @@ sealed class SourceWatch
         return [.. copies.Select(copy => (copy.Names, RateHz(copy.Samples, now), copy.Samples.Select(sample => sample.Age).Order().ToArray()))];
     }
 
-    // Sources that turn out to be one become one.
+    // Merges sources that turn out to be the same.
     SourceTrack Known(string[] names)
     {
         SourceTrack known = null;
@@ -89,7 +89,7 @@ sealed class SourceWatch
     static double RateHz((long At, TimeSpan Age)[] samples, long now)
     {
         if (samples.Length < 2) return 0;
-        // To now, not to the newest: a source that stops becomes slower before it is gone.
+        // Up to now, not to the newest sample: the rate of a source that stops decreases before it is removed.
         var (first, last) = (samples.Min(sample => sample.At), samples.Max(sample => sample.At));
         return (samples.Length - 1) / Math.Max(1e-6, Stopwatch.GetElapsedTime(first, Math.Max(now, last)).TotalSeconds);
     }

@@ -3,21 +3,21 @@ using System.Text.Json.Nodes;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>What the gateway itself knows of a sample's way, ms; null for not known.</summary>
-/// <param name="PlantMs">C1 at the gateway less t_k.</param>
-/// <param name="GatewayMs">From receipt to the sockets.</param>
+/// <summary>The parts of a sample's latency that the gateway itself measures, ms; null if unknown.</summary>
+/// <param name="PlantMs">C1 at the gateway minus t_k.</param>
+/// <param name="GatewayMs">Time from the receipt to the sockets.</param>
 readonly record struct HopTimes(double? PlantMs, double? GatewayMs);
 
-/// <summary>Headsets and adapters as they are told: their own words, and what follows from them.</summary>
+/// <summary>The diagnostics of headsets and adapters as JSON, with values that the gateway derives from them.</summary>
 static class StatusObjects
 {
-    // Two spellings: adapters of one release use plant/.
+    // Two prefixes: adapters of one release use plant/.
     static readonly string[] AdapterPrefixes = ["plant/", "adapter/"];
 
-    // The gateway's own words, which nobody else's may replace.
+    // Keys of the gateway, which diagnostics of clients must not replace.
     static readonly string[] Own = ["name", "seen_s_ago", "budget_ms"];
 
-    /// <summary>Whether a hardware_id is an adapter's.</summary>
+    /// <summary>Whether a hardware_id is that of an adapter.</summary>
     public static bool IsAdapter(string hardwareId) => Array.Exists(AdapterPrefixes, prefix => hardwareId.StartsWith(prefix, StringComparison.Ordinal));
 
     public static string AdapterName(string hardwareId) => hardwareId[(hardwareId.IndexOf('/', StringComparison.Ordinal) + 1)..];
@@ -32,11 +32,11 @@ static class StatusObjects
         return headset;
     }
 
-    /// <summary>A number among somebody's words; null where there is none.</summary>
+    /// <summary>Gets a number from a client's diagnostics; null if there is none.</summary>
     public static double? Number(JsonObject words, string key) =>
         words[key] is JsonValue value && value.TryGetValue(out double number) ? number : null;
 
-    /// <summary>A text in the words of a headset or an adapter; null where there is none.</summary>
+    /// <summary>Gets a text from the diagnostics of a headset or an adapter; null if there is none.</summary>
     public static string Word(JsonObject words, string key) =>
         words[key] is JsonValue value && value.TryGetValue(out string word) ? word : null;
 
@@ -53,7 +53,7 @@ static class StatusObjects
         return words;
     }
 
-    // L_app ends at the headset's socket: what the first three hops leave of it is waiting.
+    // L_app ends at the headset's socket. L_app minus the first three hops is the waiting time.
     static JsonObject Budget(JsonObject headset, HopTimes hops)
     {
         var network = Number(headset, "rtt_ms") / 2;
@@ -70,7 +70,7 @@ static class StatusObjects
         };
     }
 
-    // What they say may be as great as a number can be: what follows from it may not be one.
+    // Reported numbers may be so large that results overflow to infinity or NaN.
     static JsonNode Rounded(double? milliseconds) =>
         milliseconds is { } known && double.IsFinite(known) ? Math.Round(Math.Max(0, known), 3) : null;
 }

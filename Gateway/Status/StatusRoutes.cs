@@ -6,13 +6,13 @@ using Nowpose.Gateway.Status.Events;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>What the gateway answers to those who watch it: a page, a Prometheus, and whoever starts it.</summary>
+/// <summary>Serves the status to the operations page, to Prometheus and to service managers.</summary>
 sealed class StatusRoutes(GatewayStatus status, Door door)
 {
     const string StatePath = "/operations/state", MetricsPath = "/metrics", LivePath = "/healthz", ReadyPath = "/readyz",
         EventsPath = "/operations/events";
 
-    // Lines of /readyz.
+    // Maximum number of lines of /readyz.
     const int MaxReasons = 64;
 
     internal static readonly JsonSerializerOptions Snake = new()
@@ -22,7 +22,7 @@ sealed class StatusRoutes(GatewayStatus status, Door door)
         Converters = { new FiniteNumbers() },
     };
 
-    /// <summary>Answers its own requests and hands on the others, WebSockets on every path.</summary>
+    /// <summary>Answers its own requests and passes on the others, WebSockets on every path.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         if (context.Request.Headers.Upgrade.Count > 0) return next(context);
@@ -31,7 +31,7 @@ sealed class StatusRoutes(GatewayStatus status, Door door)
             StatePath => AnswerAsync(context, TellStateAsync),
             MetricsPath => AnswerAsync(context, TellMetricsAsync),
             EventsPath => AnswerAsync(context, TellEventsAsync),
-            // Asked without a token: the answers hold names of joints and reasons, and nothing else.
+            // Requires no token: the answers contain only names of joints and reasons.
             LivePath => AnswerAsync(context, _ => SendAsync(context, "text/plain", "live\n"u8.ToArray())),
             ReadyPath => AnswerAsync(context, TellReadyAsync),
             _ => next(context),
@@ -44,7 +44,7 @@ sealed class StatusRoutes(GatewayStatus status, Door door)
     async Task TellStateAsync(HttpContext context)
     {
         if (await AdmitAsync(context) is not { } role) return;
-        // On the gateway's own machine, where no tokens are asked for, everybody is one.
+        // On the gateway's own machine, without required tokens, every client is an operator.
         var effective = door.IsOperator(context) ? Role.Operator : role;
         var state = status.Read() with { Role = effective.ToString().ToLowerInvariant() };
         await SendAsync(context, "application/json", JsonSerializer.SerializeToUtf8Bytes(state, Snake));
@@ -83,7 +83,7 @@ sealed class StatusRoutes(GatewayStatus status, Door door)
 
     async Task<Role?> AdmitAsync(HttpContext context)
     {
-        // Browsers name no origin when a page asks its own host.
+        // Browsers send no Origin header when a page requests from its own host.
         if (door.IsNoRebinding(context)) return await door.AdmitAsync(context);
         await Door.AnswerAsync(context, StatusCodes.Status403Forbidden, "ask by the gateway's address, its name or localhost");
         return null;
@@ -95,7 +95,7 @@ sealed class StatusRoutes(GatewayStatus status, Door door)
         response.ContentType = type;
         response.ContentLength = content.Length;
         response.Headers.CacheControl = "no-store";
-        // It must not hold one of the places of those that connect.
+        // Closed, because it must not use one of the places of connected clients.
         response.Headers.Connection = "close";
         return HttpMethods.IsHead(context.Request.Method) ? Task.CompletedTask : response.Body.WriteAsync(content).AsTask();
     }

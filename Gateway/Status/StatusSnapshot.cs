@@ -4,14 +4,14 @@ using Nowpose.Gateway.Status.Events;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>How a gateway does at one moment: what /operations/state answers, its names in snake case. Units stand in the names.</summary>
-/// <param name="ControlTimeS">What the control clock shows.</param>
-/// <param name="Adapters">What each said last of itself, and how long ago.</param>
-/// <param name="Headsets">Likewise, with what each hop takes of its latency.</param>
-/// <param name="Messages">That passed, by topic.</param>
-/// <param name="Drops">Messages that did not, by reason.</param>
-/// <param name="Role">Of whoever asks.</param>
-/// <param name="CertificateExpiresUtc">From then on headsets refuse it; null without TLS.</param>
+/// <summary>The state of a gateway at an instant, as answered by /operations/state with names in snake case. Names contain the units.</summary>
+/// <param name="ControlTimeS">The control clock's time.</param>
+/// <param name="Adapters">The latest diagnostics of each adapter, with their age.</param>
+/// <param name="Headsets">The same for headsets, with the share of each hop in the latency.</param>
+/// <param name="Messages">Number of forwarded messages by topic.</param>
+/// <param name="Drops">Number of dropped messages by reason.</param>
+/// <param name="Role">Role of the requesting client.</param>
+/// <param name="CertificateExpiresUtc">Expiry of the certificate, after which headsets refuse it; null without TLS.</param>
 sealed record StatusSnapshot(
     string Cell, string Host, string Version, OverallStatus Status, string StartedUtc, double UptimeS, double ControlTimeS, ClockStatus Clock, IReadOnlyList<PlantClockView> PlantClocks,
     IReadOnlyList<JsonObject> Adapters, IReadOnlyList<SourceStatus> Sources, IReadOnlyList<JointView> Joints,
@@ -24,47 +24,47 @@ sealed record StatusSnapshot(
 /// <param name="State">live, rest, stale, refused, fault or missing.</param>
 /// <param name="AgeS">Control time minus the newest sample's stamp; null before the first sample.</param>
 /// <param name="Reason">One sentence; empty for a live joint.</param>
-/// <param name="Uncertain">Why it is not certain that a joint at rest rests; null where it is, and for other states.</param>
+/// <param name="Uncertain">The reason why it is uncertain that a resting joint rests; null if it is certain, and for other states.</param>
 sealed record JointView(
     string Name, string Source, string State, string SinceUtc, double? AgeS, double RateHz, string Reason, string Uncertain = null);
 
 /// <param name="Source">"own", or the name of the plant clock that is served.</param>
 /// <param name="State">unsynchronised, converging, coarse, synchronised or holdover.</param>
-/// <param name="IsServed">Whether headsets are told that they may trust it.</param>
-/// <param name="ErrorBoundUs">Null while nothing is known of it; likewise what follows.</param>
-/// <param name="EstimatedErrorUs">The ± of a plant's clock; null while it is not known, and for the gateway's own.</param>
-/// <param name="SkewPpm">Its rate over that of the gateway's counter, less one.</param>
-/// <param name="Warning">How the stamps of sources contradict it, and what to do; null while they do not.</param>
+/// <param name="IsServed">Whether headsets are informed that the clock is synchronised.</param>
+/// <param name="ErrorBoundUs">Null while unknown, like the following values.</param>
+/// <param name="EstimatedErrorUs">Estimated maximum error of a plant's clock, either way; null while unknown, and for the gateway's own.</param>
+/// <param name="SkewPpm">Its rate relative to the gateway's counter, minus one.</param>
+/// <param name="Warning">Contradiction to the stamps of sources, with its remedy; null for none.</param>
 sealed record ClockStatus(
     string Source, string State, bool IsServed, double? ErrorBoundUs, double? SkewPpm, double? RttMs, double? ResolutionUs, long? Steps,
     double? EstimatedErrorUs = null, string Warning = null);
 
-/// <param name="OffsetToControlMs">This clock less the control clock; null while one of them is not known.</param>
-/// <param name="RttMs">Null before the first exchange: 0 would be the best there is. Likewise what follows.</param>
-/// <param name="EstimatedErrorUs">The ±; null while the clock is not known.</param>
+/// <param name="OffsetToControlMs">Time of this clock minus the control clock; null while either is unknown.</param>
+/// <param name="RttMs">Null before the first exchange, because 0 would be the best value; the same for the following values.</param>
+/// <param name="EstimatedErrorUs">Estimated maximum error in either direction; null while the clock is unknown.</param>
 sealed record PlantClockView(
     string Name, bool Connected, bool IsControlClock, string State, double? OffsetToControlMs, double? DriftPpm, double? RttMs, double? ErrorBoundUs,
     double? ResolutionUs, long Exchanges, long Failures, string LastFailure, double? EstimatedErrorUs = null);
 
-/// <param name="Joints">That are published together, or in sets that have joints in common.</param>
-/// <param name="RateHz">Messages a second.</param>
-/// <param name="AgeMs">C1 at the gateway less t_k.</param>
-/// <param name="BeyondLimits">Those of its joints that are told to be where the robot described cannot be.</param>
+/// <param name="Joints">Joints that are published together, or in sets with common joints.</param>
+/// <param name="RateHz">Messages per second.</param>
+/// <param name="AgeMs">C1 at the gateway minus t_k.</param>
+/// <param name="BeyondLimits">Joints whose published position is beyond the limits of the described robot.</param>
 sealed record SourceStatus(IReadOnlyList<string> Joints, double RateHz, AgeStatus AgeMs, IReadOnlyList<string> BeyondLimits);
 
 sealed record AgeStatus(double P50, double P95);
 
-/// <summary>From a sample's receipt to the sockets, of the last half minute to minute; null while there were none.</summary>
+/// <summary>Time from a sample's receipt to the sockets, over the last half minute to minute; null without samples.</summary>
 sealed record SpanStatus(double P50, double P99);
 
-/// <param name="Closures">How many ended, by reason.</param>
+/// <param name="Closures">Number of ended connections by reason.</param>
 sealed record ConnectionStatus(int Open, long Accepted, IReadOnlyDictionary<string, long> Closures);
 
-/// <param name="Can">Whether there is a folder to record into.</param>
-/// <param name="File">The one that is written, or was last; its name without the folder.</param>
-/// <param name="Lost">Lines that are missing in it.</param>
-/// <param name="Problem">Why it stopped by itself; null otherwise.</param>
-/// <param name="Deleted">The newest recording was ended and its file was deleted since.</param>
+/// <param name="Can">Whether a folder for recordings is configured.</param>
+/// <param name="File">Name of the current or last file, without the folder.</param>
+/// <param name="Lost">Number of missing lines.</param>
+/// <param name="Problem">The reason why it stopped because of an error; null otherwise.</param>
+/// <param name="Deleted">Whether the newest recording has ended and its file was deleted afterwards.</param>
 sealed record RecordingStatus(bool Can, bool On, string File, long Lines, long Bytes, long Lost, string Problem, bool Deleted = false)
 {
     public static readonly RecordingStatus None = new(false, false, null, 0, 0, 0, null);

@@ -8,7 +8,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Sync;
 
-/// <summary>One headset's sync connection, served by one thread.</summary>
+/// <summary>One headset's sync connection, served by its own thread.</summary>
 sealed class SyncConnection
 {
     const int NotStopped = -1;
@@ -30,11 +30,11 @@ sealed class SyncConnection
     int _stopped = NotStopped;
     volatile bool _isOverdue;
 
-    // What the deadline ends.
+    // The reason if the deadline ends the connection.
     Closure _awaited;
 
-    /// <param name="pending">Its place, given back once it was let in and has said something, or is gone.</param>
-    /// <param name="ended">Takes why it ended, and the exception that ended it or null; on the connection's thread.</param>
+    /// <param name="pending">Its pending place, released once it was authenticated and has sent a request, or has ended.</param>
+    /// <param name="ended">Receives the reason why it ended, and the exception or null; called on the connection's thread.</param>
     public SyncConnection(
         Socket socket, GatewayOptions options, IControlClock clock, AccessWatch access, WrongTokens wrong, PendingConnection pending,
         Action<SyncConnection, Closure, Exception> ended)
@@ -54,7 +54,7 @@ sealed class SyncConnection
 
     public void Start() => _thread.Start();
 
-    /// <summary>Any thread.</summary>
+    /// <summary>Ends the connection. Any thread.</summary>
     public void Stop(Closure why)
     {
         Interlocked.CompareExchange(ref _stopped, (int)why, NotStopped);
@@ -79,7 +79,7 @@ sealed class SyncConnection
         }
         catch (Exception e)
         {
-            // All of them: an exception that leaves a thread ends the process, and every other connection.
+            // Catches all exceptions: an unhandled one on a thread ends the process with every other connection.
             why = Explain(e);
             cause = e;
         }
@@ -112,7 +112,7 @@ sealed class SyncConnection
 
     Closure Exchange(Stream stream, Timer deadline)
     {
-        // Who has to show a token has one time for everything until then.
+        // A client that has to send a token has one deadline for everything before it.
         _awaited = Closure.Token;
         if (_isAccepted)
             AwaitNext(deadline);
@@ -120,7 +120,7 @@ sealed class SyncConnection
         {
             if (!TryReadFrame(stream, deadline))
                 return Closure.ByPeer;
-            // Before anything else: whatever is done first would count as time on the network.
+            // First, because any work before it would count as network time.
             var t2 = _clock.Now;
             if (!_rate.TryTake())
                 return Closure.TooManyRequests;
@@ -139,7 +139,7 @@ sealed class SyncConnection
         deadline.Change(_options.SyncSilence, Timeout.InfiniteTimeSpan);
     }
 
-    // A peer that sends a byte now and then is never silent: a frame that has begun has an end of its own.
+    // A frame that has begun has its own deadline: a peer that sends a byte now and then would never time out.
     bool TryReadFrame(Stream stream, Timer deadline)
     {
         var begun = stream.Read(_frame);
@@ -159,14 +159,14 @@ sealed class SyncConnection
         var synchronised = _clock.IsSynchronised;
         var bound = _clock.ErrorBound;
         var resolution = (uint)Math.Min(uint.MaxValue, _clock.Resolution.Ticks * 100);
-        // A clock that follows another goes back by microseconds when that one is estimated anew.
+        // A clock that follows another one goes back by microseconds when its estimate is updated.
         var t3 = Math.Max(t2.Nanoseconds, _clock.Now.Nanoseconds);
         SyncFrame.Reply(frame, t2.Nanoseconds, t3, synchronised, bound, resolution).Write(_frame);
         stream.Write(_frame);
         return true;
     }
 
-    // A server without tokens accepts any: a headset that has one still connects.
+    // A server without tokens accepts any token, so that a headset with a token can connect, too.
     bool AnswerToken(Stream stream)
     {
         var length = new byte[SyncToken.LengthSize];
@@ -193,7 +193,7 @@ sealed class SyncConnection
         return true;
     }
 
-    // A known token is answered at once, also from an address that others guess from.
+    // A known token is answered immediately, also from an address with many wrong ones.
     void SlowDown()
     {
         var wait = _wrong.Count(_address, _options.WrongTokenDelay);
@@ -204,7 +204,7 @@ sealed class SyncConnection
     void Overdue()
     {
         _isOverdue = true;
-        // The thread that holds an answer back for longer has nobody left to give it to.
+        // Wakes the thread that is delaying an answer: the deadline has passed, and the connection is closed.
         lock (_delay) Monitor.PulseAll(_delay);
         _socket.Dispose();
     }

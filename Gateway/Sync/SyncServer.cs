@@ -5,10 +5,10 @@ using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Sync;
 
-/// <summary>Answers sync exchanges over TCP, each connection on a thread of its own.</summary>
+/// <summary>Answers sync exchanges over TCP, each connection on its own thread.</summary>
 /// <remarks>
-/// A thread that blocks in receive is woken by the system itself; a thread pool that is busy elsewhere would stamp t2 late, and
-/// the headset could not tell that from a slow network.
+/// The system itself wakes a thread that blocks in receive. A busy thread pool would stamp t2 late, and the headset could not distinguish
+/// that from a slow network.
 /// </remarks>
 sealed class SyncServer : IDisposable
 {
@@ -27,8 +27,8 @@ sealed class SyncServer : IDisposable
     readonly Task _accepting;
     bool _isStopped;
 
-    /// <param name="startConnection">Starts a connection's thread; null as it is.</param>
-    /// <param name="accept">Accepts the next connection; null as it is.</param>
+    /// <param name="startConnection">Starts a connection's thread; null for the default.</param>
+    /// <param name="accept">Accepts the next connection; null for the default.</param>
     public SyncServer(
         GatewayOptions options, IControlClock clock, AccessWatch access, WrongTokens wrong, Action<string> log,
         Action<SyncConnection> startConnection = null, Func<TcpListener, Task<Socket>> accept = null)
@@ -48,7 +48,7 @@ sealed class SyncServer : IDisposable
     public IPEndPoint EndPoint => (IPEndPoint)_listener.LocalEndpoint;
     public ConnectionCounters Counters { get; } = new();
 
-    /// <summary>Connections that were not let in yet.</summary>
+    /// <summary>Number of connections before authentication.</summary>
     public int PendingCount => _pending.Count;
 
     public void Dispose()
@@ -80,11 +80,11 @@ sealed class SyncServer : IDisposable
             }
             catch (Exception e)
             {
-                // All of them: an exception that ended this loop would close the port for good.
+                // Catches all exceptions: one that ended this loop would close the port permanently.
                 if (Volatile.Read(ref _isStopped))
                     return;
                 _log($"sync: a connection could not be accepted ({e.GetType().Name}: {e.Message})");
-                // Without file descriptors, for example, it fails until there are some again.
+                // Without free file descriptors, for example, accepting fails until one is free.
                 await Task.Delay(PauseAfterAFailedAccept);
             }
         }
@@ -116,21 +116,21 @@ sealed class SyncServer : IDisposable
         }
         catch (Exception e) when (e is OutOfMemoryException or ThreadStartException)
         {
-            // The system has no thread left; it may have one for the next.
+            // The system has no thread left; it may have one for the next connection.
             place.Dispose();
             Ended(connection, Closure.Failure, e);
             connection.Stop(Closure.Failure);
         }
     }
 
-    // One that has not been let in yet leaves its place to a new one, which may be a headset with a token.
+    // A connection before authentication makes room for a new one, which may be a headset with a token.
     bool HasPlace() => Counters.TryEnter(_options.MaxConnections, isFinal: false)
         || (_pending.TryEvictOldest() && Counters.TryEnter(_options.MaxConnections, isFinal: false))
         || Counters.TryEnter(_options.MaxConnections);
 
     void Evict(SyncConnection connection)
     {
-        // At once: the place is the next one's.
+        // Immediately, because the place belongs to the next connection.
         Ended(connection, Closure.ConnectionLimit, null);
         connection.Stop(Closure.ConnectionLimit);
     }
@@ -143,7 +143,7 @@ sealed class SyncServer : IDisposable
         }
         catch (SocketException)
         {
-            // Gone already.
+            // The connection is already closed.
             return null;
         }
     }

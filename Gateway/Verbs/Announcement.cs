@@ -4,11 +4,14 @@ using Nowpose.Gateway.Plants;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>What a gateway that runs by itself says of itself: lines "key value" that other programs can read, the last "state serving".</summary>
+/// <summary>The startup output of a gateway: lines "key value" for other programs; the last is "state serving".</summary>
 static class Announcement
 {
     /// <param name="clock">The gateway's own clock.</param>
-    /// <param name="cell">The simulated plant, whose clock is a <see cref="StopwatchControlClock"/>; null where the plant is a real one, whose motion and clock the gateway cannot announce.</param>
+    /// <param name="cell">
+    /// The simulated plant, whose clock is a <see cref="StopwatchControlClock"/>; null for a real plant, whose motion and clock the gateway cannot
+    /// announce.
+    /// </param>
     public static void Write(GatewayServer gateway, IControlClock clock, double skewPpm, string robot, SimulatedCell cell)
     {
         Line("sync", gateway.SyncEndPoint.ToString());
@@ -36,7 +39,7 @@ static class Announcement
         Line("state", "serving");
     }
 
-    /// <summary>One short line on stderr.</summary>
+    /// <summary>Writes one short line to stderr.</summary>
     public static void Log(string line) => Console.Error.WriteLine(line);
 
     static void Line(string key, string value)

@@ -9,7 +9,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>cell: makes the code of a robot's marker, to be printed.</summary>
+/// <summary>cell: creates the code of a robot's marker for printing.</summary>
 static class CellVerb
 {
     const int PixelsPerModule = 20;

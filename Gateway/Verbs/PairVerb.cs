@@ -10,7 +10,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>pair: shows on a terminal the code that a gateway on this machine has at the moment.</summary>
+/// <summary>pair: shows the current pairing code of a gateway on this machine on a terminal.</summary>
 static class PairVerb
 {
     static readonly TimeSpan Patience = TimeSpan.FromSeconds(10);
@@ -38,7 +38,7 @@ static class PairVerb
             using var drawn = new QrCode(code.Text);
             Console.Out.Write(drawn.Blocks(!Console.IsOutputRedirected));
             Console.Out.WriteLine("code " + code.Text);
-            // As the headset's question spells it.
+            // In the same form as in the headset's prompt.
             if (code.Pin != null) Console.Out.WriteLine("key " + code.Pin.Beginning);
             Console.Out.WriteLine(string.Create(CultureInfo.InvariantCulture, $"valid_s {left:0}"));
         });

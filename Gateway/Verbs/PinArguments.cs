@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>Options that tell a gateway's key: by its certificate, or by what it prints.</summary>
+/// <summary>Options that identify a gateway's key: by its certificate, or by the pin that it prints.</summary>
 sealed class PinArguments
 {
     readonly Option<string> _certificate = new("--certificate") { Description = "The gateway's certificate, as it is started with", HelpName = "FILE" };
@@ -18,8 +18,8 @@ sealed class PinArguments
         command.Options.Add(_pin);
     }
 
-    /// <summary>Null for a gateway without TLS.</summary>
-    /// <exception cref="InputException">The file or the pin cannot be used, or both are given.</exception>
+    /// <summary>Gets the pin; null for a gateway without TLS.</summary>
+    /// <exception cref="InputException">The file or the pin is invalid, or both are given.</exception>
     public CertificatePin Read(ParseResult parsed)
     {
         var path = parsed.GetValue(_certificate);
@@ -30,7 +30,7 @@ sealed class PinArguments
             return CertificatePin.Parse(pin);
         if (path == null)
             return null;
-        // A marker is printed for years: here a missing file is a mistake, not a wish for a new key.
+        // A marker is used for years. A missing file is therefore an error here, not a request for a new key.
         if (!File.Exists(path))
             throw new InputException($"--certificate {path}: there is no such file; the gateway makes it at its first start");
         using var certificate = CertificateFiles.LoadOrGenerate(path, parsed.GetValue(_key));

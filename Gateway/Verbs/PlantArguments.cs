@@ -4,7 +4,7 @@ using Nowpose.Gateway.Plants;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>The options of the verbs that bring a robot with them.</summary>
+/// <summary>The options of the verbs that include a robot.</summary>
 sealed class PlantArguments
 {
     readonly Option<string> _robot = new("--robot")

@@ -8,7 +8,7 @@ using Nowpose.Motion;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>simulate and replay: gateways with a robot cell of their own.</summary>
+/// <summary>simulate and replay: gateways with their own robot cell.</summary>
 static class PlantVerb
 {
     public static Command Simulate() =>

@@ -99,7 +99,7 @@ static class ServeVerb
             result.AddError($"--clock: '{name}' names no clock; allowed are own, and 1 to 32 of a-z, 0-9, _ and -.");
     }
 
-    // Read as well, so that a file no headset could use is refused here.
+    // Parsed, too, so that a file that no headset could use is refused here.
     static string Describe(string robot)
     {
         RobotFiles.Load(robot, out var urdf);

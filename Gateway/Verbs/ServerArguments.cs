@@ -12,7 +12,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>The options that all verbs have: where to listen, who may come, and the control clock.</summary>
+/// <summary>The options of all verbs: addresses and ports, access, and the control clock.</summary>
 sealed class ServerArguments
 {
     readonly Option<IPAddress> _bind = new("--bind")
@@ -103,10 +103,10 @@ sealed class ServerArguments
             command.Options.Add(option);
     }
 
-    /// <summary>Whether nothing is to be served, only checked.</summary>
+    /// <summary>Whether to check the configuration only, without serving.</summary>
     public bool IsCheck(ParseResult parsed) => parsed.GetValue(_check);
 
-    /// <summary>What <see cref="Options"/> would return, without making or writing a file.</summary>
+    /// <summary>Gets the same as <see cref="Options"/>, without creating or writing a file.</summary>
     public GatewayOptions Check(ParseResult parsed, Findings findings)
     {
         var (tokens, certificate) = (parsed.GetValue(_tokens), parsed.GetValue(_certificate));
@@ -126,13 +126,13 @@ sealed class ServerArguments
         if (pairing != null) findings.Try(() => DryRun.Pairing(pairing, findings));
         if (recordings != null) findings.Try(() => DryRun.Recordings(recordings, findings));
         else if (Records(parsed)) findings.Try(() => Recordings(parsed));
-        // A certificate that cannot be used is told already; not that it is missing, too.
+        // An invalid certificate has already been reported; it must not be reported as missing, too.
         if (certificate == null || options.Certificate != null) findings.Try(() => options.Check(pairsHeadsets: pairing != null));
         DryRun.Ports(options, findings);
         return options;
     }
 
-    /// <exception cref="InputException">A file cannot be used.</exception>
+    /// <exception cref="InputException">A file is invalid.</exception>
     public GatewayOptions Options(ParseResult parsed)
     {
         var tokens = parsed.GetValue(_tokens);
@@ -161,12 +161,12 @@ sealed class ServerArguments
     void CheckPairing(ParseResult parsed)
     {
         var path = parsed.GetValue(_pairing);
-        // What was paired with the key of one run would take the next one for another gateway.
+        // Headsets paired with the key of one run would take the next run for another gateway.
         if (path != null && parsed.GetValue(_tls) && parsed.GetValue(_certificate) == null)
             throw new InputException("--pairing with --tls: headsets trust one key, and each start makes another; add --certificate FILE");
     }
 
-    /// <summary>Whether the recorder is to be switched on once the robot is described.</summary>
+    /// <summary>Whether to enable the recorder once the robot is described.</summary>
     public bool Records(ParseResult parsed) => parsed.GetValue(_record);
 
     string Recordings(ParseResult parsed)
@@ -191,7 +191,7 @@ sealed class ServerArguments
             ? new StopwatchControlClock(ControlTime.FromSeconds(start), skew) : StopwatchControlClock.FromUnixTime(skew);
     }
 
-    /// <exception cref="InputException">The system clock was chosen, and options that it cannot have.</exception>
+    /// <exception cref="InputException">The system clock was chosen together with options that it does not support.</exception>
     public IControlClock Clock(ParseResult parsed, bool isSystem)
     {
         if (!isSystem) return Clock(parsed);

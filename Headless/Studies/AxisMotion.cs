@@ -1,9 +1,9 @@
 namespace Nowpose.Studies;
 
-/// <summary>Where one simulated axis truly is.</summary>
-/// <param name="name">For tables.</param>
-/// <param name="seconds">Length worth studying, s; the motion is defined beyond it too.</param>
-/// <param name="at">Position at seconds since the start, in any unit; smooth enough to be differenced over 1 ms.</param>
+/// <summary>The true motion of one simulated axis.</summary>
+/// <param name="name">Name for tables.</param>
+/// <param name="seconds">Length to be studied, s. The motion is defined beyond it, too.</param>
+/// <param name="at">Position at seconds since the start, in any unit; smooth enough for differences over 1 ms.</param>
 public sealed class AxisMotion(string name, double seconds, Func<double, double> at)
 {
     const double Step = 5e-4;

@@ -3,7 +3,7 @@ namespace Nowpose.Studies;
 /// <summary>Root mean square, 95th percentile and maximum of absolute errors.</summary>
 public readonly record struct ErrorFigures(double Rms, double P95, double Maximum)
 {
-    /// <param name="errors">At least one; sorted by absolute value afterwards.</param>
+    /// <param name="errors">At least one error. Afterwards, the list is sorted by absolute value.</param>
     public static ErrorFigures Of(List<double> errors)
     {
         var squares = 0.0;

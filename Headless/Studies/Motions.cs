@@ -9,7 +9,7 @@ public static class Motions
     /// <remarks>The paper gives no limits; these are ours.</remarks>
     internal static SevenPhaseProfile PaperMove { get; } = new(500, 1000, 5000, 50_000);
 
-    /// <summary><see cref="PaperMove"/> forth and back without end, with 0.4 s dwell.</summary>
+    /// <see cref="PaperMove"/> forward and backward, repeated endlessly with 0.4 s dwell.
     public static AxisMotion PaperSwing(double seconds = 12)
     {
         const double dwell = 0.4;
@@ -23,14 +23,14 @@ public static class Motions
         });
     }
 
-    /// <summary>Fast moves from rest to rest, limits and strokes drawn anew for each.</summary>
+    /// <summary>Fast moves from rest to rest, with new random limits and strokes for each.</summary>
     public static AxisMotion FastMoves(int seed, double seconds = 30) => RandomMoves("fast 7-phase moves", seed, seconds, random => new Limits(
         Between(random, 400, 1500), Between(random, 3000, 10_000), Between(random, 30_000, 100_000)));
 
     /// <summary>Fast moves of one drive, all under its limits: 1000 mm/s, 5000 mm/s², 50 000 mm/s³.</summary>
     public static AxisMotion MovesOfOneDrive(int seed) => RandomMoves("moves of one drive", seed, 40, _ => new Limits(1000, 5000, 50_000));
 
-    /// <summary>Moves such as a small robot makes at a teachable pace.</summary>
+    /// <summary>Moves of a small robot at teaching speed.</summary>
     public static AxisMotion GentleMoves(int seed, double seconds = 60) => RandomMoves("gentle pick and place", seed, seconds, random => new Limits(
         Between(random, 200, 600), Between(random, 600, 2500), Between(random, 5000, 25_000)));
 
@@ -38,7 +38,7 @@ public static class Motions
     public static AxisMotion SoftMoves(int seed, double seconds = 60) => RandomMoves("soft moves", seed, seconds, random => new Limits(
         Between(random, 100, 300), Between(random, 100, 400), Between(random, 300, 1500)));
 
-    /// <summary>Trapezoids of velocity: acceleration jumps.</summary>
+    /// <summary>Trapezoidal velocity profiles, with jumps of the acceleration.</summary>
     public static AxisMotion Trapezoids(int seed, double seconds = 30) => RandomMoves("trapezoidal velocity", seed, seconds, random => new Limits(
         Between(random, 300, 1200), Between(random, 2000, 8000), 1e8));
 
@@ -60,7 +60,7 @@ public static class Motions
         return sequence.Motion("emergency stops");
     }
 
-    /// <summary>A sum of five sines below 1.5 Hz: never at rest, never repeating within the run.</summary>
+    /// <summary>A sum of five sines below 1.5 Hz, which is never at rest and does not repeat within the run.</summary>
     public static AxisMotion Waves(int seed, double seconds = 60)
     {
         var random = new Random(seed);
@@ -69,8 +69,8 @@ public static class Motions
         return new AxisMotion("sum of sines", seconds, t => waves.Sum(wave => wave.Size * Math.Sin(wave.Rate * t + wave.Phase)));
     }
 
-    /// <summary>The same cycle of four moves again and again.</summary>
-    /// <param name="variation">How cycles differ; none for an exact repetition.</param>
+    /// <summary>Repeats the same cycle of four moves.</summary>
+    /// <param name="variation">Variation between cycles; none for an exact repetition.</param>
     public static AxisMotion Repeats(int seed, CycleVariation variation, int cycles = 12)
     {
         var random = new Random(seed);
@@ -91,7 +91,7 @@ public static class Motions
         return sequence.Motion("repeating cycles");
     }
 
-    /// <summary>Fast moves whose end rings: a damped 4 to 9 Hz oscillation of a few millimetres after each stop.</summary>
+    /// <summary>Fast moves with a damped 4 to 9 Hz oscillation of a few millimetres after each stop.</summary>
     public static AxisMotion Ringing(int seed, double seconds = 30)
     {
         var random = new Random(seed);
@@ -135,7 +135,7 @@ public static class Motions
         return sequence.Motion(name);
     }
 
-    // The profile up to a moment, then speed falls to zero as a half cosine.
+    // The profile up to a given time, then the speed falls to zero as a half cosine.
     static void Stop(MoveSequence sequence, SevenPhaseProfile profile, double at, double within)
     {
         var (from, speed) = (sequence.End, profile.VelocityAt(at));

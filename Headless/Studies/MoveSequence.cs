@@ -2,27 +2,27 @@ using Nowpose.Motion;
 
 namespace Nowpose.Studies;
 
-/// <summary>Moves one after another with dwells between, put together piece by piece.</summary>
+/// <summary>A sequence of moves and dwells, built piece by piece.</summary>
 sealed class MoveSequence
 {
     readonly List<Piece> _pieces = [];
 
-    /// <summary>Where the sequence ends so far.</summary>
+    /// <summary>Current end position of the sequence.</summary>
     public double End { get; private set; }
 
-    /// <summary>How long the sequence is so far, s.</summary>
+    /// <summary>Current length of the sequence, s.</summary>
     public double Seconds { get; private set; }
 
     public void Dwell(double seconds) => Seconds += seconds;
 
-    /// <summary>A 7-phase move to a position.</summary>
+    /// <summary>Adds a 7-phase move to a position.</summary>
     public void MoveTo(double position, double velocity, double acceleration, double jerk)
     {
         var profile = new SevenPhaseProfile(position - End, velocity, acceleration, jerk);
         Add(position, profile.Duration, profile.PositionAt);
     }
 
-    /// <param name="covered">Way covered at seconds since the piece's start.</param>
+    /// <param name="covered">Gets the covered distance at seconds since the piece's start.</param>
     public void Add(double end, double duration, Func<double, double> covered)
     {
         _pieces.Add(new Piece(Seconds, duration, End, end, covered));

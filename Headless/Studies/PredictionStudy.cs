@@ -5,11 +5,11 @@ namespace Nowpose.Studies;
 /// <summary>Plays one axis' motion to a predictor in virtual time, as a headset would receive it.</summary>
 public static class PredictionStudy
 {
-    /// <summary>All phases together.</summary>
+    /// <summary>Runs all phases together.</summary>
     public static StudyResult Run(AxisMotion motion, StudySettings settings, Func<JointPredictor> newPredictor) =>
         Run(motion, settings, () => (StudySubject)newPredictor());
 
-    /// <summary>All phases together.</summary>
+    /// <summary>Runs all phases together.</summary>
     public static StudyResult Run(AxisMotion motion, StudySettings settings, Func<StudySubject> newSubject)
     {
         var (predicted, held) = (new List<double>(), new List<double>());
@@ -22,8 +22,8 @@ public static class PredictionStudy
         return new StudyResult(ErrorFigures.Of(predicted), ErrorFigures.Of(held));
     }
 
-    /// <summary>The scored frames of one run.</summary>
-    /// <param name="phase">Which of the settings' runs.</param>
+    /// <summary>Gets the scored frames of one run.</summary>
+    /// <param name="phase">Index of the run.</param>
     public static IEnumerable<StudyFrame> Frames(AxisMotion motion, StudySettings settings, StudySubject subject, int phase)
     {
         var random = new Random(HashCode(settings.Seed, phase));
@@ -43,6 +43,6 @@ public static class PredictionStudy
         }
     }
 
-    // Neighbouring seeds must not give alike sequences, and the framework's own hash differs from process to process.
+    // Neighbouring seeds must give independent sequences, and the framework's own hash differs between processes.
     static int HashCode(int seed, int phase) => unchecked((int)(((uint)seed * 2654435761u + (uint)phase) * 2246822519u >> 1));
 }

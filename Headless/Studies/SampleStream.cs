@@ -2,8 +2,8 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Studies;
 
-/// <summary>Takes samples of a motion and brings them to a predictor when they have arrived.</summary>
-/// <param name="spread">Draws the latency's spread alone, which other conditions' numbers do not depend on.</param>
+/// <summary>Takes samples of a motion and delivers them to a predictor when they have arrived.</summary>
+/// <param name="spread">Random numbers for the spread of the latency only, so that other conditions do not depend on it.</param>
 sealed class SampleStream(AxisMotion motion, StudySettings settings, Random random, Random spread)
 {
     readonly PriorityQueue<(JointSample Sample, int Index), (double, int)> _underWay = new();
@@ -14,7 +14,7 @@ sealed class SampleStream(AxisMotion motion, StudySettings settings, Random rand
     /// <summary>Index of the newest sample delivered; −1 before the first.</summary>
     public int Newest { get; private set; } = -1;
 
-    /// <param name="displayed">The newest moment displayed before, s; NaN before the first.</param>
+    /// <param name="displayed">The newest displayed time, s; NaN before the first frame.</param>
     public void Deliver(double until, StudySubject subject, double displayed)
     {
         while (_firstSample + _next * settings.SamplingInterval - settings.SamplingJitter - settings.ToldJitter + settings.Latency <= until) Send(_next++);
@@ -26,7 +26,7 @@ sealed class SampleStream(AxisMotion motion, StudySettings settings, Random rand
         }
     }
 
-    // Every sample draws from the stream as often as any other, so that one condition does not shift another's numbers.
+    // Every sample draws the same number of random numbers, so that one condition does not change another's numbers.
     void Send(int index)
     {
         var stamp = _firstSample + index * settings.SamplingInterval + settings.ToldJitter * Uniform();

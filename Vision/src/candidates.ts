@@ -3,21 +3,21 @@ import { isPlausible, type Point, type Quad } from './geometry';
 
 type Mat = InstanceType<typeof cv.Mat>;
 
-/** Least side of a code, px: cells of 7 px. */
+/** Minimum side of a code, px: cells of 7 px. */
 export const leastSide = 56;
 
-/** Cells' edges are looked for in blocks of so many px: their place matters no finer. */
+/** Size of the blocks in which edges are searched, px; a finer position is not needed. */
 const block = 4;
-/** Edges that lie no farther apart than this, in blocks, belong together: two cells, for codes of all sizes. */
+/** Maximum distance of edges that belong together, in blocks: two cells, for codes of all sizes. */
 const gaps = [4, 6, 8, 11, 15];
-/** What is left of edges that belong together is narrower than this, in gaps, where it is an edge or a cable of the scene. */
+/** Maximum width, in gaps, of connected edges that are only an edge or a cable of the scene. */
 const narrow = 1.3;
-/** Steps of light that are edges, of 255: weak holograms before a bright scene, up to LEDs whose surroundings shall not count. */
+/** Minimum steps of light at edges, of 255: from weak holograms in front of a bright scene up to LEDs in bright surroundings. */
 const edges = [6, 10, 16, 26];
 
 /**
- * Where codes might be, as quads, clockwise from any corner, in pixels of the picture: where many edges lie close together. What is
- * behind a hologram adds edges and takes none away, so it is found before structured scenes, too.
+ * Finds quads that may be codes, clockwise from any corner, in px: areas with many edges. The scene behind a hologram adds edges and
+ * removes none, so the hologram is found in front of structured scenes, too.
  */
 export function candidatesIn(light: Mat): Quad[] {
   const steps = stepsIn(light), binary = new cv.Mat(), closed = new cv.Mat(), quads: Quad[] = [];
@@ -35,7 +35,7 @@ export function candidatesIn(light: Mat): Quad[] {
   return quads;
 }
 
-/** How much the light changes from pixel to pixel, mean of each block, 255 is white. A hologram adds the same before bright and dark. */
+/** Gets the change of light between neighbouring pixels, as the mean of each block; 255 is white. It is independent of the background. */
 function stepsIn(light: Mat): Mat {
   const bytes = new cv.Mat(), small = new cv.Mat(), near = square(3);
   light.convertTo(bytes, cv.CV_8U, 255);

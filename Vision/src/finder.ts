@@ -25,7 +25,7 @@ const greatestSide = 1.8 * leastSide;
 const leastLight = 0.02, leastShare = 0.6;
 /** A code that is as good as this spares further search. */
 const leastShareOfGood = 0.8;
-/** Of a guess, before any refinement: what agrees less is no code. */
+/** Minimum agreement of a candidate before any refinement. */
 const leastShareOfGuess = 0.1;
 
 interface Layer {

@@ -27,7 +27,7 @@ export function homography([p0, p1, p2, p3]: Quad): Homography {
   };
 }
 
-/** The same quad with another corner first, by so many quarter turns of the code, clockwise. */
+/** Rotates the order of the corners by a number of clockwise quarter turns of the code. */
 export const turned = (q: Quad, turns: number): Quad => [0, 1, 2, 3].map(i => q[(i + turns) & 3]) as Quad;
 
 export const distance = (a: Point, b: Point): number => Math.hypot(a[0] - b[0], a[1] - b[1]);

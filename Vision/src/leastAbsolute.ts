@@ -54,7 +54,7 @@ export class Equations {
   }
 }
 
-/** So many unknowns with the least sum of absolute rests, by least squares in which each counts the less the farther off it was. */
+/** Finds the unknowns with the minimum sum of absolute residuals, by iteratively reweighted least squares. */
 export function leastAbsolute(equations: Equations, count: number): Float64Array {
   const [normal, right, found] = [count, 1, 1].map(columns => new cv.Mat(count, columns, cv.CV_64FC1)) as [Mat, Mat, Mat];
   const weights = new Float64Array(equations.count).fill(1), rests = new Float64Array(equations.count);

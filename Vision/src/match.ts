@@ -62,7 +62,7 @@ export class Matcher {
     return { light, share: sum / light / most };
   }
 
-  /** Of the code's outer edge alone, whatever its kind and whichever way up. */
+  /** Gets the agreement of the code's outer edge alone, independent of its kind and orientation. */
   outerAgreement(picture: Light, quad: Quad): Agreement {
     const count = this.#outer.length / 4;
     this.#sample(picture, quad, this.#outer, outerReach);

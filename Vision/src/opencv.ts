@@ -2,7 +2,7 @@ import library from '@techstark/opencv-js';
 
 type OpenCv = typeof library;
 
-/** OpenCV, once `loaded` has settled. Its objects live outside JavaScript's heap: whoever makes one deletes it. */
+/** OpenCV, available once `loaded` has settled. Its objects are outside JavaScript's heap: their creator must delete them. */
 export let cv: OpenCv;
 
 /** The package hands over a promise, or a module that calls back: both have been seen, by version. */

@@ -20,7 +20,7 @@ export interface Kind {
 /** What cells are, as far as it is known before a code is read. */
 export enum Cell { Dark, Lit, Left, Right }
 
-/** What a step from a cell to its neighbour is to be, whatever the code says: 0, the code's light, or that up or down. */
+/** Expected step from a cell to its neighbour, independent of the code's value: 0, the code's light, or that light up or down. */
 export enum Expected { Level, Rise, Pair }
 
 /** Cells that touch, of which it is known how their light differs. Lengths in sides of the code. */
@@ -56,7 +56,7 @@ export function eachEdge(side: number, visit: (row: number, column: number, next
  * steps from outside of a code, the outer light is looked at this near to the edge where the inner one is looked at in a cell's middle.
  */
 const outside = 0.3;
-/** For that, a step is moved inwards by so much, and made so much shorter. */
+/** For this purpose, a step is moved inwards by this distance and shortened to this length. */
 export const outer = { inwards: (0.5 - outside) / 2, length: 0.5 + outside };
 
 /** The steps of a kind of code that are known. */

@@ -1,7 +1,7 @@
-/** Of the phones' cameras: a picture has four bytes a pixel when it is read, and there are several workers. */
+/** Maximum size, as of phone cameras: a decoded picture needs four bytes per pixel, and there are several workers. */
 const mostMegapixels = 110;
 
-/** Throws when a PNG or JPEG file says that it is too large to be read, or ends before it says how large it is. */
+/** Throws if a PNG or JPEG file is too large according to its header, or ends before its size. */
 export function checkSize(bytes: Buffer): void {
   const [width, height] = isPng(bytes) ? pngSize(bytes) : jpegSize(bytes);
   if (width * height > mostMegapixels * 1e6) throw new Error(`${width}x${height} pixels are too many; at most ${mostMegapixels} megapixels are read`);

@@ -53,7 +53,7 @@ export class Refiner {
       .sort(byScore);
   }
 
-  /** @param fit What the quad is taken for: kind and turn change only where the place that is found says so. */
+  /** @param fit The assumed code. Its kind and orientation change only if the found position requires it. */
   refine(fit: Fit): Fit {
     const found = this.#refined(fit, steps), best = this.#alternatives(found.quad, middle)[0];
     const isSame = best.kind === found.kind && best.quad[0] === found.quad[0];
@@ -91,7 +91,7 @@ export class Refiner {
 const score = ({ light, share }: Agreement) => light * share;
 const byScore = (a: Agreement, b: Agreement) => score(b) - score(a);
 
-/** Goes on while a move of that many px makes it better, so many rounds at most. */
+/** Continues while a move by a distance in px improves the result, up to a maximum number of rounds. */
 function climb<T extends Agreement & { quad: Quad }>(
   start: T, by: number, rounds: number, at: (quad: Quad) => T, isAllowed: (quad: Quad) => boolean = () => true): T {
   let best = start;

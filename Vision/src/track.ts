@@ -17,7 +17,7 @@ export interface Place {
   score: number;
 }
 
-/** A patch is looked for as far from where it was last as this share of its size, at least so many pixels. */
+/** Search range around the last position, as a share of the patch's size, and its minimum in px. */
 const REACH = 0.75, LEAST_REACH = 24;
 
 /**

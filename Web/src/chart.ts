@@ -50,7 +50,7 @@ export class Chart {
     this.plot.setCursor(isShown ? { left, top: this.plot.over.clientHeight / 2 } : { left: -10, top: -10 });
   }
 
-  /** Other data, over a stretch of x that is shown unless somebody has zoomed. */
+  /** Shows new data over a range of x, which is kept if the user has zoomed. */
   show(data: uPlot.AlignedData, x: [number, number]): void {
     const isFull = this.range('x').every((end, i) => end === this.full.x[i]);
     this.full.x = x;
@@ -103,7 +103,7 @@ export class Chart {
     });
   }
 
-  /** Around the cursor, or the middle; never beyond the data. */
+  /** Zooms around the cursor or the middle, limited to the data. */
   private zoom(factor: number): void {
     const { left = -1, top = -1 } = this.plot.cursor;
     const around = (scale: 'x' | 'y', at: number): [number, number] => {

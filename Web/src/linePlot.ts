@@ -30,7 +30,7 @@ export interface LinePlotOptions {
   x?: Quantity;
   /** Named vertical lines. */
   marks?: Mark[];
-  /** Shaded from top to bottom. */
+  /** Ranges shaded from top to bottom. */
   spans?: Span[];
   /** Fills between a trace and its mirror. */
   band?: Ink;
@@ -38,7 +38,7 @@ export interface LinePlotOptions {
   fromZero?: boolean;
   /** Shared with other plots over the same time. */
   playhead?: Playhead;
-  /** The vertical axis is this long both ways, whatever runs out of it. */
+  /** Length of the vertical axis in each direction, even if data exceed it. */
   yExtent?: number;
 }
 
@@ -79,7 +79,7 @@ export function linePlot(options: LinePlotOptions): { chart: Chart; legend: Lege
 
 function yRange({ fromZero, yExtent, traces }: LinePlotOptions): uPlot.Scale.Range {
   if (yExtent) return [-yExtent, yExtent];
-  // uPlot knows of the points only: bars would be cut off.
+  // uPlot considers only the points, so error bars would be cut off.
   if (traces.some(t => t.deviation)) return barRange(traces, fromZero ?? false);
   return { min: { pad: 0.08, soft: 0, mode: fromZero ? 1 : 0 }, max: { pad: 0.08 } };
 }
@@ -123,7 +123,7 @@ function paintMarks(u: uPlot, marks: Mark[]): void {
     ctx.moveTo(at, bbox.top);
     ctx.lineTo(at, bbox.top + bbox.height);
     ctx.stroke();
-    // Before its line where there is room: behind a limit is what went wrong, and that is in the way.
+    // Left of its line if there is space: the interesting data are on the right of a limit.
     const gap = 5 * ratio, fits = at - gap - ctx.measureText(label).width >= bbox.left;
     ctx.textAlign = fits ? 'right' : 'left';
     ctx.fillText(label, fits ? at - gap : at + gap, bbox.top + 14 * ratio);
@@ -173,7 +173,7 @@ function pointsOf(trace: Trace): uPlot.Series.Points {
   return trace.stepped ? { show: u => hasRoom(u, trace), size: 5, fill: () => colour('--surface') } : { show: false };
 }
 
-/** Points only where they would not run into one another. */
+/** Whether points have enough space to be drawn separately. */
 function hasRoom(u: uPlot, { t }: Trace): boolean {
   const { min = 0, max = 0 } = u.scales.x as { min?: number; max?: number };
   const interval = (t[t.length - 1] - t[0]) / Math.max(1, t.length - 1);

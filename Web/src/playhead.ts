@@ -1,6 +1,6 @@
 type Listener = (time: number, mover: unknown) => void;
 
-/** The moment of the session that plots and robot show together, in seconds since its start. Whoever follows may move it, too. */
+/** The time in the session that plots and robot show together, in seconds since its start. Its listeners may also move it. */
 export class Playhead {
   private readonly listeners: Listener[] = [];
   private isMoving = false;
@@ -9,9 +9,9 @@ export class Playhead {
     this.listeners.push(listener);
   }
 
-  /** @param mover Is told, too, and knows itself. */
+  /** @param mover The object that moves it, which receives the notification, too, and must ignore it. */
   move(time: number, mover: unknown): void {
-    // A plot that follows moves its cursor, which is no move of its own.
+    // A listening plot moves its cursor, which must not start another move.
     if (this.isMoving) return;
     this.isMoving = true;
     try {

@@ -6,7 +6,7 @@ import type { Playhead } from './playhead';
 import { inWords, numbersOf, trace } from './sections';
 import { LOOKS } from './traces';
 
-/** What a load does to render time and visualisation latency, and what the runtime said meanwhile. */
+/** The effect of a load on render time and visualisation latency, with the runtime's range state. */
 export function rangeSection(range: RangeData, playhead?: Playhead): HTMLElement {
   const options: FigureOptions = {
     id: 'range',

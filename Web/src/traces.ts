@@ -1,8 +1,8 @@
 import type { Ink } from './theme';
 
 /**
- * How a signal looks, the same on every plot. Traces differ in lightness, width and dash, so that they can be told apart
- * without seeing hue and on a grey print.
+ * The look of a signal, the same on every plot. Traces differ in lightness, width and dash, so that they can be distinguished without
+ * colour vision and on a grey print.
  */
 export interface Look {
   ink: Ink;

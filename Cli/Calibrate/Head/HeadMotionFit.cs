@@ -2,40 +2,40 @@ using MathNet.Numerics.LinearRegression;
 
 namespace Nowpose.Cli.Calibrate.Head;
 
-/// <summary>Fits the latency for head motion: how the offset between hologram and control's code grows with the speed of the head.</summary>
+/// <summary>Fits the latency for head motion: the offset between the hologram and the control's code grows with the speed of the head.</summary>
 /// <remarks>
 /// The hologram is where the control's code was a latency L ago: h(t) = a + (1 + b) c(t − L), where a is the distance of the codes and b
-/// comes from different distances to the camera. With the speed v of c: h − c = a + b c + k c² − (1 + b) L v. The square takes the
+/// comes from different distances to the camera. With the speed v of c: h − c = a + b c + k c² − (1 + b) L v. The square models the
 /// distortion of lens and display. Over a motion to and fro, v and c do not depend on each other.
 /// </remarks>
 static class HeadMotionFit
 {
     const int MinPictures = 60;
 
-    /// <summary>Changes of direction: two periods to and fro.</summary>
+    /// <summary>Minimum number of changes of direction: two periods to and fro.</summary>
     const int MinTurns = 3;
 
-    /// <summary>Greatest share of the pictures in one direction.</summary>
+    /// <summary>Maximum share of the pictures in one direction.</summary>
     const double MaxShareOfDirection = 0.8;
 
-    /// <summary>Beyond this many standard deviations from the line a place was misjudged.</summary>
+    /// <summary>Places more than this many standard deviations from the line are outliers.</summary>
     const double MaxDeviations = 4, PerMedianDeviation = 1.4826;
 
-    /// <summary>Least root mean square of the speed, px/s: below, a px of noise is as long as the latency that is sought.</summary>
+    /// <summary>Minimum root mean square of the speed, px/s. Below it, a px of noise is as large as the latency to be measured.</summary>
     const double MinSpeed = 60;
 
-    /// <summary>Motion of the hologram in the picture over that of the control's code. A hologram that stays on the display has 0.</summary>
+    /// <summary>Motion of the hologram in the picture divided by that of the control's code. A hologram that is fixed to the display has 0.</summary>
     const double MinScale = 0.7, MaxScale = 1.4;
 
-    /// <summary>Parts of the recording that are left out in turn, for the uncertainty.</summary>
+    /// <summary>Number of parts of the recording that are left out in turn, for the uncertainty (jackknife).</summary>
     const int Parts = 10;
 
-    /// <summary>Quantile of Student's distribution with 9 degrees of freedom for 95 %.</summary>
+    /// <summary>Quantile of Student's distribution with 9 degrees of freedom, for 95 % confidence.</summary>
     const double Coverage = 2.26;
 
     const int Place = 1, Speed = 3;
 
-    /// <exception cref="InputException">There is too little motion, or too few pictures of it.</exception>
+    /// <exception cref="InputException">There is too little motion, or there are too few pictures of it.</exception>
     public static (double LatencyMs, double UncertaintyMs, IReadOnlyList<HeadPicture> Used) Of(IReadOnlyList<HeadPicture> pictures)
     {
         RequireMotion(pictures);

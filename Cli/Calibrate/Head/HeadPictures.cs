@@ -7,23 +7,23 @@ namespace Nowpose.Cli.Calibrate.Head;
 /// <summary>Times, places and speeds of the pictures of a moving headset.</summary>
 static class HeadPictures
 {
-    /// <summary>A frame that was shown again, or late, is not of the moment that its L_visu says.</summary>
+    /// <summary>Maximum deviation of L_visu. A frame that was repeated or late is not of the time that its L_visu implies.</summary>
     const double MaxVisuDeviationMs = 10;
 
-    /// <summary>The speed is that of a cubic through the pictures this close.</summary>
+    /// <summary>The speed is the slope of a cubic through the pictures within this time.</summary>
     const double HalfWindowSeconds = 0.15;
 
-    /// <summary>Pictures before and after, so that the cubic has no free end.</summary>
+    /// <summary>Minimum number of pictures before and after, so that the cubic is bounded on both sides.</summary>
     const int MinNeighbours = 2;
 
     const int Cubic = 3;
 
-    /// <summary>Standard deviations of a normal distribution: 95 %.</summary>
+    /// <summary>Quantile of the normal distribution for 95 % confidence, in standard deviations.</summary>
     const double Coverage = 1.96;
 
     /// <param name="pictures">In the order in which they were taken.</param>
-    /// <param name="visu">L_visu of the pictures that were used: mean, and half of the mean's 95 % confidence interval, ms.</param>
-    /// <returns>Those whose speed is known; empty where there is none.</returns>
+    /// <param name="visu">Mean L_visu of the used pictures, and half of the mean's 95 % confidence interval, ms.</param>
+    /// <returns>The pictures whose speed is known; empty if there are none.</returns>
     public static IReadOnlyList<HeadPicture> Of(IEnumerable<PictureResult> pictures, out (double MeanMs, double UncertaintyMs) visu)
     {
         PictureResult[] read = [.. pictures.Where(picture => picture.IsRead)];
@@ -36,7 +36,7 @@ static class HeadPictures
         return [.. Along(read, mean)];
     }
 
-    // A code that was misread goes back in time, or the pictures are not in their order.
+    // A misread code goes back in time, or the pictures are out of order.
     static IEnumerable<PictureResult> InTime(IEnumerable<PictureResult> pictures)
     {
         PictureResult last = null;
@@ -56,7 +56,7 @@ static class HeadPictures
         for (var i = 0; i < read.Length; i++)
         {
             if (SpeedAt(i, seconds, places) is not double speed) continue;
-            // Both codes are seen at other moments than the middle of the light: the headset's code by the picture's own deviation.
+            // Both codes are seen at other times than the middle of the lit time; the headset's code is off by the picture's own deviation.
             var laterMs = read[i].Places.LaterMs - (read[i].VisuMs - visuMs);
             var offset = axis.LengthOf(read[i].Places.Headset, read[i].Places.Control) - speed * laterMs / 1000;
             yield return new HeadPicture(seconds[i], places[i], speed, offset);

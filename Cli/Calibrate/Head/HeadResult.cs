@@ -5,14 +5,14 @@ namespace Nowpose.Cli.Calibrate.Head;
 /// <summary>Result of the evaluation of pictures of a moving headset.</summary>
 sealed class HeadResult
 {
-    /// <exception cref="InputException">There is too little motion, or too few pictures of it.</exception>
+    /// <exception cref="InputException">There is too little motion, or there are too few pictures of it.</exception>
     public HeadResult(VlcResult pictures)
     {
         Pictures = pictures;
         var moving = HeadPictures.Of(pictures.Pictures, out var visu);
         VisuMs = visu.MeanMs;
         (LatencyMs, var uncertaintyMs, Used) = HeadMotionFit.Of(moving);
-        // A picture's deviation from the middle of the light is judged by the mean.
+        // A picture's deviation from the middle of the lit time is computed from the mean, so the mean's uncertainty adds.
         UncertaintyMs = Math.Sqrt(uncertaintyMs * uncertaintyMs + visu.UncertaintyMs * visu.UncertaintyMs);
         SpeedPx = Math.Sqrt(Used.Average(picture => picture.Speed * picture.Speed));
     }
@@ -31,6 +31,6 @@ sealed class HeadResult
     /// <summary>Root mean square of the speed, px/s.</summary>
     public double SpeedPx { get; }
 
-    /// <summary>Pictures of the fit.</summary>
+    /// <summary>The pictures that were used in the fit.</summary>
     public IReadOnlyList<HeadPicture> Used { get; }
 }

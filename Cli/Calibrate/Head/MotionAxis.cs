@@ -22,9 +22,9 @@ readonly struct MotionAxis
         return new(mean, (Math.Cos(angle), Math.Sin(angle)));
     }
 
-    /// <summary>Along the direction, from the mean.</summary>
+    /// <summary>Gets the position along the direction, measured from the mean.</summary>
     public double PlaceOf((double X, double Y) place) => LengthOf(place, _mean);
 
-    /// <summary>Along the direction, from one place to another.</summary>
+    /// <summary>Gets the distance along the direction from one place to another.</summary>
     public double LengthOf((double X, double Y) to, (double X, double Y) from) => (to.X - from.X) * _direction.X + (to.Y - from.Y) * _direction.Y;
 }

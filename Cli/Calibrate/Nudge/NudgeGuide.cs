@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Calibrate.Nudge;
 
-/// <summary>How L_visu is found by eye.</summary>
+/// <summary>Instructions for finding L_visu by eye.</summary>
 static class NudgeGuide
 {
     public const string Text = """

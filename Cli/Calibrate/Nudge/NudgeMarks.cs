@@ -3,7 +3,7 @@ using Nowpose.Latency.Calibration;
 
 namespace Nowpose.Cli.Calibrate.Nudge;
 
-/// <summary>The offsets at which hologram and robot agreed to the eye.</summary>
+/// <summary>The offsets at which hologram and robot coincided by eye.</summary>
 sealed record NudgeMarks(double SpeedMmPerS, double ToldMs, double[] ForwardMm, double[] BackwardMm)
 {
     /// <exception cref="InputException">A direction is missing, or a value is out of range.</exception>

@@ -5,7 +5,7 @@ using Nowpose.Latency.Calibration;
 
 namespace Nowpose.Cli.Calibrate.Nudge;
 
-/// <summary>Marks by eye as a page: the offset over the velocity is a straight line whose slope is the error of L_visu.</summary>
+/// <summary>The page of marks set by eye. The offset over the velocity is a straight line whose slope is the error of L_visu.</summary>
 static class NudgePage
 {
     public static CalibrationPageData Of(NudgeMarks marks, NudgeResult result, LatencyProfile profile)
@@ -36,9 +36,9 @@ static class NudgePage
     public static CalibrationSection Section(NudgeMarks marks, NudgeResult result)
     {
         var visuMs = result.Visualisation.Length.TotalMilliseconds;
-        // The page wants each x once.
+        // The page requires distinct x values.
         const double Apart = 1e-3;
-        // So that the marks do not lie on the plot's edges.
+        // Extends the line so that the marks do not lie on the plot's edges.
         const double Beyond = 1.2;
         var v = marks.SpeedMmPerS;
         double[] velocities = [.. marks.BackwardMm.Select((_, i) => -v + i * Apart), .. marks.ForwardMm.Select((_, i) => v + i * Apart)];

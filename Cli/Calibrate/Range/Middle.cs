@@ -1,11 +1,14 @@
 namespace Nowpose.Cli.Calibrate.Range;
 
-/// <summary>Median and half the range of the middle 68 %: mean and standard deviation of normal values, which a few misread pictures do not move.</summary>
+/// <summary>
+/// Median and half the range of the middle 68 %. For normal values these are mean and standard deviation; a few misread pictures do not
+/// change them.
+/// </summary>
 static class Middle
 {
     const double Below = 0.16, Above = 0.84;
 
-    /// <param name="values">One or more.</param>
+    /// <param name="values">At least one value.</param>
     public static (double Median, double Deviation) Of(IEnumerable<double> values)
     {
         var all = values.ToArray();

@@ -7,16 +7,16 @@ using Nowpose.Latency.Calibration;
 
 namespace Nowpose.Cli.Calibrate.Range;
 
-/// <summary>Reads pairs of render time and L_visu: columns render_ms and visu_ms, others as they like; errors name file, line and field.</summary>
+/// <summary>Reads pairs of render time and L_visu from the columns render_ms and visu_ms. Other columns are ignored.</summary>
 static class PairTable
 {
     const string Render = "render_ms", Visu = "visu_ms", Vertices = "vertices", File = "file";
     const int GreatestVertices = 1_000_000_000;
 
-    /// <summary>A recording of a day at 60 Hz has five million.</summary>
+    /// <summary>Maximum number of rows. A recording of a day at 60 Hz has five million.</summary>
     const int MostRows = 10_000_000;
 
-    /// <exception cref="InputException">The file cannot be read or is not of that form.</exception>
+    /// <exception cref="InputException">The file cannot be read or has another format. The message names file, line and field.</exception>
     public static IReadOnlyList<MeasuredPicture> Read(string path)
     {
         using var text = RecordingText.Open(path);

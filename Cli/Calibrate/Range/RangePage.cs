@@ -3,10 +3,10 @@ using Nowpose.Latency.Calibration;
 
 namespace Nowpose.Cli.Calibrate.Range;
 
-/// <summary>The paper's Figs 10 and 11 of a set of pictures, with words.</summary>
+/// <summary>The sections with the paper's Figs 10 and 11 for a set of pictures.</summary>
 static class RangePage
 {
-    /// <param name="fit">Null where none was found.</param>
+    /// <param name="fit">The fit, or null if none was found.</param>
     public static IEnumerable<CalibrationSection> Sections(IReadOnlyList<MeasuredPicture> pictures, RangeFitResult fit)
     {
         var measured = pictures.Where(each => each.RenderMs.HasValue).ToArray();

@@ -4,7 +4,7 @@ using Nowpose.Latency.Calibration;
 
 namespace Nowpose.Cli.Calibrate.Range;
 
-/// <summary>Pictures as the paper's Figs 10 and 11 draw them. All pictures given have a render time.</summary>
+/// <summary>Plots of pictures like the paper's Figs 10 and 11. All pictures must have a render time.</summary>
 static class RangePlots
 {
     public static readonly FigureColumn Render = new("render time", "ms"), Visu = new("L_visu", "ms"), Picture = new("picture"),
@@ -12,7 +12,7 @@ static class RangePlots
 
     static readonly FigureColumn Time = new("time", "ms");
 
-    /// <summary>Fig. 10: render time and L_visu, one picture after the other.</summary>
+    /// <summary>Fig. 10: render time and L_visu, picture by picture.</summary>
     public static FigurePlot OverPictures(string title, IReadOnlyList<MeasuredPicture> pictures)
     {
         double[] x = [.. Enumerable.Range(1, pictures.Count).Select(i => (double)i)];
@@ -23,7 +23,7 @@ static class RangePlots
         ]) { FromZero = true, Marks = [.. LoadMarks(pictures)] };
     }
 
-    /// <summary>Fig. 11a: medians and middle 68 % over the load, of the pictures whose load is known.</summary>
+    /// <summary>Fig. 11a: medians and middle 68 % over the load, for the pictures whose load is known.</summary>
     public static (FigurePlot Plot, FigureTable Table) OverLoad(IEnumerable<MeasuredPicture> pictures)
     {
         var table = new FigureTable(Load, Render, new("render time deviation", "ms"), Visu, new("L_visu deviation", "ms"), new("pictures"));
@@ -42,7 +42,7 @@ static class RangePlots
     }
 
     /// <summary>Fig. 11b: each picture's L_visu over its render time, with the range.</summary>
-    /// <param name="fit">Null where none was found.</param>
+    /// <param name="fit">The fit, or null if none was found.</param>
     public static FigurePlot OverRenderTime(IEnumerable<MeasuredPicture> pictures, RangeFitResult fit)
     {
         var sorted = pictures.OrderBy(each => each.RenderMs).ToArray();
@@ -63,12 +63,12 @@ static class RangePlots
         for (var i = 0; i < pictures.Count; i++)
         {
             if (pictures[i].Vertices is not int vertices || i > 0 && pictures[i - 1].Vertices == vertices) continue;
-            // Names of more would run into one another.
+            // More names would overlap.
             if (loads <= MostNames || vertices % RoundLoad == 0) yield return new(FormattableString.Invariant($"{vertices / 1e6:0.##} M"), i + 1);
         }
     }
 
-    // The page joins traces by x and wants each once.
+    // The page joins traces by x and requires distinct values.
     static PlotTrace Points(MeasuredPicture[] sorted)
     {
         const double Step = 1e-4;

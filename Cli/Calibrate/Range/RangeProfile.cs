@@ -6,7 +6,7 @@ using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate.Range;
 
-/// <summary>What pictures at several loads say, as a profile for the headset and as a page for people.</summary>
+/// <summary>Turns pictures at several loads into a profile for the headset and a page for readers.</summary>
 static class RangeProfile
 {
     public static LatencyProfile Of(
@@ -14,8 +14,8 @@ static class RangeProfile
         fit.VisuMs, fit.SpreadMs, conditions, DateTime.UtcNow, CalibrationMethod.VisibleLight, fit.Used,
         fit.LimitRenderMs, source, fit.ValidToRenderMs, head);
 
-    /// <param name="more">Facts of the way of measuring.</param>
-    /// <param name="warnings">Null for none beyond what the fit itself says.</param>
+    /// <param name="more">Facts about the measuring method.</param>
+    /// <param name="warnings">Warnings beyond those of the fit, or null for none.</param>
     public static CalibrationPageData Page(
         string title, LatencyProfile profile, RangeFitResult fit, IReadOnlyList<MeasuredPicture> pictures, IEnumerable<string[]> more,
         IEnumerable<string> warnings = null) =>

@@ -2,12 +2,12 @@ using Nowpose.Cli.Replay;
 
 namespace Nowpose.Cli.Calibrate.Simulate;
 
-/// <summary>Where a camera stands, and what it sees both codes like. px; light linear, 1 is white.</summary>
+/// <summary>The position of a camera and how it sees both codes. Lengths in px; light is linear, 1 is white.</summary>
 sealed class SimulatedPlace
 {
     public const int Width = 1280, Height = 720;
 
-    /// <summary>From a tenth of the picture's height.</summary>
+    /// <summary>Range of the side of a code, px. The minimum is a tenth of the picture's height.</summary>
     const double LeastSide = 72, GreatestSide = 200;
 
     public SimulatedPlace(int number, int seed)
@@ -45,7 +45,7 @@ sealed class SimulatedPlace
 
     public double? Panel { get; }
 
-    /// <summary>Corners: the code's top left one first, then clockwise.</summary>
+    /// <summary>Corners, clockwise, starting with the code's top left one.</summary>
     public double[][] Control { get; }
 
     public double[][] Headset { get; }

@@ -5,28 +5,28 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Calibrate.Simulate;
 
-/// <summary>The frames of a load sweep behind a simulated display, and the moments at which a camera takes pictures of it.</summary>
+/// <summary>The frames of a load sweep on a simulated display, and the times at which a camera takes pictures of it.</summary>
 /// <remarks>
-/// The camera is not synchronised: a picture's middle lies anywhere in the time in which a frame is lit. Moments at which nothing is
-/// lit are not photographed.
+/// The camera is not synchronised: a picture's middle lies anywhere in the time in which a frame is lit. No pictures are taken while the
+/// display is dark.
 /// </remarks>
 sealed class SimulatedSweep
 {
-    /// <summary>From one picture to the next: about 8 pictures a second.</summary>
+    /// <summary>Frames from one picture to the next: about 8 pictures a second.</summary>
     const int FramesPerPicture = 7;
 
-    /// <summary>The same of a video, which a moving headset needs: 30 pictures a second.</summary>
+    /// <summary>Frames from one picture to the next in a video, which a moving headset needs: 30 pictures a second.</summary>
     const int FramesPerVideoPicture = 2;
 
-    /// <summary>Frames before and after the pictures, so that each has neighbours.</summary>
+    /// <summary>Number of frames before the first and after the last picture, so that each picture has neighbours.</summary>
     const int Margin = 12;
 
     const int OrdinaryVertices = 300_000, GreatestVertices = SweepPlan.GreatestVertices;
 
-    /// <summary>What is sold as 60 Hz; frames then begin at any fraction of a millisecond.</summary>
+    /// <summary>The real rate of displays sold as 60 Hz. Frames then begin at any fraction of a millisecond.</summary>
     const double RefreshMs = 1000 / 59.94;
 
-    /// <summary>As the log has them: the display's nominal rate.</summary>
+    /// <summary>As written to the log: the display's nominal rate.</summary>
     const string Device = "simulated headset";
     const double DisplayHz = 60;
 
@@ -49,7 +49,7 @@ sealed class SimulatedSweep
         {
             var vertices = VerticesOf(i, frames);
             var frame = pipeline.Next(vertices);
-            // The render time that a frame knows is that of the newest one the GPU has finished.
+            // The render time available to a frame is that of the newest frame that the GPU has finished.
             for (; rendered.TryPeek(out var oldest) && oldest.Done <= frame.Start; rendered.Dequeue()) renderMs = oldest.RenderTime.TotalMilliseconds;
             rendered.Enqueue(frame);
             _starts.Add(Beginning + frame.Start);
@@ -63,26 +63,26 @@ sealed class SimulatedSweep
 
     public IReadOnlyList<SweepRow> Rows { get; }
 
-    /// <summary>One of each picture.</summary>
+    /// <summary>One entry per picture.</summary>
     public IReadOnlyList<SimulatedMoment> Moments { get; }
 
     public ControlTime StartOf(int frame) => _starts[frame];
 
-    /// <summary>Middle of the time in which a frame is lit.</summary>
+    /// <summary>Gets the middle of the time in which a frame is lit.</summary>
     public ControlTime LightOf(int frame) => _lights[frame];
 
-    /// <summary>Eq. (7) with true times, ms.</summary>
+    /// <summary>Gets L_visu by Eq. (7) from the true times, ms.</summary>
     public double VisuMsOf(SimulatedMoment moment) => (moment.Middle - _starts[moment.Frame]).TotalMilliseconds;
 
-    /// <summary>How much of the light that a frame gives at most a picture gets from each frame.</summary>
-    /// <param name="middle">Of the exposure of the row that is asked for.</param>
+    /// <summary>Gets the share of each frame's light that a picture receives, relative to the maximum that a frame can give.</summary>
+    /// <param name="middle">Middle of the exposure of the requested row.</param>
     public IEnumerable<(int Frame, double Share)> LightOf(SimulatedMoment moment, ControlTime middle)
     {
         var half = TimeSpan.FromMilliseconds(moment.ExposureMs / 2);
         var lit = TimeSpan.FromMilliseconds(_settings.LitMs / 2);
         for (var frame = Math.Max(0, moment.Frame - 3); frame < Math.Min(_starts.Count, moment.Frame + 4); frame++)
         {
-            // Of two frames for the same refresh the later one is shown.
+            // Of two frames for the same refresh, only the later one is shown.
             if (frame + 1 < _lights.Count && _lights[frame + 1] - _lights[frame] < lit) continue;
             var from = Later(middle - half, _lights[frame] - lit);
             var to = Earlier(middle + half, _lights[frame] + lit);

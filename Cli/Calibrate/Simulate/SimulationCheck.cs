@@ -4,15 +4,15 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Simulate;
 
-/// <summary>How well pictures with known truth are read.</summary>
+/// <summary>Measures how well pictures with known truth are read.</summary>
 sealed class SimulationCheck
 {
-    /// <summary>A picture that is read and wrong by more than this is misread, ms: half of it come from whole milliseconds.</summary>
+    /// <summary>A picture that was read with a larger error than this counts as misread, ms. Half of it comes from whole milliseconds.</summary>
     public const double MisreadMs = 2.5;
 
     readonly SortedDictionary<int, Checked> _pictures = [];
 
-    /// <summary>Makes all pictures in memory and reads them.</summary>
+    /// <summary>Creates all pictures in memory and reads them.</summary>
     public static SimulationCheck Run(SimulationSettings settings, CancellationToken cancellation)
     {
         var check = new SimulationCheck();
@@ -40,16 +40,16 @@ sealed class SimulationCheck
 
     public int Misread => Wrong().Count();
 
-    /// <summary>Of pictures that nothing is wrong with, the share that is read.</summary>
+    /// <summary>Share of the pictures without a defect that were read.</summary>
     public double ReadOfGood => _pictures.Values.Where(picture => picture.SpoiledBy.Length == 0).Select(picture => picture.Result.IsRead ? 1.0 : 0).DefaultIfEmpty(1).Average();
 
-    /// <summary>Of all that are read, ms.</summary>
+    /// <summary>Mean error of all pictures that were read, ms.</summary>
     public double MeanErrorMs => Errors().DefaultIfEmpty(double.NaN).Average();
 
-    /// <summary>Of the absolute error, ms.</summary>
+    /// <summary>95th percentile of the absolute error, ms.</summary>
     public double ErrorP95Ms => Read == 0 ? double.NaN : Quantile.Of(Errors().Select(Math.Abs), 0.95);
 
-    /// <summary>In words, a line each.</summary>
+    /// <summary>Gets the result as text, one line each.</summary>
     public IEnumerable<string> Lines()
     {
         yield return Text($"{Pictures} pictures, {Read} read ({100 * ReadOfGood:0.0} % of those that nothing is wrong with), {Misread} misread by more than {MisreadMs} ms");

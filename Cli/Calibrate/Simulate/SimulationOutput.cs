@@ -5,13 +5,13 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Simulate;
 
-/// <summary>A folder of pictures with the sweep's log and the truth, to try the whole chain without hardware.</summary>
+/// <summary>A folder of pictures with the sweep's log and the truth, to test the whole evaluation without hardware.</summary>
 static class SimulationOutput
 {
     const string TruthFile = "truth.csv";
     const string TruthHeader = "file,led_ms,headset_ms,visu_ms,spoiled";
 
-    /// <returns>How many pictures were written.</returns>
+    /// <returns>Number of pictures written.</returns>
     public static int Write(SimulationSettings settings, string folder, CancellationToken cancellation)
     {
         var sweep = new SimulatedSweep(settings);
@@ -50,7 +50,7 @@ static class SimulationOutput
         return FormattableString.Invariant($"{name},{led:0.000},{TimestampCode.ValueOf(start)},{sweep.VisuMsOf(moment):0.000},{spoiledBy}");
     }
 
-    // Its own pictures have their truth beside them; others may be a camera's.
+    // Only pictures with a truth file are simulated; others may come from a camera and are not removed.
     static void RemoveEarlier(string folder, string pictures)
     {
         var earlier = Directory.GetFiles(pictures, "picture-*.jpg");

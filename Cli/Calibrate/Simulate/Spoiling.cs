@@ -3,7 +3,7 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Simulate;
 
-/// <summary>What goes wrong with pictures: something in front of a code, a reflection on it, a blow to the camera, half of a code outside.</summary>
+/// <summary>Adds defects to pictures: an object in front of a code, a reflection on it, a blow to the camera, a code that is half outside.</summary>
 static class Spoiling
 {
     static readonly (string Name, Func<Shot, RandomStream, Shot> Do)[] Ways =
@@ -39,7 +39,7 @@ static class Spoiling
     {
         var code = AnyCode(shot, random);
         var (left, _, size) = BoundsOf(code);
-        // The picture's left or right edge goes through the code.
+        // The picture's left or right edge cuts the code.
         var cut = size * (0.1 + 0.6 * random.Next());
         var by = left < shot.Width / 2 ? -left - cut : shot.Width - left - size + cut;
         return shot with { Codes = [.. shot.Codes.Select(each => each with { Corners = [.. each.Corners.Select(corner => new[] { corner[0] + by, corner[1] })] })] };

@@ -3,13 +3,13 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>A jog in a video: the robot's and the hologram's patch are followed from picture to picture.</summary>
+/// <summary>A jog in a video. The patches of the robot and the hologram are tracked from picture to picture.</summary>
 static class FilmedJog
 {
-    /// <summary>Below, a patch is not the one that was marked.</summary>
+    /// <summary>Below this score, the patch is not the one that was marked.</summary>
     const double LeastScore = 0.5;
 
-    /// <exception cref="InputException">A box is missing or out of the picture, a patch is lost, or the video cannot be read.</exception>
+    /// <exception cref="InputException">A box is missing or outside the picture, a patch is lost, or the video cannot be read.</exception>
     public static SineTracks Track(string path, PictureBox? robotBox, PictureBox? hologramBox, CancellationToken cancel)
     {
         PictureBox robot = Required(robotBox, "--robot-box"), hologram = Required(hologramBox, "--hologram-box");
@@ -52,7 +52,7 @@ static class FilmedJog
                     + "mark one with more contrast, or film a shorter way");
     }
 
-    /// <summary>The direction in which the robot moves most, as a unit vector.</summary>
+    /// <summary>Gets the direction in which the robot moves most, as a unit vector.</summary>
     static (double X, double Y) Direction(TrackedPlace[] places)
     {
         double meanX = places.Average(each => each.X), meanY = places.Average(each => each.Y), xx = 0, xy = 0, yy = 0;

@@ -1,28 +1,28 @@
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>The lag of one signal behind another by cross-correlation, finer than the interval of their instants.</summary>
+/// <summary>Estimates the lag of one signal behind another by cross-correlation, finer than their sampling interval.</summary>
 /// <remarks>
-/// Pearson's correlation of shown(t) with robot(t − lag) at lags of whole instants finds the peak to an instant. Around it shown is
-/// a + b·robot − b·δ·robot′ for a shift δ: by least squares, with the speed robot′ from instants further apart, so that the camera's
-/// noise weighs little, that is the peak's place between instants. The same instants of the hologram are compared at every lag, so
-/// periods that are cut off at the ends do not move it.
+/// Pearson's correlation of shown(t) with robot(t − lag) at lags of whole instants finds the maximum to an instant. Near it, shown is
+/// a + b·robot − b·δ·robot′ for a shift δ. A least-squares fit of δ gives the maximum between instants. The speed robot′ is taken from
+/// instants further apart, which reduces the effect of the camera's noise. The same instants of the hologram are compared at every lag,
+/// so periods that are cut off at the ends do not bias the result.
 /// </remarks>
 static class LagEstimator
 {
     const double LeastLag = -0.1, GreatestLag = 0.6;
 
-    /// <summary>Below, what is seen is not what the robot did.</summary>
+    /// <summary>Minimum correlation. Below it, the hologram does not follow the robot.</summary>
     const double LeastCorrelation = 0.9;
 
-    /// <summary>Another peak as high as this share of the greatest makes it ambiguous.</summary>
+    /// <summary>The result is ambiguous if another maximum reaches this share of the largest one.</summary>
     const double Ambiguous = 0.98;
 
-    /// <summary>Instants to either side between which the speed is taken: fewer, and a camera's noise would look like motion.</summary>
+    /// <summary>Number of instants to either side for the speed. With fewer, the camera's noise would look like motion.</summary>
     const int SpeedSpan = 5;
 
     const int MostSteps = 5;
 
-    /// <exception cref="InputException">Nothing moves, the two do not move alike, or the motion repeats within the lags that are tried.</exception>
+    /// <exception cref="InputException">Nothing moves, the two motions differ, or the motion repeats within the tested lags.</exception>
     public static LagEstimate Of(SineTracks tracks)
     {
         var first = (int)Math.Ceiling(LeastLag / tracks.Interval);

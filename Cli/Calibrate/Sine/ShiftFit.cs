@@ -1,16 +1,16 @@
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>The hologram's place as a straight line over the robot's place and speed, so many instants before.</summary>
-/// <param name="Correlation">Of the two places.</param>
-/// <param name="Shift">How many instants later than that the hologram is; small.</param>
-/// <param name="Deviation">Standard error of the shift, as far as what the fit leaves is noise.</param>
+/// <summary>Fits the hologram's position by a straight line over the robot's position and speed a given number of instants before.</summary>
+/// <param name="Correlation">Correlation of the two positions.</param>
+/// <param name="Shift">Remaining shift of the hologram, in instants; small.</param>
+/// <param name="Deviation">Standard error of the shift, assuming that the residuals are noise.</param>
 readonly record struct ShiftFit(double Correlation, double Shift, double Deviation)
 {
     const int Parameters = 3;
 
-    /// <param name="from">The hologram's instants that are compared: from here.</param>
-    /// <param name="to">To here, excluded.</param>
-    /// <param name="speedSpan">Instants to either side between which the speed is taken; 0 to find the correlation only.</param>
+    /// <param name="from">First compared instant of the hologram.</param>
+    /// <param name="to">End of the compared instants, exclusive.</param>
+    /// <param name="speedSpan">Number of instants to either side for the speed; 0 to compute only the correlation.</param>
     public static ShiftFit Of(SineTracks tracks, int lag, int from, int to, int speedSpan)
     {
         var count = to - from;

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>What a jog to and fro says, as JSON.</summary>
+/// <summary>The result of a jog to and fro as JSON.</summary>
 static class SineJson
 {
     public static string Of(SineResult result) => JsonText.Of(isIndented: true, json =>

@@ -4,12 +4,12 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>A jog to and fro as a page: both motions, and the correlation over the lag.</summary>
+/// <summary>The page of a jog to and fro: both motions, and the correlation over the lag.</summary>
 static class SinePage
 {
     static readonly FigureColumn Time = new("time", "s"), Place = new("place, scaled"), Lag = new("lag", "ms"), Correlation = new("correlation");
 
-    /// <param name="profile">Null where L_visu was not asked for.</param>
+    /// <param name="profile">The profile, or null if L_visu was not requested.</param>
     public static CalibrationPageData Of(SineResult result, LatencyProfile profile, string path) => new(
         "Latency of a jog to and fro", Sentence(result),
         [

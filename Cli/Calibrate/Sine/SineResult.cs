@@ -1,19 +1,19 @@
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>What a jog to and fro says.</summary>
+/// <summary>The result of a jog to and fro.</summary>
 sealed record SineResult(SineTracks Tracks, LagEstimate Lag, SineWay Way)
 {
     public double TotalMs => 1000 * Lag.LagSeconds;
 
     /// <summary>
-    /// Standard error of <see cref="TotalMs"/> and <see cref="VisuMs"/>, with what comes of a hologram that steps in time with the pictures:
-    /// anywhere between −<see cref="StepsMs"/> and that.
+    /// Standard error of <see cref="TotalMs"/> and <see cref="VisuMs"/>. Includes the error of a hologram that steps in time with the
+    /// pictures, which is uniform within ±<see cref="StepsMs"/>.
     /// </summary>
     public double DeviationMs => Math.Sqrt(Lag.Deviation * Lag.Deviation * 1e6 + StepsMs * StepsMs / 3);
 
-    /// <summary>By how much the mean age of the places that the pictures show may be off T_s/2, ms.</summary>
+    /// <summary>Maximum difference between T_s/2 and the mean age of the positions that the pictures show, ms.</summary>
     public double StepsMs => Way.HeldMs is double held ? HeldSteps.GreatestErrorMs(held, 1000 * Tracks.Interval, Tracks.Shown.Length) : 0;
 
-    /// <summary>Null when it was not asked for.</summary>
+    /// <summary>L_visu, or null if it was not requested.</summary>
     public double? VisuMs => TotalMs - Way.KnownMs;
 }

@@ -1,12 +1,12 @@
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>What of the lag is L_visu.</summary>
-/// <param name="KnownMs">What of it is known; negative where the headset has taken it off already. Null when L_visu was not asked for.</param>
-/// <param name="Words">How that is made up.</param>
-/// <param name="HeldMs">How long each place of the hologram is held, T_s; null where it is not.</param>
+/// <summary>Determines which part of the lag is L_visu.</summary>
+/// <param name="KnownMs">Known part of the lag, ms; negative if the headset has already compensated for it. Null if L_visu was not requested.</param>
+/// <param name="Words">Explains how the known part is composed.</param>
+/// <param name="HeldMs">Time for which each position of the hologram is held, T_s; null if it is not held.</param>
 sealed record SineWay(double? KnownMs, string Words, double? HeldMs = null)
 {
-    /// <exception cref="InputException">Both ways at once.</exception>
+    /// <exception cref="InputException">Options of both ways were given.</exception>
     public static SineWay Of(double? applicationMs, double samplingMs, double? toldMs)
     {
         if (applicationMs.HasValue && toldMs.HasValue)

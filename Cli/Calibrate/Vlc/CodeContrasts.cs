@@ -3,11 +3,11 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>What the pairs of a code say: 1 for the left cell lit all the exposure long, −1 for the right one, 0 for both alike.</summary>
-/// <remarks>The ring tells how bright a lit cell is; of a pair both cells together have as much, whatever the code.</remarks>
+/// <summary>Contrast of each pair: 1 if its left cell was lit for the whole exposure, −1 for its right cell, 0 for both equally.</summary>
+/// <remarks>The ring shows how bright a lit cell is. The two cells of a pair together have that brightness for every code.</remarks>
 sealed class CodeContrasts
 {
-    /// <summary>Of the light: a pair whose mean is off by more is covered, or dazzled.</summary>
+    /// <summary>Maximum deviation of a pair's mean, relative to the light. A pair beyond it is covered or overexposed.</summary>
     const double GreatestRest = 0.45;
 
     readonly double[] _contrasts = new double[TimestampCode.PairCount];
@@ -25,15 +25,15 @@ sealed class CodeContrasts
         }
     }
 
-    /// <summary>Of a lit cell: 1 is white.</summary>
+    /// <summary>Brightness of a lit cell; 1 is white.</summary>
     public double Light { get; }
 
-    /// <summary>Pairs that are too bright or too dark for one lit cell and one dark one.</summary>
+    /// <summary>Number of pairs that are too bright or too dark for one lit and one dark cell.</summary>
     public int Covered { get; }
 
     public double this[int pair] => _contrasts[pair];
 
-    /// <summary>The word that the brighter cell of each pair says.</summary>
+    /// <summary>Gets the word of the brighter cells of all pairs.</summary>
     public int Word()
     {
         var word = 0;

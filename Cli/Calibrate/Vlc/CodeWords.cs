@@ -2,26 +2,26 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>All codes there are, by value and by word.</summary>
+/// <summary>All valid codes, by value and by word.</summary>
 static class CodeWords
 {
     static readonly int[] Words = [.. Enumerable.Range(0, TimestampCode.PeriodMs).Select(TimestampCode.WordOf)];
 
-    // Time for which each pair has said 1, less that for which it has said 0, from value 0 to a value, ms.
+    // For each pair, the time with bit 1 minus the time with bit 0, summed from value 0 to each value, ms.
     static readonly int[][] Sums = [.. Enumerable.Range(0, TimestampCode.PairCount).Select(SumsOf)];
 
     /// <summary>1 where the pair's left cell is lit, −1 where its right one is.</summary>
     /// <param name="value">Any whole number: codes repeat.</param>
     public static int SignOf(int value, int pair) => (Words[Wrap(value)] >> (TimestampCode.PairCount - 1 - pair) & 1) * 2 - 1;
 
-    /// <summary>Values whose words agree with this one in the bits of a mask.</summary>
+    /// <summary>Gets the values whose words match this one in the bits of a mask.</summary>
     public static IEnumerable<int> Matching(int word, int mask)
     {
         for (var value = 0; value < Words.Length; value++)
             if (((Words[value] ^ word) & mask) == 0) yield return value;
     }
 
-    /// <summary>−1 when the parity is wrong.</summary>
+    /// <summary>Gets the value of a word, or −1 if its parity is wrong.</summary>
     public static int ValueOf(int word)
     {
         var value = word >> 2;
@@ -29,9 +29,9 @@ static class CodeWords
         return Words[value] == word ? value : -1;
     }
 
-    /// <summary>What a pair says on average, −1 to 1, while codes follow each other for a while.</summary>
-    /// <param name="start">ms, within a period of 0; value v is shown from v to v + 1.</param>
-    /// <param name="length">Above zero, ms.</param>
+    /// <summary>Gets a pair's mean sign, −1 to 1, over a time in which consecutive codes are shown.</summary>
+    /// <param name="start">Start of the time, ms, within one period of 0. Value v is shown from v to v + 1.</param>
+    /// <param name="length">Length of the time, above zero, ms.</param>
     public static double MeanSign(int pair, double start, double length) => (SumTo(pair, start + length) - SumTo(pair, start)) / length;
 
     static double SumTo(int pair, double time)

@@ -2,33 +2,33 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Reads a code that changes every millisecond: an exposure shows a run of them.</summary>
+/// <summary>Reads a code that changes every millisecond. An exposure shows a run of consecutive codes.</summary>
 static class ControlCode
 {
-    /// <summary>A pair that says more than this says what it says in the middle of the exposure.</summary>
+    /// <summary>A pair with a higher contrast than this shows its bit at the middle of the exposure.</summary>
     const double Decided = 0.55;
 
-    /// <summary>More undecided pairs than a run of codes leaves.</summary>
+    /// <summary>Maximum number of undecided pairs. A run of codes leaves no more.</summary>
     const int MostUndecided = 9;
 
-    /// <summary>Root mean square of what the run does not explain, of what it does.</summary>
+    /// <summary>Maximum root mean square of the residual, relative to the explained part.</summary>
     const double GreatestRest = 0.17;
 
-    /// <summary>By how many times the next best run must be worse; below the second number both are as good as can be.</summary>
+    /// <summary>Factor by which the next best run must be worse. Below the second number, a residual counts as zero.</summary>
     const double Margin = 1.6, LeastRest = 0.06;
 
     const double LeastAmplitude = 0.4, GreatestAmplitude = 1.35;
 
-    /// <summary>Runs this close to each other are the same reading, ms.</summary>
+    /// <summary>Runs that are closer than this to each other are the same reading, ms.</summary>
     const double Alike = 2;
 
-    /// <summary>Less than this of another code is none, ms.</summary>
+    /// <summary>A share of another code shorter than this is ignored, ms.</summary>
     const double Same = 0.05;
 
     static readonly double[] Lengths = [0.25, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 20, 24];
 
-    /// <param name="delaysMs">Of each pair, by how much later it was exposed than the code's middle: rows of a rolling shutter.</param>
-    /// <returns>The time in the middle of the exposure, as the mean of the codes that were shown.</returns>
+    /// <param name="delaysMs">For each pair, its delay of exposure relative to the code's middle: rows of a rolling shutter.</param>
+    /// <returns>The time at the middle of the exposure, as the mean of the shown codes.</returns>
     public static Reading Read(CodeContrasts contrasts, double[] delaysMs)
     {
         if (contrasts.Covered > 0) return Reading.Not("partly covered");
@@ -53,11 +53,11 @@ static class ControlCode
         if (best.Rest > GreatestRest * best.Amplitude) return Reading.Not("inconsistent");
         if (best.Amplitude is < LeastAmplitude or > GreatestAmplitude) return Reading.Not("too weak");
         if (other.Rest < Margin * Math.Max(best.Rest, LeastRest)) return Reading.Not("ambiguous");
-        // Value v is shown from v to v + 1: the mean of the values lies half a millisecond before the middle of the time.
+        // Value v is shown from v to v + 1, so the mean of the values is half a millisecond before the mean time.
         return Reading.Of(Wrap(MiddleOf(Refined(contrasts, delaysMs, best)) - 0.5));
     }
 
-    /// <summary>Where in its millisecond an exposure lies that shows one code alone cannot be known: its middle errs least.</summary>
+    /// <summary>Gets the middle of a run. With one code alone, the middle of its millisecond is used, which minimises the error.</summary>
     static double MiddleOf(Run run)
     {
         double first = Math.Floor(run.Middle - run.Length / 2), last = Math.Floor(run.Middle + run.Length / 2 - Same);

@@ -2,28 +2,28 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Reads a code that stays for a frame: an exposure shows one, or one and its successor.</summary>
+/// <summary>Reads a code that stays for a frame. An exposure shows one code, or one and its successor.</summary>
 static class HeadsetCode
 {
-    /// <summary>From one frame to the next, ms: displays of 250 Hz, and several frames of 60 Hz left out.</summary>
+    /// <summary>Range of the interval between frames, ms: from displays with 250 Hz to several dropped frames at 60 Hz.</summary>
     const int LeastStep = 4, GreatestStep = 60;
 
-    /// <summary>A pair that says less than this is covered, or two codes are as bright as each other.</summary>
+    /// <summary>Minimum contrast of a pair. Below it, the pair is covered, or two codes are equally bright.</summary>
     const double LeastContrast = 0.22;
 
     /// <summary>
-    /// Root mean square of what the codes do not explain, of what they do. Good pictures leave less than half of it; where an edge
-    /// behind the hologram is as bright as its light, pairs turn over, and others are off as well.
+    /// Maximum root mean square of the residual, relative to the explained part. Good pictures have less than half of it. An edge behind
+    /// the hologram that is as bright as its light inverts some pairs and disturbs others.
     /// </summary>
     const double GreatestRest = 0.15;
 
-    /// <summary>The brighter code's share of the light.</summary>
+    /// <summary>Minimum share of the light for the brighter code.</summary>
     const double LeastShare = 0.6;
 
-    /// <summary>Of the light of a lit cell: a code that is weaker is blurred beyond reading.</summary>
+    /// <summary>Range of the amplitude, relative to the light of a lit cell. A weaker code is too blurred to be read.</summary>
     const double LeastAmplitude = 0.4, GreatestAmplitude = 1.35;
 
-    /// <returns>The time of the brighter code, which is the one that was lit in the middle of the exposure.</returns>
+    /// <returns>The time of the brighter code, which was lit at the middle of the exposure.</returns>
     public static Reading Read(CodeContrasts contrasts, int leastStep = LeastStep)
     {
         if (contrasts.Covered > 0) return Reading.Not("partly covered");
@@ -38,10 +38,10 @@ static class HeadsetCode
         return best.Share < LeastShare ? Reading.Not("two codes alike") : Reading.Of(value);
     }
 
-    /// <summary>Explains the pairs by two codes; the same twice for one.</summary>
+    /// <summary>Fits the pairs by two codes; the same code twice for one.</summary>
     static (double Unexplained, double Share, double Amplitude) Fit(CodeContrasts contrasts, int first, int second)
     {
-        // In pairs in which they agree the sum of both lights shows, in the others the difference.
+        // Pairs that are equal in both codes show the sum of both lights, the others the difference.
         double alike = 0, different = 0, squares = 0;
         int alikes = 0, differents = 0;
         for (var pair = 0; pair < TimestampCode.PairCount; pair++)

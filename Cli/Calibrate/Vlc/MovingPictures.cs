@@ -1,26 +1,26 @@
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Pictures of a series that were taken while the headset moved: L_visu is measured with a still one.</summary>
+/// <summary>Rejects pictures that were taken while the headset moved. L_visu is measured with a still headset.</summary>
 /// <remarks>
 /// A display corrects its frames for head motion, so both codes shift and smear in such a picture. A picture counts as moving when the
-/// control's code moves from the picture before and on to the picture after. A camera that was put elsewhere moves once only, and one that
+/// control's code moves both from the picture before and to the picture after. A camera that was relocated moves only once, and one that
 /// shakes moves back.
 /// </remarks>
 static class MovingPictures
 {
     public const string Fault = "taken while the headset moved";
 
-    /// <summary>Sides of the control's code per second. A camera held by hand stays below; faster than the second one is another place.</summary>
+    /// <summary>Speed range of a motion, in sides of the control's code per second. A hand-held camera is slower, a relocated one faster.</summary>
     const double MinSpeed = 0.5, MaxSpeed = 20;
 
-    /// <summary>Pictures further apart say nothing about the speed.</summary>
+    /// <summary>Maximum interval between pictures for a valid speed, ms.</summary>
     const double MaxIntervalMs = 500;
 
-    /// <summary>Maximum share of the read pictures that may be moving; above it the rest is not a still series.</summary>
+    /// <summary>Maximum share of the read pictures that may be moving. Above it, the series was not taken with a still headset.</summary>
     const double MaxShare = 0.5;
 
-    /// <summary>The same pictures in their order, those rejected that were taken in motion.</summary>
-    /// <exception cref="InputException">Most of them were.</exception>
+    /// <summary>Returns the same pictures in the same order, with those taken in motion rejected.</summary>
+    /// <exception cref="InputException">Most of the pictures were taken in motion.</exception>
     public static IReadOnlyList<PictureResult> Rejected(IReadOnlyList<PictureResult> pictures)
     {
         PictureResult[] read = [.. pictures.Where(picture => picture.IsRead && picture.Places != null)];
@@ -37,7 +37,7 @@ static class MovingPictures
 
     static bool IsMotion((double X, double Y) velocity) => Math.Sqrt(velocity.X * velocity.X + velocity.Y * velocity.Y) is > MinSpeed and < MaxSpeed;
 
-    /// <returns>Sides per second; 0 where it is not known.</returns>
+    /// <returns>Sides per second; 0 if unknown.</returns>
     static (double X, double Y) VelocityOf(PictureResult from, PictureResult to)
     {
         var ms = PictureResult.IntervalMs(from, to);

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Names in the order in which cameras count: digits that follow each other are a number, so that 2 comes before 10.</summary>
+/// <summary>Compares names in the order in which cameras count: consecutive digits are one number, so 2 comes before 10.</summary>
 sealed class NumberedNames : IComparer<string>
 {
     public int Compare(string a, string b)
@@ -21,11 +21,11 @@ sealed class NumberedNames : IComparer<string>
             if (order != 0) return order;
         }
         var rest = (a.Length - i) - (b.Length - j);
-        // Numbers alike but for zeros in front.
+        // The numbers differ only by leading zeros.
         return rest != 0 ? rest : string.CompareOrdinal(a, b);
     }
 
-    // Without zeros in front, of any length.
+    // Without leading zeros; any length.
     static ReadOnlySpan<char> NumberAt(string name, ref int at)
     {
         var start = at;

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>The pictures that arguments name: files, and folders' files in the order of their names.</summary>
+/// <summary>The pictures given as arguments: files, and the files of folders sorted by name.</summary>
 static class PictureFiles
 {
     static readonly string[] Pictures = [".png", ".jpg", ".jpeg"];
@@ -8,7 +8,7 @@ static class PictureFiles
 
     public static bool IsVideo(string path) => Videos.Contains(Path.GetExtension(path), StringComparer.OrdinalIgnoreCase);
 
-    /// <exception cref="InputException">One is missing, or has no pictures.</exception>
+    /// <exception cref="InputException">A file or folder is missing, or a folder has no pictures.</exception>
     public static IReadOnlyList<string> Of(IReadOnlyList<string> arguments)
     {
         var files = arguments.SelectMany(Of).ToList();

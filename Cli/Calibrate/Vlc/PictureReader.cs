@@ -3,15 +3,15 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>From the codes found in a picture to L_visu, Eq. (7).</summary>
-/// <param name="ReadoutMs">How much later a rolling shutter exposes the last row than the first, ms.</param>
-/// <param name="ControlDelayMs">By how much what shows the control code is late, ms: tenths for LEDs, frames for a monitor.</param>
+/// <summary>Computes L_visu, Eq. (7), from the codes found in a picture.</summary>
+/// <param name="ReadoutMs">Rolling shutter: delay of the last row's exposure after the first row's, ms.</param>
+/// <param name="ControlDelayMs">Latency of the device that shows the control code, ms: tenths for LEDs, frames for a monitor.</param>
 sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
 {
-    /// <summary>What L_visu can be, ms: beyond it a code was misread, or the clocks are not synchronised.</summary>
+    /// <summary>Plausible range of L_visu, ms. Beyond it, a code was misread, or the clocks are not synchronised.</summary>
     const double Least = -50, Greatest = 500;
 
-    /// <summary>How far apart both ways to read a control code may be, ms: of a run of codes one is brighter than the middle one.</summary>
+    /// <summary>Maximum difference of the two ways to read a control code, ms. The brightest code of a run is not always its middle.</summary>
     const double GreatestDoubt = 2;
 
     public PictureResult Read(string file, SeenPicture seen)
@@ -24,7 +24,7 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
         if (shown.Fault != null) return PictureResult.Not(file, $"headset code {shown.Fault}");
         var lit = ReadControl(new CodeContrasts(control), DelaysOf(control, seen.Height));
         if (lit.Fault != null) return PictureResult.Not(file, $"control code {lit.Fault}");
-        // At the moment at which the headset's rows were exposed.
+        // At the time at which the headset's rows were exposed.
         var later = ReadoutMs * (MiddleOf(headset) - MiddleOf(control)) / seen.Height;
         var led = Wrapped(lit.Ms + ControlDelayMs + later);
         var visu = Wrapped(led - shown.Ms + TimestampCode.PeriodMs / 2) - TimestampCode.PeriodMs / 2;
@@ -36,7 +36,7 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
                     + "is what shows that one late (--control-delay-ms)?");
     }
 
-    /// <summary>LEDs show a run of codes; a monitor shows a code for a frame, as the headset does, but any code may follow.</summary>
+    /// <summary>Reads the control's code. LEDs show a run of codes. A monitor shows one code per frame, but any code may follow.</summary>
     static Reading ReadControl(CodeContrasts contrasts, double[] delaysMs)
     {
         Reading run = ControlCode.Read(contrasts, delaysMs), frame = HeadsetCode.Read(contrasts, leastStep: 1);

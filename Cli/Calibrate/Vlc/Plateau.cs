@@ -3,22 +3,22 @@ using Nowpose.Latency.Calibration;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>L_visu where no range over the render time can be told.</summary>
-/// <param name="VisuMs">Mean of the pictures that count.</param>
-/// <param name="SpreadMs">Standard deviation of a single one.</param>
-/// <param name="Count">How many count.</param>
+/// <summary>L_visu for measurements without a range over the render time.</summary>
+/// <param name="VisuMs">Mean of the used pictures.</param>
+/// <param name="SpreadMs">Standard deviation of a single picture.</param>
+/// <param name="Count">Number of used pictures.</param>
 sealed record Plateau(double VisuMs, double SpreadMs, int Count)
 {
-    /// <summary>Of which a profile is made.</summary>
+    /// <summary>Minimum number of pictures for a profile.</summary>
     const int LeastCount = 2;
 
-    /// <summary>What scatters more, standard deviation, is not one load's.</summary>
+    /// <summary>Maximum standard deviation. Pictures with a larger one are not of a single load.</summary>
     const double GreatestSpreadMs = 10;
 
     const double LeastToleranceMs = 3, Deviations = 3.5, PerMedianDeviation = 1.4826;
 
-    /// <summary>Of pictures at one load: those near their median, so that frames behind a slow one do not count.</summary>
-    /// <returns>Null for fewer than two, and where L_visu scatters too much to be constant.</returns>
+    /// <summary>Averages pictures at one load. Uses only those near their median, which excludes frames that waited behind a slow one.</summary>
+    /// <returns>Null for fewer than two pictures, or if L_visu scatters too much to be constant.</returns>
     public static Plateau OfOneLoad(IReadOnlyList<double> visuMs)
     {
         if (visuMs.Count < LeastCount) return null;
@@ -31,13 +31,13 @@ sealed record Plateau(double VisuMs, double SpreadMs, int Count)
     }
 
     /// <summary>
-    /// Of pictures at several loads: up to which load L_visu is constant is found as it is over the render time. Without it the
-    /// frames that were late under load would be taken for L_visu.
+    /// Averages pictures at several loads. The maximum load with constant L_visu is found in the same way as the maximum render time.
+    /// Otherwise, frames that were late under load would increase L_visu.
     /// </summary>
-    /// <returns>Null where it cannot be told.</returns>
+    /// <returns>Null if L_visu cannot be determined.</returns>
     public static Plateau OfSweep(IEnumerable<MeasuredPicture> pictures)
     {
-        // Any number that grows with the load will do.
+        // Any number that increases with the load is sufficient.
         LatencyPair[] pairs = [.. pictures.Where(each => each.Vertices.HasValue).Select(each => new LatencyPair(1 + each.Vertices.Value / 1e6, each.VisuMs))];
         if (pairs.Length < RangeFit.LeastPairs) return null;
         try
@@ -47,7 +47,7 @@ sealed record Plateau(double VisuMs, double SpreadMs, int Count)
         }
         catch (InputException)
         {
-            // Constant at no load.
+            // L_visu is not constant at any load.
             return null;
         }
     }

@@ -1,20 +1,20 @@
 namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>
-/// Pictures of a series whose L_visu lies far from the others': codes that passed the parity by chance. Frames that queue up behind a
-/// slow GPU are not so late.
+/// Rejects pictures of a series whose L_visu is far from the others: codes that passed the parity check by chance. Frames that queue
+/// behind a slow GPU are less late.
 /// </summary>
 static class Strays
 {
     public const string Fault = "far from the others, misread";
 
-    /// <summary>At 60 Hz twelve frames: no more than two or three are ever under way, and the slowest take some refreshes each.</summary>
+    /// <summary>Maximum distance, ms: twelve frames at 60 Hz. At most three frames are in progress, the slowest for a few refreshes.</summary>
     const double FarMs = 200;
 
-    /// <summary>Of fewer pictures nobody can say which ones stray.</summary>
+    /// <summary>Minimum number of pictures. With fewer, outliers cannot be identified.</summary>
     const int LeastPictures = 10;
 
-    /// <summary>The same pictures, those rejected that stray.</summary>
+    /// <summary>Returns the same pictures with the outliers rejected.</summary>
     public static IReadOnlyList<PictureResult> Rejected(IReadOnlyList<PictureResult> pictures)
     {
         double[] visu = [.. pictures.Where(picture => picture.IsRead).Select(picture => picture.VisuMs)];

@@ -5,9 +5,9 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>Finds the frame of a sweep that a picture's headset code belongs to.</summary>
 /// <remarks>
-/// Codes repeat after 65.5 s, and sweeps last longer: a code may be that of several frames. Pictures come in the order they were taken,
-/// so of all ways to give them frames that never go back the one is taken in which most pictures have one. A picture that was
-/// misread, or whose frame is not in the log, then goes without and leads no other astray; and the camera may begin when it likes.
+/// Codes repeat after 65.5 s, and sweeps last longer, so a code may match several frames. Pictures come in the order in which they were
+/// taken. Of all assignments whose frames never go back, the one with the most assigned pictures is used. A picture that was misread, or
+/// whose frame is not in the log, stays unassigned and does not affect the others. The camera may start at any time.
 /// </remarks>
 sealed class SweepJoin
 {
@@ -15,7 +15,7 @@ sealed class SweepJoin
     readonly RenderTimeSourceKind _source;
     readonly ILookup<int, int> _rowsOfCode;
 
-    /// <param name="source">What the render times that count were measured with; a limit holds for one source only.</param>
+    /// <param name="source">Source of the render times that are used. A limit is valid for one source only.</param>
     public SweepJoin(IReadOnlyList<SweepRow> rows, RenderTimeSourceKind source)
     {
         _rows = rows;
@@ -23,18 +23,18 @@ sealed class SweepJoin
         _rowsOfCode = Enumerable.Range(0, rows.Count).ToLookup(row => TimestampCode.ValueOf(rows[row].FrameStart));
     }
 
-    /// <param name="pictures">Of the camera's order; those that are not read are left out.</param>
-    /// <returns>One of each picture whose frame is in the log.</returns>
+    /// <param name="pictures">In the camera's order; pictures that were not read are skipped.</param>
+    /// <returns>One entry for each picture whose frame is in the log.</returns>
     public IReadOnlyList<MeasuredPicture> Join(IEnumerable<PictureResult> pictures) =>
         [.. LongestRun([.. pictures.Where(picture => picture.IsRead)]).Select(
             place => new MeasuredPicture(place.Picture.File, _rows[place.Row].Vertices, RenderMsOf(_rows[place.Row]), place.Picture.VisuMs))];
 
     double? RenderMsOf(in SweepRow row) => row.Source == _source ? row.RenderMs : null;
 
-    /// <summary>The longest run of pictures whose rows never go back.</summary>
+    /// <summary>Gets the longest run of pictures whose rows never go back.</summary>
     List<Place> LongestRun(IReadOnlyList<PictureResult> pictures)
     {
-        // Of all runs of each length so far, the one that ends at the earliest row.
+        // Of all runs of each length so far, the one with the earliest last row.
         var ends = new List<Place>();
         foreach (var picture in pictures)
         {
@@ -53,7 +53,7 @@ sealed class SweepJoin
         return run;
     }
 
-    // The ends' rows never go back.
+    // The rows of the ends are in increasing order.
     static int FirstBeyond(List<Place> ends, int row)
     {
         int low = 0, high = ends.Count;
@@ -66,6 +66,6 @@ sealed class SweepJoin
         return low;
     }
 
-    /// <summary>A picture with a row, after another one.</summary>
+    /// <summary>A picture with its row and its predecessor.</summary>
     sealed record Place(PictureResult Picture, int Row, Place Before);
 }

@@ -5,14 +5,14 @@ using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>A load sweep's log as the command line takes it: of one headset with one display rate, compressed or not.</summary>
+/// <summary>Reads a load sweep's log, plain or compressed, of one headset with one display rate.</summary>
 static class SweepTable
 {
-    /// <exception cref="InputException">The file cannot be read, is not of that form, or is of several headsets.</exception>
+    /// <exception cref="InputException">The file cannot be read, has another format, or contains several headsets.</exception>
     public static IReadOnlyList<SweepRow> Read(string path) => Read(path, out _);
 
-    /// <param name="conditions">Those of the whole sweep.</param>
-    /// <exception cref="InputException">As of the other method.</exception>
+    /// <param name="conditions">Conditions of the whole sweep.</param>
+    /// <exception cref="InputException">The same as for the other overload.</exception>
     public static IReadOnlyList<SweepRow> Read(string path, out DisplayConditions conditions)
     {
         using var text = RecordingText.Open(path);
@@ -28,10 +28,10 @@ static class SweepTable
         }
     }
 
-    /// <summary>The headset's model; empty where no row says it.</summary>
+    /// <summary>Gets the headset's model; empty if no row has it.</summary>
     public static string Device(IReadOnlyList<SweepRow> rows) => rows.Select(row => row.Device).FirstOrDefault(device => device.Length > 0) ?? "";
 
-    /// <summary>0 where no row says it. A display tells its rate some frames after the scene has begun.</summary>
+    /// <summary>Gets the display rate, or 0 if no row has it. A display reports its rate some frames after the scene has begun.</summary>
     public static double DisplayHz(IReadOnlyList<SweepRow> rows) => rows.Select(row => row.DisplayHz).FirstOrDefault(rate => !double.IsNaN(rate));
 
     static IReadOnlyList<SweepRow> OfOneHeadset(IReadOnlyList<SweepRow> rows, string path)

@@ -5,18 +5,18 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>A video's frames, by ffmpeg, which must be installed.</summary>
+/// <summary>Reads a video's frames by ffmpeg, which must be installed.</summary>
 static class VideoFrames
 {
     const string Needed = "ffmpeg and ffprobe are needed to read videos and were not found; install ffmpeg, or give pictures";
 
-    /// <summary>Every frame once, whatever its time: by its name of today, then by that of before ffmpeg 5.1.</summary>
+    /// <summary>The ffmpeg option that outputs each frame once, independent of its time: the current name, then the name before ffmpeg 5.1.</summary>
     static readonly string[] EachFrameOnce = ["-fps_mode", "-vsync"];
 
     public static IEnumerable<PictureRequest> Of(string path) => Read(path).Select(frame => PictureRequest.Grey(frame.Width, frame.Height, frame.Bytes));
 
-    /// <summary>Frame after frame in grey; the bytes are overwritten by the next one's.</summary>
-    /// <exception cref="InputException">ffmpeg is missing, or cannot read the file.</exception>
+    /// <summary>Reads frame after frame in grey. The bytes are overwritten by the next frame.</summary>
+    /// <exception cref="InputException">ffmpeg is missing or cannot read the file.</exception>
     public static IEnumerable<(int Width, int Height, byte[] Bytes)> Read(string path)
     {
         var (width, height) = SizeOf(path);
@@ -47,15 +47,15 @@ static class VideoFrames
         }
     }
 
-    // A video that is torn or damaged has fewer pictures than were filmed.
+    // Warns that a truncated or damaged video has fewer pictures than were filmed.
     static void Tell(string path, int count, string errors)
     {
         var first = errors.Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries).FirstOrDefault();
         if (first != null) Console.Error.WriteLine($"nowpose: {path}: {count} pictures were read, but ffmpeg says: {first}");
     }
 
-    /// <summary>When each frame was taken, s: phones film with a rate that varies.</summary>
-    /// <exception cref="InputException">As of <see cref="Read"/>.</exception>
+    /// <summary>Gets the time of each frame, s. Phones film at a variable rate.</summary>
+    /// <exception cref="InputException">The same as for <see cref="Read"/>.</exception>
     public static double[] TimesOf(string path)
     {
         var lines = Probed(path, "frame=best_effort_timestamp_time", out var errors);

@@ -7,24 +7,24 @@ using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>From the pictures' L_visu to a profile and a page: with a sweep also the range, without one L_visu alone.</summary>
+/// <summary>Turns the pictures' L_visu into a profile and a page. With a sweep, it also finds the range; without one, L_visu alone.</summary>
 sealed class VlcEvaluation
 {
-    /// <summary>By chance a code stands in a log of another recording once in a while.</summary>
+    /// <summary>Minimum share of pictures found in the sweep. By chance, some codes match the log of another recording.</summary>
     const double LeastShareJoined = 0.2;
 
-    /// <summary>At one load a few frames wait behind a slow one, no more.</summary>
+    /// <summary>Minimum share of pictures near the median. At one load, only a few frames wait behind a slow one.</summary>
     const double LeastShareNear = 0.9;
 
-    /// <summary>Fewer pictures do not tell how much L_visu scatters, and so not how well its mean is known.</summary>
+    /// <summary>Fewer pictures do not show how much L_visu scatters, and therefore not how accurate its mean is.</summary>
     const int FewPictures = 10;
 
     readonly VlcResult _result;
     readonly List<string> _warnings = [];
 
-    /// <param name="sweep">Null for none.</param>
-    /// <param name="earlier">Its limit is kept where none is found.</param>
-    /// <exception cref="InputException">The sweep is of another recording.</exception>
+    /// <param name="sweep">The sweep, or null for none.</param>
+    /// <param name="earlier">The earlier profile, whose limit is kept if no limit is found.</param>
+    /// <exception cref="InputException">The sweep belongs to another recording.</exception>
     public VlcEvaluation(VlcResult result, IReadOnlyList<SweepRow> sweep, EarlierProfile earlier)
     {
         _result = result;
@@ -37,10 +37,10 @@ sealed class VlcEvaluation
         Page = earlier.WithWarnings(fit != null ? RangeProfile.Page("Visible light", Profile, fit, Pictures, Facts(), _warnings) : PlainPage());
     }
 
-    /// <summary>Joined with the sweep; empty without one.</summary>
+    /// <summary>The pictures joined with the sweep; empty without one.</summary>
     public IReadOnlyList<MeasuredPicture> Pictures { get; } = [];
 
-    /// <summary>Null when there is too little to make one.</summary>
+    /// <summary>The profile, or null if there are too few pictures.</summary>
     public LatencyProfile Profile { get; }
 
     public CalibrationPageData Page { get; }
@@ -59,7 +59,7 @@ sealed class VlcEvaluation
         return joined;
     }
 
-    // Null when no range can be told; why is said.
+    // Null if no range can be determined; the reason is added to the warnings.
     RangeFitResult FitOf(LoadSensitivity sensitivity)
     {
         if (sensitivity.Sight != LoadSight.Seen)
@@ -79,7 +79,7 @@ sealed class VlcEvaluation
         }
     }
 
-    // Null when there is too little to make one; why is said.
+    // Null if there are too few pictures; the reason is added to the warnings.
     LatencyProfile WithoutRange(bool hasSweep, EarlierProfile earlier)
     {
         var plateau = hasSweep && Pictures.Any(each => each.Vertices != Pictures[0].Vertices)

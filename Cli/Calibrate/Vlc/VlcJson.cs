@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>The same as JSON.</summary>
+/// <summary>The result of the pictures as JSON.</summary>
 static class VlcJson
 {
     public static string Of(VlcResult result) => JsonText.Of(isIndented: true, json =>

@@ -2,7 +2,7 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>L_visu from picture to picture, where there is no load to draw it over.</summary>
+/// <summary>The page with L_visu picture by picture, for measurements without a known load.</summary>
 static class VlcPage
 {
     public static CalibrationSection OverPictures(VlcResult result)

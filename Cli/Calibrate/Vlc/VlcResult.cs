@@ -11,13 +11,13 @@ sealed class VlcResult(IReadOnlyList<PictureResult> pictures)
 
     public int Rejected => Pictures.Count - Read.Count;
 
-    /// <summary>ms; null when no picture was read.</summary>
+    /// <summary>Mean L_visu, ms; null when no picture was read.</summary>
     public double? Mean => Read.Count == 0 ? null : Read.Average(picture => picture.VisuMs);
 
-    /// <summary>Standard deviation, ms; null below two pictures.</summary>
+    /// <summary>Standard deviation of L_visu, ms; null for fewer than two pictures.</summary>
     public double? Deviation => Read.Count < 2 ? null : Read.Select(picture => picture.VisuMs).StandardDeviation();
 
-    /// <summary>Why pictures were rejected, the most frequent reason first.</summary>
+    /// <summary>Gets the reasons for rejections with their counts, the most frequent first.</summary>
     public IEnumerable<(string Fault, int Count)> Faults() => Pictures.Where(picture => !picture.IsRead).GroupBy(picture => picture.Fault)
         .Select(group => (group.Key, group.Count())).OrderByDescending(fault => fault.Item2);
 }

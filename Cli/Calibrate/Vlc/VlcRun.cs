@@ -2,16 +2,16 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Looks at all pictures and reads their codes.</summary>
+/// <summary>Finds and reads the codes of all pictures.</summary>
 sealed class VlcRun(PictureReader reader)
 {
     readonly SortedDictionary<int, PictureResult> _results = [];
     SeenPicture _first;
     string _firstName;
 
-    /// <summary>What there is when the pictures, or the user's patience, have ended.</summary>
-    /// <param name="isStill">Whether the headset must not move: pictures taken in motion are then rejected.</param>
-    /// <exception cref="InputException">Pictures of several sizes: they are of several cameras, or one is none of the series.</exception>
+    /// <summary>Evaluates the pictures. Returns the results so far when the user cancels.</summary>
+    /// <param name="isStill">Whether the headset must be still. Pictures taken in motion are then rejected.</param>
+    /// <exception cref="InputException">The pictures have several sizes, so they come from several cameras or series.</exception>
     public VlcResult Run(IReadOnlyList<string> files, bool isStill, CancellationToken cancellation)
     {
         var isVideo = PictureFiles.IsVideo(files[0]);

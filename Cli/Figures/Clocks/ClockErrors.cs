@@ -5,12 +5,12 @@ namespace Nowpose.Cli.Figures.Clocks;
 /// <param name="SkewPpmLate">RMS error of the skew over the last quarter, ppm.</param>
 sealed record ClockErrors(double P50Us, double P95Us, double MaximumUs, double SkewPpmEarly, double SkewPpmLate)
 {
-    /// <summary>s.</summary>
+    /// <summary>Time after which the estimator has settled, s.</summary>
     public const double SettledAfter = 10;
 
     const double FirstSkew = 2;
 
-    /// <param name="runs">Each with the log that it was made from.</param>
+    /// <param name="runs">The runs, each with the log from which it was computed.</param>
     public static ClockErrors Of(IReadOnlyList<(ClockInstant[] Instants, SimulatedExchanges Log)> runs)
     {
         var settled = runs.SelectMany(r => r.Instants).Where(i => i.Seconds >= SettledAfter)

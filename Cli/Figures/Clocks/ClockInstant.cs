@@ -1,7 +1,7 @@
 namespace Nowpose.Cli.Figures.Clocks;
 
-/// <summary>What one estimator believed at a moment, against the truth.</summary>
+/// <summary>One estimator's values at an instant, compared with the truth.</summary>
 /// <param name="Seconds">Headset time since the start.</param>
-/// <param name="OffsetErrorUs">Believed less true offset; null before it believes anything.</param>
-/// <param name="SkewPpm">Believed; null likewise.</param>
+/// <param name="OffsetErrorUs">Estimated minus true offset, µs; null before the first estimate.</param>
+/// <param name="SkewPpm">Estimated skew, ppm; null before the first estimate.</param>
 readonly record struct ClockInstant(double Seconds, double? OffsetErrorUs, double? SkewPpm);

@@ -2,10 +2,10 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Figures.Clocks;
 
-/// <summary>A clock estimator by the name that the command line knows it by.</summary>
+/// <summary>A clock estimator with its name on the command line.</summary>
 sealed record ClockMethod(string Name)
 {
-    /// <summary>The paper's first, with the constants of its Fig. 8: 100 exchanges, 20 hypotheses, moving average of 20; then ours.</summary>
+    /// <summary>The paper's with the constants of its Fig. 8 (100 exchanges, 20 hypotheses, moving average of 20), then ours.</summary>
     public static IReadOnlyList<ClockMethod> All { get; } = [new(ClockEstimators.Ransac), new(ClockEstimators.Default)];
 
     public IClockEstimator Create() => ClockEstimators.Create(Name);

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Figures.Clocks;
 
-/// <summary>Every clock estimator on the same simulated logs.</summary>
+/// <summary>Runs every clock estimator on the same simulated logs.</summary>
 sealed class ClockRuns
 {
     readonly ClockInstant[,][] _runs;
@@ -11,7 +11,7 @@ sealed class ClockRuns
         Seconds = settings.ClockSeconds;
         Logs = [.. Enumerable.Range(0, settings.ClockRuns).Select(i => new SimulatedExchanges(settings.Seed * 1000 + i, Seconds))];
         _runs = new ClockInstant[ClockMethod.All.Count, Logs.Count][];
-        // Sorted once: figures ask row by row.
+        // Computed once, because figures read it row by row.
         _errors = [.. Enumerable.Range(0, ClockMethod.All.Count).Select(
             m => new Lazy<ClockErrors>(() => ClockErrors.Of([.. Logs.Select((log, l) => (_runs[m, l], log))])))];
         Work = [.. from m in Enumerable.Range(0, ClockMethod.All.Count) from l in Enumerable.Range(0, Logs.Count)
@@ -25,9 +25,9 @@ sealed class ClockRuns
 
     public IReadOnlyList<Action> Work { get; }
 
-    /// <summary>What a method, by its place in <see cref="ClockMethod.All"/>, believed over the first log.</summary>
+    /// <summary>Gets the estimates of a method, by its index in <see cref="ClockMethod.All"/>, over the first log.</summary>
     public IReadOnlyList<ClockInstant> First(int method) => _runs[method, 0];
 
-    /// <summary>By method, over all logs.</summary>
+    /// <summary>Gets the errors of a method over all logs.</summary>
     public ClockErrors Errors(int method) => _errors[method].Value;
 }

@@ -10,7 +10,7 @@ static class Figure08
     const double ShownUs = 600;
     const double ShownPpm = 150;
 
-    /// <summary>Rows of the table per second: an exchange each.</summary>
+    /// <summary>Rows of the table per second: one exchange each.</summary>
     const double RowsPerSecond = 5;
 
     public static Figure Of(ClockRuns runs)
@@ -37,7 +37,7 @@ static class Figure08
         };
     }
 
-    /// <param name="errors">Of the paper's estimator.</param>
+    /// <param name="errors">Errors of the paper's estimator.</param>
     public static IReadOnlyList<Criterion> Criteria(ClockErrors errors, RoundTrips trips) =>
     [
         new("From 10 s on the offset is never wrong by 1 ms or more.", errors.MaximumUs < PaperBoundUs, $"at most {Text(errors.MaximumUs)} µs"),

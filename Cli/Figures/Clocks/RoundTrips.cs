@@ -2,9 +2,9 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Figures.Clocks;
 
-/// <summary>Whether the round-trip time tells a good exchange from a bad one.</summary>
-/// <param name="ShortUs">P95 of the offset error of a single exchange among the quarter with the shortest round trips, µs.</param>
-/// <param name="LongUs">The same among the quarter with the longest.</param>
+/// <summary>Shows whether the round-trip time distinguishes good exchanges from bad ones.</summary>
+/// <param name="ShortUs">P95 of the offset error of single exchanges in the quarter with the shortest round-trip times, µs.</param>
+/// <param name="LongUs">The same in the quarter with the longest round-trip times, µs.</param>
 sealed record RoundTrips(double ShortUs, double LongUs)
 {
     public static RoundTrips Of(IEnumerable<SimulatedExchanges> logs)

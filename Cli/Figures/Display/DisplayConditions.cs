@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Figures.Display;
 
-/// <summary>What Figs 10 and 11 are computed with.</summary>
+/// <summary>The conditions of Figs 10 and 11.</summary>
 static class DisplayConditions
 {
     public const string Words = "A simulated display of 60 Hz: render time 4 ms and 8.5 ms per million vertices, ± 3 %, one frame in a hundred "

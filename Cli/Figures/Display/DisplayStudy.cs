@@ -7,13 +7,13 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Figures.Display;
 
-/// <summary>Figs 10 and 11: what the load does to L_visu, on the simulated display.</summary>
+/// <summary>Figs 10 and 11: the effect of the load on L_visu on the simulated display.</summary>
 sealed class DisplayStudy : IFigureStudy
 {
     const int PicturesPerLoad = 100;
     const int Loads = 21;
 
-    /// <summary>What a camera reads wrong by, standard deviation, ms: codes are in whole milliseconds.</summary>
+    /// <summary>Standard deviation of a camera's reading error, ms: codes are in whole milliseconds.</summary>
     const double CameraMs = 0.7;
 
     readonly int _seed;
@@ -35,7 +35,7 @@ sealed class DisplayStudy : IFigureStudy
 
     List<MeasuredPicture> Sweep() => [.. Enumerable.Range(0, Loads).SelectMany(i => Pictures(SweepPlan.GreatestVertices / (Loads - 1) * i, 10 + i))];
 
-    /// <summary>One load, long enough that what was before it is over.</summary>
+    /// <summary>Takes pictures at one load, after the effects of the previous load are over.</summary>
     List<MeasuredPicture> Pictures(int vertices, int run)
     {
         const int Settle = 30, FramesPerPicture = 3;

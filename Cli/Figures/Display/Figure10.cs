@@ -8,7 +8,7 @@ namespace Nowpose.Cli.Figures.Display;
 /// <summary>Fig. 10: render time and L_visu at a normal and at a high load.</summary>
 static class Figure10
 {
-    /// <summary>Scatter within which L_visu is constant to a camera, ms.</summary>
+    /// <summary>Maximum scatter of a constant L_visu as read by a camera, ms.</summary>
     const double Constant = 2;
 
     public static Figure Of(List<MeasuredPicture> normal, List<MeasuredPicture> high)

@@ -11,7 +11,7 @@ namespace Nowpose.Cli.Figures.Display;
 /// <summary>Fig. 11: the constant-latency range, over the load and over the render time.</summary>
 static class Figure11
 {
-    /// <summary>Of the simulated display: a refresh less the latch, ms.</summary>
+    /// <summary>Render time limit of the simulated display: a refresh interval minus the latch, ms.</summary>
     const double TrueLimitMs = 1000 / 60.0 - 1.5;
 
     const double BelowShare = 0.06, AboveShare = 0.02;

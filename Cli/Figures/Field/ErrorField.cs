@@ -2,10 +2,10 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Field;
 
-/// <summary>Plays constant velocities to hold and to the predictors, over the latencies that the paper names.</summary>
+/// <summary>Runs hold and the predictors on motions of constant velocity, for the latencies of the paper.</summary>
 sealed class ErrorField
 {
-    /// <summary>T_s of a signal that is as good as not sampled, s.</summary>
+    /// <summary>T_s of a signal with negligible sampling interval, s.</summary>
     const double Fresh = 0.0005;
 
     static readonly double[] SpeedsMmPerS = [100, 250, 500, 750, 1000];
@@ -20,7 +20,7 @@ sealed class ErrorField
 
     public IReadOnlyList<Action> Work { get; }
 
-    /// <summary>By speed, then by latency.</summary>
+    /// <summary>The points, sorted by speed, then by latency.</summary>
     public IReadOnlyList<FieldPoint> Points => _points;
 
     static FieldPoint Play(FigureSettings settings, double speed, double latencyMs)

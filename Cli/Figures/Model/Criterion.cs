@@ -1,12 +1,12 @@
 namespace Nowpose.Cli.Figures.Model;
 
-/// <summary>One thing that must be so for a claim to hold, and whether the numbers say that it is.</summary>
-/// <param name="Statement">What is asked of the numbers, thresholds included.</param>
-/// <param name="Measured">The numbers themselves.</param>
+/// <summary>A condition of a claim, and whether the numbers meet it.</summary>
+/// <param name="Statement">The condition, including its thresholds.</param>
+/// <param name="Measured">The measured numbers.</param>
 sealed record Criterion(string Statement, bool IsMet, string Measured)
 {
-    /// <summary>All met: the claim holds; none: it does not; else partly.</summary>
-    /// <param name="criteria">At least one.</param>
+    /// <summary>Judges a claim: it holds if all criteria are met, does not hold if none is met, and holds partly otherwise.</summary>
+    /// <param name="criteria">At least one criterion.</param>
     public static Verdict Judge(IReadOnlyCollection<Criterion> criteria)
     {
         if (criteria.Count == 0) throw new ArgumentException("a claim without a criterion cannot be judged", nameof(criteria));

@@ -1,29 +1,29 @@
 namespace Nowpose.Cli.Figures.Model;
 
-/// <summary>One figure of the paper, computed anew: what the paper says of it, what we find, and the data.</summary>
-/// <param name="Number">As the paper counts: "13a".</param>
+/// <summary>One recomputed figure of the paper: the paper's claim, our result and the data.</summary>
+/// <param name="Number">Number in the paper, for example "13a".</param>
 sealed record Figure(string Number, string Title)
 {
-    /// <summary>What the paper says, in our words.</summary>
+    /// <summary>The paper's claim in our words.</summary>
     public required string Claim { get; init; }
 
-    /// <summary>What decides whether the claim holds.</summary>
+    /// <summary>The criteria that decide whether the claim holds.</summary>
     public required IReadOnlyList<Criterion> Criteria { get; init; }
 
-    /// <summary>What is written to the figure's CSV.</summary>
+    /// <summary>The data for the figure's CSV file.</summary>
     public required FigureTable Table { get; init; }
 
-    /// <summary>What our own methods do under the same conditions; null where there is nothing to say.</summary>
+    /// <summary>The result of our own methods under the same conditions; null if there is none.</summary>
     public string Beyond { get; init; }
 
-    /// <summary>How the data were made, beyond what holds for all figures.</summary>
+    /// <summary>Conditions of the data, in addition to those of all figures.</summary>
     public required string Conditions { get; init; }
 
     public IReadOnlyList<FigurePlot> Plots { get; init; } = [];
 
     public IReadOnlyList<FigureDrawing> Drawings { get; init; } = [];
 
-    /// <summary>Numbers over all runs; null where the table says it all.</summary>
+    /// <summary>Summary over all runs; null if the table is sufficient.</summary>
     public FigureSummary Summary { get; init; }
 
     public Verdict Verdict => Criterion.Judge(Criteria);

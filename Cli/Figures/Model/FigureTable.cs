@@ -11,7 +11,7 @@ sealed class FigureTable(params FigureColumn[] columns)
 
     public IReadOnlyList<IReadOnlyList<double?>> Rows => _rows;
 
-    /// <param name="values">One per column; null where there is none, never NaN.</param>
+    /// <param name="values">One value per column; null for a missing value, never NaN.</param>
     public void Add(params double?[] values)
     {
         if (values.Length != Columns.Count) throw new ArgumentException($"{values.Length} values for {Columns.Count} columns", nameof(values));
@@ -20,14 +20,14 @@ sealed class FigureTable(params FigureColumn[] columns)
         _rows.Add(values);
     }
 
-    /// <summary>Two of the columns as a line of a plot; rows without x are left out.</summary>
+    /// <summary>Gets two of the columns as a line of a plot. Rows without x are skipped.</summary>
     public PlotTrace Trace(string label, string look, int x, int y)
     {
         var rows = _rows.Where(row => row[x] != null).ToArray();
         return new PlotTrace(label, look, [.. rows.Select(row => row[x].Value)], [.. rows.Select(row => row[y])]);
     }
 
-    /// <summary>Header with units, then one line a row; numbers with a point and at most six decimals.</summary>
+    /// <summary>Writes a header with units, then one line per row. Numbers have a decimal point and at most six decimals.</summary>
     public void WriteCsv(TextWriter writer)
     {
         writer.Write(string.Join(',', Columns.Select(c => c.Header)) + "\n");

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Figures.Model;
 
-/// <summary>Names of how signals look, the same in all figures: each has a colour, width and dash in the page's <c>looks.ts</c>.</summary>
+/// <summary>Names of line styles, the same in all figures. Each has a colour, width and dash in the page's <c>looks.ts</c>.</summary>
 static class Looks
 {
     public const string Truth = "truth";
@@ -12,7 +12,7 @@ static class Looks
     public const string Cubic = "cubic";
     public const string Samples = "samples";
 
-    /// <summary>That of a predictor or clock estimator by its name: ours, the paper's, and the others.</summary>
+    /// <summary>Gets the style of a predictor or clock estimator by its name: ours, the paper's, or others.</summary>
     public static string Of(string method) => method switch
     {
         "default" => Adaptive,

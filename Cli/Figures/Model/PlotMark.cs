@@ -1,4 +1,4 @@
 namespace Nowpose.Cli.Figures.Model;
 
-/// <summary>A moment that is named in a plot.</summary>
+/// <summary>An instant with a label in a plot.</summary>
 readonly record struct PlotMark(string Label, double X);

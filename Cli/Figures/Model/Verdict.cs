@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Figures.Model;
 
-/// <summary>What the numbers say of a claim.</summary>
+/// <summary>Whether the numbers support a claim.</summary>
 enum Verdict
 {
     Holds,

@@ -4,7 +4,7 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Figures.Pictures;
 
-/// <summary>Drawings of Fig. 17 side by side as an SVG file: light colours instead of the page's.</summary>
+/// <summary>Writes the drawings of Fig. 17 side by side as an SVG file, with light colours instead of the page's.</summary>
 static partial class ArmPicture
 {
     const int Width = 320, Height = 264, TitleHeight = 24;

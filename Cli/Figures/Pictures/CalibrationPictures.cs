@@ -4,7 +4,7 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Figures.Pictures;
 
-/// <summary>The manual's pictures of the ways to L_visu that need no display: measurements as they would be, evaluated as any.</summary>
+/// <summary>The manual's pictures of the calibration methods that need no display. Simulated measurements with the real evaluation.</summary>
 static class CalibrationPictures
 {
     const double CameraHz = 60;
@@ -20,7 +20,7 @@ static class CalibrationPictures
         yield return ("nudge.svg", NudgePage.Section(marks, marks.Result()).Plots[0]);
     }
 
-    // 200 px to and fro in 2.2 s, 124 ms late, each seen within a pixel.
+    // 200 px to and fro in 2.2 s, 124 ms late, each position accurate to a pixel.
     static SineTracks Jog()
     {
         const double Period = 2.2, Lag = 0.124;

@@ -20,7 +20,7 @@ static class DocumentPictures
         ("visu-over-render-time.svg", "11b", 0, Narrow, ["pictures", "L_visu of the profile"]),
     ];
 
-    /// <returns>The files written: of figures, those that were computed.</returns>
+    /// <returns>The written files; of the figures, only those that were computed.</returns>
     public static IReadOnlyList<string> Write(string folder, IReadOnlyList<Figure> figures)
     {
         var paths = new List<string>();

@@ -4,13 +4,13 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Figures.Pictures;
 
-/// <summary>A plot of lines as a small SVG file: light colours, no script, the same in every viewer.</summary>
-/// <param name="width">Of the picture, px.</param>
+/// <summary>Writes a plot of lines as a small SVG file with light colours and without scripts, the same in every viewer.</summary>
+/// <param name="width">Width of the picture, px.</param>
 sealed class SvgPlot(FigurePlot plot, int width)
 {
     const int Height = 280;
 
-    /// <summary>So many points are drawn small.</summary>
+    /// <summary>Number of points above which they are drawn small.</summary>
     const int ManyPoints = 200;
 
     const int Left = 52, Right = 12, Top = 34, Bottom = 42;
@@ -28,7 +28,7 @@ sealed class SvgPlot(FigurePlot plot, int width)
         Append($"<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{Height}\" viewBox=\"0 0 {width} {Height}\" role=\"img\" ");
         Append($"aria-label=\"{plot.Title}: {string.Join(", ", plot.Traces.Select(t => t.Label))}\">\n<rect width=\"{width}\" height=\"{Height}\" fill=\"#fff\"/>\n");
         Axes();
-        // What runs out of the plot ends at its edge.
+        // Lines are clipped at the plot's edge.
         Append($"<clipPath id=\"plot\"><rect x=\"{Left}\" y=\"{Top}\" width=\"{width - Left - Right}\" height=\"{Height - Top - Bottom + 3}\"/></clipPath>\n");
         foreach (var trace in plot.Traces) Draw(trace);
         foreach (var mark in plot.Marks) Mark(mark);
@@ -84,7 +84,7 @@ sealed class SvgPlot(FigurePlot plot, int width)
         Append($"\"/>\n");
     }
 
-    // All in one path of dots: a thousand circles would make a large file.
+    // All points in one path of dots: a thousand circles would make a large file.
     void Points(PlotTrace trace)
     {
         Append($"<path clip-path=\"url(#plot)\" stroke=\"{PictureInk.Of(trace.Look).Colour}\" stroke-width=\"{(trace.Scattered && trace.X.Count > ManyPoints ? 3 : 5)}\" stroke-linecap=\"round\" d=\"");

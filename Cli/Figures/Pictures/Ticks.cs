@@ -9,10 +9,10 @@ static class Ticks
         for (var i = (int)Math.Ceiling(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) yield return i * step;
     }
 
-    /// <summary>The value, or the next round number below.</summary>
+    /// <summary>Gets the value, or the next lower round number.</summary>
     public static double Floor(double value, double span) => Math.Floor(value / Step(span) + 1e-9) * Step(span);
 
-    /// <summary>The value, or the next round number above.</summary>
+    /// <summary>Gets the value, or the next higher round number.</summary>
     public static double Ceiling(double value, double span) => Math.Ceiling(value / Step(span) - 1e-9) * Step(span);
 
     static double Step(double span)

@@ -6,7 +6,7 @@ namespace Nowpose.Cli.Figures.Sweeps;
 /// <summary>Fig. 13: polynomials through the newest samples, h = n.</summary>
 static class Figure13
 {
-    /// <summary>The paper's settings, the middle of its ranges.</summary>
+    /// <summary>The paper's settings: the middle of its ranges.</summary>
     const double UsualSampling = 50;
 
     static readonly string[] Polynomials = ["linear", "quadratic", "cubic"];

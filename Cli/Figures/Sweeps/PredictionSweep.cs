@@ -2,14 +2,14 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Sweeps;
 
-/// <summary>Predicts one motion by each predictor under each value of one condition.</summary>
+/// <summary>Predicts one motion by each predictor for each value of one condition.</summary>
 sealed class PredictionSweep
 {
     readonly SweepAxis _axis;
     readonly IReadOnlyList<string> _predictors;
     readonly StudyResult[,] _results;
 
-    /// <param name="predictors">At least one; hold comes with it.</param>
+    /// <param name="predictors">At least one predictor. Hold is added.</param>
     public PredictionSweep(SweepAxis axis, FigureSettings settings, AxisMotion motion, IReadOnlyList<string> predictors)
     {
         _axis = axis;

@@ -3,8 +3,8 @@ using System.Globalization;
 namespace Nowpose.Cli.Figures.Sweeps;
 
 /// <summary>RMS errors in mm by predictor over the values of a sweep.</summary>
-/// <param name="values">What was swept, ms, increasing.</param>
-/// <param name="rms">By predictor, one per value; <c>hold</c> among them.</param>
+/// <param name="values">The swept values, ms, increasing.</param>
+/// <param name="rms">RMS errors by predictor, including <c>hold</c>; one per value.</param>
 sealed class SweepData(IReadOnlyList<double> values, IReadOnlyDictionary<string, double[]> rms)
 {
     public IReadOnlyList<double> Values => values;
@@ -13,22 +13,25 @@ sealed class SweepData(IReadOnlyList<double> values, IReadOnlyDictionary<string,
 
     public bool Has(string predictor) => rms.ContainsKey(predictor);
 
-    /// <summary>RMS over that of hold, at the index of a value.</summary>
+    /// <summary>Gets the RMS error divided by that of hold, at the index of a value.</summary>
     public double Ratio(string predictor, int index) => rms[predictor][index] / rms["hold"][index];
 
-    /// <summary>RMS at a value that was swept.</summary>
+    /// <summary>Gets the RMS error at a swept value.</summary>
     public double RmsAt(string predictor, double value) => rms[predictor][IndexOf(value)];
 
-    /// <summary>RMS at one value over RMS at another.</summary>
+    /// <summary>Gets the RMS error at one value divided by that at another.</summary>
     public double Growth(string predictor, double from, double to) => RmsAt(predictor, to) / RmsAt(predictor, from);
 
-    /// <summary>The values at which a condition on the index holds.</summary>
+    /// <summary>Gets the values at whose index a condition is true.</summary>
     public double[] Where(Func<int, bool> condition) => [.. values.Where((_, i) => condition(i))];
 
-    /// <summary>The predictor with the least RMS at an index.</summary>
+    /// <summary>Gets the predictor with the smallest RMS error at an index.</summary>
     public string Best(int index, params string[] among) => among.MinBy(name => rms[name][index]);
 
-    /// <summary>The value from which one predictor beats another to the end, interpolated; null where it does not at the end.</summary>
+    /// <summary>
+    /// Gets the value from which on one predictor is better than another up to the last value, interpolated; null if it is not better at the last
+    /// value.
+    /// </summary>
     public double? Crossover(string winner, string loser)
     {
         double Lead(int i) => rms[loser][i] - rms[winner][i];
@@ -38,7 +41,7 @@ sealed class SweepData(IReadOnlyList<double> values, IReadOnlyDictionary<string,
         return i == 0 ? values[0] : values[i - 1] + (values[i] - values[i - 1]) * -Lead(i - 1) / (Lead(i) - Lead(i - 1));
     }
 
-    /// <summary>"10, 20 and 30 ms", or "none".</summary>
+    /// <summary>Formats values as "10, 20 and 30 ms", or "none".</summary>
     public static string List(IReadOnlyList<double> ms)
     {
         var words = ms.Select(v => v.ToString("0.#", CultureInfo.InvariantCulture)).ToArray();

@@ -3,10 +3,10 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Sweeps;
 
-/// <summary>One condition swept, and the figures of the paper that show it.</summary>
+/// <summary>A sweep of one condition, with the paper's figures that show it.</summary>
 sealed class SweepStudy : IFigureStudy
 {
-    /// <summary>What is called random in the columns: moves of which none comes back.</summary>
+    /// <summary>Seed of the random moves, which never repeat.</summary>
     const int RandomMovesSeed = 1301;
 
     static readonly string[] OfThePaper = ["linear", "quadratic", "cubic", "quadratic-h3", "quadratic-h4"];

@@ -3,12 +3,12 @@ using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>Fig. 16: the way of the end effector on its circle, true, late and compensated.</summary>
+/// <summary>Fig. 16: the path of the end effector on its circle: true, delayed and compensated.</summary>
 static class Figure16
 {
     const double MsPerS = 1000;
 
-    /// <summary>After the first move, s: the signals come to rest.</summary>
+    /// <summary>Time shown after the first move, s, in which the signals come to rest.</summary>
     const double Shown = 0.5;
 
     public static Figure Of(SwingRuns runs)
@@ -35,9 +35,9 @@ static class Figure16
         + $"{Text(swing.FullSpeed)} mm/s. Stroke and limits are ours, the paper gives none. Four shorter moves go before, and nothing repeats. "
         + "The plots show the move forth of the first run, the numbers are of all.";
 
-    /// <param name="nearerShare">Of the frames in motion: how many are shown nearer to the truth with compensation.</param>
+    /// <param name="nearerShare">Share of the frames in motion whose error is smaller with compensation.</param>
     /// <param name="steadyMm">RMS error of the compensated signal at constant velocity.</param>
-    /// <param name="curvedMm">The same where the velocity changes.</param>
+    /// <param name="curvedMm">RMS error of the compensated signal where the velocity changes.</param>
     public static IReadOnlyList<Criterion> Criteria(double nearerShare, double steadyMm, double curvedMm) =>
     [
         new("In 90 % or more of the frames in motion the compensated signal is nearer to the truth.", nearerShare >= 0.9, $"in {Percent(nearerShare)}"),
@@ -45,8 +45,8 @@ static class Figure16
             $"{Mm(curvedMm)} against {Mm(steadyMm)}"),
     ];
 
-    /// <summary>RMS errors of hold and of each predictor under each scenario.</summary>
-    /// <param name="when">Which frames count, by their time.</param>
+    /// <summary>Gets the RMS errors of hold and of each predictor for each scenario.</summary>
+    /// <param name="when">Selects the scored frames by their time.</param>
     public static FigureSummary Reductions(SwingRuns runs, Func<double, bool> when, string caption)
     {
         var rows = runs.All.Select(f => (Frames: f, Held: f.HoldRmsMm(when), Predicted: f.RmsMm(when)));

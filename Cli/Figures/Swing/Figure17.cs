@@ -3,7 +3,7 @@ using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>Fig. 17: the arm at three moments of Fig. 16.</summary>
+/// <summary>Fig. 17: the arm at three instants of Fig. 16.</summary>
 static class Figure17
 {
     public static Figure Of(SwingRuns runs)

@@ -4,13 +4,13 @@ using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>Fig. 18: where compensation takes the operating points of the swing in the field of Fig. 4.</summary>
+/// <summary>Fig. 18: the operating points of the swing in the field of Fig. 4, without and with compensation.</summary>
 static class Figure18
 {
-    /// <summary>As long as in the paper, s.</summary>
+    /// <summary>Length as in the paper, s.</summary>
     const double Length = 1.5;
 
-    /// <summary>Below this share of the greatest speed a latency e/v is the quotient of two small numbers.</summary>
+    /// <summary>Below this share of the maximum speed, the latency e/v is the quotient of two small numbers.</summary>
     const double SlowestShare = 0.05;
 
     static readonly double[] IsoErrorsMm = [5, 10, 25, 50, 100];
@@ -34,9 +34,9 @@ static class Figure18
         };
     }
 
-    /// <param name="ratio">RMS error compensated over uncompensated.</param>
-    /// <param name="heldMs">Median effective latency uncompensated.</param>
-    /// <param name="predictedMs">Compensated.</param>
+    /// <param name="ratio">RMS error with compensation divided by that without.</param>
+    /// <param name="heldMs">Median effective latency without compensation, ms.</param>
+    /// <param name="predictedMs">Median effective latency with compensation, ms.</param>
     public static IReadOnlyList<Criterion> Criteria(double ratio, double heldMs, double predictedMs) =>
     [
         new("75 % or more of the error goes (RMS; the paper has about 80 %).", ratio <= 0.25, $"{Percent(1 - ratio)} goes"),

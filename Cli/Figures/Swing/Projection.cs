@@ -2,13 +2,13 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>Looks at the robot from ahead and above, without perspective: metres in its base frame to places in a drawing.</summary>
-/// <param name="scale">Units of the drawing in a metre.</param>
-/// <param name="x">Where the base frame's origin is drawn, to the right.</param>
-/// <param name="y">The same, downwards.</param>
+/// <summary>Projects points in m in the robot's base frame to a drawing, seen from ahead and above, without perspective.</summary>
+/// <param name="scale">Units of the drawing per metre.</param>
+/// <param name="x">Horizontal position of the base frame's origin in the drawing, to the right.</param>
+/// <param name="y">Vertical position of the origin, downwards.</param>
 sealed class Projection(double scale, double x, double y)
 {
-    // Ahead of the robot, a little to its right, and steeply enough from above that a swing is seen as one.
+    // From ahead of the robot, slightly to its right, and high enough that the swing is recognisable.
     const double Azimuth = -25 * Math.PI / 180;
     const double Elevation = 48 * Math.PI / 180;
 

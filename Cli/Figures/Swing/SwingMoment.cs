@@ -2,11 +2,11 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>A moment of the first move that Figs 16 and 17 name, with the frames that the predictors showed then.</summary>
-/// <param name="Index">Of the frame in <see cref="SwingFrames.Shown"/>.</param>
+/// <summary>An instant of the first move that Figs 16 and 17 name.</summary>
+/// <param name="Index">Index of the frame in <see cref="SwingFrames.Shown"/>.</param>
 sealed record SwingMoment(string Name, string Words, int Index)
 {
-    /// <summary>A where full speed is reached, B half-way, C where half of the speed is left.</summary>
+    /// <summary>Gets the instants: A at the start of full speed, B half-way, C where the speed has dropped to half.</summary>
     public static IReadOnlyList<SwingMoment> Of(YoubotSwing swing, IReadOnlyList<StudyFrame> frames)
     {
         var full = swing.FullSpeed;

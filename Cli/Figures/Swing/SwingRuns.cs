@@ -2,10 +2,10 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>The swing under each scenario by every predictor of interest.</summary>
+/// <summary>The swing in each scenario by each compared predictor.</summary>
 sealed class SwingRuns
 {
-    /// <summary>Frames shown before the swing starts, s.</summary>
+    /// <summary>Time shown before the swing starts, s.</summary>
     const double Before = 0.2;
 
     static readonly SwingScenario[] Scenarios = [SwingScenario.Standard, SwingScenario.Realisation, SwingScenario.Cold];
@@ -23,13 +23,13 @@ sealed class SwingRuns
 
     public IReadOnlyList<Action> Work { get; }
 
-    /// <summary>Under the conditions of all figures, by predictor.</summary>
+    /// <summary>The frames under the conditions of all figures, by predictor.</summary>
     public IReadOnlyList<SwingFrames> Standard => [.. Predicted.Select((_, p) => _frames[0, p])];
 
-    /// <summary>Under the conditions of the paper's realisation, by predictor.</summary>
+    /// <summary>The frames under the conditions of the paper's realisation, by predictor.</summary>
     public IReadOnlyList<SwingFrames> Realisation => [.. Predicted.Select((_, p) => _frames[1, p])];
 
-    /// <summary>By scenario, then by predictor.</summary>
+    /// <summary>All frames, sorted by scenario, then by predictor.</summary>
     public IEnumerable<SwingFrames> All => _frames.Cast<SwingFrames>();
 
     SwingFrames Play(SwingScenario scenario, StudySettings study, string predictor)

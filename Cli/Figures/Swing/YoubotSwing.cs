@@ -5,30 +5,30 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>The youBot turns its first axis by a quarter, arm out, and back: a motion such as the paper's Fig. 16 shows.</summary>
+/// <summary>The youBot turns its first axis by a quarter turn, arm out, and back: a motion like that of the paper's Fig. 16.</summary>
 /// <remarks>
-/// The paper gives neither stroke nor limits. These are a quarter turn at 90 % of the URDF's speed, which is reached as quickly as
-/// in the profile of Figs 12 to 14, within 0.3 s; the whole move then takes the 1.4 s that the paper's Fig. 18 looks at.
-/// Times are seconds since the swing's start unless said otherwise.
+/// The paper gives neither stroke nor limits. Here, it is a quarter turn at 90 % of the URDF's speed, which is reached within 0.3 s as
+/// in the profile of Figs 12 to 14. The whole move then takes 1.4 s, the time shown in the paper's Fig. 18.
+/// Times are seconds since the swing's start unless stated otherwise.
 /// </remarks>
 sealed class YoubotSwing
 {
-    /// <summary>Rest between moves, and before the first, s: by then samples have arrived.</summary>
+    /// <summary>Rest between moves and before the first move, s. By then, samples have arrived.</summary>
     const double Dwell = 0.5, FirstRest = 1;
 
     const double Stroke = Math.PI / 2;
     const double Ahead = 2.9671;
 
-    /// <summary>Speed over acceleration and acceleration over jerk, s.</summary>
+    /// <summary>Speed divided by acceleration, and acceleration divided by jerk, s.</summary>
     const double RampTime = 0.2, JerkTime = 0.1;
 
-    /// <summary>What a prediction spans, s: from its oldest sample to the frame, (n + 1)·T_s + L for the quadratic.</summary>
+    /// <summary>Time from a prediction's oldest sample to the frame, s: (n + 1)·T_s + L for the quadratic.</summary>
     const double Span = 0.250;
 
-    // rad: shorter moves, as a robot at work makes them; they end where the swing begins.
+    // rad. Shorter moves before the swing, like those of a working robot. They end where the swing begins.
     static readonly double[] Rehearsal = [0.6, -1.0, 0.9, -0.5];
 
-    // rad: the arm reaches out, gripper forward and down, open.
+    // rad. The arm reaches out; the gripper points forward and down, and is open.
     static readonly (string Name, double Position)[] Pose =
     [
         ("arm_joint_2", 2.0345), ("arm_joint_3", -1.9482), ("arm_joint_4", 2.389), ("arm_joint_5", 2.9234), ("gripper_finger_joint_l", 0.0115),
@@ -39,7 +39,7 @@ sealed class YoubotSwing
     readonly int _axis;
     readonly double[] _pose;
 
-    /// <param name="isCold">The swing is the first that is seen of the robot; else a few shorter moves go before.</param>
+    /// <param name="isCold">Whether the swing is the first motion that is received; otherwise a few shorter moves precede it.</param>
     public YoubotSwing(bool isCold)
     {
         Robot = RobotFiles.Load("youbot");
@@ -61,34 +61,34 @@ sealed class YoubotSwing
 
     public RobotModel Robot { get; }
 
-    /// <summary>Of the circle that the tool centre point goes along, m.</summary>
+    /// <summary>Radius of the circle of the tool centre point, m.</summary>
     public double Radius { get; }
 
-    /// <summary>The first axis in rad, over seconds since the motion's start.</summary>
+    /// <summary>Position of the first axis in rad, over seconds since the motion's start.</summary>
     public AxisMotion Motion { get; }
 
-    /// <summary>When the swing starts, s since the motion's start.</summary>
+    /// <summary>Start of the swing, s since the motion's start.</summary>
     public double Start { get; }
 
     /// <summary>Length of the move one way, s.</summary>
     public double MoveSeconds { get; }
 
-    /// <summary>Where the swing begins, rad.</summary>
+    /// <summary>Position of the first axis at the swing's start, rad.</summary>
     public static double FirstAngle => Ahead - Stroke / 2;
 
-    /// <summary>Speed of the tool centre point at its fastest, mm/s.</summary>
+    /// <summary>Maximum speed of the tool centre point, mm/s.</summary>
     public double FullSpeed => ToolSpeedAt(MoveSeconds / 2);
 
-    /// <summary>Whether the robot moves at constant velocity, and has for as long as a prediction spans.</summary>
+    /// <summary>Whether the robot moves at constant velocity, and has done so for the time span of a prediction.</summary>
     public bool IsSteadyAt(double t) => IsStraightAt(t) && IsStraightAt(t - Span);
 
-    /// <summary>Whether the robot moves, and its velocity has changed within what a prediction spans.</summary>
+    /// <summary>Whether the robot moves, and its velocity has changed within the time span of a prediction.</summary>
     public bool IsCurvedAt(double t) => VelocityAt(t) != 0 && !IsSteadyAt(t);
 
-    /// <summary>Speed of the tool centre point, mm/s, 0 or more.</summary>
+    /// <summary>Gets the speed of the tool centre point, mm/s, 0 or more.</summary>
     public double ToolSpeedAt(double t) => 1000 * Radius * Math.Abs(VelocityAt(t));
 
-    /// <summary>All link poses with the first axis at an angle, rad.</summary>
+    /// <summary>Gets all link poses for an angle of the first axis, rad.</summary>
     public RigidTransform[] LinksAt(double angle)
     {
         var positions = (double[])_pose.Clone();
@@ -98,10 +98,10 @@ sealed class YoubotSwing
         return links;
     }
 
-    /// <summary>Distance of the tool centre points at two angles, mm.</summary>
+    /// <summary>Gets the distance of the tool centre points at two angles, mm.</summary>
     public double GapMm(double angle, double other) => 2000 * Radius * Math.Abs(Math.Sin((angle - other) / 2));
 
-    /// <summary>Way along the circle since the swing's beginning, mm.</summary>
+    /// <summary>Gets the distance along the circle from the swing's start, mm.</summary>
     public double WayMm(double angle) => 1000 * Radius * (angle - FirstAngle);
 
     void Add(double stroke, ref double time, ref double angle)
@@ -136,7 +136,7 @@ sealed class YoubotSwing
 
     RigidTransform ToolAt(double angle) => LinksAt(angle)[Robot.IndexOfLink(Robot.ToolLink.Name)];
 
-    // About the first joint's own axis, which is not the base frame's.
+    // Around the first joint's own axis, which is not the base frame's.
     double RadiusOf(in RigidTransform tool)
     {
         var axis = Robot.MovingJoints[_axis].Origin;

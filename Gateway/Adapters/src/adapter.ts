@@ -5,28 +5,28 @@ import type { AdapterStatus } from './gateway/status';
 import type { Log } from './log';
 import type { JointOutput } from './samples/jointOutput';
 
-/** What every kind of adapter is given. */
+/** The objects that every kind of adapter receives. */
 export interface AdapterContext {
   configuration: Configuration;
   gateway: GatewayLink;
-  /** To be attached to the plant's clock while the plant is there. */
+  /** Attach it to the plant's clock while the plant is connected. */
   clock: PlantClock;
-  /** Takes the values as they come. */
+  /** Takes the values as they arrive. */
   output: JointOutput;
   status: AdapterStatus;
   log: Log;
-  /** Given when the adapter shall end. */
+  /** Aborted when the adapter must end. */
   stopping: AbortSignal;
 }
 
-/** Reads the plant until it is stopped, however often the plant goes and comes. Rejects only for what no waiting mends. */
+/** Reads the plant until it is stopped, with reconnections. Rejects only for errors that cannot be fixed by waiting. */
 export type RunAdapter = (context: AdapterContext) => Promise<void>;
 
-/** What is known of a kind without loading what it is made of. */
+/** The part of a kind that is available without loading its libraries. */
 export interface Kind {
   check: OwnCheck;
-  /** Why it could not run on this machine, and what to do; null where nothing stands in its way. Changes nothing. */
+  /** Gets the reason why it cannot run on this machine, with the remedy; null if it can. Changes nothing. */
   obstacle?(configuration: Configuration): string | null;
-  /** What a person wants to see after --check: where from and what. */
+  /** Gets the summary after --check: the source and the data that are read. */
   summary(configuration: Configuration): string;
 }

@@ -1,6 +1,6 @@
 const FIRST_MS = 200, LONGEST_MS = 1500, VARIATION = 0.2;
 
-/** Waits between attempts to connect: 0.2 s doubling to 1.5 s, ±20 % lest many clients come at once. */
+/** Delays between connection attempts: 0.2 s doubling to 1.5 s, ±20 % so that many clients do not connect at the same time. */
 export class Backoff {
   #next = FIRST_MS;
 
@@ -17,7 +17,7 @@ export class Backoff {
   }
 }
 
-/** Resolves after the time, or at once when the signal is given. */
+/** Resolves after the time, or immediately when the signal is aborted. */
 export function pause(ms: number, stop: AbortSignal): Promise<void> {
   return new Promise(resolve => {
     if (stop.aborted) return resolve();

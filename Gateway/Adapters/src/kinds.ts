@@ -5,10 +5,10 @@ import { opcua } from './opcua/kind';
 import { ros } from './ros/settings';
 import { rtde } from './rtde/settings';
 
-/** By the name that plant.kind has. */
+/** The kinds by the value of plant.kind. */
 export const kinds: Record<string, Kind> = { ads, broker, opcua, ros, rtde };
 
-/** Each kind is a bundle of its own beside this one, so that none waits for the libraries of another. */
+/** Loads a kind. Each is a separate bundle next to this one, so that none waits for another's libraries. */
 export async function load(kind: string): Promise<RunAdapter> {
   const bundle = await import(new URL(`./${kind}.mjs`, import.meta.url).href) as { run: RunAdapter };
   return bundle.run;

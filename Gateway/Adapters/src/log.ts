@@ -1,13 +1,13 @@
-/** Of one subject, which may change as often as its values come. */
+/** Rate limit per subject, whose state may change as often as its values arrive. */
 const MOST_LINES = 10, PERIOD_MS = 60_000;
 
-/** Standard error, a line per change of state, without secrets. */
+/** Logs to standard error, one line per change of state, without secrets. */
 export class Log {
   readonly #last = new Map<string, string>();
   readonly #lately = new Map<string, { lines: number; newest: string }>();
   readonly #secrets: string[];
 
-  /** @param later Does something after a while, unless the process ends before. */
+  /** @param later Schedules a function, which is not run if the process ends before. */
   constructor(
     readonly name: string, secrets: string[], readonly write: (line: string) => void = line => void process.stderr.write(line),
     readonly later: (ms: number, then: () => void) => void = (ms, then) => void setTimeout(then, ms).unref(),
@@ -19,19 +19,19 @@ export class Log {
     this.write(`[${this.name}] ${this.clean(text)}\n`);
   }
 
-  /** A line only when the state of this subject is another one than last time. */
+  /** Writes a line only if the state of this subject has changed. */
   change(subject: string, state: string, text = state): void {
     if (this.#last.get(subject) === state) return;
     this.#last.set(subject, state);
     this.#tell(subject, text);
   }
 
-  /** A line when something was told of this subject, which then has nothing to tell. */
+  /** Writes a line if this subject has a logged state, and removes that state. */
   resume(subject: string, text: string): void {
     if (this.#last.delete(subject)) this.#tell(subject, text);
   }
 
-  /** What is told of this subject next is told, whatever was told last. */
+  /** Removes the logged state, so that the next one is always logged. */
   forget(subject: string): void {
     this.#last.delete(subject);
   }
@@ -49,7 +49,7 @@ export class Log {
     if (lines > MOST_LINES) this.line(`${newest} (the newest of ${lines - MOST_LINES} more lines within ${PERIOD_MS / 1000} s)`);
   }
 
-  /** One line of printable characters in which no secret stands, whatever a peer put into its messages. */
+  /** Returns one line of printable characters without secrets, for any text of a peer. */
   clean(text: string): string {
     const bare = this.#secrets.reduce((rest, secret) => rest.replaceAll(secret, '***'), text);
     return bare.replace(/[\u0000-\u001f\u007f-\u009f]+/g, ' ').replace(/(\w+:\/\/)[^/@\s]+@/g, '$1***@').slice(0, 1000);

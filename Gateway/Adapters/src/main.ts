@@ -1,4 +1,4 @@
-// plant.mjs CONFIG.yaml [--check]: reads a control system and gives a gateway its joint positions and its time.
+// plant.mjs CONFIG.yaml [--check]: reads a control system and sends its joint positions and its time to a gateway.
 import { readConfiguration } from './configuration/configuration';
 import { ConfigurationError } from './configuration/problem';
 import { kinds } from './kinds';

@@ -10,7 +10,7 @@ import { type Nanoseconds, ofMilliseconds, toMilliseconds } from './times';
 
 const DIAGNOSTICS_MS = 1000, SILENCE_CHECK_MS = 250;
 
-/** A change is sent after this time, together with those that follow it at once. */
+/** Delay of the report of a change, to include immediately following ones. */
 const CHANGE_MS = 100;
 const GROUP_MS = 0.5, OLDEST_MS = 10_000;
 
@@ -70,7 +70,7 @@ function diagnosticsOf(name: string, status: AdapterStatus, gateway: GatewayLink
   return diagnostics(`plant/${name}`, status.level, status.message, values);
 }
 
-/** What ends the process: SIGTERM, SIGINT, and for a child the end of its parent, whose pipe then closes. */
+/** The events that end the process: SIGTERM, SIGINT and, for a child process, the end of its parent, which closes the pipe. */
 class Ending {
   readonly #abort = new AbortController();
   #status = 0;

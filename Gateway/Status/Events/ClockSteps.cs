@@ -2,7 +2,7 @@ using Nowpose.Gateway.Clock;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>Notes each step of the control clock. Called by one thread at a time.</summary>
+/// <summary>Records each step of the control clock. Called by one thread at a time.</summary>
 sealed class ClockSteps(PlantClocks plant, EventList events)
 {
     (string Source, int Steps)? _last;

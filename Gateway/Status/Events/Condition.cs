@@ -9,10 +9,10 @@ enum Level
     Error,
 }
 
-/// <summary>Something that is wrong at the moment.</summary>
-/// <param name="Kind">One of few words: joint, adapter, clock, headset, recording, source, limit or certificate.</param>
+/// <summary>A fault that exists at present.</summary>
+/// <param name="Kind">The category: joint, adapter, clock, headset, recording, source, limit or certificate.</param>
 /// <param name="Which">Name of the joint, adapter, headset or file.</param>
-/// <param name="What">Predicate: "is refused".</param>
+/// <param name="What">Predicate of the sentence, for example "is refused".</param>
 /// <param name="Reason">May be empty, and may change while the condition lasts.</param>
 /// <param name="Blocks">Whether the gateway is not ready because of it.</param>
 sealed record Condition(
@@ -27,7 +27,7 @@ sealed record Condition(
     /// <summary>Whether it is normal for a short time after the start of the gateway.</summary>
     public bool IsNormalAtStart { get; init; }
 
-    /// <summary>Two conditions of the same key are the same event.</summary>
+    /// <summary>Two conditions with the same key are the same event.</summary>
     public (string, string, string) Key => (Kind, Which, What);
 
     public string Text => Compose("");

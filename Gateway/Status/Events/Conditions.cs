@@ -9,7 +9,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>Finds everything that is wrong at the moment. Any thread.</summary>
+/// <summary>Finds all present faults. Any thread.</summary>
 sealed class Conditions(
     GatewayOptions options, ServedClock clock, DiagnosticsBoard diagnostics, RecentRefusals refusals, LimitAlarm limits,
     Recorder recorder)
@@ -22,7 +22,7 @@ sealed class Conditions(
 
     const string DoesNotReport = "does not report";
 
-    /// <summary>How an adapter adds to why a rest is not certain what to do about it.</summary>
+    /// <summary>Separator before an adapter's own remedy in its reason why a rest is uncertain.</summary>
     const string OwnCure = "; set ";
 
     static readonly string[] CurrentPoses = ["current", "coarse"];
@@ -30,8 +30,8 @@ sealed class Conditions(
     /// <summary>State of each adapter that this gateway started.</summary>
     public IReadOnlyList<Func<AdapterState>> Adapters { get; set; } = [];
 
-    /// <summary>The worst first.</summary>
-    /// <param name="joints">As the joint board has just judged them.</param>
+    /// <summary>Gets the conditions, the worst first.</summary>
+    /// <param name="joints">The latest states of the joint board.</param>
     public IReadOnlyList<Condition> Read(IReadOnlyList<JointStatus> joints)
     {
         var said = diagnostics.Read();
@@ -116,7 +116,7 @@ sealed class Conditions(
         ];
     }
 
-    // One whose reports stop later is found by them.
+    // Adapters whose reports stop later are found by the missing reports.
     IEnumerable<Condition> OfAdapters(IReadOnlyList<(string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>>)> said) =>
         from state in Adapters.Select(adapter => adapter())
         let isReporting = said.Any(one => StatusObjects.IsAdapter(one.Name) && StatusObjects.AdapterName(one.Name) == state.Name && one.Ago < state.RunTime)

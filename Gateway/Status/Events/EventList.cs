@@ -2,23 +2,23 @@ using System.Globalization;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>Keeps the newest events with begin and end, and writes each begin and end to the log. Any thread.</summary>
+/// <summary>Keeps the newest events with their begin and end, and logs each begin and end. Any thread.</summary>
 sealed class EventList(TimeProvider time, Action<string> log)
 {
     internal const int MaxEvents = 500;
 
-    /// <summary>Time from the start in which a condition that is normal then begins no event.</summary>
+    /// <summary>Time after the start in which conditions that are normal at the start cause no event.</summary>
     internal static readonly TimeSpan StartGrace = TimeSpan.FromSeconds(3);
 
     readonly long _started = time.GetTimestamp();
-    // Conditions without an event because of the grace, with their begin.
+    // Conditions without an event because of this time, with their begin.
     readonly Dictionary<(string, string, string), DateTimeOffset> _pending = [];
     readonly Lock _lock = new();
     // The oldest first.
     readonly List<StatusEvent> _events = [];
     long _lastId;
 
-    /// <summary>Begins the events of new conditions and ends those of conditions that are over.</summary>
+    /// <summary>Starts the events of new conditions and ends those of conditions that are over.</summary>
     public void Update(IReadOnlyCollection<Condition> present)
     {
         List<string> lines = [];
@@ -45,7 +45,7 @@ sealed class EventList(TimeProvider time, Action<string> log)
         lines.ForEach(log);
     }
 
-    /// <summary>Adds something that happened and does not last.</summary>
+    /// <summary>Adds an instantaneous event.</summary>
     public void Note(Condition condition)
     {
         string line;
@@ -58,13 +58,13 @@ sealed class EventList(TimeProvider time, Action<string> log)
         log(line);
     }
 
-    /// <summary>The newest, and all that last; the newest first.</summary>
+    /// <summary>Gets the newest events and all active ones, the newest first.</summary>
     public IReadOnlyList<StatusEvent> Read(int newest = MaxEvents)
     {
         lock (_lock) return [.. Enumerable.Reverse(_events).Where((one, i) => i < newest || one.Until == null)];
     }
 
-    /// <summary>Adds to conditions of the present when their events began. One whose event has not begun begins now.</summary>
+    /// <summary>Adds the begin of their events to present conditions. A condition without an event begins now.</summary>
     public IReadOnlyList<Condition> Date(IReadOnlyList<Condition> present)
     {
         lock (_lock)
@@ -78,7 +78,7 @@ sealed class EventList(TimeProvider time, Action<string> log)
 
     string Begin(Condition condition, DateTimeOffset since, DateTimeOffset? until)
     {
-        // One that lasts is more important than an older one that is over.
+        // An active event is more important than an older one that is over.
         if (_events.Count >= MaxEvents) _events.RemoveAt(Math.Max(0, _events.FindIndex(known => known.Until != null)));
         _events.Add(new StatusEvent(++_lastId, condition, since, until));
         return $"event {_lastId}: {condition.Text}";

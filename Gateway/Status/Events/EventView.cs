@@ -1,8 +1,8 @@
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>An event as /operations/state and /operations/events write it.</summary>
+/// <summary>An event in the form of /operations/state and /operations/events.</summary>
 /// <param name="Level">ok, warning or error.</param>
-/// <param name="UntilUtc">Null while it lasts.</param>
-/// <param name="Text">What is wrong, where, why and what to do, in plain words.</param>
+/// <param name="UntilUtc">End of the event; null while it lasts.</param>
+/// <param name="Text">The fault with its place, reason and remedy as text.</param>
 sealed record EventView(
     long Id, string Kind, string Which, string What, string Reason, string Level, string SinceUtc, string UntilUtc, string Text = null);

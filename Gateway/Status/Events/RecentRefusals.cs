@@ -7,7 +7,7 @@ sealed class RecentRefusals(TimeProvider time)
 {
     const int MaxRefusals = 64;
 
-    /// <summary>A source that stopped trying is no longer refused.</summary>
+    /// <summary>Time after its last attempt for which a source counts as refused.</summary>
     static readonly TimeSpan Span = TimeSpan.FromSeconds(5);
 
     readonly Lock _lock = new();
@@ -17,7 +17,7 @@ sealed class RecentRefusals(TimeProvider time)
     {
         lock (_lock)
         {
-            // By the title: a client that reconnects is the same source.
+            // Keyed by the title: a client that reconnects is the same source.
             var key = (source.Title, joint);
             if (_refusals.Count < MaxRefusals || _refusals.ContainsKey(key)) _refusals[key] = (time.GetTimestamp(), owner.Title);
         }

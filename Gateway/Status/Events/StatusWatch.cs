@@ -3,7 +3,7 @@ using Nowpose.Gateway.Status.Joints;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>Looks several times per second for what is wrong: for the list of events and for headsets.</summary>
+/// <summary>Checks for faults several times per second, for the list of events and for headsets.</summary>
 sealed class StatusWatch : IDisposable
 {
     static readonly TimeSpan Interval = TimeSpan.FromSeconds(0.2);
@@ -25,7 +25,7 @@ sealed class StatusWatch : IDisposable
         _timer = time.CreateTimer(_ => Look(), null, Interval, Interval);
     }
 
-    /// <summary>Looks, unless a look that takes longer than the interval still runs.</summary>
+    /// <summary>Checks once, unless the previous check is still running.</summary>
     public void Look() => _look.RunUnlessBusy();
 
     public void Dispose()

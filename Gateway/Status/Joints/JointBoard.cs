@@ -3,31 +3,31 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Joints;
 
-/// <summary>State of every joint and source, from the adapters' reports and from the samples that arrive. Any thread; bounded.</summary>
+/// <summary>State of every joint and source, from the adapters' reports and the received samples. Any thread; bounded.</summary>
 /// <remarks>
-/// A joint that an adapter has in its configuration stays until the adapter reports without it. One that was only published is forgotten
-/// when it has been silent for <see cref="ForgottenAfter"/> and its source ended in order. Without that its data have failed, which does
-/// not end by waiting: it stays until it is published again.
+/// A joint in an adapter's configuration stays until the adapter reports without it. A joint that was only published is removed when it
+/// has been silent for <see cref="ForgottenAfter"/> and its source ended normally. If its source did not end normally, its data have failed,
+/// and the joint stays until it is published again.
 /// </remarks>
 sealed class JointBoard(TimeProvider time)
 {
     internal const int MaxJoints = 4 * ProtocolLimits.Joints;
 
-    /// <summary>A joint without samples for this long is stale, unless its adapter explains it.</summary>
+    /// <summary>Time without samples after which a joint is stale, unless its adapter explains it.</summary>
     internal static readonly TimeSpan StaleAfter = TimeSpan.FromSeconds(1.8);
 
-    /// <summary>Adapters report once per second; a report counts for this long.</summary>
+    /// <summary>Validity of an adapter's report. Adapters report once per second.</summary>
     internal static readonly TimeSpan ReportLimit = TimeSpan.FromSeconds(2.5);
 
     internal static readonly TimeSpan ForgottenAfter = TimeSpan.FromMinutes(10);
 
-    /// <summary>Maximum number of joints that are only known from refused samples.</summary>
+    /// <summary>Maximum number of joints known only from refused samples.</summary>
     internal const int MaxRefusedJoints = 64;
 
     readonly Lock _lock = new();
     readonly Dictionary<string, Joint> _joints = [];
 
-    /// <param name="source">Null for the gateway's own.</param>
+    /// <param name="source">The source; null for the gateway's own.</param>
     /// <param name="age">Control time minus the sample's stamp at its arrival.</param>
     public void Add(HubSource source, string[] names, TimeSpan age)
     {
@@ -35,7 +35,7 @@ sealed class JointBoard(TimeProvider time)
             foreach (var name in names) Find(name)?.Flow.Add(source, age);
     }
 
-    /// <summary>A sample that was refused because another source publishes one of its joints.</summary>
+    /// <summary>Adds a sample that was refused because another source publishes one of its joints.</summary>
     public void Refuse(HubSource source, string name, HubSource owner)
     {
         lock (_lock)
@@ -43,7 +43,7 @@ sealed class JointBoard(TimeProvider time)
                 joint.Rows.Find(row => row.Source == source.Name)?.Refuse($"the source {owner.Title} already publishes this joint; each joint has one source");
     }
 
-    /// <summary>A sample that was dropped for its content; it counts for all joints that the source publishes or names.</summary>
+    /// <summary>Adds a sample that was dropped for its content. It counts for all joints that the source publishes or names.</summary>
     public void Refuse(HubSource source, string[] names, string reason)
     {
         lock (_lock)
@@ -59,8 +59,8 @@ sealed class JointBoard(TimeProvider time)
         }
     }
 
-    /// <summary>The diagnostics of an adapter, with a key for each joint of its configuration.</summary>
-    /// <param name="source">The adapter's connection; null where it is not known.</param>
+    /// <summary>Adds the diagnostics of an adapter, with a key for each joint of its configuration.</summary>
+    /// <param name="source">The adapter's connection; null if unknown.</param>
     public void Report(string adapter, IReadOnlyCollection<KeyValuePair<string, string>> values, HubSource source = null)
     {
         var reports = new Dictionary<string, AdapterJointReport>();
@@ -84,7 +84,7 @@ sealed class JointBoard(TimeProvider time)
         }
     }
 
-    /// <summary>A source ended in order.</summary>
+    /// <summary>Records that a source ended normally.</summary>
     public void Leave(HubSource source)
     {
         lock (_lock)
@@ -92,7 +92,7 @@ sealed class JointBoard(TimeProvider time)
                 if (joint.IsPublishedBy(source)) joint.Flow.Leave();
     }
 
-    /// <summary>All joints in the order of their names and sources.</summary>
+    /// <summary>Gets all joints sorted by name and source.</summary>
     public IReadOnlyList<JointStatus> Read()
     {
         lock (_lock)
@@ -114,7 +114,7 @@ sealed class JointBoard(TimeProvider time)
         return _joints[name] = new Joint(name, time);
     }
 
-    // Names that a source makes up never displace a joint that is configured or live, and those of a source that ended in order go first.
+    // Names invented by a source never displace a configured or live joint. Joints of a source that ended normally are removed first.
     void DropOldest()
     {
         var oldest = _joints.Values.Where(joint => !joint.IsConfigured && !joint.Flow.IsFlowing).MaxBy(joint => (joint.Flow.HasLeft, joint.Flow.Silence));
@@ -140,7 +140,7 @@ sealed class JointBoard(TimeProvider time)
 
         public bool IsPublishedBy(HubSource source) => Flow.HasAny && Flow.Source == source;
 
-        /// <summary>An adapter reports without the joint. Returns whether it had the joint until now.</summary>
+        /// <summary>Records that an adapter reports without the joint. Returns whether it had the joint until now.</summary>
         public bool EndReports(string adapter) => Rows.Find(row => row.Source == adapter)?.EndReports() == true;
 
         public JointRow RowOf(string source, TimeProvider time)
@@ -157,7 +157,7 @@ sealed class JointBoard(TimeProvider time)
             return Rows.Select(row => row.Judge(row == owner ? Flow : null));
         }
 
-        // An adapter that has just connected again has not told its name yet: its samples count for the only adapter of the joint.
+        // An adapter that has just reconnected has not sent its name yet: its samples count for the joint's only adapter.
         public JointRow OwnerRow(TimeProvider time)
         {
             var configured = Rows.FindAll(row => row.IsConfigured);

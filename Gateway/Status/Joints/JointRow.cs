@@ -2,7 +2,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Joints;
 
-/// <summary>One joint of one source: what the adapter reports, what arrives, and the state that follows from both.</summary>
+/// <summary>One joint of one source: the adapter's report, the received samples, and the resulting state.</summary>
 sealed class JointRow(string joint, string source, TimeProvider time)
 {
     JointDataState? _last;
@@ -17,7 +17,7 @@ sealed class JointRow(string joint, string source, TimeProvider time)
     /// <summary>Whether an adapter has this joint in its configuration.</summary>
     public bool IsConfigured { get; private set; }
 
-    /// <summary>Whether the gateway has just refused a sample of the joint.</summary>
+    /// <summary>Whether the gateway refused a sample of the joint recently.</summary>
     public bool IsRefused => _refusal != null && time.GetElapsedTime(_refusedAt) < JointBoard.StaleAfter;
 
     public void Report(in AdapterJointReport report)
@@ -25,7 +25,7 @@ sealed class JointRow(string joint, string source, TimeProvider time)
         (_report, _reportedAt, IsConfigured) = (report, time.GetTimestamp(), true);
     }
 
-    /// <summary>The adapter no longer has the joint. Returns whether it had it until now.</summary>
+    /// <summary>Records that the adapter no longer has the joint. Returns whether it had it until now.</summary>
     public bool EndReports()
     {
         var had = IsConfigured;
@@ -33,10 +33,10 @@ sealed class JointRow(string joint, string source, TimeProvider time)
         return had;
     }
 
-    /// <summary>The gateway refused a sample of the joint.</summary>
+    /// <summary>Records that the gateway refused a sample of the joint.</summary>
     public void Refuse(string reason) => (_refusal, _refusedAt) = (reason, time.GetTimestamp());
 
-    /// <param name="flow">The samples of this source; null when the joint's samples are another source's.</param>
+    /// <param name="flow">The samples of this source; null if the joint's samples come from another source.</param>
     public JointStatus Judge(SampleFlow flow)
     {
         var (state, since, reason) = StateOf(flow);

@@ -13,10 +13,10 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
 
     const int MaxReasonLength = 200;
 
-    // Of all reasons together: with the names, the message stays below the 64 KiB that clients read.
+    // Limit of all reasons together. With the names, the message stays below the 64 KiB that clients read.
     const int MaxReasonsLength = 16 * 1024;
 
-    // Bridges to other gateways look for it.
+    // Bridges to other gateways search for this text.
     const string Uncertain = "may not be at rest: ";
 
     readonly HubSource _source = hub.OpenSource();
@@ -25,10 +25,10 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
 
     public void Publish(IReadOnlyList<JointStatus> joints)
     {
-        // A joint of two sources is as good as the better one: the other's samples are refused.
+        // If two sources have a joint, the better state applies: the other's samples are refused.
         var troubled = joints.GroupBy(joint => joint.Name, StringComparer.Ordinal).Select(rows => rows.MinBy(row => row.State))
             .Where(row => row.State != JointDataState.Live).ToList();
-        // A joint that has just failed must not be left out for those that others left behind long ago.
+        // Recent failures have priority over those from long ago.
         if (troubled.Count > ProtocolLimits.Joints)
             troubled = [.. troubled.OrderBy(row => row.IsGood).ThenByDescending(row => row.Since).Take(ProtocolLimits.Joints).OrderBy(row => row.Name, StringComparer.Ordinal)];
         var content = troubled.ConvertAll(row => (row.Name, row.State, ReasonOf(row)));
@@ -38,7 +38,7 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
         var now = (Control: clock.Now, Utc: time.GetUtcNow());
         var longest = Math.Min(MaxReasonLength, MaxReasonsLength / Math.Max(1, troubled.Count));
         var values = troubled.ConvertAll(row => KeyValuePair.Create(row.Name, ValueOf(row, now.Control - (now.Utc - row.Since), longest)));
-        // 0 for none, 1 where all of them are at rest, 2 otherwise.
+        // 0 for none, 1 if all of them are at rest, 2 otherwise.
         var level = troubled.Count == 0 ? 0 : troubled.TrueForAll(row => row.IsGood) ? 1 : 2;
         _source.PublishJointStatus(new DiagnosticsMessage(now.Control, "gateway", values, level, "joints"));
     }

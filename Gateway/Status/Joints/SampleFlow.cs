@@ -2,24 +2,24 @@ using Nowpose.Gateway.Hub;
 
 namespace Nowpose.Gateway.Status.Joints;
 
-/// <summary>Arrival of one joint's samples at the gateway: rate, age, and when they stopped.</summary>
+/// <summary>Arrival of one joint's samples at the gateway: their rate and age, and the time since the last one.</summary>
 sealed class SampleFlow(TimeProvider time)
 {
-    // Of a new interval in the mean interval: a few bursts over TCP do not change the rate.
+    // Weight of a new interval in the mean interval. A few bursts over TCP do not change the rate.
     const double Weight = 0.05;
 
     long _last;
     TimeSpan _ageAtArrival;
     double _meanSeconds;
 
-    /// <summary>The source of the newest sample; null where it is not known.</summary>
+    /// <summary>The source of the newest sample; null if unknown.</summary>
     public HubSource Source { get; private set; }
 
     public DateTimeOffset LastUtc { get; private set; }
 
     public bool HasAny { get; private set; }
 
-    /// <summary>Whether the source of the newest sample has ended in order since.</summary>
+    /// <summary>Whether the source of the newest sample has since ended normally.</summary>
     public bool HasLeft { get; private set; }
 
     /// <summary>Time since the newest sample arrived.</summary>
@@ -32,7 +32,7 @@ sealed class SampleFlow(TimeProvider time)
 
     public double RateHz => IsFlowing && _meanSeconds > 0 ? 1 / Math.Max(_meanSeconds, Silence.TotalSeconds) : 0;
 
-    /// <summary>The source ended in order.</summary>
+    /// <summary>Records that the source ended normally.</summary>
     public void Leave() => HasLeft = true;
 
     /// <param name="age">Control time minus the sample's stamp at its arrival.</param>
@@ -40,7 +40,7 @@ sealed class SampleFlow(TimeProvider time)
     {
         var now = time.GetTimestamp();
         var interval = time.GetElapsedTime(_last, now).TotalSeconds;
-        // The pause before does not count as an interval between samples.
+        // The pause before this sample is not an interval between samples.
         if (!IsFlowing) _meanSeconds = 0;
         else _meanSeconds = _meanSeconds == 0 ? interval : _meanSeconds + Weight * (interval - _meanSeconds);
         (HasAny, HasLeft) = (true, false);

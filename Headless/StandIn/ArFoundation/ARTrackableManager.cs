@@ -21,7 +21,7 @@ public abstract class ARTrackableManager<TSubsystem, TSubsystemDescriptor, TProv
 
     protected XROrigin origin { get; private set; }
 
-    /// <summary>The one of its kind that was enabled last.</summary>
+    /// <summary>The manager of its kind that was enabled last.</summary>
     internal static ARTrackableManager<TSubsystem, TSubsystemDescriptor, TProvider, TSessionRelativeData, TTrackable> Latest { get; private set; }
 
     protected virtual void Awake() => origin = GetComponent<XROrigin>();
@@ -43,7 +43,7 @@ public abstract class ARTrackableManager<TSubsystem, TSubsystemDescriptor, TProv
         subsystem.Removed.Clear();
     }
 
-    /// <summary>A component that somebody added becomes the device's.</summary>
+    /// <summary>Turns a component added by a script into a trackable of the device.</summary>
     internal void Adopt(TTrackable trackable, TSessionRelativeData data)
     {
         m_Trackables.Add(data.trackableId, trackable);

@@ -10,7 +10,7 @@ public class SubsystemLifecycleManager<TSubsystem, TSubsystemDescriptor, TProvid
 {
     public TSubsystem subsystem { get; private set; }
 
-    // Only here does it look for one.
+    // Like Unity, it searches for a subsystem only here.
     protected virtual void OnEnable()
     {
         subsystem = ArDevice.Current?.Find<TSubsystem>();

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine.XR.ARSubsystems;
 
-/// <summary>The device that a test plays: which subsystems its runtime offers. One at a time; without one there are none.</summary>
+/// <summary>The simulated device of a test, with the subsystems that its runtime offers. At most one exists at a time.</summary>
 sealed class ArDevice : IDisposable
 {
     readonly List<object> _subsystems = new();
@@ -12,10 +12,10 @@ sealed class ArDevice : IDisposable
 
     internal static ArDevice Current { get; private set; }
 
-    /// <summary>What <c>ARSession.state</c> says, as its number; 0 is None, 7 SessionTracking.</summary>
+    /// <summary>The value of <c>ARSession.state</c> as a number; 0 is None, 7 is SessionTracking.</summary>
     internal int SessionState { get; set; } = 7;
 
-    /// <summary>The runtime offers it to managers that are enabled from now on.</summary>
+    /// <summary>Makes the runtime offer a subsystem to managers that are enabled from now on.</summary>
     internal T Offer<T>() where T : class, new()
     {
         var subsystem = new T();

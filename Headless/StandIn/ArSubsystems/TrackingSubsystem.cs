@@ -10,7 +10,7 @@ public abstract class TrackingSubsystem<TTrackable, TSubsystem, TSubsystemDescri
     where TSubsystemDescriptor : SubsystemDescriptorWithProvider
     where TProvider : SubsystemProvider<TSubsystem>
 {
-    /// <summary>What the device has to tell since it was asked last.</summary>
+    /// <summary>Changes of the device since the last query.</summary>
     internal List<TTrackable> Changed { get; } = new();
 
     internal List<TrackableId> Removed { get; } = new();

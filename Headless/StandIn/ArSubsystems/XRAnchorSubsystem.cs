@@ -7,7 +7,7 @@ public class XRAnchorSubsystem : TrackingSubsystem<XRAnchor, XRAnchorSubsystem, 
 {
     readonly Dictionary<TrackableId, XRAnchor> _anchors = new();
 
-    /// <summary>Whether the device takes anchors.</summary>
+    /// <summary>Whether the device accepts anchors.</summary>
     internal bool Accepts { get; set; } = true;
 
     internal int Count => _anchors.Count;
@@ -31,7 +31,7 @@ public class XRAnchorSubsystem : TrackingSubsystem<XRAnchor, XRAnchorSubsystem, 
         return true;
     }
 
-    /// <summary>The device corrects its map, or loses it, or has loaded an anchor that was kept.</summary>
+    /// <summary>Simulates that the device corrects its map, loses it, or has loaded a stored anchor.</summary>
     internal void Place(TrackableId id, Pose pose, TrackingState state)
     {
         _anchors[id] = new XRAnchor(id, pose, state);

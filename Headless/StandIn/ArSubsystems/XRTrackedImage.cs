@@ -16,6 +16,6 @@ public struct XRTrackedImage : ITrackable
     public Vector2 size { get; }
     public TrackingState trackingState { get; }
 
-    /// <summary>In the library.</summary>
+    /// <summary>Name of the image in the library.</summary>
     internal string Name { get; }
 }

@@ -2,12 +2,12 @@ using System.Collections.Generic;
 
 namespace UnityEngine.InputSystem;
 
-/// <summary>What the devices that are connected report, by the paths that are bound; a test is the device.</summary>
+/// <summary>Values of the connected devices by their bound paths, set by a test.</summary>
 static class Controls
 {
     static readonly Dictionary<string, (object Value, int Frame)> Values = new Dictionary<string, (object Value, int Frame)>();
 
-    /// <summary>Reports a value as of the next frame; for a button whether it is pressed.</summary>
+    /// <summary>Sets a value from the next frame on; for a button, whether it is pressed.</summary>
     internal static void Set(string path, object value) => Values[path] = (value, Time.frameCount + 1);
 
     /// <summary>Disconnects everything.</summary>

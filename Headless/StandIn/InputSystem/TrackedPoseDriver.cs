@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine.InputSystem.XR;
 
-/// <summary>Moves its transform to where the device is, in the parent's axes; stays where it is while there is none.</summary>
+/// <summary>Moves its transform to the device's pose in the parent's axes; keeps its pose without a device.</summary>
 [Serializable]
 public class TrackedPoseDriver : MonoBehaviour
 {

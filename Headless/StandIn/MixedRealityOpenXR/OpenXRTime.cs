@@ -10,13 +10,13 @@ public class OpenXRTime
 
     public static OpenXRTime Current { get; } = new();
 
-    /// <summary>The runtime that a test plays; null: as in the Editor.</summary>
+    /// <summary>The simulated runtime of a test; null for the behaviour in the Editor.</summary>
     internal static Func<FrameTime, long> PredictedXrTime { get; set; }
 
-    /// <summary>OpenXR's time is in nanoseconds since an epoch of its own, so far before the counter's.</summary>
+    /// <summary>OpenXR time at the counter's zero: nanoseconds since its own epoch.</summary>
     internal static long XrTimeAtCountZero { get; set; }
 
-    /// <summary>Counts of the performance counter in a second.</summary>
+    /// <summary>Counts of the performance counter per second.</summary>
     internal static long CountsPerSecond { get; set; } = 10_000_000;
 
     public long GetPredictedDisplayTimeInXrTime(FrameTime frameTime) => PredictedXrTime?.Invoke(frameTime) ?? 0;

@@ -15,18 +15,18 @@ public class XRAnchorStore
     {
     }
 
-    /// <summary>What the runtime answers whoever loads the store; null: no store.</summary>
+    /// <summary>The runtime's function to load the store; null for no store.</summary>
     internal static Func<XRAnchorSubsystem, Task<XRAnchorStore>> Loading { get; set; } = _ => Task.FromResult<XRAnchorStore>(null);
 
     public IReadOnlyList<string> PersistedAnchorNames => Fault == null ? _names : throw Fault;
 
-    /// <summary>Whether an anchor is taken.</summary>
+    /// <summary>Whether the store accepts anchors.</summary>
     internal bool Accepts { get; set; } = true;
 
-    /// <summary>What each call throws; null for none.</summary>
+    /// <summary>The exception thrown by each call; null for none.</summary>
     internal Exception Fault { get; set; }
 
-    /// <summary>An anchor of an earlier run.</summary>
+    /// <summary>Adds an anchor of an earlier run.</summary>
     internal void Put(string name, TrackableId id)
     {
         _kept[name] = id;

@@ -6,10 +6,10 @@ namespace Microsoft.MixedReality.OpenXR.ARSubsystems;
 
 public class XRMarkerSubsystem : TrackingSubsystem<XRMarker, XRMarkerSubsystem, XRMarkerSubsystemDescriptor, XRMarkerSubsystem.Provider>
 {
-    /// <summary>What the codes say, once they are read.</summary>
+    /// <summary>Texts of the codes, once they are read.</summary>
     internal Dictionary<TrackableId, string> Texts { get; } = new();
 
-    /// <summary>So often was it asked for a text.</summary>
+    /// <summary>Number of requests for a text.</summary>
     internal int TextsAsked { get; set; }
 
     public abstract class Provider : SubsystemProvider<XRMarkerSubsystem>

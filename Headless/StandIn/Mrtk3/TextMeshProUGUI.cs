@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace TMPro;
 
-/// <summary>Text of a canvas, of which only what it says matters here.</summary>
+/// <summary>Text on a canvas; only its content is modelled.</summary>
 public class TextMeshProUGUI : MonoBehaviour
 {
     [SerializeField] internal string m_text = "";

@@ -4,7 +4,7 @@ using System.Threading;
 
 namespace NativeWebSocket
 {
-    /// <summary>Raises events where the package raises them: on the context of whoever made the socket, else when it is asked to.</summary>
+    /// <summary>Raises events like the package: on the synchronisation context of the socket's creation, otherwise on request.</summary>
     sealed class EventPump
     {
         readonly SynchronizationContext _context = SynchronizationContext.Current;

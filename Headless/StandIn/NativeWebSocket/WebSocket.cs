@@ -10,9 +10,9 @@ using SystemState = System.Net.WebSockets.WebSocketState;
 namespace NativeWebSocket
 {
     /// <summary>
-    /// Manners kept: the constructor remembers the synchronisation context and events are posted there, without one they wait
-    /// for <see cref="DispatchMessageQueue"/>; <see cref="Connect"/> ends with the connection and never throws; text and
-    /// binary messages look alike, come whole and have no limit; what is sent while not open is silently lost.
+    /// Behaves like the package. The constructor stores the synchronisation context, and events are posted there; without one they wait
+    /// for <see cref="DispatchMessageQueue"/>. <see cref="Connect"/> ends with the connection and never throws. Text and binary messages are
+    /// not distinguished, arrive whole and have no size limit. Messages sent while the socket is not open are lost without an error.
     /// </summary>
     public class WebSocket : IWebSocket
     {
@@ -81,7 +81,7 @@ namespace NativeWebSocket
             }
         }
 
-        /// <summary>Until the connection ends; a failure is no error here but an abnormal end.</summary>
+        /// <summary>Receives until the connection ends. A failure does not throw; it is an abnormal end.</summary>
         public async Task Receive()
         {
             var code = WebSocketCloseCode.Abnormal;
@@ -118,7 +118,7 @@ namespace NativeWebSocket
                 await _client.CloseAsync((WebSocketCloseStatus)(int)code, reason ?? "", CancellationToken.None).ConfigureAwait(false);
         }
 
-        // Null when the other side closes.
+        // Returns null when the other side closes.
         async Task<byte[]> NextAsync()
         {
             var chunk = new ArraySegment<byte>(new byte[65536]);

@@ -9,7 +9,7 @@ public sealed class EditorApplication
 
     public static double timeSinceStartup => Now;
 
-    /// <summary>Set by tests: no clock runs here.</summary>
+    /// <summary>The time since startup, set by tests.</summary>
     internal static double Now { get; set; }
 
     internal static List<string> MenuItems { get; } = new List<string>();
@@ -20,7 +20,7 @@ public sealed class EditorApplication
         return true;
     }
 
-    /// <summary>As the editor does once, when it has done with all windows.</summary>
+    /// <summary>Runs the delayed calls, as the editor does after updating all windows.</summary>
     internal static void RunDelayed()
     {
         var due = delayCall;

@@ -6,7 +6,7 @@ using System.Reflection;
 
 namespace UnityEditor;
 
-/// <summary>The assemblies that use the editor's API. The editor loads all of a project; .NET loads one when something of it is used.</summary>
+/// <summary>The assemblies that use the editor's API. The editor loads all of a project's; .NET loads an assembly at its first use.</summary>
 static class EditorAssemblies
 {
     static readonly Lazy<Type[]> All = new Lazy<Type[]>(() => Load().SelectMany(a => a.GetTypes()).ToArray());

@@ -5,12 +5,12 @@ namespace UnityEditor;
 
 public class EditorUtility
 {
-    /// <summary>What the user chooses in the next dialog; empty for cancelling it.</summary>
+    /// <summary>The user's choice in the next dialog; empty to cancel it.</summary>
     internal static string Chosen { get; set; } = "";
 
     public static string OpenFilePanel(string title, string directory, string extension) => Chosen;
 
-    /// <summary>Whether it lies in a file: of a hierarchy, whether it is in no scene.</summary>
+    /// <summary>Whether the object is stored in a file; for an object in a hierarchy, whether it is not in a scene.</summary>
     public static bool IsPersistent(Object target)
     {
         var gameObject = target is Component component ? component.gameObject : target as GameObject;

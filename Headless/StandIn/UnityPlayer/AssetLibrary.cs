@@ -10,25 +10,25 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer;
 
-/// <summary>The assets of a Unity project, found by their .meta files and loaded from the text that Unity keeps them in.</summary>
+/// <summary>The assets of a Unity project, found by their .meta files and loaded from Unity's text format.</summary>
 /// <remarks>
-/// Strict, as the editor is not: a reference to nothing, a field that the script does not have, a missing script and the like are errors.
-/// Of scripts and assembly definitions only the .meta has to be there. Assets are loaded once for each player; not for use from several threads.
+/// Stricter than the editor: a reference to a missing object, an unknown field, a missing script and similar faults are errors. Scripts and
+/// assembly definitions need only their .meta files. Assets are loaded once for each player. Not thread-safe.
 /// </remarks>
 public sealed class AssetLibrary
 {
     readonly AssetFiles _files;
     readonly ConditionalWeakTable<World, LoadedAssets> _loaded = new ConditionalWeakTable<World, LoadedAssets>();
 
-    /// <param name="projectRoot">The folder that holds Assets/ and Packages/; samples inside packages are found too.</param>
-    /// <exception cref="AssetException">A .meta without a GUID, or two with the same.</exception>
+    /// <param name="projectRoot">The folder that contains Assets/ and Packages/. Samples inside packages are found, too.</param>
+    /// <exception cref="AssetException">A .meta file has no GUID, or two have the same.</exception>
     public AssetLibrary(string projectRoot)
         : this(AssetIndex.FoldersOf(projectRoot))
     {
     }
 
-    /// <param name="folders">Each is called by its own name in paths.</param>
-    /// <exception cref="AssetException">A .meta without a GUID, or two with the same.</exception>
+    /// <param name="folders">Folders; each name is the first part of its paths.</param>
+    /// <exception cref="AssetException">A .meta file has no GUID, or two have the same.</exception>
     public AssetLibrary(IEnumerable<string> folders)
         : this(folders.Select(f => (Path.GetFileName(f.TrimEnd('/', '\\')), f)))
     {
@@ -36,14 +36,14 @@ public sealed class AssetLibrary
 
     AssetLibrary(IEnumerable<(string Name, string FullPath)> folders) => _files = new AssetFiles(new AssetIndex(folders));
 
-    /// <summary>Paths of all assets and folders, as Unity calls them: <c>Assets/Scenes/Demo.unity</c>, <c>Packages/…</c>.</summary>
+    /// <summary>Paths of all assets and folders, in Unity's form: <c>Assets/Scenes/Demo.unity</c>, <c>Packages/…</c>.</summary>
     public IEnumerable<string> Paths => _files.Index.Files.Select(f => f.Path);
 
     internal LoadedAssets Loaded => _loaded.GetValue(World.Current, _ => new LoadedAssets(_files));
 
-    /// <summary>The main object of an asset, of a prefab its root, for the current player.</summary>
-    /// <param name="path">As Unity calls it, or in full.</param>
-    /// <exception cref="AssetException">There is no such asset, it is broken, or it is not of that type.</exception>
+    /// <summary>Loads the main object of an asset for the current player; for a prefab, its root.</summary>
+    /// <param name="path">Path in Unity's form, or a full path.</param>
+    /// <exception cref="AssetException">The asset does not exist, is invalid, or has another type.</exception>
     public T Load<T>(string path)
         where T : Object
     {
@@ -52,11 +52,11 @@ public sealed class AssetLibrary
     }
 
     /// <summary>
-    /// A copy of a prefab that stays linked to it, as the editor makes it when a prefab is dragged into a scene: saved, it is an instance with
-    /// what was changed in it. It is in no scene yet.
+    /// Creates a copy of a prefab that stays linked to it, as the editor does when a prefab is dragged into a scene. It is saved as an instance
+    /// with its changes. It is not in a scene yet.
     /// </summary>
-    /// <param name="prefab">As <see cref="Load{T}"/> gave it.</param>
-    /// <exception cref="AssetException">It is no prefab of this library.</exception>
+    /// <param name="prefab">The prefab from <see cref="Load{T}"/>.</param>
+    /// <exception cref="AssetException">The object is not a prefab of this library.</exception>
     public GameObject InstantiatePrefab(GameObject prefab) => Loaded.InstantiatePrefab(prefab);
 
     internal LoadedScene LoadScene(string path)

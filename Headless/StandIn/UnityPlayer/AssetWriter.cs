@@ -11,40 +11,40 @@ using UnityEngine;
 namespace Nowpose.UnityPlayer;
 
 /// <summary>
-/// Writes objects as Unity's editor would save them. The same objects give the same text, everywhere: what <see cref="AssetLibrary"/>
-/// loaded from it is written as it was.
+/// Writes objects in the editor's format. The same objects give the same text on every machine. Files loaded by <see cref="AssetLibrary"/>
+/// are written unchanged.
 /// </summary>
 public sealed class AssetWriter
 {
     readonly AssetLibrary _library;
 
-    /// <param name="library">Has the assets and scripts that are referred to.</param>
+    /// <param name="library">The library with the referenced assets and scripts.</param>
     public AssetWriter(AssetLibrary library) => _library = library;
 
-    /// <param name="root">With all below it.</param>
-    /// <exception cref="AssetException">It refers to what is neither below it nor an asset of the library.</exception>
+    /// <param name="root">The root object; its descendants are included.</param>
+    /// <exception cref="AssetException">An object refers to another one that is neither below the root nor an asset of the library.</exception>
     public string Prefab(GameObject root)
     {
         return UnityDocumentWriter.Write(HierarchyWriter.Write(_library.Loaded, new[] { root }, root.name));
     }
 
-    /// <summary>A stand-in for somebody else's prefab: its objects have the fileIDs that they have there.</summary>
-    /// <param name="root">With all below it.</param>
-    /// <param name="fileIds">Of the objects that matter; the others get some.</param>
+    /// <summary>Writes a stand-in for another party's prefab, with the fileIDs of that prefab.</summary>
+    /// <param name="root">The root object; its descendants are included.</param>
+    /// <param name="fileIds">FileIDs of the relevant objects; the others get generated ones.</param>
     internal string Prefab(GameObject root, IReadOnlyDictionary<Object, long> fileIds)
     {
         return UnityDocumentWriter.Write(HierarchyWriter.Write(_library.Loaded, new[] { root }, root.name, fileIds));
     }
 
-    /// <summary>With the settings that a new scene has.</summary>
-    /// <param name="roots">In order.</param>
-    /// <exception cref="AssetException">They refer to what is neither below them nor an asset of the library.</exception>
+    /// <summary>Writes a scene with the settings of a new scene.</summary>
+    /// <param name="roots">The root objects in order.</param>
+    /// <exception cref="AssetException">An object refers to another one that is neither below the roots nor an asset of the library.</exception>
     public string Scene(IReadOnlyList<GameObject> roots) => Scene(roots, SceneSettings.Default);
 
-    /// <exception cref="AssetException">It refers to what is not an asset of the library.</exception>
+    /// <exception cref="AssetException">The object refers to another one that is not an asset of the library.</exception>
     public string Asset(ScriptableObject asset) => Alone(asset, ScriptClass.Of(asset.GetType()), ScriptClass.AssetFileId);
 
-    /// <exception cref="AssetException">Its shader is not of the library.</exception>
+    /// <exception cref="AssetException">Its shader is not an asset of the library.</exception>
     public string Asset(Material material) => Alone(material, MaterialClass.Class, MaterialClass.FileId);
 
     internal string Scene(IReadOnlyList<GameObject> roots, IReadOnlyList<UnityDocument> settings)

@@ -5,10 +5,10 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer;
 
-/// <summary>Plays scenes as a built player does, one frame at a time and in time that the caller gives.</summary>
+/// <summary>Plays scenes like a built player, frame by frame and with the caller's time.</summary>
 /// <remarks>
-/// While one exists, Unity's static members (Time, Application, Object.Instantiate, …) mean the newest one that was made or stepped. Objects belong
-/// to the player they were made in. Main thread only, but for <see cref="Debug"/>.
+/// While a player exists, Unity's static members (Time, Application, Object.Instantiate, …) refer to the one that was created or stepped
+/// last. Objects belong to the player in which they were created. Main thread only, except for <see cref="Debug"/>.
 /// </remarks>
 public sealed class Player : IDisposable
 {
@@ -18,15 +18,15 @@ public sealed class Player : IDisposable
     readonly AssetLibrary _assets;
     bool _disposed;
 
-    /// <summary>With an empty scene.</summary>
-    /// <param name="assets">Where scenes come from.</param>
+    /// <summary>Creates a player with an empty scene.</summary>
+    /// <param name="assets">Source of the scenes.</param>
     public Player(AssetLibrary assets)
         : this()
     {
         _assets = assets;
     }
 
-    /// <summary>With an empty scene, and without assets.</summary>
+    /// <summary>Creates a player with an empty scene and without assets.</summary>
     public Player()
     {
         _world = new World(isPlaying: true, _log.Add);
@@ -34,21 +34,21 @@ public sealed class Player : IDisposable
         _loop = new FrameLoop(_world);
     }
 
-    /// <summary>What was written to the console so far, oldest first.</summary>
+    /// <summary>The entries of the console so far, oldest first.</summary>
     public IReadOnlyList<PlayerLogEntry> Logs => _log.Entries;
 
-    /// <summary>Objects that are not destroyed: of scenes, and what scripts made (meshes, materials, …), but no assets.</summary>
+    /// <summary>Number of objects that are not destroyed: of scenes, and created by scripts (meshes, materials, …), without assets.</summary>
     public int ObjectCount => _world.ObjectCount;
 
-    /// <summary>Delegates that hang on the engine's events (Application, Camera, …): what a script forgot to take off.</summary>
+    /// <summary>Number of delegates subscribed to the engine's events (Application, Camera, …), to find missing unsubscriptions.</summary>
     public int SubscriberCount => _world.SubscriberCount;
 
     internal World World => _world;
 
-    /// <summary>Loads a scene, which becomes the active one; what is active in it wakes.</summary>
-    /// <param name="path">As Unity calls it (<c>Assets/Scenes/Demo.unity</c>), or in full.</param>
-    /// <param name="prepare">What is to be changed in the scene's root objects before anything in them wakes; null for nothing.</param>
-    /// <exception cref="AssetException">There is no such scene, or something in it is broken.</exception>
+    /// <summary>Loads a scene and makes it the active one. Its active objects wake.</summary>
+    /// <param name="path">Path in Unity's form (<c>Assets/Scenes/Demo.unity</c>), or a full path.</param>
+    /// <param name="prepare">Changes the scene's root objects before anything in them wakes; null for no changes.</param>
+    /// <exception cref="AssetException">The scene does not exist, or is invalid.</exception>
     public void LoadScene(string path, Action<IReadOnlyList<GameObject>> prepare = null)
     {
         if (_assets == null) throw new InvalidOperationException("this player was made without assets");
@@ -59,14 +59,14 @@ public sealed class Player : IDisposable
         _loop.LoadScene(scene.Name, scene.Path, scene.Roots);
     }
 
-    /// <summary>Takes over objects that are in no scene, as a scene of that name; what is active in them wakes.</summary>
+    /// <summary>Takes over objects without a scene as a scene with this name. Its active objects wake.</summary>
     internal void LoadScene(string name, string path, IReadOnlyList<GameObject> roots)
     {
         using var scope = _world.Enter();
         _loop.LoadScene(name, path, roots);
     }
 
-    /// <summary>Runs one frame at that time, in seconds since the start; it must not go back.</summary>
+    /// <summary>Runs one frame at the given time, in seconds since the start. The time must not decrease.</summary>
     public void Step(double timeSeconds)
     {
         if (_disposed) throw new ObjectDisposedException(nameof(Player));
@@ -75,35 +75,35 @@ public sealed class Player : IDisposable
         _loop.Run(timeSeconds);
     }
 
-    /// <summary>A headset's display runs from now on, whose runtime says how long the GPU worked on the newest frame that is done.</summary>
+    /// <summary>Starts a headset's display, if necessary, and sets the GPU time that its runtime reports for the newest finished frame.</summary>
     public void ReportGpuTime(TimeSpan length)
     {
         _world.Gpu.ConnectDisplay();
         _world.Gpu.DisplayGpuTime = (float)length.TotalSeconds;
     }
 
-    /// <summary>The system takes the application to the back, or to the front again.</summary>
+    /// <summary>Moves the application to the background, or back to the foreground.</summary>
     public void Pause(bool paused)
     {
         using var scope = _world.Enter();
         _loop.Pause(paused);
     }
 
-    /// <summary>The window loses or gets the input.</summary>
+    /// <summary>Sets whether the window has the input focus.</summary>
     public void Focus(bool focused)
     {
         using var scope = _world.Enter();
         _loop.Focus(focused);
     }
 
-    /// <summary>The first active object of that type in the scenes; null where there is none.</summary>
+    /// <summary>Gets the first active object of a type in the scenes; null if there is none.</summary>
     public T Find<T>() where T : UnityEngine.Object
     {
         using var scope = _world.Enter();
         return UnityEngine.Object.FindObjectOfType<T>();
     }
 
-    /// <summary>Quits: OnApplicationQuit, then everything is disabled and destroyed.</summary>
+    /// <summary>Quits: calls OnApplicationQuit, then disables and destroys all objects.</summary>
     public void Dispose()
     {
         if (_disposed) return;

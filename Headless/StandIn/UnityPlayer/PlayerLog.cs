@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer;
 
-/// <summary>The console of a player; lines may come from any thread, and the first thousand cost no allocation.</summary>
+/// <summary>The console of a player. Lines may come from any thread; the first thousand need no allocation.</summary>
 sealed class PlayerLog
 {
     readonly List<LogEntry> _lines = new(1000);

@@ -17,10 +17,10 @@ public sealed class PlayerLogEntry
     public LogType Type { get; }
     public string Message { get; }
 
-    /// <summary>Null unless a script threw one or logged one.</summary>
+    /// <summary>The exception that a script threw or logged; null for none.</summary>
     public Exception Exception { get; }
 
-    /// <summary>What the entry is about; null where it did not say.</summary>
+    /// <summary>The object that the entry refers to; null for none.</summary>
     public UnityEngine.Object Context { get; }
 
     public override string ToString() => $"{Type}: {Message}{(Exception == null ? "" : "\n" + Exception)}";

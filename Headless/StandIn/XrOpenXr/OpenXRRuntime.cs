@@ -5,10 +5,10 @@ namespace UnityEngine.XR.OpenXR;
 
 public static class OpenXRRuntime
 {
-    /// <summary>Extensions that the played runtime has enabled; null for no runtime.</summary>
+    /// <summary>Extensions enabled by the simulated runtime; null for no runtime.</summary>
     internal static HashSet<string> Extensions { get; set; }
 
-    /// <summary>Thrown by each call; null for none.</summary>
+    /// <summary>The exception thrown by each call; null for none.</summary>
     internal static Exception Fault { get; set; }
 
     public static string name => Fault != null ? throw Fault : Extensions == null ? "" : "played";

@@ -1,11 +1,11 @@
 namespace Nowpose.Metas;
 
-/// <summary>What Unity's importer makes of a name alone.</summary>
+/// <summary>Rules of Unity's importer that depend on a name alone.</summary>
 public static class AssetNames
 {
     public const string MetaSuffix = ".meta";
 
-    /// <summary>Unity passes these over: leading dot, trailing tilde, <c>.tmp</c>, <c>cvs</c>.</summary>
+    /// <summary>Whether Unity ignores the file: leading dot, trailing tilde, <c>.tmp</c>, <c>cvs</c>.</summary>
     public static bool IsHidden(string name)
     {
         return name.StartsWith('.') || name.EndsWith('~')

@@ -1,8 +1,8 @@
 namespace Nowpose.Metas;
 
 /// <summary>
-/// What the editor's import would meet in a project: everything under Assets/, in each embedded package, and inside each
-/// sample (a sample is hidden until the user imports it, but its metas travel with it).
+/// The assets that the editor would import: everything under Assets/, in each embedded package, and inside each sample (a sample is hidden
+/// until the user imports it, but it contains its .meta files).
 /// </summary>
 public sealed class AssetTree
 {
@@ -23,13 +23,13 @@ public sealed class AssetTree
         }
     }
 
-    /// <summary>In a stable order: by path, ordinal, parents before their contents.</summary>
+    /// <summary>The assets sorted by path (ordinal), parents before their contents.</summary>
     public IReadOnlyList<AssetEntry> Assets => _assets;
 
     /// <summary>Paths of all .meta files found, relative to the root.</summary>
     public IReadOnlyList<string> Metas => _metas;
 
-    /// <summary>Build files and folders that lie where Unity would import them.</summary>
+    /// <summary>Build files and folders in places where Unity would import them.</summary>
     public IReadOnlyList<string> BuildFiles => _buildFiles;
 
     public string FullPath(string path) => Path.Combine(_root, path);
@@ -56,7 +56,7 @@ public sealed class AssetTree
             _buildFiles.Add(path);
             return;
         }
-        // Git keeps no empty folders: the meta of one would be an orphan in the next clone.
+        // Git does not store empty folders: their .meta files would be orphans in the next clone.
         if (HoldsAFile(path)) _assets.Add(new AssetEntry(path, IsFolder: true));
         Walk(path);
     }

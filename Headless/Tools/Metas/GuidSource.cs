@@ -4,16 +4,16 @@ using System.Text;
 namespace Nowpose.Metas;
 
 /// <summary>
-/// New GUIDs, the same for the same path on every machine, so that two people who add the meta of one file agree.
+/// Generates new GUIDs that depend on the path only, so that two people who add the .meta of one file get the same.
 /// </summary>
 public sealed class GuidSource
 {
     readonly HashSet<string> _taken;
 
-    /// <param name="taken">GUIDs that the project uses already.</param>
+    /// <param name="taken">GUIDs already used in the project.</param>
     public GuidSource(IEnumerable<string> taken) => _taken = new HashSet<string>(taken);
 
-    /// <summary>A GUID that no other asset has. A path whose first choice moved away with another file gets its next.</summary>
+    /// <summary>Gets a GUID that no other asset has. If the path's first GUID is used by a file that was moved, it gets the next one.</summary>
     public string Next(string path)
     {
         for (var attempt = 0; ; attempt++)

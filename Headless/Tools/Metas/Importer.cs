@@ -33,7 +33,7 @@ public sealed record Importer(string Name, params string[] Fields)
         [".hlsl"] = new("ShaderIncludeImporter", NoExternalObjects),
     };
 
-    /// <summary>The importer Unity chooses for an asset; <c>DefaultImporter</c> for folders, scenes and what it does not know.</summary>
+    /// <summary>Gets the importer that Unity uses for an asset; <c>DefaultImporter</c> for folders, scenes and unknown types.</summary>
     public static Importer For(AssetEntry asset)
     {
         if (asset.IsFolder) return Default;

@@ -1,6 +1,6 @@
 namespace Nowpose.Metas;
 
-/// <summary>Finds what would make Unity's import of the project go wrong or differ between two machines.</summary>
+/// <summary>Finds faults that would make Unity's import of the project fail or differ between two machines.</summary>
 public static class MetaCheck
 {
     /// <returns>One line per fault, beginning with the path; empty for a clean project.</returns>

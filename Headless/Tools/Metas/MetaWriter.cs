@@ -1,6 +1,6 @@
 namespace Nowpose.Metas;
 
-/// <summary>Writes the .meta files that are missing; what exists is never changed.</summary>
+/// <summary>Writes missing .meta files; never changes existing ones.</summary>
 public static class MetaWriter
 {
     /// <returns>Paths of the files written, relative to the root.</returns>

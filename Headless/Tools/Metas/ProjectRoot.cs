@@ -1,6 +1,6 @@
 namespace Nowpose.Metas;
 
-/// <summary>Finds the Unity project that a folder lies in.</summary>
+/// <summary>Finds the Unity project that contains a folder.</summary>
 public static class ProjectRoot
 {
     /// <returns>The nearest folder at or above <paramref name="start"/> that is a Unity project, or null.</returns>

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>A robot cell for a headset with controllers: the base is carried into place, and buttons do what a menu would.</summary>
+/// <summary>A robot cell for a headset with controllers. The base is placed by hand, and buttons replace a menu.</summary>
 static class AnyHeadsetScene
 {
     const string Right = "<XRController>{RightHand}/", Left = "<XRController>{LeftHand}/";
@@ -29,7 +29,7 @@ static class AnyHeadsetScene
         return workshop.Scene(rig, Props.Light(hasShadows: false), cell);
     }
 
-    /// <summary>Its place is the robot's base frame: six centimetres that a hand can see, with a nose along the robot's x.</summary>
+    /// <summary>Adds the handle whose pose is the robot's base frame: an object of six centimetres with a nose along the robot's x.</summary>
     static void AddHandle(Workshop workshop, Transform cell, Transform rig)
     {
         var handle = new GameObject("Base Handle");

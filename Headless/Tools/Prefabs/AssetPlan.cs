@@ -3,7 +3,7 @@ using Nowpose.Prefabs.Mrtk3;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>All that this tool writes, each after what it refers to.</summary>
+/// <summary>All assets that this tool writes, each after the assets that it refers to.</summary>
 public static class AssetPlan
 {
     static readonly (string Path, Func<Workshop, string> Make)[] Assets =
@@ -53,15 +53,15 @@ public static class AssetPlan
 
     public static IEnumerable<string> Paths => Assets.Select(a => a.Path);
 
-    /// <summary>Writes nothing.</summary>
-    /// <returns>Paths of those that are missing or have another text than is built now.</returns>
+    /// <summary>Compares the assets without writing.</summary>
+    /// <returns>Paths of the assets that are missing or outdated.</returns>
     public static IReadOnlyList<string> Differing(string root)
     {
         var workshop = new Workshop(root);
         return Assets.Where(a => Differs(root, a.Path, a.Make(workshop))).Select(a => a.Path).ToList();
     }
 
-    /// <returns>Paths of those written.</returns>
+    /// <returns>Paths of the written assets.</returns>
     public static IReadOnlyList<string> Write(string root)
     {
         var written = new List<string>();
@@ -74,7 +74,7 @@ public static class AssetPlan
             File.WriteAllText(Path.Combine(root, path), text);
             MetaWriter.WriteMissing(root);
             written.Add(path);
-            // What comes after refers to it as it is now.
+            // Later assets must refer to its new version.
             workshop = new Workshop(root);
         }
         return written;

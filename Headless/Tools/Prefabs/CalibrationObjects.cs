@@ -3,16 +3,16 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>What measures a display: the code of each frame, the load behind it, and the sweep with its words below.</summary>
+/// <summary>The objects that measure a display: the code of each frame, the load behind it, and the sweep with its text below.</summary>
 static class CalibrationObjects
 {
-    /// <summary>In front of the viewer: the code is an eighth as high as a headset camera's picture from here.</summary>
+    /// <summary>Distance from the viewer. From here, the code is an eighth as high as a headset camera's picture.</summary>
     const float DistanceMetres = 1;
 
-    /// <summary>Above the status panel, with room above it for three lines of words.</summary>
+    /// <summary>Angle below the line of sight: above the status panel, with space above it for three lines of text.</summary>
     const float DegreesBelow = -6;
 
-    /// <summary>Behind the status panel, so that it hides nothing.</summary>
+    /// <summary>Distance of the load behind the status panel, so that it hides nothing.</summary>
     const float LoadBehindMetres = 0.5f;
 
     const float WordsAboveMetres = 0.06f;

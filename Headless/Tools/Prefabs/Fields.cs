@@ -3,12 +3,12 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>Fills in serialised fields by name, as the Inspector does.</summary>
+/// <summary>Sets serialised fields by name, as the Inspector does.</summary>
 static class Fields
 {
     const BindingFlags Declared = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
 
-    /// <exception cref="ArgumentException">The class has no such serialised field, or it is of another type.</exception>
+    /// <exception cref="ArgumentException">The class has no such serialised field, or it has another type.</exception>
     public static void Set(object target, string name, object value) => Of(target, name).SetValue(target, value);
 
     /// <inheritdoc cref="Set"/>

@@ -4,28 +4,28 @@ namespace Nowpose.Prefabs;
 
 static class MaterialAssets
 {
-    /// <summary>Before what is transparent: the text in front of it has to be drawn after it.</summary>
+    /// <summary>Render queue before transparent objects: text in front of it must be drawn after it.</summary>
     const int BehindText = 2900;
 
-    /// <summary>With everything that hides what is behind it.</summary>
+    /// <summary>Render queue of opaque objects.</summary>
     const int Opaque = 2000;
 
-    /// <summary>After the virtual parts, so that its depth hides none of them: where it is in front they show through it.</summary>
+    /// <summary>Render queue after the virtual parts, so that its depth hides none of them; where it is in front, they show through it.</summary>
     const int AfterVirtualParts = 3100;
 
-    /// <summary>The virtual parts: bright, for a headset's display only adds light.</summary>
+    /// <summary>Material of the virtual parts: bright, because a headset's display only adds light.</summary>
     public static string Hologram(Workshop workshop) => Make(workshop, "Hologram", new Color(0.25f, 0.75f, 1, 1));
 
-    /// <summary>The arm where no real one is to be seen: it fades and is striped like the tool, and is told from it.</summary>
+    /// <summary>Material of the arm in scenes without a real one. It fades and gets stripes like the tool, but has another colour.</summary>
     public static string Arm(Workshop workshop) => Make(workshop, "Arm", new Color(1, 0.55f, 0.15f, 1));
 
-    /// <summary>The uncompensated pose: colourless and half transparent, so told from the other without its colour too.</summary>
+    /// <summary>Material of the uncompensated pose: colourless and half transparent, so that it differs not only in colour.</summary>
     public static string Ghost(Workshop workshop) => Make(workshop, "Ghost", new Color(0.8f, 0.8f, 0.8f, 0.4f), AfterVirtualParts);
 
-    /// <summary>Real things of a scene on a desktop: grey, and shaded without a light in both render pipelines.</summary>
+    /// <summary>Material of real objects in a desktop scene: grey, and shaded without a light in both render pipelines.</summary>
     public static string Solid(Workshop workshop) => Make(workshop, "Solid", new Color(0.6f, 0.6f, 0.6f, 1), Opaque);
 
-    /// <summary>Letters, hidden by what is before them.</summary>
+    /// <summary>Material of text that is hidden by objects in front of it.</summary>
     public static string Text(Workshop workshop)
     {
         var material = new Material(workshop.Load<Shader>(PackagePaths.TextShader)) { name = "Text", color = Color.white, enableInstancing = true };
@@ -38,10 +38,10 @@ static class MaterialAssets
         return workshop.Asset(new Material(workshop.Load<Shader>(PackagePaths.OccluderShader)) { name = "Occluder", enableInstancing = true });
     }
 
-    /// <summary>Behind the status panel's text: dark, so on a headset hardly there, in the editor a ground for light letters.</summary>
+    /// <summary>Material behind the status panel's text: dark: nearly invisible on a headset, a background for bright text in the editor.</summary>
     public static string Panel(Workshop workshop) => Make(workshop, "Panel", new Color(0.05f, 0.07f, 0.1f, 0.8f), BehindText);
 
-    /// <summary>Lit squares of a code: as bright as the display can.</summary>
+    /// <summary>Material of the lit squares of a code: as bright as possible.</summary>
     public static string Timestamp(Workshop workshop) => Make(workshop, "Timestamp", Color.white);
 
     static string Make(Workshop workshop, string name, Color colour, int renderQueue = -1)

@@ -2,7 +2,7 @@ using Nowpose.Prefabs.Mrtk3;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>Where the assets are, as Unity calls them.</summary>
+/// <summary>Paths of the assets in Unity's form.</summary>
 static class PackagePaths
 {
     const string Runtime = "Packages/com.nowpose.mril/Runtime/";

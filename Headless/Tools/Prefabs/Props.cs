@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>What a scene for a desktop has around the robot.</summary>
+/// <summary>The objects around the robot in a desktop scene.</summary>
 static class Props
 {
     /// <param name="position">Metres.</param>
@@ -24,7 +24,7 @@ static class Props
         return camera;
     }
 
-    /// <summary>For a headset, which moves it: black is transparent on a see-through display, and hands come close.</summary>
+    /// <summary>Creates a camera that a headset moves. Black is transparent on a see-through display, and hands come close.</summary>
     /// <remarks>Where a headset's rig brings its own camera, <see cref="SetNearClip"/> gives that one the same near clip plane.</remarks>
     public static GameObject HeadsetCamera()
     {
@@ -38,10 +38,10 @@ static class Props
         return camera;
     }
 
-    /// <summary>At 0.1 m a step of a 16-bit depth buffer is 0.34 mm at 1.5 m; at 0.02 m it would be 1.7 mm.</summary>
+    /// <summary>Sets the near clip plane. At 0.1 m, a step of a 16-bit depth buffer is 0.34 mm at 1.5 m; at 0.02 m it would be 1.7 mm.</summary>
     public static void SetNearClip(Camera camera) => camera.nearClipPlane = 0.1f;
 
-    /// <summary>A sun with soft shadows; without in a headset's scene: they cost a second rendering, and its display cannot darken.</summary>
+    /// <summary>Creates a sun with soft shadows. A headset's scene has none: they need a second rendering, and its display cannot darken.</summary>
     public static GameObject Light(bool hasShadows = true)
     {
         var light = new GameObject("Directional Light");
@@ -53,7 +53,7 @@ static class Props
         return light;
     }
 
-    /// <summary>4 m in square, at the robot's base.</summary>
+    /// <summary>Creates a ground of 4 m × 4 m at the robot's base.</summary>
     public static GameObject Ground(Workshop workshop)
     {
         var ground = GameObject.CreatePrimitive(PrimitiveType.Quad);

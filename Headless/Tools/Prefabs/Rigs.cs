@@ -4,10 +4,10 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>Rigs as the component itself builds them at run time, made to stay.</summary>
+/// <summary>Builds rigs like the component does at run time, to be stored in a prefab.</summary>
 static class Rigs
 {
-    /// <param name="robot">Null for a rig that builds itself once it knows its robot.</param>
+    /// <param name="robot">Null for a rig that builds itself once its robot is known.</param>
     /// <param name="parent">Null for none.</param>
     /// <param name="arm">Material of the links up to the flange.</param>
     /// <param name="tool">Material of the links that the flange carries.</param>
@@ -21,7 +21,7 @@ static class Rigs
         return rig;
     }
 
-    /// <summary>Takes away what shows the links below one of them: the virtual gripper shows itself.</summary>
+    /// <summary>Removes the renderers of the links below a link, because the virtual gripper has its own.</summary>
     public static void HideBelow(Transform link)
     {
         foreach (var renderer in link.GetComponentsInChildren<MeshRenderer>(includeInactive: true))

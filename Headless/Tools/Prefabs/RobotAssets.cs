@@ -14,7 +14,7 @@ static class RobotAssets
         return workshop.Asset(asset);
     }
 
-    /// <summary>A gateway on this machine, nothing calibrated: the class's own defaults.</summary>
+    /// <summary>Creates settings for a gateway on this machine without calibration: the class's defaults.</summary>
     public static string Settings(Workshop workshop, string path)
     {
         var asset = ScriptableObject.CreateInstance<SessionSettingsAsset>();

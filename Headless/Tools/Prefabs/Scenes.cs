@@ -4,10 +4,10 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>Scenes for a desktop, where no real arm is to be seen.</summary>
+/// <summary>Scenes for a desktop without a real arm.</summary>
 static class Scenes
 {
-    /// <summary>Of the host project.</summary>
+    /// <summary>Creates the scene of the host project.</summary>
     public static string Demo(Workshop workshop)
     {
         var cell = Cell(workshop, PackagePaths.Cell, PackagePaths.Settings);
@@ -22,7 +22,7 @@ static class Scenes
         return Save(workshop, cell);
     }
 
-    /// <summary>Here the real arm is drawn, too, where the simulation has it; it hides what is behind it by itself.</summary>
+    /// <summary>Creates a scene that also draws the real arm at its simulated position; it hides objects behind it by itself.</summary>
     public static string VirtualRobotCell(Workshop workshop)
     {
         var cell = Cell(workshop, PackagePaths.Cell, PackagePaths.VirtualSettings);
@@ -43,12 +43,12 @@ static class Scenes
         return Save(workshop, control.gameObject, real.gameObject, cell);
     }
 
-    /// <summary>For a headset, and for the editor without one: there the camera stays at the origin, and everything is in front of it.</summary>
+    /// <summary>Creates a scene for a headset, and for the editor without one, where the camera stays at the origin and faces all objects.</summary>
     public static string DisplayCalibration(Workshop workshop)
     {
         var cell = Cell(workshop, PackagePaths.Cell, PackagePaths.CalibrationSettings);
         cell.transform.Find("Base Anchor").localPosition = AnyHeadsetScene.BasePlace;
-        // The lower edge of the panel stays in view, and its upper edge below the code.
+        // Keeps the lower edge of the panel in view, and its upper edge below the code.
         Fields.Set(cell.GetComponentInChildren<StatusPanel>(includeInactive: true).GetComponent<BodyFollow>(), "_degreesBelow", 8f);
         CalibrationObjects.Add(workshop, cell.GetComponent<MrilSession>());
         var rig = new GameObject("Tracking Origin");
@@ -58,7 +58,7 @@ static class Scenes
         return workshop.Scene(rig, Props.Light(hasShadows: false), cell);
     }
 
-    /// <param name="settingsPath">Its own, for those of an installed package cannot be changed.</param>
+    /// <param name="settingsPath">Path of separate settings, because those of an installed package are read-only.</param>
     internal static GameObject Cell(Workshop workshop, string cellPath, string settingsPath)
     {
         var cell = workshop.Instantiate(cellPath, null);
@@ -66,7 +66,7 @@ static class Scenes
         return cell;
     }
 
-    /// <summary>What hides the gripper where the real arm is: unseen itself.</summary>
+    /// <summary>Gets the renderers that hide the gripper behind the real arm; they are invisible themselves.</summary>
     static IEnumerable<MeshRenderer> Arm(Workshop workshop, GameObject cell)
     {
         var occluder = workshop.Load<Material>(PackagePaths.Occluder);
@@ -74,7 +74,7 @@ static class Scenes
             .Where(r => r.sharedMaterial == occluder);
     }
 
-    /// <summary>Shows the arm, also one that is built at run time.</summary>
+    /// <summary>Shows the arm, including one that is built at run time.</summary>
     static void Draw(Workshop workshop, GameObject cell)
     {
         var material = workshop.Load<Material>(PackagePaths.Arm);

@@ -6,10 +6,10 @@ namespace Nowpose.Prefabs;
 
 static class Texts
 {
-    /// <summary>Of the font's picture: letters stay sharp at arm's length.</summary>
+    /// <summary>Font size of the font texture: letters stay sharp at arm's length.</summary>
     const int Points = 48;
 
-    /// <summary>Letters of half a degree at 1 m; the components make them as large as the viewer's distance asks for.</summary>
+    /// <summary>Scale for letters of half a degree at 1 m. The components adapt it to the viewer's distance.</summary>
     const float Scale = 0.0035f;
 
     public static TextMesh Add(Workshop workshop, string name, Transform parent, TextAnchor anchor, TextAlignment alignment)

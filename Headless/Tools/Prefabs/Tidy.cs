@@ -2,10 +2,10 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>Takes away what trigonometry leaves behind: 6.123234e-17 where 0 is meant.</summary>
+/// <summary>Removes rounding errors of trigonometry: 6.123234e-17 instead of 0.</summary>
 static class Tidy
 {
-    /// <summary>Of lengths a tenth of a micrometre, of turns a tenth of a microradian: below what a float holds of a metre.</summary>
+    /// <summary>Number of decimals: a tenth of a micrometre or of a microradian, which is below the resolution of a float near 1 m.</summary>
     const int Digits = 7;
 
     public static void Transforms(Transform root)
@@ -21,6 +21,6 @@ static class Tidy
 
     static Vector3 Rounded(Vector3 v) => new(Rounded(v.x), Rounded(v.y), Rounded(v.z));
 
-    // The sum makes 0 of -0.
+    // The sum converts -0 to 0.
     static float Rounded(float value) => (float)(Math.Round((double)value, Digits) + 0.0);
 }

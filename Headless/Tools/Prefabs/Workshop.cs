@@ -5,7 +5,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>What an asset is built with: the assets that are there already, and the writer.</summary>
+/// <summary>The tools for building an asset: the existing assets and the writer.</summary>
 sealed class Workshop
 {
     readonly string _root;
@@ -27,8 +27,8 @@ sealed class Workshop
 
     public string ReadText(string path) => File.ReadAllText(Path.Combine(_root, path));
 
-    /// <summary>A linked instance of a prefab.</summary>
-    /// <param name="parent">Null for a root.</param>
+    /// <summary>Creates a linked instance of a prefab.</summary>
+    /// <param name="parent">The parent; null for a root.</param>
     public GameObject Instantiate(string prefabPath, Transform parent)
     {
         var made = _library.InstantiatePrefab(Load<GameObject>(prefabPath));

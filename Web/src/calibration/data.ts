@@ -6,7 +6,7 @@ export interface CalibrationData {
   title: string;
   /** The outcome in one sentence. */
   result: string;
-  /** What to know before trusting it. */
+  /** Warnings to read before the result is used. */
   warnings: string[];
   facts: Fact[];
   sections: SectionData[];

@@ -4,14 +4,14 @@ import { LiveTable } from './liveTable';
 import { type Headset, numberOf, textOf } from './state';
 import { stateWords } from './terms';
 
-/** Silent for longer than this, what it said is no news. */
+/** Time without a report after which a headset's values are outdated. */
 const SILENT_S = 3;
 
 const number = (label: string, key: string, digits = (v: number) => v) => ({
   label, isNumber: true, cell: (headset: Headset) => { const v = numberOf(headset, key); return format(v == null ? null : digits(v)); },
 });
 
-/** What each headset says of itself; one of them is chosen, for plots and the view of the robot. */
+/** The diagnostics of the headsets. One of them is selected for the plots and the view of the robot. */
 export class Headsets {
   readonly element: HTMLElement;
   private chosenName: string | null = null;

@@ -6,7 +6,7 @@ import { format } from '../numbers';
 import { colour } from '../theme';
 import type { Look } from '../traces';
 
-/** So much of the past is shown, in seconds. */
+/** Length of the shown history, in seconds. */
 export const WINDOW_S = 120;
 
 export interface LiveTrace {
@@ -14,7 +14,7 @@ export interface LiveTrace {
   look: Look;
 }
 
-/** Numbers of the last two minutes, one of each trace a second. */
+/** Values of the last two minutes, one per trace and second. */
 export class LivePlot {
   readonly element: HTMLElement;
   private readonly chart: Chart;
@@ -48,7 +48,7 @@ export class LivePlot {
     if ((this.chart.plot.cursor.left ?? -1) < 0) this.tell(null);
   }
 
-  /** Of another headset is another story. */
+  /** Clears the plot, for another headset. */
   clear(): void {
     this.times = [];
     this.values = this.traces.map(() => []);
@@ -60,7 +60,7 @@ export class LivePlot {
     return [this.times.map(t => t - now), ...this.values] as uPlot.AlignedData;
   }
 
-  // The newest where nobody points.
+  // The newest values if the cursor is outside of the plot.
   private tell(at: number | null): void {
     const i = at ?? this.times.length - 1;
     const { plot } = this.chart;

@@ -1,7 +1,7 @@
 import { byId } from '../pairing/elements';
 import { ask } from './state';
 
-// Whether somebody logged in here: the cookie itself no script can see.
+// Remembers that a user has logged in here, because scripts cannot read the cookie itself.
 const REMEMBERED = 'nowpose-logged-in';
 
 /** The form that asks for a token where the gateway does. */
@@ -9,7 +9,7 @@ export class Login {
   private readonly form = byId<HTMLFormElement>('login');
   private readonly token = byId<HTMLInputElement>('token-text');
 
-  /** @param changed Called when the browser has logged in or out. */
+  /** @param changed Called when the user has logged in or out. */
   constructor(changed: () => void) {
     this.form.addEventListener('submit', event => {
       event.preventDefault();
@@ -19,10 +19,10 @@ export class Login {
     this.remember(this.isRemembered());
   }
 
-  /** @param isNeeded Whether the gateway refused to tell anything. */
+  /** @param isNeeded Whether the gateway refused the request. */
   show(isNeeded: boolean): void {
     if (this.form.hidden === !isNeeded) return;
-    // What has the focus is about to go: it would begin at the top of the page again.
+    // Moves the focus before its element is hidden; otherwise it would go to the top of the page.
     if (!isNeeded && this.form.contains(document.activeElement)) byId('content').focus();
     this.form.hidden = !isNeeded;
     if (isNeeded) this.remember(false);

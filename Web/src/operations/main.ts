@@ -19,7 +19,7 @@ import { ask, type State } from './state';
 
 const POLL_MS = 1000;
 
-/** While nobody is logged in: each question is one that the gateway refuses, counts and logs. */
+/** Polling interval while no user is logged in: the gateway refuses, counts and logs each request. */
 const REFUSED_POLL_MS = 10_000;
 
 const link = new Rosbridge();
@@ -33,7 +33,7 @@ const recordings = new Recordings();
 const headsets = new Headsets(() => plots.chooseAnother());
 const recorder = new Recorder(() => void read());
 const login = new Login(() => {
-  // Who may see what has changed.
+  // The permissions have changed.
   link.close();
   void read().then(() => wake());
 });
@@ -65,7 +65,7 @@ let asked = 0;
 async function read(): Promise<void> {
   const own = ++asked;
   const answer = await ask<State>('state');
-  // Overtaken by one that was asked after logging in or out.
+  // Outdated by a request after a login or logout.
   if (own !== asked) return;
   isRefused = 'trouble' in answer && answer.status === 401;
   login.show(isRefused);
@@ -100,7 +100,7 @@ function show(state: State): void {
   events.show(state.events ?? []);
 }
 
-// Said once: what is still there must not be taken for news.
+// Marked as stale, so that the remaining data are not mistaken for current ones.
 function lose(why: string): void {
   byId('content').classList.add('stale');
   overall.lose();

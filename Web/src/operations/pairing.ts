@@ -1,7 +1,7 @@
 import { byId } from '../pairing/elements';
 import { startToken } from '../pairing/token';
 
-/** Shows the secret code that pairs a headset while somebody wants it: whoever walks past the screen could use it. */
+/** Shows the secret pairing code only on request, because any person who sees the screen could use it. */
 export function startPairing(): void {
   const button = byId('show-code');
   let stop: (() => void) | null = null;

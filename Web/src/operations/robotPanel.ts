@@ -7,16 +7,16 @@ import { LiveClock } from './liveClock';
 import { readJointState, type Rosbridge } from './rosbridge';
 import { type Headset, type Joint, numberOf } from './state';
 
-/** Shown is what was so long ago: by then the samples on both sides of it, and what the headset showed, have arrived. */
+/** Age of the shown state. By then, the neighbouring samples and the headset's displayed pose have arrived. */
 const BEHIND_S = 0.5;
 const KEEP_S = 5;
 const JOINT_STATE = 'sensor_msgs/msg/JointState';
 const NUMBERS_MS = 500;
 
-/** From one picture to the next: smooth to the eye, and half the work of as often as possible. */
+/** Interval of the pictures: smooth to the eye, with half the work of the maximum rate. */
 const PICTURE_MS = 30;
 
-// Finer is what a prediction cannot be.
+// Finer differences are beyond the accuracy of a prediction.
 const apart = (mm: number) => (mm < 0.1 ? 'less than 0.1\u00a0mm' : format(mm, 'mm'));
 
 const about = (mm: number) => (mm < 0.1 ? '' : 'about ') + apart(mm);
@@ -41,7 +41,7 @@ export class RobotPanel {
   constructor(link: Rosbridge, isCalm: boolean) {
     this.element = el('div', {}, this.words, this.doubt, this.view.element);
     link.subscribe('/robot_description', 'std_msgs/msg/String', text => this.describe(text));
-    // Fast enough for the eye, whatever the plant's rate; several may wait, for arm and gripper often publish apart.
+    // Fast enough for the eye at any plant rate. Several messages may be queued, because arm and gripper often publish separately.
     link.subscribe('/joint_states', JOINT_STATE, text => this.sample(text), 20, 8);
     link.subscribe('/nowpose/displayed', JOINT_STATE, text => this.shown(text), 0, 256);
     if (isCalm) setInterval(() => this.draw(), 1000);
@@ -101,12 +101,12 @@ export class RobotPanel {
     if (performance.now() - this.spoken < NUMBERS_MS) return;
     this.spoken = performance.now();
     this.tellDoubt(bodies.joints, new Set(poses.truth?.names));
-    // Held beyond its last sample, the truth is none.
+    // Beyond its last sample, the held position is not the truth.
     if ((this.truth.last ?? 0) < time) setText(this.words, 'Joint positions come too late to compare anything with them.');
     else this.speak(bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth'));
   }
 
-  // A joint at 0, or where it was when its data stopped, must not pass for the truth.
+  // A joint at 0, or at its last position, must not be mistaken for the truth.
   private tellDoubt(all: string[], received: Set<string>): void {
     const words = all.filter(joint => !received.has(joint) || this.faults.has(joint))
       .map(joint => (received.has(joint) ? `${joint} is ${this.faults.get(joint)}` : `${joint} has not been received`));
@@ -114,13 +114,13 @@ export class RobotPanel {
     setText(this.doubt, words.length === 0 ? '' : `${words.join(', ')}: the links below are not drawn.`);
   }
 
-  // A headset that has fallen silent shows nothing here.
+  // A headset without recent reports shows nothing here.
   private recent(time: number) {
     const { last } = this.displayed;
     return last === undefined || last < time - 0.5 ? null : this.displayed.at(time);
   }
 
-  // What had arrived by then, by the latencies that the headset measured.
+  // The samples that had arrived by then, by the latencies that the headset measured.
   private held(time: number) {
     const late = this.headset && [numberOf(this.headset, 'l_app_ms'), numberOf(this.headset, 'l_visu_ms')];
     return !late || late[0] == null || late[1] == null ? null : this.truth.heldAt(time - (late[0] + late[1]) / 1000);

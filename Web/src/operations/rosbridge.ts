@@ -24,12 +24,12 @@ export class Rosbridge {
   private timer = 0;
   private isWanted = false;
 
-  /** @param take Gets each message as text: who knows what it wants of it need not read it all. */
+  /** @param take Receives each message as text, so that it need not be parsed completely. */
   subscribe(topic: string, type: string, take: (text: string) => void, throttleMs = 0, queue = 0): void {
     this.topics.set(topic, { type, take, throttleMs, queue });
   }
 
-  /** Opens it, unless it is open or about to be. */
+  /** Opens the connection, unless it is open or being opened. */
   open(): void {
     if (this.isWanted) return;
     this.isWanted = true;
@@ -37,7 +37,7 @@ export class Rosbridge {
     this.connect();
   }
 
-  /** Until it is opened again: whoever is not let in does not knock all day. */
+  /** Closes the connection until it is opened again, so that a refused client does not reconnect repeatedly. */
   close(): void {
     this.isWanted = false;
     clearTimeout(this.timer);
@@ -62,14 +62,14 @@ export class Rosbridge {
     });
   }
 
-  // Without reading all of it: what is not wanted is most of what comes.
+  // Without parsing everything, because most messages are not needed.
   private take(text: string): void {
     const topic = /"topic":"([^"]+)"/.exec(text)?.[1];
     if (topic) this.topics.get(topic)?.take(text);
   }
 }
 
-/** Null for what is none. */
+/** Parses a joint state; null if it is invalid. */
 export function readJointState(text: string): JointState | null {
   try {
     const { header, name, position } = JSON.parse(text).msg;

@@ -1,4 +1,4 @@
-/** What /operations/state answers; a field that is missing or null is not known. Units stand in the names. */
+/** The answer of /operations/state. A missing or null field is unknown. Names contain the units. */
 export interface State {
   cell?: string | null;
   host?: string;
@@ -11,7 +11,7 @@ export interface State {
   adapters?: Words[];
   sources?: Source[];
   joints?: Joint[];
-  /** The newest first; those that last are never left out. */
+  /** The newest first; active events are always included. */
   events?: StatusEvent[];
   headsets?: Headset[];
   forward_ms?: { p50: number; p99: number } | null;
@@ -32,7 +32,7 @@ export interface Joint {
   age_s?: number | null;
   rate_hz: number;
   reason: string;
-  /** Why it is not certain that a joint at rest rests. */
+  /** The reason why it is uncertain that a joint at rest rests. */
   uncertain?: string | null;
 }
 
@@ -45,7 +45,7 @@ export interface StatusEvent {
   level: Level;
   since_utc: string;
   until_utc?: string | null;
-  /** All of it in plain words. */
+  /** The whole event as text. */
   text?: string | null;
 }
 
@@ -82,7 +82,7 @@ export interface PlantClock {
   last_failure?: string | null;
 }
 
-/** What somebody says of itself: words, and numbers where they are. */
+/** Diagnostics of a headset or an adapter: texts, and numbers where available. */
 export type Words = { name: string; seen_s_ago: number } & Record<string, unknown>;
 
 export interface Source {
@@ -105,7 +105,7 @@ export interface Recording {
   bytes?: number;
   lost?: number;
   problem?: string | null;
-  /** The newest recording was ended and its file was deleted since. */
+  /** Whether the newest recording has ended and its file was deleted afterwards. */
   deleted?: boolean;
 }
 
@@ -132,7 +132,7 @@ export async function ask<T>(path: string, fields?: Record<string, string>): Pro
   }
 }
 
-/** A number of somebody's own words; null where it is none. */
+/** Gets a number from the diagnostics; null if there is none. */
 export function numberOf(words: Words, key: string): number | null {
   const value = words[key];
   return typeof value === 'number' && Number.isFinite(value) ? value : null;

@@ -3,7 +3,7 @@ import { draw, setEdge } from './drawing';
 import { byId } from './elements';
 import { ask, type Beginning, type Marker } from './gateway';
 
-/** After a keystroke, until the code is made anew. */
+/** Delay from a keystroke until the code is updated. */
 const PAUSE_MS = 250;
 
 const field = (id: string) => byId<HTMLInputElement>(id).value;
@@ -38,7 +38,7 @@ async function make(): Promise<boolean> {
   const own = ++newest;
   if (field('name') === '') return fail('');
   const answer = await ask<Marker>('cell', { name: field('name'), host: field('host'), offset: offset(), size_mm: field('size') });
-  // Overtaken by what was typed since.
+  // Outdated by later input.
   if (own !== newest) return false;
   if ('trouble' in answer) return fail(answer.trouble);
   return answer.value.text ? show(answer.value.text) : fail(answer.value.fault ?? '');

@@ -2,7 +2,7 @@ import { byId } from './elements';
 import { draw } from './drawing';
 import { ask, type Answer, type ShownCode } from './gateway';
 
-/** From one question to the next: so soon after a headset has used a code there is another. */
+/** Polling interval: maximum delay of the next code after a headset has used one. */
 const POLL_MS = 2000;
 
 let text = '';
@@ -10,8 +10,8 @@ let endsAt = 0;
 let trouble = '';
 
 /**
- * Shows the gateway's code, for how long it is worth something, and the next one when it is used or too old.
- * @returns What ends it: no code is shown then, and none is asked for.
+ * Shows the gateway's code with its remaining validity, and the next one when it has been used or has expired.
+ * @returns A function that stops showing and requesting codes.
  */
 export function startToken(): () => void {
   const end = new AbortController();
@@ -35,7 +35,7 @@ async function poll(end: AbortSignal): Promise<void> {
 
 async function show(fields: Record<string, string>, end: AbortSignal): Promise<void> {
   const answer: Answer<ShownCode> = await ask('code', fields);
-  // Hidden meanwhile: the secret must not come back.
+  // Hidden in the meantime: the secret must not appear again.
   if (end.aborted) return;
   if ('trouble' in answer) trouble = answer.trouble;
   else {
@@ -52,7 +52,7 @@ async function show(fields: Record<string, string>, end: AbortSignal): Promise<v
 
 function tick(): void {
   const left = Math.max(0, Math.ceil((endsAt - performance.now()) / 1000));
-  // A code that is worth nothing, or may be, must not be taken for one that is.
+  // A code that is or may be invalid must not look valid.
   byId('token').classList.toggle('gone', trouble !== '' || left === 0);
   const clock = `${Math.floor(left / 60)}:${String(left % 60).padStart(2, '0')}`;
   byId('left').textContent = trouble || `worth something for ${clock}, or until a headset has used it`;

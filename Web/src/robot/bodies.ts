@@ -15,7 +15,7 @@ export const PARTS: Record<Part, { ink: Ink; opacity: number; place: number }> =
   hold: { ink: '--hold', opacity: 0.35, place: 0 },
 };
 
-/** Sets back by what nobody can see, a pixel along a slope and some 3 mm in depth where a robot of 1 m fills the picture. */
+/** Moves faces back by an invisible amount: a pixel along a slope, and about 3 mm in depth if a robot of 1 m fills the picture. */
 const BACK = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 200 };
 
 /** The same robot several times, each in its colour and with joints of its own. */
@@ -26,13 +26,13 @@ export class Bodies {
   private readonly bones: Record<Part, LineSegments> | null = null;
   private readonly points = { from: new Vector3(), to: new Vector3() };
 
-  /** @throws Error when the text is no URDF. */
+  /** @throws Error when the text is not a valid URDF. */
   constructor(urdf: string) {
     const each = <T>(make: (part: Part) => T) => ({ truth: make('truth'), displayed: make('displayed'), hold: make('hold') });
     this.robots = each(() => readUrdf(urdf));
     this.materials = each(part => new MeshPhongMaterial({
       transparent: PARTS[part].opacity < 1, opacity: PARTS[part].opacity, depthWrite: PARTS[part].opacity === 1,
-      // Colour over the grey of the truth would say that it is shown elsewhere.
+      // A coloured body over the grey truth at the same position would suggest a different one.
       ...(PARTS[part].opacity < 1 ? BACK : {}),
     }));
     for (const part of Object.keys(PARTS) as Part[]) {
@@ -52,7 +52,7 @@ export class Bodies {
     showKnown(this.robots[part], isKnown);
   }
 
-  /** @param positions Null hides it. */
+  /** @param positions Positions of the joints; null hides the body. */
   pose(part: Part, names: string[], positions: ArrayLike<number> | null): void {
     this.robots[part].root.visible = positions !== null;
     if (positions) setJoints(this.robots[part], names, positions);
@@ -73,7 +73,7 @@ export class Bodies {
     for (const part of Object.keys(PARTS) as Part[]) if (this.isShown(part)) box.expandByObject(this.robots[part].root);
   }
 
-  /** Between the tools of two of them, mm; null where one is not shown. */
+  /** Gets the distance between the tools of two bodies, mm; null if one is not shown. */
   distance(a: Part, b: Part): number | null {
     if (!isDrawn(this.robots[a].tool) || !isDrawn(this.robots[b].tool)) return null;
     return 1000 * toolPosition(this.robots[a], this.points.from).distanceTo(toolPosition(this.robots[b], this.points.to));
@@ -86,7 +86,7 @@ export class Bodies {
     }
   }
 
-  /** Gives the graphics memory back; it is not shown again. */
+  /** Releases the graphics memory. The object is then unusable. */
   dispose(): void {
     this.group.traverse(object => (object as Partial<LineSegments>).geometry?.dispose());
     for (const part of Object.keys(PARTS) as Part[]) {
@@ -95,7 +95,7 @@ export class Bodies {
     }
   }
 
-  // Where meshes would be, lines from link to link.
+  // Creates lines from link to link, used instead of meshes.
   private boneOf(part: Part): LineSegments {
     const ends = 2 * Object.keys(this.robots[part].root.joints).length;
     const geometry = new BufferGeometry().setAttribute('position', new Float32BufferAttribute(3 * ends, 3));
@@ -111,7 +111,7 @@ export class Bodies {
     let at = 0;
     for (const joint of Object.values(root.joints)) {
       const link = joint.children.find(child => 'isURDFLink' in child);
-      // A line of no length where the joint's position is not known.
+      // A line of zero length if the joint's position is unknown.
       for (const end of [joint.parent!, isDrawn(joint) ? link ?? joint : joint.parent!] as Object3D[]) {
         const { x, y, z } = root.worldToLocal(end.getWorldPosition(this.points.from));
         places.setXYZ(at++, x, y, z);

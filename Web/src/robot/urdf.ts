@@ -1,7 +1,7 @@
 import { MeshPhongMaterial, type Object3D, Vector3 } from 'three';
 import URDFLoader, { type URDFJoint, type URDFRobot } from 'urdf-loader';
 
-/** The link that works, as the headset finds it. */
+/** The tool's link, found in the same order as in the headset. */
 const TOOLS = ['tool_centre_point', 'tool0', 'flange'];
 
 const MOVING = ['revolute', 'continuous', 'prismatic'];
@@ -14,26 +14,26 @@ export interface Robot {
   meshes: number;
 }
 
-// A robot may call a joint what every object has.
+// A joint may have the name of a property that every object has.
 const has = (map: object, name: string) => Object.prototype.hasOwnProperty.call(map, name);
 
-/** @throws Error when the text is no URDF; says why in one line. */
+/** @throws Error when the text is not a valid URDF, with the reason in one line. */
 export function readUrdf(text: string): Robot {
   const document = new DOMParser().parseFromString(text, 'text/xml');
   const fault = document.querySelector('parsererror');
   if (fault || document.documentElement.nodeName !== 'robot') throw new Error('the robot description is no URDF');
-  // Whatever names a file would be asked for over the network.
+  // Removes textures, which would be loaded over the network.
   document.querySelectorAll('texture').forEach(texture => texture.remove());
   let meshes = 0;
   const loader = new URDFLoader();
   loader.loadMeshCb = (_path, _manager, _material, _done) => { meshes++; };
   const root = loader.parse(document);
-  // Shown is what was measured, even beyond its limits.
+  // Shows measured positions even beyond the limits.
   for (const joint of Object.values(root.joints)) joint.ignoreLimits = true;
   return { root, tool: toolOf(root), meshes };
 }
 
-/** Joints it does not have are left out, as the headset does. */
+/** Sets joints by name. Unknown joints are ignored, as in the headset. */
 export function setJoints({ root }: Robot, names: string[], positions: ArrayLike<number>): void {
   names.forEach((name, i) => {
     if (has(root.joints, name) && Number.isFinite(positions[i])) root.joints[name].setJointValue(positions[i]);

@@ -7,10 +7,10 @@ import { OrbitCamera } from './camera';
 const KEYS = 'Arrow keys turn the view, plus and minus zoom, 0 resets; or drag, and double-click.';
 const HEIGHT = 380;
 
-/** Around what is shown, as a share of its size. */
+/** Margin around the shown bodies, as a share of their size. */
 const ROOM = 0.03;
 
-/** Draws one robot as it is, as it is displayed and as it would be held. Without WebGL it says so; the robots' joints go on all the same. */
+/** Draws one robot at its true, displayed and held position. Without WebGL, it shows a message, and the joints are still updated. */
 export class RobotView {
   readonly element: HTMLElement;
   private bodiesShown: Bodies | null = null;
@@ -19,7 +19,7 @@ export class RobotView {
   private readonly renderer: WebGLRenderer | null;
   private readonly orbit: OrbitCamera | null = null;
   private readonly canvas: HTMLCanvasElement;
-  /** What of the robot has been shown so far. */
+  /** Box around everything shown so far. */
   private readonly seen = new Box3();
   private isAsked = false;
   private isSeen = true;
@@ -42,7 +42,7 @@ export class RobotView {
     sun.position.set(1, -2, 3);
     this.scene.add(new AmbientLight(0xffffff, 1.6), sun);
     new ResizeObserver(() => this.fit()).observe(stage);
-    // Where a processor draws, what nobody sees is dear.
+    // Pauses while it is not visible: rendering without a graphics card is slow.
     new IntersectionObserver(([entry]) => {
       this.isSeen = entry.isIntersecting;
       this.ask();
@@ -50,10 +50,10 @@ export class RobotView {
     onColoursChanged(() => this.recolour());
   }
 
-  /** Null until there is a description that can be read. */
+  /** The bodies; null until there is a valid description. */
   get bodies(): Bodies | null { return this.bodiesShown; }
 
-  /** Takes the place of the former robot. A text that is no URDF is said, and nothing is shown. */
+  /** Replaces the robot. For an invalid URDF, it shows a message and no robot. */
   describe(urdf: string): void {
     if (this.bodiesShown) this.scene.remove(this.bodiesShown.group);
     this.bodiesShown?.dispose();
@@ -71,7 +71,7 @@ export class RobotView {
     this.recolour();
   }
 
-  /** Draws with the next frame, however often it is asked. */
+  /** Draws with the next frame, once for any number of calls. */
   ask(): void {
     if (this.isAsked || !this.isSeen || !this.renderer) return;
     this.isAsked = true;
@@ -87,14 +87,14 @@ export class RobotView {
     this.note.hidden = words === '';
   }
 
-  // Where all joints are zero tells little of where the robot will be: the camera steps back whenever it comes to where it has not been.
+  // The zero pose does not show the robot's range, so the camera moves back whenever the robot leaves the area seen so far.
   private widen(): void {
     const box = new Box3();
     this.bodiesShown?.addTo(box);
     const size = box.getSize(new Vector3()).length();
-    // A size in the description may be no number.
+    // Sizes in the description may not be finite.
     if (box.isEmpty() || !Number.isFinite(size) || this.seen.containsBox(box)) return;
-    // Somewhat more, or each picture of a movement would be another step.
+    // With a margin; otherwise, each picture of a movement would move the camera.
     this.seen.union(box.expandByScalar(ROOM * size));
     this.orbit!.frame(this.seen);
   }
@@ -121,7 +121,7 @@ export class RobotView {
   }
 }
 
-// Asked first: the renderer complains on the console where there is none.
+// Checked first, because the renderer writes an error to the console without WebGL.
 function rendererOn(canvas: HTMLCanvasElement): WebGLRenderer | null {
   const context = canvas.getContext('webgl2', { antialias: true });
   return context ? new WebGLRenderer({ canvas, context }) : null;

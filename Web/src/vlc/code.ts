@@ -4,7 +4,7 @@
 /** Cells along one side. */
 export const SIDE = 8;
 
-/** After so many milliseconds the codes repeat. */
+/** Period of the codes, ms. */
 export const PERIOD_MS = 65536;
 
 const PAIRS = 18, PAIRS_PER_ROW = 3;

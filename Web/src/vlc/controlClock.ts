@@ -8,7 +8,7 @@ export interface Exchange {
   resolutionNs: number;
 }
 
-/** What the control clock shows, and how wrong that may be, ms. */
+/** A time of the control clock in ns, and its maximum error in ms. */
 export interface Reading {
   ns: bigint;
   boundMs: number;
@@ -16,30 +16,30 @@ export interface Reading {
 
 const WINDOW_MS = 10_000;
 
-/** Fewer exchanges tell nothing. */
+/** Minimum number of exchanges for an estimate. */
 export const LEAST_EXCHANGES = 8;
 
-/** No two clocks run more differently: as in the protocol. */
+/** Maximum skew of two clocks, as in the protocol. */
 const GREATEST_SKEW = 500e-6;
 
 const NS_PER_MS = 1e6;
 
 /**
- * The control clock as this page knows it. Each exchange says between which two values the offset lies; what all of the last ten seconds
- * agree on is what is known, so it is the exchanges with the shortest round trips that decide.
+ * The page's estimate of the control clock. Each exchange gives a lower and an upper bound of the offset. The estimate is the intersection
+ * of the bounds of the last ten seconds, which is determined by the exchanges with the shortest round-trip times.
  */
 export class ControlClock {
   private exchanges: { at: number; low: number; high: number }[] = [];
   private base = 0n;
 
-  /** @param grainMs Steps in which t1 and t4 advance: they may be wrong by as much. */
+  /** @param grainMs Steps in which t1 and t4 advance, which is also their maximum error. */
   constructor(private readonly grainMs: number) {}
 
   get count(): number {
     return this.exchanges.length;
   }
 
-  /** @returns Whether the clock stepped, so that what was known before is forgotten. */
+  /** @returns Whether the clock stepped, so that earlier exchanges were discarded. */
   add({ t1, t2, t3, t4, resolutionNs }: Exchange): boolean {
     if (this.count === 0) this.base = t2;
     const received = Number(t2 - this.base) / NS_PER_MS, sent = Number(t3 - this.base) / NS_PER_MS, step = resolutionNs / NS_PER_MS;

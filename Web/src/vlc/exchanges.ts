@@ -3,10 +3,10 @@ import { grainOf } from './grain';
 
 const QUICK_MS = 60, SLOW_MS = 250, TIMEOUT_MS = 1000;
 
-/** Silence after which nothing is known any more: two exchanges may be lost. */
+/** Time without a reply after which the clock is unknown: two exchanges may be lost. */
 const SILENCE_MS = 2000;
 
-/** More than this would be read as another millisecond or two: no code is better than such a one. */
+/** Maximum error bound. A larger error would be read as another code, and no code is better than a wrong one. */
 const GREATEST_BOUND_MS = 3;
 
 interface Answer {
@@ -34,7 +34,7 @@ export class Exchanges {
     this.goOn();
   }
 
-  /** Why nothing may be shown; null when the clock is good. */
+  /** Gets the reason why no code may be shown; null when the clock is accurate. */
   doubt(now: number): string | null {
     const age = this.clock.age(now);
     if (this.problem) return this.problem;
@@ -50,7 +50,7 @@ export class Exchanges {
       await this.exchange();
       const pause = this.clock.count < LEAST_EXCHANGES && !this.problem ? QUICK_MS : SLOW_MS;
       await new Promise<void>(done => {
-        // Without a token each request is one more line in the gateway's log.
+        // Without a token, each request would add a line to the gateway's log.
         if (this.isWaiting) this.goOn = done;
         else setTimeout(done, pause);
       });
@@ -69,7 +69,7 @@ export class Exchanges {
       this.problem = answer.is_synchronised ? '' : 'the control clock itself is not synchronised';
       this.clock.add({ t1, t2: BigInt(answer.t2_ns), t3: BigInt(answer.t3_ns), t4, resolutionNs: answer.resolution_ns });
     } catch {
-      // Unreachable or too slow: the age of the newest exchange tells when that matters.
+      // Not reachable or too slow; reported once the newest exchange is too old.
       if (this.clock.age(performance.now()) > SILENCE_MS) this.fail('the gateway does not answer');
     }
   }

@@ -1,6 +1,6 @@
 const STEPS = 5;
 
-/** Of the finest clocks, ms: no browser tells more exactly what it does. */
+/** Step of the finest clocks, ms; no browser documents it more exactly. */
 const LEAST_MS = 0.1;
 
 /**
@@ -14,7 +14,7 @@ export function grainOf(now: () => number): number {
     const begin = now();
     let end = begin;
     while (end === begin) end = now();
-    // Whoever is interrupted meanwhile sees several steps at once.
+    // A page that is interrupted here sees several steps at once.
     least = Math.min(least, end - begin);
   }
   return Math.max(least, LEAST_MS);

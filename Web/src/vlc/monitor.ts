@@ -1,6 +1,6 @@
 const FRAMES = 120;
 
-/** What a page can know of the monitor it is on: how often it refreshes, and from that when a frame's light is seen. */
+/** Properties of the monitor that a page can measure: its refresh rate, and from it the delay until a frame's light. */
 export class Monitor {
   private readonly intervals: number[] = [];
   private last = NaN;

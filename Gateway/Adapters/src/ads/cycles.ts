@@ -1,35 +1,35 @@
 import type { Nanoseconds } from '../times';
 
-/** Cycles whose values wait for their time, beside those of a maximum delay, within which a PLC sends both. */
+/** Maximum number of cycles whose values wait for their time, in addition to those of a maximum delay, within which a PLC sends both. */
 const MORE_WAITING = 16;
 
-/** Cycles whose time is known: those of 10 s, the longest delay, of a task of 5 ms. */
+/** Maximum number of stored times: those of 10 s, the longest delay, for a task of 5 ms. */
 const MOST_TIMES = 2048;
 
-/** A joint's place in the configuration, and its value as the PLC has it. */
+/** A joint's index in the configuration, and its value in the PLC. */
 export interface CycleValue {
   joint: number;
   value: number;
 }
 
 /**
- * Gives a PLC's values the time that a variable of it told in the same cycle: what bears the same stamp was sampled in the same cycle.
+ * Assigns times to a PLC's values. The time comes from a variable of the same cycle: equal stamps mean the same cycle.
  */
 export class Cycles {
   readonly #waiting = new Map<bigint, CycleValue[]>();
   readonly #times = new Map<bigint, Nanoseconds | null>();
 
   /**
-   * @param perDelay Cycles that are sampled within a maximum delay.
-   * @param take Gets the values of a cycle and its time; null where the variable held none.
-   * @param drop Gets the values that never met their time.
+   * @param perDelay Number of cycles sampled within a maximum delay.
+   * @param take Receives the values of a cycle and its time; null if the variable had none.
+   * @param drop Receives the values that never got a time.
    */
   constructor(
     readonly perDelay: number, readonly take: (time: Nanoseconds | null, values: CycleValue[]) => void,
     readonly drop: (values: CycleValue[]) => void,
   ) {}
 
-  /** What a frame brings of one cycle; `time` is undefined where the frame does not have it. */
+  /** Adds the part of one cycle in a frame. `time` is undefined if the frame does not contain it.  */
   add(stamp: bigint, values: CycleValue[], time: Nanoseconds | null | undefined): void {
     if (time !== undefined) remember(this.#times, stamp, time, MOST_TIMES);
     const all = [...this.#waiting.get(stamp) ?? [], ...values];
@@ -44,7 +44,7 @@ export class Cycles {
   }
 }
 
-/** Keeps the newest; returns what had to go for it. */
+/** Adds an entry; returns the oldest one if it was removed for it. */
 function remember<T>(map: Map<bigint, T>, stamp: bigint, value: T, most: number): T | undefined {
   map.set(stamp, value);
   if (map.size <= most) return undefined;

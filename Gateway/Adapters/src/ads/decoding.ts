@@ -3,7 +3,7 @@ import type { Nanoseconds } from '../times';
 
 type Reader = (data: Buffer) => number | bigint;
 
-/** Elementary types by their ADS number (ADST_… of TcAdsDef.h), which is the same whatever a PLC calls an alias of it. */
+/** Readers of elementary types by their ADS number (ADST_… of TcAdsDef.h), which is the same for all aliases of a type in a PLC. */
 const READERS: Record<number, { bytes: number; read: Reader }> = {
   2: { bytes: 2, read: data => data.readInt16LE() },
   3: { bytes: 4, read: data => data.readInt32LE() },
@@ -17,12 +17,12 @@ const READERS: Record<number, { bytes: number; read: Reader }> = {
   21: { bytes: 8, read: data => data.readBigUInt64LE() },
 };
 
-/** The fixed-size structures that hold a time: two words of 32 bits, the lower one first. */
+/** The type of fixed-size structures that hold a time: two words of 32 bits, the lower one first. */
 const STRUCTURE = 65;
 
 const DOUBLE = 5;
 
-/** Of a symbol as the PLC's table tells of it. */
+/** A symbol's properties from the PLC's table. */
 export interface Declared {
   type: string;
   adsDataType: number;
@@ -30,27 +30,27 @@ export interface Declared {
   arrayDimension: number;
 }
 
-/** Whether one number lies there. */
+/** Whether the symbol is a single number. */
 export const isNumber = ({ adsDataType, size, arrayDimension }: Declared): boolean =>
   arrayDimension === 0 && READERS[adsDataType]?.bytes === size;
 
 export const numberOf = (declared: Declared, data: Buffer): number => Number(READERS[declared.adsDataType].read(data));
 
-/** What a type counts by its name; for others see `unitOf`. */
+/** Time units of types by name; see `unitOf` for other types. */
 const UNIT_OF_TYPE: Record<string, TimeUnit> = {
   T_FILETIME: 'filetime', FILETIME: 'filetime', T_FILETIME64: 'filetime', FILETIME64: 'filetime',
   T_DCTIME: 'dctime', T_DCTIME64: 'dctime', DCTIME64: 'dctime',
 };
 
-/** What a variable counts where nobody says it: whole numbers ns, an LREAL s. */
+/** Gets the default unit of a variable: ns for whole numbers, s for an LREAL. */
 export const unitOf = ({ type, adsDataType }: Declared): TimeUnit =>
   UNIT_OF_TYPE[type.toUpperCase().replace(/^.*\./, '')] ?? (adsDataType === DOUBLE ? 's' : 'ns');
 
-/** Whether it can hold a time: 64 bits. A UDINT or DT knows whole seconds only, which are too coarse. */
+/** Whether the symbol can hold a time: 64 bits. A UDINT or DT has a resolution of a second, which is too coarse. */
 export const canHoldTime = ({ adsDataType, size, arrayDimension }: Declared): boolean =>
   arrayDimension === 0 && size === 8 && [DOUBLE, 20, 21, STRUCTURE].includes(adsDataType);
 
-/** @returns Null where the variable holds no time: nothing, or a number that is none. */
+/** @returns Null if the variable holds no valid time. */
 export function timeOf({ adsDataType }: Declared, unit: TimeUnit, data: Buffer): Nanoseconds | null {
   if (adsDataType === DOUBLE) {
     const value = data.readDoubleLE();

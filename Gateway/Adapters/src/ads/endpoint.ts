@@ -1,4 +1,4 @@
-/** Where a PLC is: the machine that takes the frames, and the AMS address that they are for. */
+/** Address of a PLC: the machine that receives the frames, and the AMS address of the PLC. */
 export interface AdsEndpoint {
   host: string;
   tcpPort: number;
@@ -8,10 +8,10 @@ export interface AdsEndpoint {
 
 const ROUTER_TCP_PORT = 48898;
 
-/** The forms of ads://HOST[:TCP PORT]/AMS NET ID:AMS PORT, for the schema's pattern too. */
+/** The form ads://HOST[:TCP PORT]/AMS NET ID:AMS PORT, also used in the schema's pattern. */
 const FORM = /^ads:\/\/([^\s/@:]+)(?::(\d{1,5}))?\/((?:\d{1,3}\.){5}\d{1,3}):(\d{1,5})$/;
 
-/** Undefined when the text is no such address. */
+/** Parses an address; undefined if the text is invalid. */
 export function parseEndpoint(text: string): AdsEndpoint | undefined {
   const match = FORM.exec(text);
   if (match === null) return undefined;
@@ -19,7 +19,7 @@ export function parseEndpoint(text: string): AdsEndpoint | undefined {
   return isNetId(endpoint.netId) && isPort(endpoint.tcpPort) && isPort(endpoint.port) ? endpoint : undefined;
 }
 
-/** Six numbers from 0 to 255. */
+/** Whether the text is six numbers from 0 to 255. */
 export const isNetId = (text: string): boolean => /^(\d{1,3}\.){5}\d{1,3}$/.test(text) && text.split('.').every(part => Number(part) <= 255);
 
 const isPort = (port: number): boolean => port > 0 && port < 65536;

@@ -12,23 +12,23 @@ const LONGEST_WAIT_MS = 1500, MOST_EARLY = 64;
 /** The clock that stamps a PLC's values. */
 export interface PlcTime {
   read(): Promise<ClockReading>;
-  /** Every stamp that arrives for a handle that is none of a joint's. */
+  /** Reports every stamp that arrives for a handle that does not belong to a joint. */
   saw(handle: number, stamp: bigint): void;
 }
 
 /**
- * The clock of notification stamps. No request of ADS is answered with it, but each new notification is sampled, stamped and sent at
- * once: its first stamp lies between the request for it and its arrival.
+ * The clock of notification stamps. No ADS request returns its time, but each new notification is sampled, stamped and sent
+ * immediately: its first stamp lies between the request and its arrival.
  */
 export class NotificationTime implements PlcTime {
   readonly #waiting = new Map<number, (stamp: bigint) => void>();
-  /** Of handles that nobody knows yet: a first notification may overtake the answer to its subscription. */
+  /** Stamps of handles that are still unknown: a first notification may arrive before the answer to its subscription. */
   readonly #early = new Map<number, bigint>();
-  /** Handles that were ours: what still comes for them is of an earlier question, even where a PLC gives one away again. */
+  /** Former handles. Notifications for them belong to an earlier request, even if a PLC reuses the handle. */
   readonly #former: number[] = [];
   #asking = 0;
 
-  /** @param place Of anything that can be notified of, preferably of what bears such stamps. */
+  /** @param place Address of any symbol that supports notifications, preferably one with these stamps. */
   constructor(readonly client: ReadOnlyClient, readonly place: Pick<AdsSymbol, 'indexGroup' | 'indexOffset' | 'size'>) {}
 
   saw(handle: number, stamp: bigint): void {
@@ -68,11 +68,11 @@ export class NotificationTime implements PlcTime {
   }
 }
 
-/** The clock that a variable of the PLC shows. Its task writes it once per cycle, so that it is a cycle coarse. */
+/** The clock in a variable of the PLC. Its task writes it once per cycle, so its resolution is a cycle. */
 export class VariableTime implements PlcTime {
   #resolution: Nanoseconds | null;
 
-  /** @param resolution The cycle of that task; null: measured. */
+  /** @param resolution The cycle of that task; null to measure it. */
   constructor(readonly client: ReadOnlyClient, readonly symbol: AdsSymbol, readonly unit: TimeUnit, resolution: Nanoseconds | null) {
     this.#resolution = resolution;
   }
@@ -92,7 +92,7 @@ export class VariableTime implements PlcTime {
     return time;
   }
 
-  /** The smallest step between values that are read 1 ms apart, without waiting for one before asking for the next. */
+  /** Measures the smallest step between values that are read 1 ms apart, without waiting for each answer. */
   async #step(): Promise<Nanoseconds> {
     const asked: Promise<Nanoseconds>[] = [];
     const never = new AbortController().signal;

@@ -8,10 +8,10 @@ const TIMEOUT_MS = 1500, CHECK_MS = 500, DOWN_MS = 1000;
 const { ADS_COMMAND: COMMAND, ADS_RESERVED_INDEX_GROUPS: GROUP } = ADS;
 const READING: number[] = [COMMAND.ReadDeviceInfo, COMMAND.Read, COMMAND.ReadState, COMMAND.AddNotification, COMMAND.DeleteNotification];
 
-/** What ReadWrite may be for: a name goes out, what it means comes back. */
+/** Allowed uses of ReadWrite: the request contains a name, the answer its meaning. */
 const LOOKING_UP: number[] = [GROUP.SymbolInfoByNameEx, GROUP.DataDataTypeInfoByNameEx];
 
-/** Members that ads-client hides from TypeScript; its version is pinned, and a test notices if they go. */
+/** Members that ads-client does not export to TypeScript. Its version is pinned, and a test detects their removal. */
 interface Hidden {
   socket?: { destroyed: boolean; readableEnded: boolean; destroy(): void };
   receiveBuffer: Buffer;
@@ -20,9 +20,9 @@ interface Hidden {
   parseAdsNotification(data: Buffer): unknown;
 }
 
-/** An ADS client through which nothing can be written, that keeps the stamps as they were sent and survives frames that are none. */
+/** An ADS client without write access. It keeps the stamps unchanged and survives invalid frames. */
 export class ReadOnlyClient extends Client {
-  /** Gets all that was notified, frame by frame. */
+  /** Receives all notifications, frame by frame. */
   onSamples: (samples: StampedSamples[]) => void = () => {};
 
   constructor(endpoint: AdsEndpoint, local: { netId: string; port: number } | null) {
@@ -37,7 +37,7 @@ export class ReadOnlyClient extends Client {
       connectionCheckInterval: CHECK_MS,
       connectionDownDelay: DOWN_MS,
       hideConsoleWarnings: true,
-      // What comes before the answer to its subscription is not unknown, only early.
+      // A notification may arrive before the answer to its subscription; its subscription is then not yet known.
       deleteUnknownSubscriptions: false,
     });
     const hidden = this.#hidden, parsed = hidden.parseAdsNotification.bind(this), taken = hidden.parseAmsTcpPacket.bind(this);
@@ -54,13 +54,13 @@ export class ReadOnlyClient extends Client {
     });
   }
 
-  /** Whether the other end has hung up. */
+  /** Whether the other end has closed the connection. */
   get isHungUp(): boolean {
     const { socket } = this.#hidden;
     return socket === undefined || socket.destroyed || socket.readableEnded;
   }
 
-  /** The one way out for every command of ads-client. */
+  /** Every command of ads-client is sent by this method. */
   override async sendAdsCommand<T = AdsResponse>(command: AdsCommandToSend): Promise<AmsTcpPacket<T>> {
     const isReading = READING.includes(command.adsCommand)
       || command.adsCommand === COMMAND.ReadWrite && LOOKING_UP.includes(command.payload!.readUInt32LE(0));

@@ -8,7 +8,7 @@ const TARGET_PORT = 6, TARGET_MACHINE = 7, SYMBOL_NOT_FOUND = 1808;
 
 export const isSymbolNotFound = (error: unknown): boolean => codeOf(error) === SYMBOL_NOT_FOUND;
 
-/** Why a PLC is not read, and what to do about it. */
+/** Gets the reason why a PLC cannot be read, with the remedy. */
 export function reasonOf(error: unknown, client: ReadOnlyClient, endpoint: AdsEndpoint, localNetId: string | null): string {
   const { host, tcpPort, netId, port } = endpoint;
   const system = client.metaData.tcSystemState;
@@ -27,7 +27,7 @@ export function reasonOf(error: unknown, client: ReadOnlyClient, endpoint: AdsEn
   return messageOf(error);
 }
 
-/** ads-client tells the cause behind what it led to. */
+/** In ads-client's errors, the cause is the last entry of the trace. */
 const messageOf = (error: unknown): string =>
   (error as { trace?: string[] }).trace?.at(-1) ?? (error instanceof Error ? error.message : String(error));
 

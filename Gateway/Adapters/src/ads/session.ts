@@ -16,18 +16,18 @@ import { findSymbol, type NamedSymbol, SymbolError } from './symbols';
 const RUN = 5;
 const GOODBYE_MS = 500;
 
-/** Which every runtime has, whatever its program. */
+/** The state that every runtime has, independent of its program. */
 const PLC_STATE = { indexGroup: ADS.ADS_RESERVED_INDEX_GROUPS.DeviceData, indexOffset: 0, size: 4 };
 
-/** What a value takes beyond the intervals, and the limit for a joint that the PLC does not confirm. */
+/** Delay of a value beyond the intervals, and the limit for a joint that the PLC does not confirm. */
 const SLACK_MS = 100, UNCONFIRMED_MS = 1500;
 
-/** A change may be stamped this long before a read shows it, besides the time between two samples. */
+/** A change may be stamped this long before a read shows it, in addition to the time between two samples. */
 const STAMP_LAG_MS = 50;
 
 interface Watched {
   symbol: AdsSymbol;
-  /** Its place among the joints; null for the time. */
+  /** Index of the joint; null for the time. */
   joint: number | null;
   unsubscribe(): Promise<void>;
 }
@@ -52,7 +52,7 @@ export class AdsSession {
     });
   }
 
-  /** Reads until the connection, the program or the adapter ends; returns why, and whether waiting alone will hardly mend it. */
+  /** Reads until the connection, the program or the adapter ends. Returns the reason, and whether waiting alone is unlikely to fix it. */
   async run(): Promise<{ reason: string; isRefused: boolean }> {
     const ended = new Promise<string>(resolve => { this.#end = resolve; });
     const { stopping } = this.context, stop = (): void => this.#end('stopped');
@@ -91,7 +91,7 @@ export class AdsSession {
     this.#time = time === null
       ? new NotificationTime(this.#client, joints.find(symbol => symbol !== null) ?? PLC_STATE)
       : new VariableTime(this.#client, time, this.#unit, this.context.clock.fixedResolution);
-    // Which cycles are sampled is counted from when a notification is added: the time is taken in each, and the joints are added at once.
+    // The PLC counts the cycles from when a notification is added. The time is sampled in every cycle, and the joints are added immediately.
     if (time !== null) await this.#watch(time, null, { cycleTime: 0, sendOnChange: false });
     const sampled = { cycleTime: settings.samplingMs, sendOnChange: settings.isOnChange };
     await Promise.all(joints.map((symbol, joint) => symbol === null ? undefined : this.#watch(symbol, joint, sampled)));
@@ -100,7 +100,7 @@ export class AdsSession {
     this.#tellState();
   }
 
-  /** Null for a joint that the PLC does not have while it has others, which go on. */
+  /** Gets the symbols; null for a joint that the PLC does not have. The others are still read. */
   async #findJoints(): Promise<(AdsSymbol | null)[]> {
     const found = await Promise.allSettled(this.settings.joints.map(named => this.#find(named, numberNeeded)));
     const failed = found.filter(result => result.status === 'rejected');
@@ -136,7 +136,7 @@ export class AdsSession {
           watched.unsubscribe().catch(() => {});
         }
         await this.#watch(joints[joint]!, joint, sampled);
-        // The first notification may come before its handle is known; a joint at rest has no other.
+        // The first notification may arrive before its handle is known; a joint at rest has no other.
         output.publish([{ joint, value, stamp: null, isFirst: true }]);
       },
     });
@@ -180,7 +180,7 @@ export class AdsSession {
 
   #put(stamp: Nanoseconds | null, values: CycleValue[]): void {
     const { isOnChange, samplingMs, publishingMs } = this.settings;
-    // What changed so long before these was looked at, and sent, before these.
+    // Changes older than this were sampled and sent before these values.
     if (isOnChange && stamp !== null && this.#isRunning)
       this.context.output.hold(stamp - ofMilliseconds(samplingMs + publishingMs), ofMilliseconds(3 * samplingMs), new Set(values.map(v => v.joint)));
     if (this.#isRunning) return this.context.output.publish(values.map(value => ({ ...value, stamp })));
@@ -224,7 +224,7 @@ export class AdsSession {
       : `the connection to ${host} ended`;
   }
 
-  // A PLC that still answers is told to forget the notifications; one that does not is not waited for.
+  // Removes the notifications if the PLC still answers; does not wait for one that does not.
   async #leave(): Promise<void> {
     this.#client.onSamples = () => {};
     const goodbye = this.#client.connection.connected ? this.#client.disconnect() : Promise.resolve();

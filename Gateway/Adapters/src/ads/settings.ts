@@ -4,20 +4,20 @@ import type { TimeUnit } from '../samples/timeUnit';
 import { type AdsEndpoint, isNetId, parseEndpoint } from './endpoint';
 import type { NamedSymbol } from './symbols';
 
-/** AMS ports of clients are the ones that TwinCAT's router gives away. */
+/** An AMS port of the range that TwinCAT's router assigns to clients. */
 const OWN_PORT = 32905;
 
 const SAMPLING_MS = 10;
 
-/** What a configuration of kind ads says, as the schema and its own check leave it. */
+/** The settings of kind ads, after the checks by the schema and by its own check. */
 export interface AdsSettings {
   endpoint: AdsEndpoint;
-  /** Who we are towards a target without a router on this machine; null where the router of `endpoint.host` gives us an address. */
+  /** Our address at a target without a router on this machine; null if the router of `endpoint.host` assigns one. */
   local: { netId: string; port: number } | null;
   samplingMs: number;
   publishingMs: number;
   isOnChange: boolean;
-  /** The variable that tells t_k; null where the stamps of notifications do. */
+  /** The variable with t_k; null if the stamps of notifications are used. */
   time: (NamedSymbol & { unit: TimeUnit | undefined }) | null;
   joints: NamedSymbol[];
 }
@@ -35,7 +35,7 @@ interface PlantSection {
 
 const sectionOf = (configuration: Configuration): PlantSection => configuration.plant as unknown as PlantSection;
 
-/** What the schema cannot say; notes the lines of the symbols for what only the PLC can object to. */
+/** Checks what the schema cannot check, and stores the lines of the symbols for errors that only the PLC can detect. */
 export const check: OwnCheck = (file, configuration) => {
   const plant = sectionOf(configuration);
   if (parseEndpoint(plant.endpoint) === undefined)

@@ -1,39 +1,43 @@
 import { pause } from '../backoff';
 
-/** Time between two looks while values arrive, and while none has arrived for QUIET_MS. A headset shows a sample for 300 ms. */
+/** Interval of the checks while values arrive, and after none has arrived for QUIET_MS. A headset shows a sample for 300 ms. */
 const LOOK_MS = 500, QUIET_LOOK_MS = 90, QUIET_MS = 50;
 
-/** A symbol is read when nothing has come of it for this long, where rest is silent. */
+/** Time without a value after which a symbol is read, if values at rest are not sent. */
 const SILENT_MS = 60;
 
-/** A value is late after this time and after this multiple of the time that it takes to arrive: then the PLC no longer notifies. */
+/** A value is late after this time and this multiple of its normal delay. The PLC then no longer sends notifications. */
 const LATE_MS = 400, DELAYS = 2;
 
 interface SymbolState {
   heardAt: number;
   value: number | null;
   isLost: boolean;
-  /** When the first of the reads was made that all found a value that should have been sent; null: the last one did not. */
+  /** Time of the first of the consecutive reads that found a value that should have been sent; null if the last one did not. */
   missedSince: number | null;
 }
 
-/** What is done with the results of a read, by the joint's place in the configuration. */
+/** Actions for the results of a read, by the joint's index in the configuration. */
 export interface ReadActions {
-  /** @throws Error The PLC does not have the symbol any more, or does not answer. */
+  /** @throws Error The PLC no longer has the symbol, or does not answer. */
   read(joint: number): Promise<number>;
-  /** These joints still had the value of their last notification when they were read. The reads began `agoMs` milliseconds ago. */
+  /** Confirms that these joints had the value of their last notification when they were read. The reads began `agoMs` ms ago. */
   confirm(joints: ReadonlySet<number>, agoMs: number): void;
   lose(joint: number, error: unknown): void;
-  /** Subscribes again: the symbol is back with this value, or its notifications are missing. */
+  /** Subscribes again: the symbol exists again with this value, or its notifications are missing. */
   renew(joint: number, value: number): Promise<void>;
 }
 
-/** Reads the symbols that a PLC is silent about: it is silent about a value at rest and about a symbol that is gone. */
+/** Reads the symbols for which a PLC sends nothing: either the value is at rest, or the symbol no longer exists. */
 export class SilentSymbols {
   readonly #symbols: (SymbolState | null)[];
   #newest = -Infinity;
 
-  /** @param watched Whether each joint is subscribed to. @param delayMs What a value takes to arrive at most. @param isOnChange Rest is silent. */
+  /**
+   * @param watched Whether each joint is subscribed.
+   * @param delayMs Maximum delay of a value.
+   * @param isOnChange Whether values at rest are not sent.
+   */
   constructor(
     watched: boolean[], readonly delayMs: number, readonly isOnChange: boolean, readonly actions: ReadActions,
     readonly now: () => number = () => performance.now(),

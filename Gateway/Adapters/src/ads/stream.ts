@@ -1,13 +1,13 @@
-/** What one device had to say of its variables at one moment. */
+/** The values of a device's variables at one time. */
 export interface StampedSamples {
-  /** 100 ns since 1601 UTC, as the device wrote it. */
+  /** Time in 100 ns since 1601 UTC, as written by the device. */
   stamp: bigint;
   samples: { handle: number; data: Buffer }[];
 }
 
 /**
- * The notifications of an ADS frame. ads-client keeps their stamps as dates, to the millisecond; here all 100 ns are kept.
- * @throws RangeError The data is shorter than it says.
+ * Parses the notifications of an ADS frame. ads-client reduces their stamps to ms; here the 100 ns are kept.
+ * @throws RangeError The data are shorter than their length fields.
  */
 export function parseStream(data: Buffer): StampedSamples[] {
   const stamps: StampedSamples[] = [];

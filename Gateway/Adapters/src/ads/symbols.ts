@@ -5,18 +5,18 @@ import { isSymbolNotFound } from './reasons';
 
 const LARGEST_TABLE = 8 * 1024 * 1024;
 
-/** A variable that the configuration names, and where it does. */
+/** A variable in the configuration, with its line. */
 export interface NamedSymbol {
   symbol: string;
   line: number;
 }
 
-/** The configuration names what the PLC has not, or not so. */
+/** The configuration names a symbol that the PLC does not have, or not in this form. */
 export class SymbolError extends Error {}
 
 /**
- * Looks up what the configuration names.
- * @throws SymbolError The PLC has no such symbol, or not one that is of use; says the line and what may be meant.
+ * Finds a symbol of the configuration.
+ * @throws SymbolError The PLC does not have the symbol, or it is not usable. The message has the line and a suggestion.
  */
 export async function findSymbol(client: ReadOnlyClient, file: string, { symbol, line }: NamedSymbol,
   objectionTo: (found: AdsSymbol) => string | undefined): Promise<AdsSymbol> {

@@ -3,7 +3,7 @@ import { publish } from './publish';
 import { settingsOf } from './settings';
 import { subscribe } from './subscribe';
 
-/** Carries a plant's messages between a gateway and a broker, in one direction, until it is stopped. */
+/** Transfers a plant's messages between a gateway and a broker, in one direction, until it is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
   const { configuration, status, log } = context, settings = settingsOf(configuration);
   status.detail('endpoint', settings.endpoint);

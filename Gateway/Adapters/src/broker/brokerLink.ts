@@ -7,54 +7,54 @@ import type { BrokerSettings } from './settings';
 const KEEP_ALIVE_S = 3, CONNECT_MS = 5000, STEADY_MS = 2000, GOODBYE_MS = 500;
 
 /**
- * What is published, below the plant's topic: as it is called in ROS, the joints that are not live, and whether the publishing end is there.
+ * The topics below the plant's topic: those with ROS names, the joints that are not live, and the presence of the publishing end.
  * All but the joint states are retained.
  */
 export const STATES = 'joint_states', TRAJECTORY = 'joint_trajectory', DESCRIPTION = 'robot_description', STATUS = 'joint_status', ALIVE = 'alive';
 
-/** What ALIVE says: the bridge and its gateway are there, the bridge is there without its gateway, or the bridge is away. */
+/** Values of ALIVE: bridge and gateway are present, the bridge is present without its gateway, or the bridge is absent. */
 export type Presence = 'true' | 'no gateway' | 'false';
 
-/** Room for a description of 1 MiB. */
+/** Maximum packet size: a description of 1 MiB with a margin. */
 const LARGEST_PACKET = 1024 * 1024 + 64 * 1024;
 
 export interface BrokerEvents {
   opened(): void;
   away(reason: string): void;
   heard(topic: string, payload: Buffer): void;
-  /** What came under this topic broke `heard`. */
+  /** A message on this topic caused an exception in `heard`. */
   malformed(topic: string, problem: string): void;
 }
 
-/** The connection to an MQTT 5 broker. Comes back by itself; subscriptions and retained messages are then said again. */
+/** The connection to an MQTT 5 broker. Reconnects by itself, and then repeats subscriptions and retained messages. */
 export class BrokerLink {
   readonly #queue = new SendQueue();
   readonly #retained = new Map<string, string>();
   #client: MqttClient | null = null;
   #presence: Presence = 'no gateway';
 
-  /** @param subscriptions Below the plant's topic. */
+  /** @param subscriptions Topics below the plant's topic. */
   constructor(readonly settings: BrokerSettings, readonly name: string, readonly subscriptions: string[], readonly events: BrokerEvents) {}
 
-  /** Messages that were dropped because the broker was away or slow. */
+  /** Number of messages dropped because the broker was away or slow. */
   get dropped(): number { return this.#queue.dropped; }
 
   /**
-   * Sends joint states once or never: for one that got lost the next is better than a second attempt, which might even come after it.
-   * A broker that is slow loses the oldest.
+   * Sends joint states at most once: the next one is better than a repetition, which could even arrive after it.
+   * If the broker is slow, the oldest are dropped.
    */
   publishStates(payload: string): void {
     this.#queue.add(payload);
     this.#pump();
   }
 
-  /** Sends it until the broker has it, which gives it to whoever subscribes later. */
+  /** Publishes a retained message with acknowledgement, which the broker keeps for later subscribers. */
   publishRetained(topic: string, payload: string): void {
     this.#retained.set(topic, payload);
     if (this.#client?.connected) this.#keep(topic, payload);
   }
 
-  /** Whether the gateway of a publishing bridge is there. */
+  /** Sets whether the gateway of a publishing bridge is connected. */
   set isGatewayOpen(value: boolean) {
     const presence: Presence = value ? 'true' : 'no gateway';
     if (presence === this.#presence) return;
@@ -87,7 +87,7 @@ export class BrokerLink {
       client.on('connect', () => this.#open(client));
       client.on('message', (topic, payload) => this.#hear(topic.slice(this.settings.topic.length + 1), payload));
       client.on('error', error => { reason = inWords(error, this.settings.endpoint); });
-      // Its end says so once more, when the next client may be there already.
+      // The close event would report the end again, when the next client may already exist.
       client.once('close', () => {
         stop.removeEventListener('abort', leave);
         this.#client = null;
@@ -97,7 +97,7 @@ export class BrokerLink {
     });
   }
 
-  // Whatever somebody publishes must not end the process.
+  // An invalid message from any publisher must not end the process.
   #hear(topic: string, payload: Buffer): void {
     try {
       this.events.heard(topic, payload);
@@ -120,7 +120,7 @@ export class BrokerLink {
       properties: { maximumPacketSize: LARGEST_PACKET },
       ...(user === null ? {} : { username: user.name, password: user.password }),
       ...(authority === null ? {} : { ca: authority }),
-      // Said by the broker when this end dies without a word.
+      // Published by the broker when this end disconnects without a close.
       ...(direction === 'publish' ? { will: { topic: `${topic}/${ALIVE}`, payload: Buffer.from('false'), qos: 1 as const, retain: true } } : {}),
     };
   }

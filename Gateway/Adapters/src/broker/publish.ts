@@ -3,7 +3,7 @@ import { JOINT_STATES, JOINT_STATUS, JOINT_TRAJECTORY, ROBOT_DESCRIPTION } from 
 import { BrokerLink, DESCRIPTION, STATUS, TRAJECTORY } from './brokerLink';
 import type { BrokerSettings } from './settings';
 
-/** From the gateway that has the plant to the broker: what its headsets get, in the same JSON. */
+/** Publishes from the gateway of the plant to the broker: the messages for its headsets in the same JSON. */
 export async function publish({ configuration, gateway, status, stopping }: AdapterContext, settings: BrokerSettings): Promise<void> {
   const broker = new BrokerLink(settings, configuration.plant.name, [], {
     opened: () => status.enter('connected'),

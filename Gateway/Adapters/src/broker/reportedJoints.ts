@@ -6,19 +6,19 @@ import { type Nanoseconds, ofRosTime, toMilliseconds } from '../times';
 
 const MOST_JOINTS = 256, LONGEST_NAME = 128, LONGEST_REASON = 300;
 
-/** STATE SINCE REASON, as a gateway writes it; SINCE is its control time in seconds. */
+/** STATE SINCE REASON, as written by a gateway; SINCE is its control time in seconds. */
 const VALUE = /^(live|rest|stale|refused|fault|missing) (-?\d{1,12}(?:\.\d{1,9})?)(?: (.*))?$/;
 
-/** How a gateway begins the reason of a joint at rest of which that is not certain. */
+/** Begin of a gateway's reason for a joint at rest if the rest is uncertain. */
 const UNCERTAIN = 'may not be at rest: ';
 
-/** What the gateway that has the plant reports of one joint that is not live there. */
+/** Report of the plant's gateway about one joint that is not live there. */
 interface Report extends JointCondition { joint: string }
 
-/** Gives the joints of this gateway the states that they have at the gateway that has the plant. */
+/** Gives the joints of this gateway their states at the plant's gateway. */
 export class ReportedJoints {
   #isThere = false;
-  /** Heard while the other gateway was not known to be there. */
+  /** Newest message received while the other gateway was not known to be present. */
   #newest: Report[] | null = null;
   /** Joints of the newest message that was applied. */
   #reported = new Set<string>();
@@ -26,7 +26,7 @@ export class ReportedJoints {
   /** @param now Unix time in milliseconds. */
   constructor(readonly names: JointNames, readonly status: AdapterStatus, readonly silence: Silence, readonly now: () => number = Date.now) {}
 
-  /** Takes a message of the other gateway's topic /nowpose/joint_status. */
+  /** Processes a message of the other gateway's topic /nowpose/joint_status. */
   hear(message: Record<string, unknown>): void {
     const reports = reportsOf(message, this.now());
     if (typeof reports === 'string') return this.status.refuse('malformed', 'joint status', reports);
@@ -35,13 +35,13 @@ export class ReportedJoints {
     if (this.#isThere) this.#apply(reports);
   }
 
-  /** The other gateway is there. */
+  /** Reports that the other gateway is present. */
   enter(): void {
     this.#isThere = true;
     if (this.#newest !== null) this.#apply(this.#newest);
   }
 
-  /** The other gateway is away, and what it reported may not be so any more. */
+  /** Reports that the other gateway is absent, so that its reports may be outdated. */
   leave(): void {
     this.#isThere = false;
     this.#newest = null;
@@ -56,13 +56,13 @@ export class ReportedJoints {
       this.status.joints.report(report.joint, report);
     }
     for (const joint of this.#reported)
-      // A joint that never sent anything, and is not missed there any more, is none of that gateway's joints.
+      // A joint that never sent a value and is no longer reported as missing does not belong to that gateway.
       if (!now.has(joint) && !this.silence.judge(joint)) this.status.joints.forget(joint);
     this.#reported = now;
   }
 }
 
-/** What is wrong with the message where it cannot be used. */
+/** Gets the reports of a message, or the description of its error. */
 function reportsOf(message: Record<string, unknown>, now: number): Report[] | string {
   const { header, status } = message as { header?: { stamp?: unknown }; status?: { values?: unknown }[] };
   const written = ofRosTime(header?.stamp), values = Array.isArray(status) && status.length === 1 ? status[0]?.values : undefined;
@@ -83,10 +83,10 @@ function reportOf(entry: { key?: unknown; value?: unknown } | null, written: Nan
   if (typeof joint !== 'string' || joint === '' || joint.length > LONGEST_NAME || typeof value !== 'string') return null;
   const [, word, seconds, text = ''] = VALUE.exec(value) ?? [];
   if (word === undefined) return null;
-  // The message took no time worth speaking of; so no clock has to be known here, and none of two machines to agree.
+  // The transmission time is negligible, so no clock needs to be known here, and clocks of two machines need not agree.
   const since = Math.max(0, now - Math.max(0, toMilliseconds(written) - 1000 * Number(seconds)));
   const reason = text.slice(0, LONGEST_REASON), isUncertain = word === 'rest' && reason.startsWith(UNCERTAIN);
-  // An adapter does not judge what arrives at its own gateway, which is what stale says.
+  // "stale" describes the arrival at the receiving gateway, which an adapter does not report.
   const [state, why] = word === 'stale' ? ['fault', `at the gateway that has the plant: ${reason}`] : [word, reason];
   return { joint, state: state as JointState, since, reason: why, uncertainty: isUncertain ? reason.slice(UNCERTAIN.length) : '' };
 }

@@ -9,7 +9,7 @@ import { type Nanoseconds, ofMilliseconds } from '../times';
 
 const OLDEST_MS = 10_000, SYNC_PORT = 47010;
 
-/** The sync port of the gateway that has the plant. */
+/** The sync port of the plant's gateway. */
 export interface Upstream {
   host: string;
   port: number;
@@ -18,17 +18,17 @@ export interface Upstream {
   token: string | null;
 }
 
-/** What a configuration of kind broker says, files read. */
+/** The settings of kind broker, with the contents of their files. */
 export interface BrokerSettings {
   direction: 'publish' | 'subscribe';
   endpoint: string;
-  /** What all topics of this plant begin with at the broker. */
+  /** Prefix of all topics of this plant at the broker. */
   topic: string;
   isPlain: boolean;
   authority: string | null;
   user: User | null;
   oldest: Nanoseconds;
-  /** Null where nothing is asked for the time: then the gateway serves its own. */
+  /** Source of the time; null for none, so that the gateway serves its own. */
   clock: Upstream | null;
 }
 
@@ -43,7 +43,7 @@ interface Section {
   clock?: { host: string; port?: number; tls?: boolean; pin?: string; token_file?: string };
 }
 
-/** Filled in by the check of the configuration, which reads the files that hold secrets. */
+/** Set by the check of the configuration, which reads the files with secrets. */
 export const settingsOf = (configuration: Configuration): BrokerSettings => configuration.plant.settings as BrokerSettings;
 
 export const broker: Kind = {

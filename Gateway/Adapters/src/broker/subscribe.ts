@@ -10,7 +10,7 @@ import { runUpstreamClock } from './upstreamClock';
 
 const LONGEST_MESSAGE = 64 * 1024, LONGEST_DESCRIPTION = 1024 * 1024;
 
-/** From the broker to a gateway that has headsets only, with the time of the gateway that has the plant. */
+/** Transfers from the broker to a gateway without a plant, with the time of the plant's gateway. */
 export async function subscribe(
   { configuration, gateway, clock, output, status, log, stopping }: AdapterContext, settings: BrokerSettings,
 ): Promise<void> {

@@ -20,7 +20,7 @@ export class SyncClient {
     void closed.then(reason => this.#fail?.(new Error(reason)));
   }
 
-  /** @throws Error It cannot be reached, has another key, or does not know the token; says which. */
+  /** @throws Error The server is not reachable, has another key, or refuses the token; the message says which. */
   static async open(upstream: Upstream): Promise<SyncClient> {
     const socket = await connected(upstream);
     socket.setNoDelay(true);
@@ -37,7 +37,7 @@ export class SyncClient {
     this.socket.destroy();
   }
 
-  /** @throws Error No valid reply within 2 s; the connection is then of no more use and closes. */
+  /** @throws Error No valid reply within 2 s. The connection is then unusable and is closed. */
   async read(): Promise<ClockReading> {
     const sequence = this.#sequence = this.#sequence + 1 >>> 0, t1 = monotonicTime();
     const reply = parseReply(await this.#ask(request(sequence, t1)));
@@ -74,7 +74,7 @@ export class SyncClient {
     });
   }
 
-  // The server never speaks first: what nobody waits for is not of this protocol.
+  // The server never sends unrequested data: without a pending request, the bytes violate the protocol.
   #hear(bytes: Buffer): void {
     this.#received = Buffer.concat([this.#received, bytes]);
     if (this.#waiting === null || this.#received.length > FRAME) return this.close();

@@ -1,7 +1,7 @@
 import type { ClockReading } from '../clock/plantClock';
 import type { Nanoseconds } from '../times';
 
-/** Bytes of a frame of the clock sync protocol. */
+/** Length of a frame of the clock sync protocol, bytes. */
 export const FRAME = 48;
 
 const MAGIC = 0x434e5953, VERSION = 1;
@@ -26,7 +26,7 @@ function frame(kind: number, sequence: number, t1: Nanoseconds): Buffer {
 
 export const request = (sequence: number, t1: Nanoseconds): Buffer => frame(REQUEST, sequence, t1);
 
-/** The first frame where the server has tokens. */
+/** Creates the first frame, for a server with tokens. */
 export function tokenRequest(token: string): Buffer {
   const text = Buffer.from(token, 'utf8'), length = Buffer.alloc(2);
   length.writeUInt16LE(text.length);
@@ -36,10 +36,10 @@ export function tokenRequest(token: string): Buffer {
 const isOfKind = (bytes: Buffer, kind: number): boolean =>
   bytes.readUInt32LE(0) === MAGIC && bytes.readUInt8(4) === VERSION && bytes.readUInt8(5) === kind;
 
-/** Undefined where it is no answer to a token. */
+/** Whether a token was accepted; undefined if the bytes are not an answer to a token. */
 export const isAccepted = (bytes: Buffer): boolean | undefined => isOfKind(bytes, TOKEN_REPLY) ? (bytes.readUInt16LE(6) & 1) !== 0 : undefined;
 
-/** Undefined where it is no reply. */
+/** Parses a reply; undefined if the bytes are not a reply. */
 export function parseReply(bytes: Buffer): Reply | undefined {
   if (!isOfKind(bytes, REPLY)) return undefined;
   const bound = bytes.readUInt32LE(12), flags = bytes.readUInt16LE(6);
@@ -49,10 +49,10 @@ export function parseReply(bytes: Buffer): Reply | undefined {
     reading: {
       received: bytes.readBigInt64LE(24),
       sent: bytes.readBigInt64LE(32),
-      // Zero is unknown: then it is found out from the times.
+      // Zero means unknown; it is then determined from the times.
       resolution: BigInt(bytes.readUInt32LE(40)) || undefined,
       errorBound: BigInt(bound) * 1000n,
-      // A bound that does not fit is none.
+      // The maximum value of the field means that the bound is unknown.
       synchronised: (flags & 1) === 0 && bound !== LONGEST_BOUND,
     },
   };

@@ -5,8 +5,8 @@ import type { Upstream } from './settings';
 import { SyncClient } from './syncClient';
 
 /**
- * The clock of the gateway that has the plant: each reading is a sync exchange with it, so that its error bound and whether it is
- * synchronised go along, and what is between here and there is inside the round trip of whoever asks.
+ * The clock of the plant's gateway. Each reading is a sync exchange with it, which includes its error bound and its state. The network
+ * delay in between is part of the requesting gateway's round-trip time.
  */
 export async function runUpstreamClock(upstream: Upstream, clock: PlantClock, log: Log, stop: AbortSignal): Promise<void> {
   const backoff = new Backoff();
@@ -19,7 +19,7 @@ export async function runUpstreamClock(upstream: Upstream, clock: PlantClock, lo
   }
 }
 
-/** One connection; returns why it ended. */
+/** Uses one connection until it ends; returns the reason. */
 async function follow(upstream: Upstream, clock: PlantClock, log: Log, stop: AbortSignal, opened: () => void): Promise<string> {
   let client: SyncClient;
   try {

@@ -3,21 +3,21 @@ import type { GatewayLink } from '../gateway/link';
 import { monotonicTime, type Nanoseconds, NS_PER_MS, toRosTime } from '../times';
 import { Resolution } from './resolution';
 
-/** The control clock as it was read between two messages of the gateway. */
+/** A reading of the control clock between two messages of the gateway. */
 export interface ClockReading {
-  /** t2 and t3 on the control clock; equal where one read gives one time. */
+  /** t2 and t3 on the control clock; equal if one read returns one time. */
   received: Nanoseconds;
   sent: Nanoseconds;
-  /** Left out: found out from the times themselves. */
+  /** Resolution; if absent, it is determined from the times. */
   resolution?: Nanoseconds;
-  /** Of a clock that is itself an estimate. */
+  /** Error bound of a clock that is itself an estimate. */
   errorBound?: Nanoseconds;
   synchronised?: boolean;
 }
 
 export type ReadClock = () => Promise<ClockReading>;
 
-/** The plant answers, but the time it tells does not go on. Known by its name: each kind's bundle has a class of its own. */
+/** The plant answers, but its time does not advance. Identified by name, because each kind's bundle has its own class. */
 export class ClockStopped extends Error {
   override readonly name = 'ClockStopped';
 
@@ -28,18 +28,18 @@ export class ClockStopped extends Error {
 
 export const isClockStopped = (error: unknown): boolean => (error as Error | undefined)?.name === 'ClockStopped';
 
-/** A measurement of the resolution: enough readings, and changes of the time, for one whole standstill lies between two of them. */
+/** Limits of a resolution measurement. With enough changes of the time, a whole standstill lies between two of them. */
 const FEWEST_READINGS = 16, MOST_TO_KNOW = 64, CHANGES = 2, BETWEEN_READINGS_MS = 3;
 
-/** A gateway that follows such a clock stays converging: in steps of 30 ms it is synchronised after two or three minutes, of 50 ms never. */
+/** A gateway does not synchronise with a coarser clock: with steps of 30 ms it takes two or three minutes, with 50 ms it never does. */
 const COARSE: Nanoseconds = 50n * NS_PER_MS;
 
-/** A gateway asks too seldom to tell a clock that stands from one that does not: the clock is looked at again. */
+/** Interval of the measurements. A gateway reads the time too rarely to detect whether the clock stands still between updates. */
 const MEASURE_EVERY: Nanoseconds = 20_000_000_000n;
 
 /**
- * The control clock, which the gateway may ask for by the plant's name while the plant is there. It is offered when it can be read for the
- * first time: what is offered may become C1 of all headsets, and a clock that is not there would be a C1 that is never known.
+ * The control clock, which the gateway can read by the plant's name while the plant is connected. It is offered after the first successful
+ * reading: an offered clock may become C1 of all headsets, and an absent clock would be a C1 that is never known.
  */
 export class PlantClock {
   #read: ReadClock | null = null;
@@ -52,30 +52,30 @@ export class PlantClock {
   #isMissing = false;
 
   /**
-   * @param fixedResolution What the configuration says of it; null: found out.
-   * @param counter Nanoseconds of this machine that never jump.
-   * @param told Hears in which steps the clock goes on, when they are so large that who follows it hardly ever knows it well, and when not any more.
+   * @param fixedResolution The configured resolution; null to measure it.
+   * @param counter Monotonic time of this machine, ns.
+   * @param told Receives the steps of the clock if they are too large for an accurate synchronisation, and null when they no longer are.
    */
   constructor(
     readonly gateway: Pick<GatewayLink, 'offer'>, readonly name: string, readonly fixedResolution: Nanoseconds | null = null,
     readonly counter = monotonicTime, readonly told: (coarse: Nanoseconds | null) => void = () => {},
   ) {}
 
-  /** Whether it is known on whose clock stamps are: before, the gateway would take those of this clock for its own. */
+  /** Whether the clock of the stamps is known. Before that, the gateway would interpret them as stamps of its own clock. */
   get isSettled(): boolean { return this.#isOffered || this.#isMissing; }
 
-  /** What the control clock says about now, by its newest reading; null without one. To judge stamps by, not to make them. */
+  /** The approximate control time now, from the newest reading; null without one. For checking stamps, not for creating them. */
   get now(): Nanoseconds | null { return this.#ahead === null ? null : this.counter() + this.#ahead; }
 
-  /** Nanoseconds; zero while unknown. */
+  /** The resolution, ns; zero while unknown. */
   get resolution(): Nanoseconds { return this.fixedResolution ?? this.#resolution.value; }
 
-  /** Ends when no measurement of the resolution is under way. */
+  /** Resolves when no measurement of the resolution is running. */
   get settled(): Promise<void> { return this.#measuring ?? Promise.resolve(); }
 
   /**
-   * The plant is there. Resolves when it is known how fine its clock is, for a gateway that was told wrongly would err by half of that;
-   * with false when it is away again by then.
+   * Reports that the plant is connected. Resolves when the resolution of its clock is known, because a wrong resolution would cause an error
+   * of half of it. Resolves with false if the plant has disconnected by then.
    */
   async attach(read: ReadClock, stop: AbortSignal): Promise<boolean> {
     this.#detached = new AbortController();
@@ -89,12 +89,12 @@ export class PlantClock {
     return true;
   }
 
-  /** The plant has none to be told, at least not yet: until one is, its stamps are on the gateway's. */
+  /** Reports that the plant has no clock at present. Until it has one, its stamps are on the gateway's clock. */
   doWithout(): void {
     this.#isMissing = true;
   }
 
-  /** The plant is away: its clock cannot be told. */
+  /** Reports that the plant is disconnected, so its clock cannot be read. */
   detach(): void {
     this.#detached.abort();
     this.#read = null;
@@ -102,14 +102,14 @@ export class PlantClock {
   }
 
   /**
-   * @throws ClockStopped It has shown the same time for more than a second.
-   * @throws Error The plant is away, or does not tell.
+   * @throws ClockStopped The clock has shown the same time for more than a second.
+   * @throws Error The plant is disconnected, or does not answer.
    */
   async read(): Promise<ClockReading> {
     if (this.#read === null) throw new Error('the plant is not connected');
     const read = this.#read, reading = await this.#observed(read);
     if (this.#resolution.isStopped) throw new ClockStopped();
-    // Whoever asks next is told why, if the plant does not tell.
+    // An error of this measurement is reported by the next reading.
     if (this.#isToBeMeasured)
       this.#measuring ??= this.#measure(read, this.#detached.signal).catch(() => {}).finally(() => { this.#measuring = null; });
     const resolution = reading.resolution ?? this.resolution;

@@ -4,15 +4,15 @@ const STEPS: Nanoseconds[] = [1_000_000_000n, 100_000_000n, 10_000_000n, 1_000_0
 const ENOUGH = 8;
 const REMEMBERED = 32;
 
-/** A clock that shows one time for longer is stopped, not coarse: a simulation that is paused. */
+/** A clock that shows one time for longer is stopped, not coarse, for example in a paused simulation. */
 const STOPPED: Nanoseconds = NS_PER_S;
 
-/** A standstill counts for this long, and for up to as long again. */
+/** A standstill counts for one to two of these periods. */
 const PERIOD: Nanoseconds = 30n * NS_PER_S;
 
 /**
- * How coarse a clock is, by the times that it told: the largest power of ten that divides all of them, or, for a clock that stands still
- * between two updates, how long it stood lately.
+ * The resolution of a clock from its times: the largest power of ten that divides all of them or, for a clock that stands still
+ * between two updates, the length of its recent standstills.
  */
 export class Resolution {
   readonly #seen: Nanoseconds[] = [];
@@ -26,13 +26,13 @@ export class Resolution {
   #stoodBefore: Nanoseconds = 0n;
   #since: Nanoseconds | null = null;
 
-  /** Eight different times: by chance all of them would be whole milliseconds once in 10³². */
+  /** Whether there are eight different times. By chance, all of them would be whole ms once in 10³² cases. */
   get isKnown(): boolean { return this.#distinct >= ENOUGH; }
 
-  /** Whether the newest time is one that the clock has shown for more than a second. */
+  /** Whether the clock has shown the newest time for more than a second. */
   get isStopped(): boolean { return this.#standing > STOPPED; }
 
-  /** Zero while unknown. */
+  /** The resolution, ns; zero while unknown. */
   get value(): Nanoseconds {
     if (!this.isKnown) return 0n;
     const now = this.isStopped ? 0n : this.#standing;
@@ -40,14 +40,14 @@ export class Resolution {
   }
 
   /**
-   * @param asked On a counter of this machine, before the time was asked for.
-   * @param heard On the same counter, when it had come.
+   * @param asked Time of this machine's counter before the reading.
+   * @param heard Time of the same counter after the reading.
    */
   observe(time: Nanoseconds, asked: Nanoseconds, heard: Nanoseconds): void {
     const askedBefore = this.#asked;
     this.#asked = asked;
     if (time === this.#last?.time) {
-      // Both readings were surely taken between these two moments of ours.
+      // Both readings were taken between these two times.
       this.#standing = asked - this.#last.heard;
       return;
     }
@@ -61,7 +61,7 @@ export class Resolution {
     if (this.#seen.length > REMEMBERED) this.#seen.shift();
   }
 
-  /** @param asked Before the newest reading that showed the same. */
+  /** @param asked Time before the newest reading with the same value. */
   #endStandstill(time: Nanoseconds, heard: Nanoseconds, asked: Nanoseconds): void {
     this.#since ??= heard;
     if (heard - this.#since > PERIOD) {
@@ -74,8 +74,8 @@ export class Resolution {
   }
 
   /**
-   * It was seen to stand for less than it stood: by how much it goes on tells the length, where it is read often enough. Said too small,
-   * it would be believed to the nanosecond. A stop says nothing about how coarse the clock is.
+   * The observed standstill is shorter than the real one. If the clock is read often enough, its step shows the real length. A length that
+   * is too small would be used without tolerance. A stopped clock shows nothing about its resolution.
    */
   #lengthOfStandstill(time: Nanoseconds, heard: Nanoseconds, asked: Nanoseconds): Nanoseconds {
     if (this.#standing <= 0n || this.#last === null || this.isStopped) return 0n;

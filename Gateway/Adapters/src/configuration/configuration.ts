@@ -15,39 +15,39 @@ export interface GatewayAddress {
   pin: string | null;
 }
 
-/** A joint and how its value becomes rad or m; what names it in the control system is the kind's own. */
+/** A joint and the conversion of its value to rad or m. Its address in the control system is specific to the kind. */
 export interface Joint {
   joint: string;
   scale: number;
   offset: number;
   /** Whether the position is a length in m; an angle in rad otherwise. */
   isLinear?: boolean;
-  /** rad/s² or m/s²; left out where it is not known. */
+  /** Maximum deceleration, rad/s² or m/s²; absent if unknown. */
   maxDeceleration?: number;
-  /** Silence in ms that is a fault; left out or null where a silent joint is at rest. */
+  /** Time without data after which a joint has a fault, ms; absent or null if a silent joint is at rest. */
   faultAfterMs?: number | null;
   [own: string]: unknown;
 }
 
-/** Kinds whose sources send each joint again and again, at rest too: what silence means there unless the file says something else. */
+/** Default meaning of silence for kinds whose sources send each joint periodically, also at rest. */
 const PERIODIC: Record<string, SilenceEntry> = { ros: { fault_after_s: 1 }, rtde: { fault_after_s: 1 }, broker: { fault_after_s: 3 } };
 
-/** What it means when nothing comes of a joint. */
+/** Meaning of the absence of data for a joint. */
 export type SilenceEntry = 'rest' | { fault_after_s: number };
 
 export interface Configuration {
   file: string;
   gateway: GatewayAddress;
-  /** Its name, its kind and what is the kind's own, as the schema allows it. */
+  /** Its name, its kind and the entries of that kind, as specified in the schema. */
   plant: { kind: string; name: string; silence: SilenceEntry; [own: string]: unknown };
   joints: Joint[];
-  /** The URDF's text. */
+  /** The text of the URDF. */
   robot: string | null;
-  /** What may not appear in the log. */
+  /** Texts that must not appear in the log. */
   secrets: string[];
-  /** Whether the gateway starts the adapter, which then gets its address from it. */
+  /** Whether the gateway starts the adapter, which then receives the gateway's address from it. */
   isSupervised: boolean;
-  /** FILE, line L: path.to.entry, for what turns out to be wrong only at the plant. */
+  /** Gets "FILE, line L: path.to.entry", for errors that are detected only at the plant. */
   where(path: Path): string;
 }
 
@@ -58,13 +58,13 @@ interface Sections {
   robot?: string;
 }
 
-/** What a kind of plant has to say about its own entries, once they have the schema's form. */
+/** Checks the entries of a kind of plant, after the check against the schema. */
 export type OwnCheck = (file: YamlFile, configuration: Configuration, environment: NodeJS.ProcessEnv) => void;
 
 /**
- * Reads and checks a configuration as a whole.
- * @param environment What the gateway that starts the adapter sets there wins over the file.
- * @throws ConfigurationError With every wrong entry.
+ * Reads and checks a whole configuration.
+ * @param environment Variables of a gateway that starts the adapter take precedence over the file.
+ * @throws ConfigurationError Contains every invalid entry.
  */
 export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, ownChecks: Record<string, OwnCheck>): Configuration {
   const file = new YamlFile(path), kind = kindOf(file);
@@ -88,7 +88,7 @@ export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, 
   return configuration;
 }
 
-// Nothing can be checked before it is known what is described.
+// The kind must be known before anything else can be checked.
 function kindOf(file: YamlFile): string {
   const root = file.value as { plant?: { kind?: unknown } } | null;
   const isSection = typeof root === 'object' && typeof root?.plant === 'object' && root.plant !== null;
@@ -107,14 +107,14 @@ function kindOf(file: YamlFile): string {
   return kind as string;
 }
 
-/** Reports what no kind has at the top. */
+/** Reports top-level entries that no kind has. */
 function reportStrangers(file: YamlFile, root: object | null, told: string | undefined): void {
   const known = [...new Set(knownEntries([]))];
   for (const key of Object.keys(root ?? {}))
     if (key !== told && !known.includes(key)) file.report([key], `not known here; allowed are ${known.join(', ')}`);
 }
 
-/** What stands in the place of an entry that is missing. */
+/** Gets the unknown entry that is probably a misspelling of a missing one. */
 const misspelt = (missing: string, section: unknown, known: string[]): string | undefined =>
   typeof section === 'object' ? nearest(missing, Object.keys(section ?? {}).filter(key => !known.includes(key)))[0] : undefined;
 
@@ -150,12 +150,12 @@ function jointsOf(file: YamlFile, sections: Sections, silence: SilenceEntry): Jo
   });
 }
 
-/** Silence in ms that is a fault; null where it means rest. */
+/** Gets the time without data after which a joint has a fault, ms; null if silence means rest. */
 export const faultAfterMs = (silence: SilenceEntry): number | null =>
   typeof silence === 'object' ? 1000 * silence.fault_after_s : null;
 
-/** Of a summary. */
+/** Gets the joints as text for a summary. */
 export const passedJoints = (joints: Joint[], none: string): string => joints.length === 0 ? none : `joints ${joints.map(j => j.joint).join(', ')}`;
 
-/** Of an address with a scheme or a host alone. */
+/** Whether an address is a loopback address; with a scheme or a host alone. */
 export const isLoopback = (address: string): boolean => /^(\w+:\/\/)?(127\.\d+\.\d+\.\d+|\[?::1\]?|localhost)([:/]|$)/.test(address);

@@ -1,4 +1,4 @@
-/** How many letters must be put in, taken out, exchanged or swapped with their neighbour. */
+/** Gets the number of letters to insert, remove, replace or swap with their neighbour. */
 function distance(a: string, b: string): number {
   const rows: number[][] = [[...Array(b.length + 1).keys()]];
   for (let i = 1; i <= a.length; i++) {
@@ -13,7 +13,7 @@ function distance(a: string, b: string): number {
   return rows[a.length][b.length];
 }
 
-/** The known names that somebody may have meant, best first; none when all are far off. */
+/** Gets the known names that were probably meant, best first; empty if all are too different. */
 export function nearest(name: string, known: Iterable<string>, count = 1): string[] {
   const meant = name.toLowerCase();
   return [...known]
@@ -24,6 +24,6 @@ export function nearest(name: string, known: Iterable<string>, count = 1): strin
     .map(entry => entry.candidate);
 }
 
-// "token" means "token_file" although half of the letters are missing.
+// "token" matches "token_file" although half of the letters are missing.
 const judged = (meant: string, candidate: string): number =>
   candidate.startsWith(meant) || meant.startsWith(candidate) ? 1 : distance(meant, candidate);

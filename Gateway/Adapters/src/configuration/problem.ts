@@ -1,10 +1,10 @@
-/** What is wrong with a configuration, and where. */
+/** An error in a configuration, with its line. */
 export interface Problem {
   line: number;
   text: string;
 }
 
-/** Every wrong entry of a file; nothing was started. */
+/** Contains every invalid entry of a file; nothing was started. */
 export class ConfigurationError extends Error {
   constructor(readonly file: string, problems: Problem[]) {
     const sorted = [...problems].sort((a, b) => a.line - b.line);
@@ -14,10 +14,10 @@ export class ConfigurationError extends Error {
 
 const LONGEST_VALUE = 80;
 
-/** What stands before the host of an address may be a password, whatever is wrong with the rest. */
+/** The text before the host of an address may be a password, even if the rest is invalid. */
 const LOGIN = /(:\/+|\/\/).*@/s;
 
-/** A value as a person would find it in the file, without a password. */
+/** Formats a value as in the file, without a password. */
 export function shown(value: unknown): string {
   if (typeof value === 'number' && !Number.isFinite(value)) return Number.isNaN(value) ? '.nan' : value > 0 ? '.inf' : '-.inf';
   const text = (JSON.stringify(value, (_, v) => typeof v === 'bigint' ? `${v}` : v) ?? String(value)).replace(LOGIN, '$1***@');

@@ -12,10 +12,10 @@ import youbot from '../../../../Packages/com.nowpose.mril/Runtime/Robots/youbot.
 
 const DESCRIPTION_BYTES = 1024 * 1024;
 
-/** Known by name, as everywhere in the gateway. */
+/** Robots available by name, as in the gateway. */
 const INCLUDED: Record<string, string> = { ur3e, ur5, ur5e, ur10e, ur16e, youbot };
 
-/** The text of the URDF that the configuration names; null, and a report, when it cannot be had or is none. */
+/** Gets the text of the configured URDF; null, with a report, if it cannot be read or is invalid. */
 export function robotOf(file: YamlFile, robot: string): string | null {
   if (Object.hasOwn(INCLUDED, robot)) return INCLUDED[robot];
   const path = besides(file.path, robot);
@@ -33,7 +33,7 @@ export function robotOf(file: YamlFile, robot: string): string | null {
   }
 }
 
-/** Reports joints that the robot does not have: nothing would ever move by them. */
+/** Reports joints that the robot does not have, because they would never move. */
 export function requireJoints(file: YamlFile, joints: { joint: string }[], urdf: string): void {
   const known = jointsIn(urdf);
   joints.forEach(({ joint }, i) => {

@@ -10,13 +10,13 @@ type Described = { $ref?: string; description?: string; enum?: unknown[]; proper
 /** The kinds that the schema describes. */
 export const KINDS = schema.properties.plant.properties.kind.enum;
 
-/** What any kind has at the top, or in the section at this path. */
+/** Gets the entries that any kind has at the top level, or in the section at this path. */
 export const knownEntries = (path: string[]): string[] => KINDS.flatMap(kind => {
   const top = (schema.$defs as Record<string, Described>)[kind];
   return Object.keys(path.reduce((section, step) => section.properties![step], top).properties!);
 });
 
-/** Reports each entry that breaks the schema of a kind of plant. Missing entries that have a default are filled in. */
+/** Reports each entry that violates the schema of a kind of plant. Adds missing entries that have a default. */
 export function checkAgainstSchema(file: YamlFile, kind: string): void {
   const check = (checks as Record<string, ValidateFunction>)[kind]!;
   if (check(file.value)) return;
@@ -29,7 +29,7 @@ export function checkAgainstSchema(file: YamlFile, kind: string): void {
   }
 }
 
-// A choice between forms says itself what is allowed, where it has a description.
+// A choice between forms has a description of the allowed ones.
 const isOwnWords = (error: ErrorObject): boolean => error.keyword !== 'if' && (error.parentSchema as Described)?.description !== undefined;
 
 function inWords(error: ErrorObject, root: unknown): { path: Path; text: string } {
@@ -55,7 +55,7 @@ function inWords(error: ErrorObject, root: unknown): { path: Path; text: string 
   }
 }
 
-/** What a property is, where it only refers to it. */
+/** Gets the definition of a property, following a reference. */
 const named = (property?: Described): Described | undefined =>
   property?.$ref === undefined ? property : (schema.$defs as Record<string, Described>)[property.$ref.replace('#/$defs/', '')];
 
@@ -67,7 +67,7 @@ function meant(name: string, known: string[]): string {
   return guess === undefined ? '' : `did you mean ${guess}? `;
 }
 
-// Ajv's JSON pointers do not tell an index from a key that is a number.
+// Ajv's JSON pointers do not distinguish an index from a numeric key.
 function pathOf(pointer: string, root: unknown): Path {
   let value = root;
   return pointer.split('/').slice(1).map(part => {

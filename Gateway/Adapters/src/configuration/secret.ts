@@ -5,7 +5,7 @@ import type { Path, YamlFile } from './yamlFile';
 
 const LONGEST = 512;
 
-/** The one line of a file; null, and a report, when it cannot be had or everybody may read it. */
+/** Gets the single line of a file; null, with a report, if it cannot be read or every user may read it. */
 export function secretIn(file: YamlFile, entry: Path, value: string): string | null {
   const text = secretText(file, entry, value, true)?.trim();
   if (text === undefined) return null;
@@ -14,7 +14,7 @@ export function secretIn(file: YamlFile, entry: Path, value: string): string | n
   return null;
 }
 
-/** The text of a file that the configuration names; null, and a report, when it cannot be had or is a secret that everybody may read. */
+/** Gets the text of a configured file; null, with a report, if it cannot be read or is a secret that every user may read. */
 export function secretText(file: YamlFile, entry: Path, value: string, isSecret: boolean): string | null {
   const path = besides(file.path, value);
   try {

@@ -2,13 +2,13 @@ import type { Configuration } from './configuration';
 import { secretIn } from './secret';
 import type { YamlFile } from './yamlFile';
 
-/** Who logs in at a control system or a broker. */
+/** The user for the login at a control system or a broker. */
 export interface User {
   name: string;
   password: string;
 }
 
-/** Of the section plant.user; null without a name. The password comes from a file or the environment, and is kept out of the log. */
+/** Gets the user of the section plant.user; null without a name. The password comes from a file or the environment and is not logged. */
 export function userIn(
   file: YamlFile, user: { name?: string; password_file?: string } | undefined, configuration: Configuration, environment: NodeJS.ProcessEnv,
 ): User | null {

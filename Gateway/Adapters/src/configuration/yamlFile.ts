@@ -4,27 +4,27 @@ import { ConfigurationError, type Problem } from './problem';
 
 export type Path = readonly (string | number)[];
 
-/** joints[2].node */
+/** Formats a path as joints[2].node. */
 export const pathText = (path: Path): string =>
   path.map((step, i) => typeof step === 'number' ? `[${step}]` : (i > 0 ? '.' : '') + step).join('');
 
-/** A YAML file that knows the line of each of its entries. */
+/** A YAML file with the line of each of its entries. */
 export class YamlFile {
   readonly value: unknown;
   readonly problems: Problem[] = [];
   readonly #lines = new LineCounter();
   readonly #document: Document;
 
-  /** @throws ConfigurationError It cannot be read, or is no YAML: then nothing else can be said about it. */
+  /** @throws ConfigurationError The file cannot be read, or is not valid YAML. No further checks are possible. */
   constructor(readonly path: string) {
     this.#document = parseDocument(read(path), { lineCounter: this.#lines, prettyErrors: false, uniqueKeys: true, logLevel: 'error' });
-    // What follows the first is often its consequence, and blames lines that are right.
+    // Later errors are often consequences of the first, and have wrong lines.
     const [error] = [...this.#document.errors].sort((a, b) => a.pos[0] - b.pos[0]);
     if (error !== undefined)
       throw new ConfigurationError(path, [{ line: this.#lines.linePos(error.pos[0]).line, text: inWords(error.code, error.message) }]);
     try {
       this.value = this.#document.toJS({ maxAliasCount: 100 });
-      // Throws where there is no end to it.
+      // Throws for a circular structure.
       JSON.stringify(this.value);
     } catch (error) {
       const text = error instanceof TypeError ? 'an alias (*) stands inside of what it names; write the entry out' : (error as Error).message;
@@ -32,17 +32,17 @@ export class YamlFile {
     }
   }
 
-  /** Notes what is wrong with an entry; one that is not there is told at the entry that should have it. */
+  /** Adds an error of an entry. The error of a missing entry has the line of its parent. */
   report(path: Path, text: string): void {
     this.problems.push({ line: this.lineOf(path), text: path.length > 0 ? `${pathText(path)}: ${text}` : text });
   }
 
-  /** @throws ConfigurationError Something was reported. */
+  /** @throws ConfigurationError At least one error was reported. */
   throwIfWrong(): void {
     if (this.problems.length > 0) throw new ConfigurationError(this.path, this.problems);
   }
 
-  /** Where an entry starts, counted from 1: its key, or the nearest one above it. */
+  /** Gets the line of an entry, counted from 1: that of its key, or of the nearest existing parent. */
   lineOf(path: Path): number {
     let node: unknown = this.#document.contents, offset = isNode(node) ? node.range?.[0] ?? 0 : 0;
     for (const step of path) {

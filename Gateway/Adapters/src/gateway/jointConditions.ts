@@ -1,8 +1,8 @@
 import type { Log } from '../log';
 
 /**
- * live: samples come. rest: silent and assumed at rest. refused: values come but cannot be used. fault: the data ended. missing: no usable
- * value since the start.
+ * live: samples arrive. rest: silent and assumed to be at rest. refused: values arrive but are invalid. fault: the data have stopped.
+ * missing: no valid value since the start.
  */
 export type JointState = 'live' | 'rest' | 'refused' | 'fault' | 'missing';
 
@@ -12,16 +12,16 @@ export interface JointCondition {
   since: number;
   /** One sentence; empty while live. */
   reason: string;
-  /** Why it is not certain that a joint at rest rests; empty for none. */
+  /** The reason why it is uncertain that a joint at rest rests; empty for none. */
   uncertainty: string;
 }
 
-/** A time since when that differs by less comes of the way of the message that tells it. */
+/** Smaller differences of a begin time are caused by the transmission of its message. */
 const SAME_SINCE_MS = 2000;
 
 const isGood = ({ state }: JointCondition): boolean => state === 'live' || state === 'rest';
 
-/** State of each joint with its reason. Logs each trouble once, and its end once. */
+/** State of each joint with its reason. Logs the begin and the end of each fault once. */
 export class JointConditions {
   readonly #joints = new Map<string, JointCondition>();
 
@@ -45,7 +45,7 @@ export class JointConditions {
     return [...this.#joints].find(([, condition]) => !isGood(condition)) ?? null;
   }
 
-  /** The first joint at rest of which that is not certain, with the reason; null when there is none. */
+  /** The first joint whose rest is uncertain, with the reason; null if there is none. */
   get uncertainty(): [string, string] | null {
     const found = [...this.#joints].find(([, { uncertainty }]) => uncertainty !== '');
     return found === undefined ? null : [found[0], found[1].uncertainty];
@@ -57,7 +57,10 @@ export class JointConditions {
     this.log.resume(`joint ${joint}`, `${joint} is live again`);
   }
 
-  /** @param since Time of the last sample. @param uncertainty Why rest is not certain; empty for none. */
+  /**
+   * @param since Time of the last sample.
+   * @param uncertainty The reason why the rest is uncertain; empty for none.
+   */
   rest(joint: string, since: number, uncertainty = ''): void {
     const known = this.#joints.get(joint);
     if (known?.state === 'rest' && known.uncertainty === uncertainty) return;
@@ -78,7 +81,7 @@ export class JointConditions {
     this.#trouble(joint, 'refused', reason, this.now(), false);
   }
 
-  /** Takes what the gateway that has the joint reports of it. */
+  /** Applies the report of the gateway that has the joint. */
   report(joint: string, { state, since, reason: text, uncertainty }: JointCondition): void {
     const known = this.#joints.get(joint), reason = this.log.clean(text);
     const isSame = known?.state === state && known.reason === reason && known.uncertainty === uncertainty;
@@ -88,19 +91,19 @@ export class JointConditions {
     else this.log.change(`joint ${joint}`, `${state} ${reason}`, `${joint} ${state}: ${reason}`);
   }
 
-  /** The joint is not expected any more. */
+  /** Removes a joint that is no longer expected. */
   forget(joint: string): void {
     if (!this.#joints.delete(joint)) return;
     this.log.resume(`joint ${joint}`, `${joint} is not expected any more`);
     this.changed();
   }
 
-  /** The connection to the source ended: what was good is not known any more. */
+  /** Reports the end of the connection to the source: good states become faults. */
   disconnected(reason: string): void {
     for (const [joint, condition] of this.#joints) if (isGood(condition)) this.#enter(joint, 'fault', reason, this.now());
   }
 
-  /** Keys and values of each joint for the diagnostics; joints with a trouble first, in case the receiver keeps a part only. */
+  /** Gets the diagnostics of each joint; faulty joints come first, in case the receiver keeps only a part. */
   values(): Record<string, string> {
     const sorted = [...this.#joints].sort(([, a], [, b]) => Number(isGood(a)) - Number(isGood(b)));
     return Object.fromEntries(sorted.flatMap(([joint, { state, since, reason, uncertainty }]) => [
@@ -111,7 +114,7 @@ export class JointConditions {
 
   #trouble(joint: string, state: JointState, text: string, since: number, isLogged: boolean): void {
     const reason = this.log.clean(text), { state: before, reason: told } = this.#joints.get(joint) ?? {};
-    // A joint without any usable value stays missing; the reason says what came instead.
+    // A joint without any valid value stays missing; the reason describes the invalid value.
     const entered = before === 'missing' ? 'missing' : state;
     if (before === entered && told === reason) return;
     this.#enter(joint, entered, reason, since);

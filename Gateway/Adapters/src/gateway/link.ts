@@ -10,30 +10,30 @@ import { SendQueue } from './sendQueue';
 const HANDSHAKE_MS = 5000, PING_MS = 2000, SILENCE_MS = 6000, STEADY_MS = 2000, CALL_MS = 1500;
 const LARGEST_MESSAGE = 2 * 1024 * 1024;
 
-/** An offer that nobody asked after for so long was refused, perhaps because our own last connection still held it: it is made again. */
+/** An offer without a request for this long was refused, perhaps because our previous connection still held it. It is then repeated. */
 const OFFER_MS = 5000;
 
-/** Texts of statuses that are remembered as told. */
+/** Maximum number of stored status texts. */
 const MOST_STATUSES = 32;
 
-/** How a gateway says that it does not know the clock that stamps yet: for so long it may well be measuring it. */
+/** A gateway's status while the stamping clock is unknown. During this time it may still be measuring it. */
 const UNSYNCHRONISED = /\(Unsynchronised\)$/, MEASURING_MS = 20_000;
 
-/** Answers a call of a service; what it throws is the caller's reason. */
+/** Answers a service call. Its exceptions are returned to the caller as the reason. */
 export type Service = () => Promise<object>;
 
-/** Who wants to know when the link comes and goes. */
+/** Callbacks for connection and disconnection of the link. */
 export interface LinkEvents {
   opened?(): void;
-  /** Also after each attempt in vain. */
+  /** Called also after each failed attempt. */
   away?(reason: string): void;
-  /** What came under this topic broke whoever listens to it. */
+  /** A message on this topic caused an exception in its listener. */
   malformed?(topic: string, problem: string): void;
 }
 
 /**
- * The connection to a gateway, or to a robot, by the rosbridge protocol. Comes back by itself; topics, subscriptions, services and kept
- * messages are then said again.
+ * The connection to a gateway, or to a robot, by the rosbridge protocol. Reconnects by itself, and then repeats topics, subscriptions,
+ * services and kept messages.
  */
 export class GatewayLink {
   readonly #queue = new SendQueue();
@@ -46,17 +46,17 @@ export class GatewayLink {
   readonly #watchers: LinkEvents[];
   #socket: WebSocket | null = null;
   #called = 0;
-  /** When the gateway began to measure our clocks. */
+  /** Time at which the gateway began to measure our clocks. */
   #measured = 0;
 
-  /** @param name What is there, for the log. */
+  /** @param name Name of the other end, for the log. */
   constructor(readonly address: GatewayAddress, readonly log: Log, readonly name = 'gateway', events: LinkEvents = {}) {
     this.#watchers = [events];
   }
 
   get isOpen(): boolean { return this.#socket?.readyState === WebSocket.OPEN; }
 
-  /** Messages that were dropped because the gateway was away or slow. */
+  /** Number of messages dropped because the gateway was away or slow. */
   get dropped(): number { return this.#queue.dropped; }
 
   publish(topic: string, msg: object): void {
@@ -83,20 +83,20 @@ export class GatewayLink {
     if (this.#services.delete(service)) this.#send(JSON.stringify({ op: 'unadvertise_service', service }));
   }
 
-  /** Calls these beside those of the constructor. */
+  /** Adds callbacks to those of the constructor. */
   watch(events: LinkEvents): void {
     this.#watchers.push(events);
   }
 
-  /** Listens to a topic of what is at the other end. */
+  /** Subscribes to a topic of the other end. */
   subscribe(topic: string, listen: (message: Record<string, unknown>) => void, type = TYPES[topic]): void {
     this.#subscriptions.set(topic, { type, listen });
     this.#send(subscription(topic, type));
   }
 
   /**
-   * Calls a service of what is at the other end.
-   * @throws Error It is away, does not answer in time, or refuses.
+   * Calls a service of the other end.
+   * @throws Error The other end is disconnected, does not answer in time, or refuses.
    */
   async call(service: string): Promise<Record<string, unknown>> {
     if (!this.isOpen) throw new Error(`${this.name} is away`);
@@ -115,7 +115,7 @@ export class GatewayLink {
     return answer.values as Record<string, unknown>;
   }
 
-  /** Connects, and connects again, until it is stopped. */
+  /** Connects and reconnects until it is stopped. */
   async run(stop: AbortSignal): Promise<void> {
     const backoff = new Backoff();
     while (!stop.aborted) {
@@ -124,7 +124,7 @@ export class GatewayLink {
       if (stop.aborted) break;
       this.log.change(this.name, `${this.name} ${this.address.url} away: ${this.log.clean(reason)}`);
       for (const { away } of this.#watchers) away?.(reason);
-      // A gateway that takes us in and throws us out must not be asked five times a second.
+      // A gateway that accepts and then closes the connection must not be contacted five times a second.
       if (performance.now() - opened > STEADY_MS) backoff.reset();
       await pause(backoff.next(), stop);
     }
@@ -180,7 +180,7 @@ export class GatewayLink {
   #open(socket: WebSocket): void {
     this.#socket = socket;
     this.#measured = performance.now();
-    // What was said on the last connection, perhaps weeks ago, is news on this one.
+    // A status of the previous connection is reported again on the new one.
     this.#statuses.clear();
     this.log.forget(`${this.name} says`);
     this.log.change(this.name, `${this.name} ${this.address.url} connected`);
@@ -202,7 +202,7 @@ export class GatewayLink {
     }
   }
 
-  // Whatever the other end sends must not end the process.
+  // Invalid messages of the other end must not end the process.
   #pass({ topic, msg }: Record<string, unknown>): void {
     try {
       this.#subscriptions.get(text(topic))?.listen(msg as Record<string, unknown>);
@@ -211,7 +211,7 @@ export class GatewayLink {
     }
   }
 
-  // What it says again and again is told once.
+  // Repeated status texts are logged once.
   #tell(status: string): void {
     if (UNSYNCHRONISED.test(status) && performance.now() - this.#measured < MEASURING_MS)
       return this.log.change(`${this.name} measures`, 'measuring', `${this.name} measures this clock; positions pass when it knows it`);
@@ -248,7 +248,7 @@ export class GatewayLink {
     this.#send(advertisement(topic));
   }
 
-  // What is about the connection itself means nothing once it has ended.
+  // Messages about the connection itself are meaningless after its end.
   #send(text: string): void {
     if (this.isOpen) this.#socket!.send(text);
   }
@@ -261,7 +261,7 @@ export class GatewayLink {
 const advertisement = (topic: string): string => JSON.stringify({ op: 'advertise', topic, type: TYPES[topic] });
 const subscription = (topic: string, type: string): string => JSON.stringify({ op: 'subscribe', topic, type, queue_length: 0, throttle_rate: 0 });
 
-/** Not every value of JSON is one that String takes. */
+/** String does not accept every JSON value. */
 const text = (value: unknown): string => typeof value === 'string' ? value : JSON.stringify(value) ?? '';
 
 function parsed(text: string): Record<string, unknown> | null {

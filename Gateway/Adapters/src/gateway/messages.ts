@@ -5,7 +5,7 @@ export const JOINT_TRAJECTORY = '/joint_trajectory';
 export const ROBOT_DESCRIPTION = '/robot_description';
 export const DIAGNOSTICS = '/nowpose/diagnostics';
 
-/** The joints that are not live, as a gateway judges them. */
+/** The topic of joints that are not live, as determined by a gateway. */
 export const JOINT_STATUS = '/nowpose/joint_status';
 
 export const TYPES: Record<string, string> = {
@@ -16,7 +16,7 @@ export const TYPES: Record<string, string> = {
   [JOINT_STATUS]: 'diagnostic_msgs/msg/DiagnosticArray',
 };
 
-/** Positions of one moment on the control clock, and velocities of all of them or of none. */
+/** Creates a message with positions at one control time, and velocities of all of them or of none. */
 export const jointState = (stamp: Nanoseconds, names: string[], positions: number[], velocities: number[] = []): object =>
   ({ header: { stamp: toRosTime(stamp), frame_id: '' }, name: names, position: positions, velocity: velocities, effort: [] });
 

@@ -3,19 +3,19 @@ import { Agent } from 'node:https';
 import type { Duplex } from 'node:stream';
 import { connect, type ConnectionOptions, type TLSSocket } from 'node:tls';
 
-/** SHA-256 of a certificate's public key, as RFC 7469 pins it. */
+/** Gets the SHA-256 of a certificate's public key, in the form of RFC 7469. */
 export const pinOf = (publicKeyInfo: Buffer): string => `sha256/${createHash('sha256').update(publicKeyInfo).digest('base64')}`;
 
 /**
- * Connects to the one server that has the pinned key; nothing but the TLS handshake is sent to any other.
- * @remarks Who holds the key is all that is asked: name, issuer and dates are not.
+ * Connects only to the server with the pinned key. Any other server receives only the TLS handshake.
+ * @remarks Only the key is checked, not name, issuer and dates.
  */
 export class PinnedAgent extends Agent {
   constructor(readonly pin: string) {
     super({ keepAlive: false, maxCachedSessions: 0 });
   }
 
-  // Node hands the socket to the request only when the callback is called.
+  // Node passes the socket to the request only in the callback.
   createConnection(options: ConnectionOptions, ready: (error: Error | null, socket?: Duplex) => void): undefined {
     const socket = connect({ ...options, rejectUnauthorized: false, minVersion: 'TLSv1.2' });
     const fail = (error: Error): void => ready(error);
@@ -31,7 +31,7 @@ export class PinnedAgent extends Agent {
   }
 }
 
-/** Why the other end is not the one with the pinned key; null when it is. */
+/** Gets the reason why the other end does not have the pinned key; null if it has. */
 export function pinProblem(socket: TLSSocket, pin: string): string | null {
   const found = socket.getPeerX509Certificate()?.publicKey.export({ type: 'spki', format: 'der' });
   if (found === undefined) return 'the gateway showed no certificate';

@@ -1,7 +1,7 @@
 const LONGEST = 64;
 const MOST_IN_FLIGHT = 64 * 1024;
 
-/** What waits to be sent to a gateway that is away or slow: the newest messages; the oldest are dropped and counted. */
+/** Queue of messages to a gateway that is away or slow. When full, the oldest are dropped and counted. */
 export class SendQueue {
   readonly #waiting: string[] = [];
   #dropped = 0;
@@ -18,7 +18,7 @@ export class SendQueue {
     this.#waiting.length = 0;
   }
 
-  /** Sends while the socket takes it at once: what waits here can still be dropped, what waits there cannot. */
+  /** Sends while the socket accepts messages immediately. Messages in this queue can still be dropped; those in the socket cannot. */
   pump(socket: { readonly bufferedAmount: number; send(data: string, done: () => void): void }, again: () => void): void {
     while (this.#waiting.length > 0 && socket.bufferedAmount < MOST_IN_FLIGHT) socket.send(this.#waiting.shift()!, again);
   }

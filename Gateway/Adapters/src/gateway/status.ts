@@ -1,12 +1,12 @@
 import { Log } from '../log';
 import { JointConditions } from './jointConditions';
 
-/** Of the connection to the plant; waiting means between two attempts. */
+/** State of the connection to the plant. "waiting" is the time between two attempts. */
 export type PlantState = 'connecting' | 'connected' | 'refused' | 'waiting';
 
 const MOST_REASONS = 32;
 
-/** What became of the plant and its values: counted here, told once a second, logged once per change. */
+/** Status of the plant and its values: counted here, reported once a second, logged once per change. */
 export class AdapterStatus {
   #state: PlantState = 'connecting';
   #reason = '';
@@ -14,13 +14,13 @@ export class AdapterStatus {
   #reconnects = 0;
   readonly #refused = new Map<string, number>();
   readonly #details: Record<string, string> = {};
-  /** Why the plant is not connected since the last connection, or the start; empty before the first failure. */
+  /** The reason for the last failed connection since the last success or the start; empty before the first failure. */
   #failure = '';
-  /** What a person should see although positions come; null for nothing. */
+  /** A notice for the user while positions arrive; null for none. */
   #notice: string | null = null;
   readonly joints: JointConditions;
 
-  /** @param changed Called after each change of the plant's state or of a joint's. */
+  /** @param changed Called after each change of the state of the plant or of a joint. */
   constructor(kind: string, readonly log: Log, readonly changed: () => void = () => {}) {
     this.#details.kind = kind;
     this.joints = new JointConditions(log, changed);
@@ -30,10 +30,10 @@ export class AdapterStatus {
   get samples(): number { return this.#samples; }
   get reconnects(): number { return this.#reconnects; }
 
-  /** @param reason Why, and what to do; empty while all is well. */
+  /** @param reason The reason and the remedy; empty without an error. */
   enter(state: PlantState, reason = ''): void {
     const clean = this.log.clean(reason);
-    // An attempt is no news: what comes of it is.
+    // Attempts are not logged, only their results.
     if (state !== 'connecting') this.log.change('plant', clean === '' ? state : `${state}: ${clean}`);
     if (state === 'waiting' || state === 'refused') {
       this.#failure = clean === '' ? 'the plant is not connected' : clean;
@@ -48,8 +48,8 @@ export class AdapterStatus {
   }
 
   /**
-   * Level of a DiagnosticStatus: 0 when the plant is connected and each joint is live or at rest, 1 while connecting, with a notice, or when it is
-   * not certain that a joint rests, 2 otherwise.
+   * Level of a DiagnosticStatus: 0 when the plant is connected and each joint is live or at rest; 1 while connecting, with a notice, or with
+   * an uncertain rest; 2 otherwise.
    */
   get level(): 0 | 1 | 2 {
     if (this.#state === 'connecting' && this.#failure === '') return 1;
@@ -57,7 +57,7 @@ export class AdapterStatus {
     return this.joints.uncertainty === null && this.#notice === null ? 0 : 1;
   }
 
-  /** The plant's state or, while it is connected, the first joint with a trouble. */
+  /** The plant's state or, while it is connected, the first faulty joint. */
   get message(): string {
     if (this.#state === 'connecting' && this.#failure !== '') return `waiting: ${this.#failure}`;
     if (this.#state !== 'connected') return this.#reason === '' ? this.#state : `${this.#state}: ${this.#reason}`;
@@ -67,13 +67,13 @@ export class AdapterStatus {
     return `${joint} ${state}: ${reason}`;
   }
 
-  /** A fact that does not change often, such as security or sampling_ms; null: it is none any more. */
+  /** Sets a value that rarely changes, such as security or sampling_ms; null removes it. */
   detail(key: string, value: string | number | null): void {
     if (value === null) delete this.#details[key];
     else this.#details[key] = this.log.clean(String(value));
   }
 
-  /** A state of the plant that a person should see, although its positions are good; null: it is over. */
+  /** Sets a notice for the user while positions are valid; null removes it. */
   notice(text: string | null): void {
     const clean = text === null ? null : this.log.clean(text);
     if (clean === this.#notice) return;
@@ -90,9 +90,9 @@ export class AdapterStatus {
   reconnected(): void { this.#reconnects++; }
 
   /**
-   * A value that is not passed on.
-   * @param reason One of few words; counted as refused/REASON.
-   * @param what For the log: the joint, its value and what was allowed.
+   * Reports a value that is not forwarded.
+   * @param reason One of a fixed set of words; counted as refused/REASON.
+   * @param what For the log: the joint, its value and the allowed range.
    */
   refuse(reason: string, subject: string, what: string): void {
     this.count(reason);
@@ -100,13 +100,13 @@ export class AdapterStatus {
     this.log.change(`value of ${subject}`, reason, `${subject} refused (${reason}): ${what}`);
   }
 
-  /** A value that was lost before it came here, or one that `refuse` has a word for. */
+  /** Counts a value that was lost before it arrived, or one of a reason of `refuse`. */
   count(reason: string): void {
     const known = this.#refused.has(reason) || this.#refused.size < MOST_REASONS ? reason : 'other';
     this.#refused.set(known, (this.#refused.get(known) ?? 0) + 1);
   }
 
-  /** The values of this subject are good again. */
+  /** Reports that the values of this subject are valid again. */
   accept(subject: string): void {
     this.log.resume(`value of ${subject}`, `${subject} is good again`);
   }

@@ -16,16 +16,16 @@ import { SilentNodes } from './silentNodes';
 import { Refused, refusalOf } from './troubles';
 import { Watch } from './watch';
 
-/** A server looks and sends a little later than it grants. */
+/** Delay of a server beyond its granted intervals. */
 const SLACK_MS = 100;
 
-/** A change may be stamped this long before a read of the node shows it, besides the time between two looks of the server. */
+/** A change may be stamped this long before a read of the node shows it, in addition to the server's sampling interval. */
 const STAMP_LAG_MS = 50;
 
-/** A joint that rests is confirmed several times a second: one that is not for this long has a fault. */
+/** A joint at rest is confirmed several times a second. Without a confirmation for this long, it has a fault. */
 const UNCONFIRMED_MS = 1500;
 
-/** Reads an OPC UA server, and again after every end of the connection, until it is stopped. */
+/** Reads an OPC UA server, with reconnections, until it is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
   const { status, log, stopping } = context, settings = settingsOf(context.configuration);
   status.detail('endpoint', settings.endpoint);
@@ -50,7 +50,7 @@ export async function run(context: AdapterContext): Promise<void> {
   }
 }
 
-/** This application's certificate, as soon as its folder can be had; null when the adapter shall end before. */
+/** Gets this application's certificate as soon as its folder is accessible; null if the adapter must end before. */
 async function certificateOf({ status, stopping }: AdapterContext, { security }: OpcUaSettings, trust: TrustList): Promise<OwnCertificate | null> {
   const backoff = new Backoff();
   while (!stopping.aborted) {
@@ -65,7 +65,7 @@ async function certificateOf({ status, stopping }: AdapterContext, { security }:
   return null;
 }
 
-/** One connection from its beginning to its end, whose reason goes to the status. Returns whether values came. */
+/** Uses one connection from begin to end, whose reason goes to the status. Returns whether values arrived. */
 async function attempt(
   context: AdapterContext, settings: OpcUaSettings, own: OwnCertificate, trust: TrustList, reader: NotificationReader,
 ): Promise<boolean> {
@@ -111,7 +111,7 @@ async function attempt(
   return isConnected;
 }
 
-/** The nodes by the numbers that their namespaces have at this server today. */
+/** Converts the nodes to the current namespace indices of this server. */
 async function idsOf(session: ReadOnlySession, context: AdapterContext, { nodes }: NotificationReader): Promise<string[]> {
   if (!nodes.some(isByUri)) return nodes;
   const { value } = await session.read(NAMESPACES), namespaces = Array.isArray(value.value) ? value.value as string[] : [];
@@ -127,7 +127,7 @@ function whereIs({ configuration }: AdapterContext, node: string): string {
   return configuration.where(joint >= 0 ? ['joints', joint, 'node'] : ['plant', 'time', 'node']);
 }
 
-/** Joints of unknown nodes are missing while the others go on; without any other, or without the time, there is nothing to read. */
+/** Reports joints of unknown nodes as missing and continues with the others. Fails if no joint or no time variable is left. */
 function refuseUnknown(context: AdapterContext, { nodes, jointNodes }: NotificationReader, silent: SilentNodes, refusals: (string | null)[]): void {
   const wrong = refusals.flatMap((refusal, node) => refusal === null ? []
     : [{ node, text: `${whereIs(context, nodes[node])}: value ${nodes[node]}; the server says ${refusal}; take the id of the node from an OPC UA browser` }]);

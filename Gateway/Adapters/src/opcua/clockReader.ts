@@ -9,15 +9,15 @@ import { ofDate, timeIn } from './stamps';
 /** Server_ServerStatus_CurrentTime, which every OPC UA server has. */
 const CURRENT_TIME = 'ns=0;i=2258';
 
-/** A clock that stands for longer than this is worse than the time of the answers. */
+/** A clock that stands still for longer than this is less accurate than the time of the answers. */
 const STANDS: Nanoseconds = 16n * NS_PER_MS;
 
-/** The time of the answers is of the same clock when it differs by no more: some servers write CurrentTime once a second. */
+/** Maximum difference for the time of the answers to be of the same clock: some servers write CurrentTime once a second. */
 const SAME_CLOCK: Nanoseconds = 3000n * NS_PER_MS;
 
 /**
- * Reads the clock that the stamps are from: the server's own, or the variable that t_k is read from.
- * @param variable Its id at this server; null for the server's own.
+ * Reads the clock of the stamps: the server's own, or the variable with t_k.
+ * @param variable Its id at this server; null for the server's own clock.
  */
 export async function clockOf(session: ReadOnlySession, settings: OpcUaSettings, variable: string | null, log: Log): Promise<ReadClock> {
   const node = variable ?? CURRENT_TIME;
@@ -38,18 +38,18 @@ export async function clockOf(session: ReadOnlySession, settings: OpcUaSettings,
   };
 }
 
-/** Whether the server's CurrentTime stands still between updates, while its answers tell the same clock's time. */
+/** Whether the server's CurrentTime stands still between updates, while its answers have the time of the same clock. */
 async function stands(session: ReadOnlySession, read: ReadClock): Promise<boolean> {
   const began = monotonicTime(), { sent: first } = await read();
   let time = first, stood = 0n;
   while (time === first && monotonicTime() - began < 4n * STANDS) {
     const asked = monotonicTime();
     ({ sent: time } = await read());
-    // A slow answer that shows another time is none of a clock that stands.
+    // A slow answer with a different time does not show a standstill.
     if (time === first) stood = asked - began;
   }
   const answered = sentAt(session);
-  // The first reading may have come right before an update: what changed early is looked at once more.
+  // The first reading may be just before an update, so an early change is checked once more.
   if (stood < STANDS && !await stoodNext(read, time)) return false;
   if (answered === null) return false;
   const apart = answered - time;

@@ -13,7 +13,7 @@ import { type OpcUaSettings, settingsOf } from './settings';
 
 const SAMPLING_MS = 10, PUBLISHING_MS = 20;
 
-/** The plant section as the schema allows it. */
+/** The plant section as specified in the schema. */
 interface Section {
   endpoint: string;
   security?: { mode?: 'sign_and_encrypt' | 'none'; i_know_this_is_open?: boolean; policy?: OpcUaSettings['security']['policy'];
@@ -71,7 +71,7 @@ export const opcua: Kind = {
   },
 };
 
-// The schema's pattern leaves the size of numbers open.
+// The schema's pattern does not limit the size of numbers.
 function requireNode(file: YamlFile, entry: Path, node: string): void {
   const [, namespace = 0, id = 0] = /^(?:ns=(\d+);|nsu=[^;]+;)?(?:i=(\d+)$)?/.exec(node)!;
   if (Number(namespace) > 65535) file.report(entry, `value ${shown(node)}; a namespace, ns, is a number from 0 to 65535`);

@@ -3,37 +3,37 @@ import type { Joint } from '../configuration/configuration';
 import type { Refusal } from '../samples/stampRule';
 import { numberIn } from './stamps';
 
-/** What a joint of kind opcua names: a node and, of an array, the place in it. */
+/** The address of a joint of kind opcua: a node and, for an array, the index in it. */
 export interface NodeJoint extends Joint {
   node: string;
   index?: number;
 }
 
-/** The info bit of a status code that says that the server's queue was too short. */
+/** The info bit of a status code for an overflow of the server's queue. */
 const OVERFLOW = 0x80;
 
-/** The severity is in the two highest bits: with its info bits a status may be good without being the library's Good. */
+/** The severity is in the two highest bits. With its info bits, a good status may differ from the library's Good. */
 const severity = (status: StatusCode): number => status.value >>> 30;
 
 export const isGood = (status: StatusCode): boolean => severity(status) === 0;
 
 const GONE = ['BadNodeIdUnknown', 'BadNodeIdInvalid'];
 
-/** Whether the server has no such node (any more). */
+/** Whether the server does not have the node (any more). */
 export const isGone = (status: StatusCode): boolean => GONE.includes(status.name);
 
 export const isOverflown = (status: StatusCode): boolean => (status.value & OVERFLOW) !== 0;
 
-/** Why there is no value to be used, by its own status; Uncertain is refused too: it may be the last value before a fault. */
+/** Gets the reason why a value is unusable by its status. Uncertain is refused, too: it may be the last value before a fault. */
 export function statusRefusal(value: DataValue): Refusal | null {
-  // A server may send a status and no value, Null for a variable that nobody has written yet.
+  // A server may send a status without a value, and Null for a variable that has never been written.
   const isThere = value.value && value.value.dataType !== DataType.Null;
   if (isGood(value.statusCode)) return isThere ? null : { reason: 'type', text: 'it has no value' };
   const kind = severity(value.statusCode) === 1 ? 'uncertain' : 'bad';
   return { reason: `status-${kind}`, text: `the server says ${value.statusCode.name}, ${value.statusCode.description}` };
 }
 
-/** The joint's own number in a node's value; what is none is found out by whoever takes it. */
+/** Gets the joint's number from a node's value. The caller checks that it is a number. */
 export function valueOf(joint: NodeJoint, value: DataValue): { value: unknown } | Refusal {
   const { value: variant } = value, isArray = variant.arrayType !== VariantArrayType.Scalar;
   if (joint.index === undefined)

@@ -11,7 +11,7 @@ import { TimeVariable } from './timeVariable';
 
 const GROUP_MS = 0.5;
 
-/** Makes joint values of what one notification brought. */
+/** Converts notifications to joint values. */
 export class NotificationReader {
   /** Each node once, the time variable last. */
   readonly nodes: string[];
@@ -20,9 +20,9 @@ export class NotificationReader {
   readonly #joints: NodeJoint[];
   readonly #readers: number[][];
   readonly #time: TimeVariable | null;
-  /** Nodes of which this connection has told something. */
+  /** Nodes for which this connection has received a value. */
   readonly #told = new Set<number>();
-  /** The newest time of the notifications before. */
+  /** The newest time of the previous notifications. */
   #known: Nanoseconds | null = null;
   #silence: Nanoseconds = 0n;
 
@@ -36,14 +36,14 @@ export class NotificationReader {
     this.#time = settings.time === null ? null : new TimeVariable(tolerance);
   }
 
-  /** Before what another connection brings. */
+  /** Resets the state for a new connection. */
   startAnew(): void {
     this.#told.clear();
     this.#known = null;
     this.context.output.startAnew();
   }
 
-  /** How often the server looks at the nodes: it hears of a joint that moves no more often. */
+  /** Sets the sampling interval of the server, which is the minimum interval of a moving joint's values. */
   set samplingMs(ms: number) {
     this.#silence = ofMilliseconds(3 * ms);
     this.context.output.samplingS = ms / 1000;
@@ -51,16 +51,16 @@ export class NotificationReader {
 
   read(values: NodeValue[]): void {
     const timeNode = this.#readers.length;
-    // The times first: the values of their cycle may stand before them.
+    // The times first, because the values of their cycle may precede them.
     const times = values.filter(v => v.node === timeNode).map(({ value }) => this.#learn(value));
     const found = values.filter(v => v.node < timeNode).flatMap(({ node, value }) => this.#valuesOf(node, value));
-    // Of the times of the notification before, this one would have brought the last changes.
+    // Uses the times of the previous notification: its last changes would be in this one.
     if (this.#known !== null) this.hold(this.#known, new Set(values.filter(v => v.node < timeNode).flatMap(v => this.#readers[v.node])));
     this.context.output.publish(found);
     this.#note(this.#time === null ? found.filter(({ refusal }) => refusal === undefined).map(({ stamp }) => stamp) : times);
   }
 
-  /** Says again what stands, at a time of the control system up to which all changes are known. */
+  /** Confirms unchanged values at a time of the control system up to which all changes are known. */
   hold(time: Nanoseconds, except: ReadonlySet<number> = new Set()): void {
     this.context.output.hold(time, this.#silence, except);
   }
@@ -70,17 +70,17 @@ export class NotificationReader {
     this.hold(time, new Set(this.#readers.flatMap((joints, node) => nodes.has(node) ? [] : joints)));
   }
 
-  /** The server has this node no more, or never had it. */
+  /** Reports that the server does not have this node (any more). */
   lose(node: number, reason: string): void {
     for (const joint of this.#readers[node]) this.context.output.lose(joint, reason);
   }
 
-  /** The value of this node cannot be used. */
+  /** Reports that the value of this node is invalid. */
   refuse(node: number, { reason, text }: Refusal): void {
     for (const joint of this.#readers[node]) this.context.output.refuse(joint, reason, text);
   }
 
-  /** The next value of this node is the first of a new monitored item. */
+  /** Marks the next value of this node as the first of a new monitored item. */
   expectFirst(node: number): void {
     this.#told.delete(node);
   }
@@ -91,7 +91,7 @@ export class NotificationReader {
       if (time !== null && now !== null && time <= now && (this.#known === null || time > this.#known || this.#known > now)) this.#known = time;
   }
 
-  /** The time that it holds; null where it is none. */
+  /** Gets the time in the variable and stores it; null if it is invalid. */
   #learn(value: DataValue): Nanoseconds | null {
     const { status } = this.context, { node, unit } = this.settings.time!, label = labelOf(value);
     const refusal = statusRefusal(value), time = refusal === null ? timeIn(value.value, unit) : null;
@@ -129,7 +129,7 @@ export class NotificationReader {
     };
   }
 
-  /** A value without one is nobody's of long ago. */
+  /** Whether a value has a stamp. One without a stamp could be of any age. */
   #hasStamp(value: DataValue): boolean {
     return (this.#time === null ? this.#stampOf(value) : labelOf(value)) !== null;
   }

@@ -1,4 +1,4 @@
-// Imported before anything else of the library: what it has to say is said in our own words, and on no other stream.
+// Must be imported before the rest of the library. Disables its own logging; errors are reported in our own messages.
 import { setDebugLogger, setErrorLogger, setWarningLogger } from 'node-opcua-debug';
 
 const silent = (): void => {};

@@ -6,41 +6,41 @@ import type { OpcUaSettings } from './settings';
 import { applicationUri, type OwnCertificate } from './security/ownCertificate';
 import type { TrustList } from './security/trustList';
 
-/** Nodes of one read request at first; halved where a server takes fewer. */
+/** Initial number of nodes per read request; halved if a server accepts fewer. */
 const NODES_PER_READ = 64;
 
 const TIMEOUT_MS = 5000, CLOSING_MS = 1000, SESSION_MS = 30_000, KEEP_ALIVE_MS = 1000, LIFETIME_MS = 15_000;
 
-/** All that is ever asked of a control system. Nothing here can write a variable or call a method. */
+/** All requests that are sent to a control system. None of them can write a variable or call a method. */
 const ALLOWED = new Set([
   'OpenSecureChannelRequest', 'CloseSecureChannelRequest', 'GetEndpointsRequest', 'CreateSessionRequest', 'ActivateSessionRequest',
   'CloseSessionRequest', 'ReadRequest', 'CreateSubscriptionRequest', 'DeleteSubscriptionsRequest', 'CreateMonitoredItemsRequest',
   'DeleteMonitoredItemsRequest', 'PublishRequest',
 ]);
 
-/** A value of the node at this place of the list that is monitored. */
+/** A value of the node with this index in the monitored list. */
 export interface NodeValue {
   node: number;
   value: DataValue;
 }
 
 export interface Monitoring {
-  /** For each node what the server said about monitoring it; null where it does. */
+  /** For each node, the server's reason for not monitoring it; null if it does. */
   refusals: (string | null)[];
   samplingMs: number;
   publishingMs: number;
-  /** The server says something at least this often, even if it is only that it is there. */
+  /** Maximum interval between messages of the server, including keep-alive messages. */
   keepAliveMs: number;
 }
 
-/** Ends a request that is none of a reader's: thrown before it becomes a message, so that it never leaves. */
+/** Throws for a request that is not read-only, before it is encoded, so that it is never sent. */
 export function readsOnly(request: { schema: { name: string } }): void {
   if (!ALLOWED.has(request.schema.name)) throw new Error(`${request.schema.name} is nothing that a reader asks`);
 }
 
-/** A session with an OPC UA server that can read and listen. It ends once; for another connection make another. */
+/** A read-only session with an OPC UA server. It ends once; create another one for another connection. */
 export class ReadOnlySession {
-  /** Resolves with the reason when the connection has ended, whoever ended it. */
+  /** Resolves with the reason when the connection has ended on either side. */
   readonly ended: Promise<string>;
   readonly #client: OPCUAClient;
   #session: ClientSession | null = null;
@@ -51,7 +51,7 @@ export class ReadOnlySession {
   #canTriggerByStamp = true;
   #nodesPerRead = NODES_PER_READ;
   #heard: (values: NodeValue[]) => void = () => {};
-  /** Notifications that came before their monitored items are known; null while all are. */
+  /** Notifications that arrived before their monitored items are known; null when all are known. */
   #early: unknown[] | null = [];
   #end: (reason: string) => void = () => {};
   #answeredAt: Date | null = null;
@@ -65,7 +65,7 @@ export class ReadOnlySession {
       clientName: 'Nowpose',
       securityMode: isOpen ? MessageSecurityMode.None : MessageSecurityMode.SignAndEncrypt,
       securityPolicy: isOpen ? SecurityPolicy.None : SecurityPolicy[settings.security.policy],
-      // Servers tell the host name that they believe to have, which is seldom the one by which they are reached.
+      // Servers often report a host name that differs from the one by which they are reached.
       endpointMustExist: false,
       connectionStrategy: { maxRetry: 0 },
       requestedSessionTimeout: SESSION_MS,
@@ -83,14 +83,14 @@ export class ReadOnlySession {
     this.#client.on('close', error => this.#end(error ? error.message : 'the connection was closed'));
   }
 
-  /** @throws Error The server is not there, not trusted, or does not take us. */
+  /** @throws Error The server is not reachable, is not trusted, or refuses us. */
   async open(user: UserIdentityInfo): Promise<void> {
     await this.#client.connect(this.settings.endpoint);
     this.#session = await this.#client.createSession(user);
     this.#session.on('session_closed', () => this.#end('the server closed the session'));
   }
 
-  /** When the server sent the newest answer to a read, by its own clock; null before the first. */
+  /** Time of the server's clock when it sent the newest answer to a read; null before the first. */
   get answeredAt(): Date | null { return this.#answeredAt; }
 
   async read(node: string): Promise<DataValue> {
@@ -117,8 +117,8 @@ export class ReadOnlySession {
   }
 
   /**
-   * Replaces the monitored item of a node, which may be another node by now.
-   * @returns Why the server does not monitor it; null when it does.
+   * Replaces the monitored item of a node, which may have been recreated.
+   * @returns The reason why the server does not monitor it; null if it does.
    */
   async monitorAgain(node: number, id: string): Promise<string | null> {
     const old = this.#items[node];
@@ -134,9 +134,9 @@ export class ReadOnlySession {
   }
 
   /**
-   * Listens to nodes.
-   * @param heard What one notification brought, in the order of the server's queues: of each node oldest first.
-   * @param alive The server said something at all; quiet, when it said that nothing has changed.
+   * Monitors nodes.
+   * @param heard Receives the values of one notification, for each node the oldest first.
+   * @param alive Called for any message of the server; isQuiet if it reported no changes.
    */
   async monitor(nodes: string[], heard: (values: NodeValue[]) => void, alive: (isQuiet: boolean) => void): Promise<Monitoring> {
     const { samplingMs, publishingMs } = this.settings;
@@ -182,7 +182,7 @@ export class ReadOnlySession {
 
   async close(): Promise<void> {
     this.#end('closed');
-    // A server that hangs, or a connection still being made, holds nobody up.
+    // Does not wait for a server that hangs, or for a connection that is being made.
     await Promise.race([this.#closed(), new Promise(resolve => setTimeout(resolve, CLOSING_MS).unref())]);
   }
 
@@ -191,11 +191,11 @@ export class ReadOnlySession {
       await this.#session?.close(true);
       await this.#client.disconnect();
     } catch {
-      // A connection that is broken has nothing to be closed.
+      // A broken connection need not be closed.
     }
   }
 
-  // A robot that rests is reported too where the server goes by time stamps; not every server can.
+  // With a filter on time stamps, a robot at rest is reported, too; not every server supports this.
   async #monitored(subscription: ClientSubscription, nodes: string[]): Promise<ClientMonitoredItem[]> {
     if (nodes.length === 0) return [];
     const byStamp = await this.#group(subscription, nodes, BY_STAMP());
@@ -208,7 +208,7 @@ export class ReadOnlySession {
 
   #group(subscription: ClientSubscription, nodes: string[], filter: DataChangeFilter | null): Promise<ClientMonitoredItemGroup> {
     const { samplingMs } = this.settings;
-    // What the server made of the interval: it may send more seldom than it was asked to.
+    // The server's revised interval may be longer than the requested one.
     const queueSize = 2 + Math.ceil(4 * subscription.publishingInterval / samplingMs);
     return subscription.monitorItems(
       nodes.map(nodeId => ({ nodeId, attributeId: AttributeIds.Value })),

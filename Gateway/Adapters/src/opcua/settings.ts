@@ -25,5 +25,5 @@ export interface OpcUaSettings {
   publishingMs: number;
 }
 
-/** Filled in by the check of the configuration, which reads the files that hold secrets. */
+/** Set by the check of the configuration, which reads the files with secrets. */
 export const settingsOf = (configuration: Configuration): OpcUaSettings => configuration.plant.settings as OpcUaSettings;

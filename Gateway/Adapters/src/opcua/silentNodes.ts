@@ -4,31 +4,34 @@ import { isGone, isGood, statusRefusal } from './nodeValues';
 import type { NotificationReader } from './notificationReader';
 import type { NodeValue, ReadOnlySession } from './readOnlySession';
 
-/** A node is read when nothing has come of it for this long. */
+/** Time without a notification after which a node is read. */
 const SILENT_MS = 60;
 
-/** Reads differ from the last notification for this long, and for this multiple of what a change takes to arrive: the server no longer notifies. */
+/** If reads differ from the last notification for this long and this multiple of the normal delay, the server no longer sends notifications. */
 const DIFFERENT_MS = 400, DELAYS = 2;
 
 interface NodeState {
   heardAt: number;
   /** The newest notification; null before the first. */
   value: DataValue | null;
-  /** The server has no such node, or does not monitor it. */
+  /** Whether the server does not have the node, or does not monitor it. */
   isGone: boolean;
-  /** Its value was not usable when it was read, and no notification said so. */
+  /** Whether its value was unusable when it was read, without a notification of it. */
   isBad: boolean;
-  /** When the first of the reads was made that all differ from the last notification; null: the last one does not differ. */
+  /** Time of the first of the consecutive reads that differ from the last notification; null if the last one does not differ. */
   differsSince: number | null;
 }
 
-/** Reads the nodes that a server is silent about: it is silent about a value at rest and, often, about a deleted node. */
+/** Reads the nodes for which a server sends nothing: their value is at rest or, often, the node was deleted. */
 export class SilentNodes {
-  /** Milliseconds that a change takes to arrive at most. */
+  /** Maximum delay of a change, ms. */
   delayMs = 0;
   readonly #nodes: NodeState[];
 
-  /** @param ids Of the joints' nodes, at this server. @param nameOf The entry of the configuration that names a node. */
+  /**
+   * @param ids The joints' nodes at this server.
+   * @param nameOf Gets the configuration entry of a node.
+   */
   constructor(
     readonly session: Pick<ReadOnlySession, 'readAll' | 'monitorAgain'>, readonly reader: NotificationReader, readonly ids: string[],
     readonly nameOf: (node: number) => string, readonly now: () => number = () => performance.now(),
@@ -41,7 +44,7 @@ export class SilentNodes {
       if (node < this.#nodes.length) this.#nodes[node] = { heardAt: this.now(), value, isGone: isGone(value.statusCode), isBad: false, differsSince: null };
   }
 
-  /** The server does not monitor this node. */
+  /** Reports that the server does not monitor this node. */
   refused(node: number, reason: string): void {
     this.#nodes[node].isGone = true;
     this.reader.lose(node, reason);
@@ -73,7 +76,7 @@ export class SilentNodes {
     }
     const now = this.now();
     state.differsSince = isSame ? null : state.differsSince ?? now;
-    // A new monitored item brings the value with its stamp at once.
+    // A new monitored item immediately sends the value with its stamp.
     const isNew = state.isGone || state.isBad
       || state.differsSince !== null && now - state.differsSince >= Math.max(DIFFERENT_MS, DELAYS * this.delayMs);
     if (isNew) await this.#monitorAgain(node);

@@ -3,8 +3,8 @@ import { ofCount, ofFraction, type TimeUnit } from '../samples/timeUnit';
 import { type Nanoseconds, NS_PER_MS } from '../times';
 
 /**
- * A date of the library with what a Date cannot hold; null for none, or for one outside what OPC UA allows to mean a time.
- * @param picoseconds Beyond the whole millisecond: the wire's 100 ns and, where the server sends them, its picoseconds.
+ * Gets the time of a library date with its full resolution; null for none, or for one that OPC UA defines as no time.
+ * @param picoseconds Fraction of a ms: the 100 ns of the protocol and, if the server sends them, its picoseconds.
  */
 export function ofDate(date: Date | null | undefined, picoseconds = 0): Nanoseconds | null {
   if (!date || Number.isNaN(date.getTime())) return null;
@@ -18,14 +18,14 @@ export const sourceStamp = (value: DataValue): Nanoseconds | null => ofDate(valu
 
 export const serverStamp = (value: DataValue): Nanoseconds | null => ofDate(value.serverTimestamp, value.serverPicoseconds);
 
-/** A 64-bit number as the library decodes it: its two halves. */
+/** Gets a 64-bit number from the library's two halves. */
 const whole = (value: unknown, isSigned: boolean): bigint | null => {
   if (!Array.isArray(value) && !(value instanceof Uint32Array)) return null;
   const bits = (BigInt(value[0] >>> 0) << 32n) | BigInt(value[1] >>> 0);
   return isSigned ? BigInt.asIntN(64, bits) : bits;
 };
 
-/** A scalar number, whole ones of 64 bits as bigint; anything else as it came. */
+/** Gets a scalar number, as a bigint for 64 bits; any other value unchanged. */
 export function numberIn(variant: Variant): unknown {
   switch (variant.dataType) {
     case DataType.Int64: return whole(variant.value, true) ?? variant.value;
@@ -35,8 +35,8 @@ export function numberIn(variant: Variant): unknown {
 }
 
 /**
- * The time that a variable of the control system holds. DateTime says it all; of whole numbers the default unit is ns since 1970, of LREAL
- * it is s. A REAL, which tells two minutes of today's date apart, and whole seconds of 32 bits are refused.
+ * Gets the time in a variable of the control system. A DateTime needs no unit; the default is ns since 1970 for whole numbers, and s for an
+ * LREAL. A REAL, with a resolution of two minutes for current dates, and 32-bit seconds are refused.
  */
 export function timeIn(variant: Variant, unit: TimeUnit | null): Nanoseconds | null {
   if (variant.dataType === DataType.DateTime) {

@@ -3,13 +3,13 @@ import type { Nanoseconds } from '../times';
 const REMEMBERED = 64;
 
 /**
- * The control system's time as a variable tells it, to be put beside the values of the same cycle. Which cycle that is, the server's time
- * stamps tell: of two variables that are sampled together they agree, however wrong they are.
+ * The control system's time from a variable, to be assigned to the values of the same cycle. The cycle is identified by the server's time
+ * stamps: variables that are sampled together have equal ones, even if they are wrong.
  */
 export class TimeVariable {
   readonly #known: { label: Nanoseconds; time: Nanoseconds }[] = [];
 
-  /** @param tolerance How far the labels of one cycle may be apart. */
+  /** @param tolerance Maximum difference of the labels of one cycle. */
   constructor(readonly tolerance: Nanoseconds) {}
 
   learn(label: Nanoseconds, time: Nanoseconds): void {
@@ -17,7 +17,7 @@ export class TimeVariable {
     if (this.#known.length > REMEMBERED) this.#known.shift();
   }
 
-  /** The time of the cycle of this label; null when it was not told. */
+  /** Gets the time of the cycle with this label; null if unknown. */
   at(label: Nanoseconds): Nanoseconds | null {
     let best: Nanoseconds | null = null, distance = this.tolerance + 1n;
     for (const { label: known, time } of this.#known) {

@@ -2,7 +2,7 @@ import { type OwnCertificate } from './security/ownCertificate';
 import { thumbprints, type TrustList } from './security/trustList';
 import type { OpcUaSettings } from './settings';
 
-/** The plant is there and says no, or we say no to it: waiting does not mend it, a person does. */
+/** The server refuses us, or we refuse the server. Waiting does not help; a user must act. */
 export class Refused extends Error {}
 
 export interface Trouble {
@@ -24,7 +24,7 @@ const CURES: [RegExp, (settings: OpcUaSettings, own: OwnCertificate) => string][
   [/BadTooManySessions|BadTcpNotEnoughResources/, () => 'the server has no session left; close one of another client'],
 ];
 
-/** What went wrong when a connection was made, and whether to wait or to act. */
+/** Classifies the error of a connection attempt: whether to wait or to act. */
 export function refusalOf(error: Error, trust: TrustList, settings: OpcUaSettings, own: OwnCertificate): Trouble {
   if (error instanceof Refused) return { isRefusal: true, text: error.message };
   if (trust.refusal !== null) return { isRefusal: true, text: trust.refusal };

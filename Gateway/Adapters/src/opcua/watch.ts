@@ -1,12 +1,12 @@
 import { isClockStopped, type PlantClock } from '../clock/plantClock';
 import type { Nanoseconds } from '../times';
 
-/** Time between two looks while values arrive, and while none has arrived for QUIET_MS. A headset shows a sample for 300 ms. */
+/** Interval of the checks while values arrive, and after none has arrived for QUIET_MS. A headset shows a sample for 300 ms. */
 const LOOK_MS = 500, QUIET_LOOK_MS = 60, QUIET_MS = 50;
 
 const SILENCE_MS = 5000, MISSED = 3;
 
-/** Sees that the server still talks: by its notifications, or signs of life in their place, and by its clock. */
+/** Monitors the server by its notifications, its keep-alive messages and its clock. */
 export class Watch {
   #heard = performance.now();
   #valued = -Infinity;
@@ -15,15 +15,15 @@ export class Watch {
     this.#heard = performance.now();
   }
 
-  /** Values arrived. */
+  /** Reports that values arrived. */
   valued(): void {
     this.#valued = performance.now();
   }
 
   /**
-   * Resolves with the reason when it has fallen silent; looks until `ended`. Each look also tells how its clock goes.
-   * @param keepAliveMs How often it gives a sign of life.
-   * @param look Called in each look, with the time that the clock showed just before; null when it was not read.
+   * Resolves with the reason when the server is silent; checks until `ended`. Each check also measures the clock.
+   * @param keepAliveMs Interval of the server's keep-alive messages.
+   * @param look Called in each check, with the clock's time just before; null if it was not read.
    */
   async silence(clock: PlantClock, keepAliveMs: number, ended: Promise<unknown>, look: (time: Nanoseconds | null) => Promise<void>): Promise<string> {
     const longest = Math.max(SILENCE_MS, MISSED * keepAliveMs);
@@ -38,7 +38,7 @@ export class Watch {
       try {
         if (!isOver) time = (await clock.read()).received;
       } catch (error) {
-        // A server whose clock was stopped still answers; whoever asks for the time is told.
+        // A server with a stopped clock still answers. The reader of the time gets the error.
         if (!isClockStopped(error)) return `its clock cannot be read: ${(error as Error).message}`;
       }
       try {

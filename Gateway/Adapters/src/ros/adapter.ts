@@ -12,10 +12,10 @@ const CLOCK_RETRY_MS = 1000;
 
 const GET_TIME = '/rosapi/get_time';
 
-/** As ROS 1 spells them, which ROS 2's rosbridge takes too. */
+/** The types with ROS 1 names, which ROS 2's rosbridge accepts, too. */
 const JOINT_STATE = 'sensor_msgs/JointState', TRAJECTORY = 'trajectory_msgs/JointTrajectory', STRING = 'std_msgs/String';
 
-/** Listens to a robot's rosbridge and passes on what it says until it is stopped. */
+/** Listens to a robot's rosbridge and forwards its messages until it is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
   const { configuration, gateway, clock, status, log, stopping } = context;
   const settings = settingsOf(configuration);
@@ -36,7 +36,7 @@ export async function run(context: AdapterContext): Promise<void> {
     malformed: (topic, problem) => status.refuse('malformed', topic, problem),
   });
 
-  // rosapi may come later than rosbridge.
+  // rosapi may start later than rosbridge.
   async function attach(ended: AbortSignal): Promise<void> {
     while (!ended.aborted) {
       try {

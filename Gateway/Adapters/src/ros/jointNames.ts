@@ -2,7 +2,7 @@ import type { Joint } from '../configuration/configuration';
 
 const MOST_JOINTS = 256;
 
-/** A joint of the robot as it leaves: its place among the joints that were seen, and how its values become ours. */
+/** A forwarded joint: its index among the seen joints, and the conversion of its values. */
 export interface OutJoint {
   index: number;
   joint: string;
@@ -12,7 +12,7 @@ export interface OutJoint {
   isLinear: boolean;
 }
 
-/** Which of the robot's joints pass, and under which name: those of the configuration, or all where it lists none. */
+/** Selects and renames the forwarded joints of the robot: those of the configuration, or all if it lists none. */
 export class JointNames {
   readonly #known = new Map<string, OutJoint>();
 
@@ -24,7 +24,7 @@ export class JointNames {
 
   readonly isOpen: boolean;
 
-  /** Undefined: not passed on. */
+  /** Gets a forwarded joint; undefined if it is not forwarded. */
   find(source: unknown): OutJoint | undefined {
     if (typeof source !== 'string') return undefined;
     const known = this.#known.get(source);

@@ -19,21 +19,21 @@ interface RosJointState {
   name?: unknown[];
   position?: unknown[];
   velocity?: unknown[];
-  /** Beyond ROS: what our own gateway sends on. */
+  /** Not in ROS: sent by our own gateway. */
   acceleration?: unknown[];
 }
 
-/** Passes a robot's joint states on with their own stamps, each joint that has a usable one. */
+/** Forwards a robot's joint states with their own stamps, for each joint with a valid position. */
 export class JointStates {
   readonly #rule: StampRule;
-  /** At most as many as there are names. */
+  /** End-of-data detection by joint; at most as many as there are names. */
   readonly #ends = new Map<string, EndOfData>();
-  /** Joints whose end of data was judged since their last sample: joints that start to move later say nothing about it. */
+  /** Joints whose end of data was judged since their last sample. Joints that start to move later are not evidence. */
   readonly #judged = new Set<string>();
 
   constructor(readonly names: JointNames, oldest: Nanoseconds, readonly clock: Pick<PlantClock, 'now' | 'isSettled'>, readonly gateway: Publisher,
     readonly status: AdapterStatus, readonly silence: Silence) {
-    // Nothing confirms a joint whose publisher is silent.
+    // A joint whose publisher is silent cannot be confirmed.
     silence.unconfirmedMs = null;
     silence.hasEnded = joint => this.#hasEnded(joint);
     this.#rule = new StampRule(MOST_JOINTS, oldest);
@@ -42,7 +42,7 @@ export class JointStates {
   pass(message: RosJointState | null): void {
     const { name, position, velocity, acceleration } = message ?? {};
     if (!Array.isArray(name) || !Array.isArray(position) || position.length !== name.length) {
-      // Joints that have efforts or velocities only are published so.
+      // Joints with only efforts or velocities are published with empty positions.
       if (!Array.isArray(position) || position.length > 0)
         this.status.refuse('malformed', 'joint states', 'names and positions are not lists of one length');
       return;
@@ -94,7 +94,7 @@ export class JointStates {
   }
 }
 
-/** Of the taken joints; a null where the robot told none, nothing where it told none at all. */
+/** Gets the values of the forwarded joints; null where the robot sent none, and an empty list if it sent none at all. */
 function derivativesOf(values: unknown[] | undefined, length: number, taken: { out: OutJoint; i: number }[]): (number | null)[] {
   if (!Array.isArray(values) || values.length !== length) return [];
   return taken.map(({ out, i }) => {

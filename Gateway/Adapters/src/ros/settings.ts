@@ -6,7 +6,7 @@ import { ofMilliseconds, type Nanoseconds } from '../times';
 
 const OLDEST_MS = 10_000;
 
-/** What a configuration of kind ros says. */
+/** The settings of kind ros. */
 export interface RosSettings {
   endpoint: string;
   pin: string | null;

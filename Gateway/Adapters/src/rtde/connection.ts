@@ -4,7 +4,7 @@ import { NotRtdeError, PackageReader, type RtdePackage } from './packages';
 
 const CONNECT_MS = 3000;
 
-/** What the peer did that no waiting mends, or hardly. */
+/** The peer refused in a way that waiting is unlikely to fix. */
 export class RefusalError extends Error {}
 
 export interface Peer {
@@ -12,7 +12,7 @@ export interface Peer {
   port: number;
 }
 
-/** A TCP connection that gives whole packages with the time at which they arrived. */
+/** A TCP connection that returns whole packages with the time of their arrival. */
 export class RtdeConnection {
   readonly #reader = new PackageReader();
   readonly #socket: Socket;
@@ -26,11 +26,11 @@ export class RtdeConnection {
     this.#socket = socket;
     socket.setNoDelay(true);
     socket.on('data', bytes => this.#hear(bytes));
-    // In one wording: which of the two comes is chance.
+    // One message for both events, because their order is random.
     socket.on('error', () => {}).on('close', () => this.#end(new Error(`${at(peer)} ended the connection`)));
   }
 
-  /** @throws Error Nobody answers; says what to do. */
+  /** @throws Error The peer does not answer. The message has the remedy. */
   static open(peer: Peer, stop: AbortSignal): Promise<RtdeConnection> {
     return new Promise((resolve, reject) => {
       const socket = connect({ host: peer.host, port: peer.port });
@@ -57,7 +57,7 @@ export class RtdeConnection {
     });
   }
 
-  /** Whether a part of a package has come and its rest has not. */
+  /** Whether a package has been received only partially. */
   get hasHalfPackage(): boolean { return this.#reader.waiting > 0; }
 
   send(bytes: Buffer): void {

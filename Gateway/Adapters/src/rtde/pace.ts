@@ -1,20 +1,20 @@
-/** Intervals that tell which one is usual. */
+/** Number of intervals for the estimate of the usual one. */
 const INTERVALS = 16;
 
-/** The usual interval between two packages, and how many are missing between two. */
+/** Estimates the usual interval between packages, and the number of missing packages. */
 export class Pace {
   readonly #intervals: number[] = [];
   #last: number | null = null;
 
-  /** The usual interval in seconds; null until enough packages have come. */
+  /** The usual interval in seconds; null until enough packages have arrived. */
   get usual(): number | null {
     if (this.#intervals.length < INTERVALS) return null;
     return [...this.#intervals].sort((a, b) => a - b)[INTERVALS / 2];
   }
 
   /**
-   * @param timestamp Of the package, in seconds.
-   * @returns Packages that are missing before this one.
+   * @param timestamp Timestamp of the package, in seconds.
+   * @returns Number of packages missing before this one.
    */
   lostBefore(timestamp: number): number {
     const interval = this.#last === null ? null : timestamp - this.#last;

@@ -3,7 +3,7 @@ export const TYPE = {
   protocolVersion: 86, controllerVersion: 118, textMessage: 77, data: 85, setUpOutputs: 79, setUpInputs: 73, start: 83, pause: 80,
 } as const;
 
-/** What a client may send here: requests that read. */
+/** The requests that are sent here; all are read-only. */
 export type Request = 'protocolVersion' | 'controllerVersion' | 'setUpOutputs' | 'start';
 
 const HEADER = 3;
@@ -15,7 +15,7 @@ export interface RtdePackage {
   payload: Buffer;
 }
 
-/** The peer sends something that is not RTDE. */
+/** The peer sends data that are not RTDE. */
 export class NotRtdeError extends Error {}
 
 /** uint16 size of the whole package, uint8 type, payload; big-endian as everything in RTDE. */
@@ -44,7 +44,7 @@ export function setUpOutputs(frequencyHz: number, names: string[]): Buffer {
 
 export const start = (): Buffer => packageOf('start');
 
-/** A text message of version 2, or of version 1, which has the level first and no source; null when it is neither. */
+/** Gets a text message of version 2, or of version 1, which has the level first and no source; null if it is neither. */
 export function textOf(payload: Buffer): string | null {
   const length = payload[0] ?? 0, source = payload[1 + length] ?? 0;
   if (payload.length === length + source + 3) {
@@ -54,19 +54,19 @@ export function textOf(payload: Buffer): string | null {
   return payload.length > 1 && payload[0] <= 3 ? payload.toString('utf8', 1) : null;
 }
 
-/** Cuts a stream of bytes into packages. Keeps one package at most, which is 64 KiB long at most. */
+/** Splits a stream of bytes into packages. Stores at most one package of at most 64 KiB. */
 export class PackageReader {
   #rest: Buffer = Buffer.alloc(0);
 
-  /** Bytes of a package that has not come as a whole. */
+  /** Number of bytes of an incomplete package. */
   get waiting(): number { return this.#rest.length; }
 
-  /** Length that the package has which has not come as a whole; 0 while its header has not. */
+  /** Length of the incomplete package from its header; 0 if the header is incomplete. */
   get announced(): number { return this.#rest.length < HEADER ? 0 : this.#rest.readUInt16BE(0); }
 
   /**
-   * The packages that are whole now. Their payloads are valid until the next call.
-   * @throws NotRtdeError A header that RTDE does not have. What came before it is lost too: the connection is of no use any more.
+   * Gets the packages that are complete now. Their payloads are valid until the next call.
+   * @throws NotRtdeError Invalid header. Packages before it are lost, too, and the connection is unusable.
    */
   add(bytes: Buffer): RtdePackage[] {
     const all = this.#rest.length === 0 ? bytes : Buffer.concat([this.#rest, bytes]), packages: RtdePackage[] = [];

@@ -3,18 +3,18 @@ const SIZE: Record<string, number> = {
   BOOL: 1, UINT8: 1, UINT32: 4, INT32: 4, UINT64: 8, DOUBLE: 8, VECTOR3D: 24, VECTOR6D: 48, VECTOR6INT32: 24, VECTOR6UINT32: 24,
 };
 
-/** A field that is read, with the type that UR's guide gives it. */
+/** A requested field, with its type in UR's guide. */
 export interface Field {
   name: string;
   type: 'DOUBLE' | 'VECTOR6D' | 'UINT32' | 'INT32';
-  /** Controllers that do not have it are read without it. */
+  /** Whether the field is omitted for controllers that do not have it. */
   isOptional?: boolean;
 }
 
-/** Where the positions are taken from: what the encoders measure, or what the controller commands. */
+/** Source of the positions: measured by the encoders, or commanded by the controller. */
 export type PositionSource = 'actual' | 'target';
 
-/** What is read. Inputs and outputs and the tool's data join when the gateway takes signals. */
+/** Gets the requested fields. Inputs, outputs and the tool's data will be added when the gateway supports signals. */
 export const fieldsOf = (source: PositionSource): Field[] => [
   { name: 'timestamp', type: 'DOUBLE' },
   { name: `${source}_q`, type: 'VECTOR6D' },
@@ -25,10 +25,10 @@ export const fieldsOf = (source: PositionSource): Field[] => [
   { name: 'safety_status_bits', type: 'UINT32', isOptional: true },
 ];
 
-/** The controller cannot give what is asked for; waiting alone will not mend it. */
+/** The controller cannot provide the requested fields. Waiting alone does not help. */
 export class RecipeError extends Error {}
 
-/** The controller does not have these optional fields; it is asked again without them. */
+/** The controller does not have these optional fields, which are then omitted. */
 export class MissingFieldsError extends Error {
   constructor(readonly names: string[]) {
     super(`the controller does not have ${names.join(', ')}`);
@@ -40,7 +40,7 @@ export interface Cycle {
   /** Seconds since the controller was started. */
   timestamp: number;
   positions: number[];
-  /** Null where the controller does not tell them. */
+  /** Null if the controller does not provide them. */
   velocities: number[] | null;
   runtimeState: number | null;
   robotMode: number | null;
@@ -48,7 +48,7 @@ export interface Cycle {
   safetyBits: number | null;
 }
 
-/** Decodes data packages as the controller confirmed the recipe. */
+/** Decodes data packages according to the recipe confirmed by the controller. */
 export class Recipe {
   readonly #offsets = new Map<string, { at: number; type: Field['type'] }>();
   readonly #id: number;
@@ -81,7 +81,7 @@ export class Recipe {
     this.size = at;
   }
 
-  /** What one data package says; a sentence on what is wrong with it otherwise. */
+  /** Decodes a data package; returns a description of the error if it is invalid. */
   decode(payload: Buffer): Cycle | string {
     if (payload.length !== this.size) return `a data package of ${payload.length} bytes where the recipe has ${this.size}`;
     if (payload[0] !== this.#id) return `a data package of recipe ${payload[0]}, not ${this.#id}`;
@@ -109,7 +109,7 @@ export class Recipe {
   }
 }
 
-/** No controller runs for a century; a larger number is no time. */
+/** Maximum time since the start: a century. A larger number is not a valid time. */
 const LONGEST_S = 3.2e9;
 
 const printable = (type: string): string => /^\w{1,20}$/.test(type) ? type : 'of an unknown type';

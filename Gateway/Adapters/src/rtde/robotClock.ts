@@ -1,36 +1,36 @@
 import type { ClockReading } from '../clock/plantClock';
 import { type Nanoseconds, NS_PER_MS, NS_PER_S } from '../times';
 
-/** Largest rate difference between the controller's clock and this machine's, the one that headsets assume too. */
+/** Maximum rate difference between the controller's clock and this machine's; headsets use the same limit. */
 const GREATEST_SKEW_PPM = 700n;
 
-/** Without a newer package the time is not told. */
+/** Maximum age of the newest package for reading the time. */
 const SILENCE: Nanoseconds = NS_PER_S;
 
-/** Packages that all come this much too late, for a period, contradict the earlier ones where no answer can. */
+/** If all packages are late by this much for this period, the clock has stepped. Used when answers cannot show it. */
 const LATE: Nanoseconds = 50n * NS_PER_MS, PERIOD: Nanoseconds = NS_PER_S;
 
 /**
- * The controller's clock, which tells its time by the packages that it streams alone.
+ * The controller's clock, measured only from the packages that it streams.
  *
- * A package arrives after its timestamp: controller time minus this machine's is at least timestamp − arrival, and the fastest package tells
- * most. The first package behind the answer to a request was sent after the request, and at most the send delay after its timestamp:
- * controller time minus this machine's is at most timestamp + send delay − time of the request. The truth lies between the two bounds,
- * which move apart by the largest rate difference until the next package or answer.
+ * A package arrives after its timestamp: controller time minus this machine's is at least timestamp − arrival, and the fastest package gives
+ * the best lower bound. The first package after the answer to a request was sent after the request, and at most the send delay after its
+ * timestamp: controller time minus this machine's is at most timestamp + send delay − time of the request. The true value lies between
+ * the two bounds, which diverge with the largest rate difference until the next package or answer.
  */
 export class RobotClock {
   #least: Nanoseconds | null = null;
   #greatest: Nanoseconds | null = null;
   #updated: Nanoseconds = 0n;
   #newest: Nanoseconds | null = null;
-  /** Since when all packages have been late, and the bound by the earliest of them. */
+  /** Time since which all packages have been late, and the lower bound from the earliest of them. */
   #late: { since: Nanoseconds; least: Nanoseconds } | null = null;
-  /** Distance of the bounds where no answer renews the upper one; null while answers do. */
+  /** Fixed distance of the bounds while no answer renews the upper one; null while answers do. */
   #kept: Nanoseconds | null = null;
 
   /**
-   * @param sendDelay How long after its timestamp the controller sends a package, at most.
-   * @param stepped Called when the clock contradicts what it showed before; it is measured anew then.
+   * @param sendDelay Maximum time from a package's timestamp until the controller sends it.
+   * @param stepped Called when the clock contradicts its earlier times. It is then measured again.
    */
   constructor(readonly sendDelay: Nanoseconds, readonly stepped: (by: Nanoseconds) => void = () => {}) {}
 
@@ -38,8 +38,8 @@ export class RobotClock {
   get width(): Nanoseconds | null { return this.#least === null || this.#greatest === null ? null : this.#greatest - this.#least; }
 
   /**
-   * The controller does not answer while it streams. From now on the fastest package is taken to travel no longer than the fastest answer's
-   * round trip before, or than its first package proved.
+   * Call this when the controller does not answer while it streams. From now on, the fastest package is assumed to take no longer than the
+   * fastest answer's round-trip time before, or than shown by its first package.
    */
   expectNoAnswers(roundTrip: Nanoseconds): void {
     const longest = this.sendDelay + roundTrip, { width } = this;
@@ -47,8 +47,8 @@ export class RobotClock {
   }
 
   /**
-   * @param arrived On this machine's counter.
-   * @param asked When the request was sent whose answer came just before this package; null without one.
+   * @param arrived Arrival time on this machine's counter.
+   * @param asked Time of the request whose answer arrived just before this package; null without one.
    */
   heard(timestamp: Nanoseconds, arrived: Nanoseconds, asked: Nanoseconds | null): void {
     this.#age(arrived);
@@ -65,13 +65,13 @@ export class RobotClock {
     this.stepped(restarted - before);
   }
 
-  /** @throws Error The robot is silent, or nothing bounds its time yet. */
+  /** @throws Error The robot is silent, or its time is not bounded yet. */
   at(now: Nanoseconds): ClockReading {
     if (this.#newest === null || now - this.#newest > SILENCE) throw new Error('the robot sends no data');
     this.#age(now);
     const { width } = this;
     if (width === null) throw new Error('the robot\'s clock is not measured yet');
-    // The fastest package is nearest to the truth; the bound covers all that a later one could show.
+    // The fastest package is closest to the true value; the bound includes everything that a later one could show.
     const time = now + this.#least!;
     return { received: time, sent: time, resolution: 1n, errorBound: width };
   }

@@ -4,7 +4,7 @@ const PLAYING = 2, RESUMING = 5;
 
 const PROGRAM: Record<number, string> = { 0: 'stopping', 1: 'stopped', 2: 'playing', 3: 'pausing', 4: 'paused', 5: 'resuming' };
 
-/** Safety modes in which the arm is stopped, with what to do. Others are normal, or reduced in speed. */
+/** Safety modes in which the arm is stopped, with the remedy. The other modes are normal, or reduced in speed. */
 const STOPS: Record<number, string> = {
   3: 'protective stop; look why, and release it on the teach pendant',
   5: 'safeguard stop; close the safeguard and continue on the teach pendant',
@@ -16,7 +16,7 @@ const STOPS: Record<number, string> = {
   13: 'three-position enabling stop; hold the enabling switch in its middle position',
 };
 
-/** Bits of safety_status_bits in the order in which they name the stop best, with the mode that each stands for. */
+/** Bits of safety_status_bits with their modes, in the order of how well they describe the stop. */
 const STOP_BITS: [bit: number, mode: number][] = [[9, 9], [8, 8], [6, 7], [5, 6], [7, 6], [4, 5], [2, 3]];
 
 /** Robot modes in which the joints have no power, so that their angles are not measured. */
@@ -28,7 +28,7 @@ export const programOf = ({ runtimeState }: Cycle): string | null => runtimeStat
 
 export const isProgramRunning = ({ runtimeState }: Cycle): boolean => runtimeState === null || runtimeState === PLAYING || runtimeState === RESUMING;
 
-/** Why the arm is stopped for safety and what to do; null when it is not. */
+/** Gets the reason of a safety stop with the remedy; null if there is none. */
 export function safetyStopOf({ safetyMode, safetyBits }: Cycle): string | null {
   const byMode = safetyMode === null ? undefined : STOPS[safetyMode];
   if (byMode !== undefined) return byMode;
@@ -36,16 +36,16 @@ export function safetyStopOf({ safetyMode, safetyBits }: Cycle): string | null {
   return stop === undefined ? null : STOPS[stop[1]];
 }
 
-/** Least angle in rad that only a joint with power moves by between two packages. */
+/** Minimum change of an angle between two packages, in rad, that only a powered joint shows. */
 const MOVED = 1e-4;
 
-/** Whether the joints have power. Joints that move have it, whatever the mode says. */
+/** Determines whether the joints have power. Moving joints have it, independent of the reported mode. */
 export class Power {
   #mode: number | null = null;
   #from: number[] = [];
   #hasMoved = false;
 
-  /** Why the angles are not measured; null when they are. */
+  /** Gets the reason why the angles are not measured; null if they are. */
   lackIn({ robotMode, positions }: Cycle): string | null {
     const lack = robotMode === null ? undefined : WITHOUT_POWER[robotMode];
     if (lack === undefined || robotMode !== this.#mode) {

@@ -12,19 +12,19 @@ import type { RtdeSettings } from './settings';
 
 const VERSION = 2, ANSWER_MS = 2000, VERSION_ANSWER_MS = 1000;
 
-/** A stream that is silent for longer is read from its beginning. */
+/** Maximum time without data before the connection is opened again. */
 const SILENT_MS = 2000, CHECK_MS = 250;
 
-/** Between two questions that bound the clock. */
+/** Interval of the requests that bound the clock. */
 const ASK_MS = 50;
 
-/** A timestamp that goes back by more is that of a controller that was restarted. */
+/** A larger step back of the timestamp means that the controller was restarted. */
 const RESTART_S = 0.5;
 
-/** A package that comes earlier than the chosen interval by less is taken: timestamps are not exact to the last digit. */
+/** Tolerance for packages that are earlier than the chosen interval, because timestamps are rounded. */
 const TOLERANCE: Nanoseconds = NS_PER_MS / 2n;
 
-/** From this version on a controller is an e-Series; one that does not tell its version is taken for one. */
+/** Controllers from this version on are e-Series; one without a version is assumed to be. */
 const E_SERIES = 5, E_SERIES_HZ = 500, CB3_HZ = 125;
 
 /** One connection to a controller, from its first package to its end. */
@@ -35,9 +35,9 @@ export class RtdeSession {
   #controller: Buffer | null = null;
   #clock!: RobotClock;
   #awaited: { type: number; take: (payload: Buffer, arrived: Nanoseconds) => void } | null = null;
-  /** When the request was sent whose answer has come, and no package after it. */
+  /** Time of the request whose answer has arrived, if no package has arrived since. */
   #answered: Nanoseconds | null = null;
-  /** The shortest of the answers before the data. */
+  /** The shortest round-trip time of the answers before the data. */
   #roundTrip: Nanoseconds | null = null;
   #question: { asked: Nanoseconds; sentMs: number } | null = null;
   readonly #pace = new Pace();
@@ -54,8 +54,8 @@ export class RtdeSession {
 
   /**
    * Reads until the connection or the adapter ends.
-   * @returns Why it ended.
-   * @throws RefusalError, RecipeError, MissingFieldsError, Error It cannot be read.
+   * @returns The reason of the end.
+   * @throws RefusalError, RecipeError, MissingFieldsError, Error The controller cannot be read.
    */
   async run(): Promise<string> {
     const { stopping, output, clock } = this.context;
@@ -78,7 +78,7 @@ export class RtdeSession {
     }
   }
 
-  // A controller has few places for clients, and test servers one.
+  // A controller accepts few clients, and test servers only one.
   #because(error: Error): Error {
     if (error instanceof RefusalError)
       return this.#isReading ? new Error(`the stream of ${at(this.settings)} is damaged; reading begins anew, check the robot's network if this goes on`) : error;
@@ -107,8 +107,8 @@ export class RtdeSession {
   }
 
   /**
-   * @param answered Called with the time of the request before anything that follows the answer is heard.
-   * @returns The answer's payload; null when none comes in time.
+   * @param answered Called with the time of the request, before the data after the answer are processed.
+   * @returns The answer's payload; null on a timeout.
    */
   async #ask(request: Buffer, type: number, ms: number, answered: (asked: Nanoseconds) => void = () => {}): Promise<Buffer | null> {
     const asked = monotonicTime(), answer = new Promise<Buffer | null>(resolve => {
@@ -129,7 +129,7 @@ export class RtdeSession {
     return answer;
   }
 
-  /** @returns Why the stream counts as ended. */
+  /** @returns The reason why the stream has ended. */
   async #watch(): Promise<string> {
     this.#lastMs = performance.now();
     void this.#askAgain();
@@ -141,10 +141,10 @@ export class RtdeSession {
     return `${half} ${at(this.settings)} for ${SILENT_MS / 1000} s; check the robot's network and whether its controller runs`;
   }
 
-  /** Asks for the version again and again: what comes behind the answer bounds the controller's clock. */
+  /** Requests the version repeatedly: the package after the answer bounds the controller's clock. */
   async #askAgain(): Promise<void> {
     const over = this.#over.signal;
-    // A late answer would be taken for that to a later question.
+    // A late answer would be taken for that of a later request.
     if (this.#controller === null) return this.#clock.expectNoAnswers(this.#roundTrip!);
     while (!over.aborted) {
       await pause(ASK_MS, over);
@@ -160,7 +160,7 @@ export class RtdeSession {
     }
   }
 
-  /** The less time is between an answer and the next package, the more they tell. How long the question is under way is not known. */
+  /** The shorter the time between an answer and the next package, the tighter the bound. The transmission time of the request is unknown. */
   #untilPackageMs(): number {
     const intervalMs = 1000 * (this.#pace.usual ?? 0), passedMs = performance.now() - this.#lastMs;
     return Math.max(0, intervalMs * (1 - Math.random() ** 2) - passedMs % intervalMs || 0);
@@ -229,7 +229,7 @@ export class RtdeSession {
   #publish({ positions, velocities }: Cycle, stamp: Nanoseconds): void {
     const { settings: { indices, rateHz }, context: { output } } = this;
     const interval = ofMilliseconds(1000 / rateHz);
-    // Until it is measured, stamps after a restart would be judged by the clock of before.
+    // Until the clock is measured, stamps after a restart would be compared with the previous clock.
     if (!this.#hasClock || this.#published !== null && stamp - this.#published < interval - TOLERANCE) return;
     this.#published = stamp;
     output.publish(indices.map((index, joint) => ({

@@ -4,15 +4,15 @@ import { shown } from '../configuration/problem';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import type { PositionSource } from './recipe';
 
-/** What a configuration of kind rtde says, with the defaults that the schema fills in. */
+/** The settings of kind rtde, with the defaults from the schema. */
 export interface RtdeSettings {
   host: string;
   port: number;
   rateHz: number;
   source: PositionSource;
-  /** How long after its timestamp the controller sends a package; null: one control cycle of its series. */
+  /** Maximum time from a package's timestamp until the controller sends it; null for one control cycle of its series. */
   sendDelay: Nanoseconds | null;
-  /** For each joint of the configuration its place in the controller's lists of six. */
+  /** Index of each configured joint in the controller's lists of six. */
   indices: number[];
 }
 

@@ -1,42 +1,42 @@
 import { type Nanoseconds, NS_PER_S } from '../times';
 
-/** Samples of the current motion that are kept, and those that are needed to judge its end. */
+/** Number of stored samples of the current motion, and the minimum number for a decision about its end. */
 const WINDOW = 24, MIN_SAMPLES = 4;
 
-/** A motion ends with a gap that is longer than this, in seconds, and than this multiple of the median interval. */
+/** A motion ends with a gap that is longer than this, in seconds, and longer than this multiple of the median interval. */
 const GAP_S = 0.3, GAP_INTERVALS = 6;
 
-/** Second differences before the end in which braking is looked for, and those whose residuals show the resolution of the positions. */
+/** Number of second differences before the end that are searched for braking, and of those used for the resolution of the positions. */
 const BRAKING = 2, RESIDUALS = 12;
 
-/** The motion is steady when no speed so far was below this part of the newest one. Steps are equal up to this part of their size. */
+/** A motion is steady if no earlier speed was below this share of the newest one. Relative tolerance of equal steps. */
 const STEADY = 0.7, EQUAL = 1e-9;
 
-/** An interval below this multiple of the shortest one left no look out. */
+/** In intervals below this multiple of the shortest one, no sampling was skipped. */
 const EACH_LOOK = 1.6;
 
-/** Intervals whose median the next one is assumed to have: one that was late must not hide the end of the data. */
+/** Number of intervals for the median that predicts the next one. A single late sample must not hide the end of the data. */
 const RECENT = 5;
 
-/** Consecutive second differences that must all oppose the motion to count as a deceleration: noise changes its sign more often. */
+/** Number of consecutive second differences opposing the motion that count as a deceleration. Noise changes its sign more often. */
 const SUSTAINED = 3;
 
-/** A stop may need this multiple of the deceleration that its last samples show: sampling shows only a part of a short stop. */
+/** Maximum ratio of a stop's deceleration to that in its last samples: samples show only a part of a short stop. */
 const BRAKING_MARGIN = 4;
 
-/** A deadband hides the end of a stop: the joint may move on by q after the last sample, and the sample before may be off by q. */
+/** Number of resolutions q added for a deadband: one for the motion after the last sample, one for the error of the sample before. */
 const RESOLUTION_MARGIN = 2;
 
-/** Margin on the largest deceleration that was seen, because it is measured between samples. */
+/** Margin on the largest observed deceleration, because it is measured between samples. */
 const SEEN_MARGIN = 1.5;
 
-/** A joint goes on moving when it was heard of this many seconds later, and moved in one direction since, in at least GOES_ON_STEPS steps. */
+/** A joint continues to move if it sends samples this many seconds later, and has moved in one direction in at least GOES_ON_STEPS steps. */
 const GOES_ON_S = 0.3, GOES_ON_STEPS = 3;
 
-/** A joint that starts again this near to where it was last seen, as a part of its last step, did stop there. */
+/** A joint that starts again within this share of its last step from its last position has stopped there. */
 const STOPPED_NEAR = 0.25;
 
-/** Deceleration that each joint is capable of: rad/s², and m/s² where its value is a length. A third of a hard emergency stop. */
+/** Assumed deceleration capability of every joint: rad/s², and m/s² for a length. A third of a hard emergency stop. */
 export const FLOOR_ROTARY = 12, FLOOR_LINEAR = 3;
 
 interface Point {
@@ -46,7 +46,7 @@ interface Point {
   position: number;
 }
 
-/** Where the limit of a deceleration comes from: the configuration, the samples of the joint, or the floor. */
+/** Source of a deceleration limit: the configuration, the joint's samples, or the assumed minimum. */
 export type LimitBasis = 'configured' | 'observed' | 'assumed';
 
 /**
@@ -69,18 +69,18 @@ export class EndOfData {
   readonly #points: Point[] = [];
   #start: Nanoseconds | null = null;
   #newest: Nanoseconds | null = null;
-  /** Smallest change of the position between two samples, and smallest mean speed between them, so far. */
+  /** Smallest change of position between two samples, and smallest mean speed between them, so far. */
   #smallestStep = Infinity;
   #smallestSpeed = Infinity;
   #largestSeen = 0;
 
   /**
-   * @param floor Deceleration that each joint is capable of, in rad/s² or m/s².
-   * @param configured Largest deceleration of the joint in the same unit; replaces floor and observation. Null: not known.
+   * @param floor Assumed deceleration capability of every joint, in rad/s² or m/s².
+   * @param configured Maximum deceleration of the joint in the same unit; replaces assumption and observation. Null if unknown.
    */
   constructor(readonly floor: number, readonly configured: number | null = null) {}
 
-  /** Median time between the newest samples of the motion, in seconds; zero before the second. */
+  /** Median time between the newest samples of the motion, in seconds; zero before the second sample. */
   get interval(): number { return median(this.#intervals().slice(-RECENT)); }
 
   /** Takes a sample that is newer than the one before. */
@@ -102,14 +102,14 @@ export class EndOfData {
     this.#largestSeen = Math.max(this.#largestSeen, this.#sustained());
   }
 
-  /** Forgets the motion, but not what was learned about the joint: another connection begins. */
+  /** Discards the motion, but not the observed properties of the joint, for a new connection. */
   restart(): void {
     this.#points.length = 0;
     this.#start = null;
     this.#newest = null;
   }
 
-  /** Whether the joint went on moving for a while after a stamp. */
+  /** Whether the joint continued to move for a while after a stamp. */
   goesOnAfter(stamp: Nanoseconds): boolean {
     const from = this.#start === null ? 0 : this.#secondsOf(stamp), after = this.#points.filter(({ time }) => time > from);
     const directions = new Set(after.slice(1).map(({ position }, i) => Math.sign(position - after[i].position)));
@@ -120,9 +120,9 @@ export class EndOfData {
   get newest(): Nanoseconds | null { return this.#newest; }
 
   /**
-   * Returns why the joint cannot have stopped at its last sample; null when it can.
-   * @param samplingS Seconds between two looks of the source at the joint; 0 when unknown.
-   * @param areOthersMoving Whether another joint goes on moving: then it was no emergency stop.
+   * Gets the reason why the joint cannot have stopped at its last sample; null if it can.
+   * @param samplingS Sampling interval of the source in seconds; 0 if unknown.
+   * @param areOthersMoving Whether another joint continues to move, which excludes an emergency stop.
    */
   verdict(samplingS: number, areOthersMoving = false): { required: number; limit: number; basis: LimitBasis } | null {
     if (this.#points.length < MIN_SAMPLES) return null;
@@ -132,19 +132,19 @@ export class EndOfData {
     return required > limit ? { required, limit, basis } : null;
   }
 
-  /** Deceleration that a stop at the last sample needs, when neither the stop nor one as hard was observed; null otherwise. */
+  /** Gets the deceleration needed for a stop at the last sample, if no such stop has been observed; null otherwise. */
   unobserved(samplingS: number): number | null {
     if (this.#points.length < MIN_SAMPLES || this.configured !== null) return null;
     const required = this.#required(samplingS);
     return required > this.#observed() ? required : null;
   }
 
-  /** What the joint can brake with, by its samples. */
+  /** Gets the deceleration capability shown by the joint's samples. */
   #observed(): number {
     return Math.max(SEEN_MARGIN * this.#largestSeen, BRAKING_MARGIN * Math.max(...this.#decelerations(BRAKING)));
   }
 
-  /** A joint that starts again where it was last seen did stop there, as hard as that needs. */
+  /** Learns from a joint that starts again at its last position: it has stopped there with the needed deceleration. */
   #learnStop(position: number): void {
     if (this.#points.length < MIN_SAMPLES) return;
     const [before, last] = this.#points.slice(-2);
@@ -165,8 +165,8 @@ export class EndOfData {
   }
 
   /**
-   * The smallest step so far. A joint that was seen at one speed only, at each look, has made no small one: then twice the deviation of its
-   * positions from a line, unless its steps are equal, as steps of a quantised value are.
+   * Gets the smallest step so far. A joint that moved at one speed only, in every sampling interval, has no small step. Then, it is twice the
+   * deviation of its positions from a line, unless its steps are equal, as those of a quantised value.
    */
   #resolution(speed: number, isAtEachLook: boolean): number {
     const differences = this.#differences(RESIDUALS), residual = Math.max(...differences.map(difference => Math.abs(difference.residual)));
@@ -174,7 +174,7 @@ export class EndOfData {
     return isSteady && residual > EQUAL * this.#smallestStep ? Math.min(this.#smallestStep, 2 * residual) : this.#smallestStep;
   }
 
-  /** The newest second differences, positive where they oppose the motion. */
+  /** Gets the newest second differences, positive if they oppose the motion. */
   #decelerations(count: number): number[] {
     return this.#differences(count).map(({ acceleration, direction }) => Math.max(0, -direction * acceleration));
   }
@@ -203,7 +203,7 @@ export class EndOfData {
   }
 }
 
-/** Zero for none. */
+/** Gets the median; zero for an empty list. */
 function median(values: number[]): number {
   return values.length === 0 ? 0 : [...values].sort((a, b) => a - b)[values.length >> 1];
 }

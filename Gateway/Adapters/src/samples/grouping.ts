@@ -3,21 +3,21 @@ import type { Nanoseconds } from '../times';
 export interface Sample {
   joint: number;
   position: number;
-  /** rad/s or m/s; left out where the source does not tell it. */
+  /** rad/s or m/s; absent if the source does not provide it. */
   velocity?: number;
   stamp: Nanoseconds;
 }
 
-/** Samples that count as taken at one moment. */
+/** Samples that count as simultaneous. */
 export interface Group {
-  /** The middle of the first and the last stamp, so that none is wrong by more than half the tolerance. */
+  /** The middle of the first and the last stamp, so that the error is at most half the tolerance. */
   stamp: Nanoseconds;
   samples: Sample[];
 }
 
 /**
- * Puts together what belongs to one cycle of the control system, oldest first: samples whose stamps lie within the tolerance, each joint
- * once. A joint that is alone goes alone.
+ * Groups the samples of each cycle of the control system, oldest first: those whose stamps are within the tolerance, each joint once.
+ * A group may have a single joint.
  */
 export function grouped(samples: Sample[], tolerance: Nanoseconds): Group[] {
   const inOrder = [...samples].sort((a, b) => a.stamp < b.stamp ? -1 : a.stamp > b.stamp ? 1 : a.joint - b.joint);

@@ -10,71 +10,71 @@ import { Silence } from './silence';
 import { type Refusal, StampRule } from './stampRule';
 import { Standing } from './standing';
 
-/** A value as the control system gave it. */
+/** A value from the control system. */
 export interface JointValue {
-  /** The joint's place in the configuration. */
+  /** Index of the joint in the configuration. */
   joint: number;
   value: unknown;
-  /** As the control system gave it; left out where it does not tell it. */
+  /** Velocity from the control system; absent if it does not provide it. */
   velocity?: number;
-  /** Null: it came without one that could be read. */
+  /** Null if the value had no readable stamp. */
   stamp: Nanoseconds | null;
-  /** The first of a connection: it tells how things are, and its stamp may be of long ago. */
+  /** Whether this is the first value of a connection, whose stamp may be old. */
   isFirst?: boolean;
-  /** Why the source itself calls the value unusable. */
+  /** The reason why the source marks the value as unusable. */
   refusal?: Refusal;
-  /** The source has the joint no more, for the reason that `refusal` has. */
+  /** Whether the source no longer has the joint; `refusal` has the reason. */
   isLost?: boolean;
 }
 
 export interface JointOutputOptions {
-  /** Stamps that are not further apart count as one moment. */
+  /** Maximum difference of stamps that count as simultaneous. */
   tolerance: Nanoseconds;
   oldest: Nanoseconds;
-  /** Silence in ms that is a fault of a joint that is not configured; left out or null: it rests. */
+  /** Time without data after which a joint without configuration has a fault, ms; absent or null if it is at rest. */
   faultAfterMs?: number | null;
 }
 
-/** What a value's stamp may be that was written before anybody listened. */
+/** Refusals that are normal for the stamp of a value from before the connection. */
 const OF_LONG_AGO = ['stamp-old', 'stamp-not-newer', 'stamp-missing'];
 
-/** What a fault says of the limit that was exceeded. */
+/** Description of the exceeded limit in a fault. */
 const LIMITS: Record<LimitBasis, string> = {
   configured: 'of max_deceleration',
   observed: 'that its samples show; set max_deceleration if it can brake harder',
   assumed: 'that is assumed for it; set max_deceleration if it can brake harder',
 };
 
-/** Silence of a joint that stands, at least; and time between two samples that repeat it. Headsets predict for some 300 ms. */
+/** Minimum silence of a joint at rest, and interval of its repeated samples. Headsets predict for about 300 ms. */
 const SILENCE: Nanoseconds = 60n * NS_PER_MS, REPETITION: Nanoseconds = 50n * NS_PER_MS;
 
-/** After this silence it is known whether the other joints stopped too, as they do in an emergency stop. */
+/** Silence after which it is known whether the other joints have also stopped, as in an emergency stop. */
 const OTHERS_KNOWN: Nanoseconds = 500n * NS_PER_MS;
 
-/** Silence of a joint that stands, as a multiple of the interval between its samples. */
+/** Silence of a joint at rest, as a multiple of its sampling interval. */
 const SILENT_INTERVALS = 2;
 
 interface Publisher {
   publish(topic: string, msg: object): void;
 }
 
-/** Makes joint states of the values of a plant, and refuses what cannot be a position with its time. */
+/** Creates joint states from a plant's values, and refuses values that are not a valid position with a valid time. */
 export class JointOutput {
   readonly #rule: StampRule;
   readonly #standing: Standing;
   readonly #ends: EndOfData[];
   /** Joints whose end of data was judged since their last sample. */
   readonly #judged = new Set<number>();
-  /** Joints whose data ended in mid-motion. Only a newer sample ends that: another connection begins with the last value again. */
+  /** Joints whose data ended in mid-motion. Only a newer sample ends this state: a new connection starts with the last value again. */
   readonly #ended = new Set<number>();
-  /** Joints that were repeated since their last sample, and the deceleration that the stop of a joint needs where it was not observed. */
+  /** Joints that were repeated since their last sample, and the deceleration needed for stops that were not observed. */
   readonly #repeated = new Set<number>();
   readonly #unobserved = new Map<number, number>();
-  /** Seconds between two looks of the source; 0 when unknown. */
+  /** Sampling interval of the source in seconds; 0 if unknown. */
   samplingS = 0;
   readonly silence: Silence;
 
-  /** @param counter Milliseconds that never jump; this machine's where left out. */
+  /** @param counter Monotonic time in ms; this machine's by default. */
   constructor(
     readonly joints: Joint[], readonly options: JointOutputOptions,
     readonly clock: Pick<PlantClock, 'now' | 'isSettled'>, readonly gateway: Publisher, readonly status: AdapterStatus,
@@ -87,20 +87,20 @@ export class JointOutput {
     this.silence = new Silence(status, joint => (limits.has(joint) ? limits.get(joint) : options.faultAfterMs) ?? null, counter);
   }
 
-  /** Passes on what arrived together; of one joint oldest first. */
+  /** Publishes values that arrived together; for each joint, the oldest comes first. */
   publish(values: JointValue[]): void {
     const { now, isSettled } = this.clock;
     const samples = values.map(value => this.#sample(value, now)).filter(sample => sample !== null);
-    // What stands is told again when the clock is there.
+    // Values at rest are repeated when the clock is known.
     if (isSettled) this.#send(samples);
     else samples.forEach(() => this.status.count('clock-unknown'));
   }
 
   /**
-   * Says again what stands, of a plant that tells changes alone.
-   * @param time Up to which every change has been published here, on the control clock.
-   * @param silence How seldom a joint that moves may be heard of.
-   * @param except Joints of which something newer is known already.
+   * Repeats the values at rest, for a plant that sends only changes.
+   * @param time Control time up to which every change has been published here.
+   * @param silence Maximum interval between the samples of a moving joint.
+   * @param except Joints for which a newer value is already known.
    */
   hold(time: Nanoseconds, silence: Nanoseconds, except: ReadonlySet<number> = new Set()): void {
     const { now, isSettled } = this.clock;
@@ -115,19 +115,19 @@ export class JointOutput {
     this.#send(standing);
   }
 
-  /** Gives joints that were silent for too long their state; those with a fault are not repeated any more. */
+  /** Sets the state of joints that were silent for too long. Joints with a fault are no longer repeated. */
   checkSilence(): void {
     const faults = new Set(this.silence.check());
     this.joints.forEach(({ joint }, i) => { if (faults.has(joint)) this.#standing.forget(i); });
   }
 
-  /** The source has this joint no more. */
+  /** Reports that the source no longer has this joint. */
   lose(joint: number, reason: string): void {
     this.#standing.forget(joint);
     this.status.joints.fault(this.joints[joint].joint, reason);
   }
 
-  /** The connection is another: what stood then may have moved since. */
+  /** Starts a new connection: joints at rest may have moved in between. */
   startAnew(): void {
     for (let joint = 0; joint < this.joints.length; joint++) {
       this.#standing.forget(joint);
@@ -135,20 +135,20 @@ export class JointOutput {
     }
   }
 
-  /** Counts a value that its source itself calls unusable. */
+  /** Counts a value that its source marks as unusable. */
   refuse(joint: number, reason: string, text: string): void {
     this.#standing.forget(joint);
     this.status.refuse(reason, this.joints[joint].joint, text);
   }
 
-  /** How long nothing has come of a joint that stands; a joint that is known to stand is only repeated less often than this. */
+  /** Gets the minimum silence of a joint at rest. A joint known to be at rest is only limited by the repetition interval. */
   #silenceOf(joint: number, silence: Nanoseconds): Nanoseconds {
     if (this.#repeated.has(joint)) return REPETITION;
     const intervals = ofMilliseconds(1000 * SILENT_INTERVALS * this.#ends[joint].interval);
     return [SILENCE, silence, intervals].reduce((longest, each) => each > longest ? each : longest);
   }
 
-  /** Judges, once for each silence, whether the data of the joint ended while it moved. */
+  /** Determines, once for each silence, whether the data of the joint ended while it moved. */
   #hasEnded(joint: number, time: Nanoseconds): boolean {
     const end = this.#ends[joint], { newest } = end;
     if (this.#judged.has(joint)) return false;
@@ -166,7 +166,7 @@ export class JointOutput {
     return true;
   }
 
-  /** Why it is not certain that the joint rests; empty when nothing contradicts it. */
+  /** Gets the reason why it is uncertain that the joint rests; empty if it is certain. */
   #uncertaintyOf(joint: number): string {
     const required = this.#unobserved.get(joint);
     return required === undefined ? '' : `the stop itself was not observed; it would need ${required.toFixed(1)} ${this.#unitOf(joint)}`;
@@ -209,7 +209,7 @@ export class JointOutput {
     const refusal = this.#rule.judge(joint, stamp, now);
     if (refusal !== null && isFirst === true && now !== null && OF_LONG_AGO.includes(refusal.reason)) {
       if (this.#ended.has(joint) && refusal.reason === 'stamp-not-newer') return null;
-      // Shown when it turns out to stand: the next may bear such a stamp too, by another clock than the control clock.
+      // Shown once it is known to be at rest: the next value may have such a stamp, too, from a clock other than the control clock.
       this.#standing.heard({ joint, position, stamp: now });
       this.silence.arrived(this.joints[joint].joint);
       return null;

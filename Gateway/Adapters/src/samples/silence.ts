@@ -1,9 +1,9 @@
 import type { AdapterStatus } from '../gateway/status';
 
-/** A joint is called at rest after this time without a sample, so that slow motion does not change the state with each sample. */
+/** Time without a sample after which a joint is at rest. With a shorter time, slow motion would change the state with each sample. */
 const REST_MS = 1000;
 
-/** Why rest is not certain where the source cannot be asked for the value of a joint that it does not send. */
+/** Why rest is uncertain if the source cannot be asked for a joint's value. */
 const CURE = 'set silence: { fault_after_s: N } if the source sends each joint again and again, at rest too';
 const UNCONFIRMED = `nothing confirms its last value, so an end of its data looks the same; ${CURE}`;
 const ALL_UNCONFIRMED = `no joint of its source sends anything, so an end of the source looks the same; ${CURE}`;
@@ -14,52 +14,52 @@ interface Heard {
   confirmed: number;
 }
 
-/** Watches how long nothing has come of each joint, and decides what that means. */
+/** Measures the silence of each joint and determines its meaning. */
 export class Silence {
-  /** Limit for a joint that is silent and not confirmed by the source; null where the source cannot confirm. */
+  /** Limit for a joint that is silent and not confirmed by the source; null if the source cannot confirm. */
   unconfirmedMs: number | null = 1500;
-  /** Whether the data of a joint ended while it moved; asked for a silent joint that the source cannot confirm. */
+  /** Whether the data of a joint ended while it moved; called for a silent joint that the source cannot confirm. */
   hasEnded: (joint: string) => boolean = () => false;
   readonly #heard = new Map<string, Heard>();
-  /** Joints whose state another gateway reports: their silence is not judged here. */
+  /** Joints whose state another gateway reports; their silence is not evaluated here. */
   readonly #reported = new Set<string>();
 
   /**
-   * @param faultAfterMs Silence of a joint that is a fault; null: the joint is at rest.
-   * @param now Milliseconds of a counter that never jumps.
+   * @param faultAfterMs Time without data after which a joint has a fault, ms; null if the joint is at rest.
+   * @param now Monotonic time in ms.
    */
   constructor(
     readonly status: AdapterStatus, readonly faultAfterMs: (joint: string) => number | null, readonly now: () => number = () => performance.now(),
   ) {}
 
-  /** A usable sample came. */
+  /** Reports a valid sample. */
   heard(joint: string): void {
     this.arrived(joint);
     if (!this.#reported.has(joint)) this.status.joints.live(joint);
   }
 
-  /** Another gateway reports the joint's state, until `judge` is called. */
+  /** Leaves the joint's state to another gateway's reports, until `judge` is called. */
   leave(joint: string): void {
     this.#reported.add(joint);
   }
 
-  /** Nobody else reports the joint's state any more. Returns whether a sample of it has ever come. */
+  /** Resumes the evaluation of a joint's silence. Returns whether it has ever sent a sample. */
   judge(joint: string): boolean {
     const heard = this.#heard.get(joint);
-    // One that was reported in fault stays so until its next sample.
+    // A joint that was reported with a fault keeps it until its next sample.
     if (this.#reported.delete(joint) && heard !== undefined && this.now() - heard.sample < REST_MS) this.status.joints.live(joint);
     return heard !== undefined;
   }
 
-  /** A value came that shows the joint only once it is confirmed. */
+  /** Reports a value that is valid only once it is confirmed. */
   arrived(joint: string): void {
     const now = this.now();
     this.#heard.set(joint, { sample: now, confirmed: now });
   }
 
   /**
-   * The source has sent all changes up to now, and none of this joint: it still has its last value.
-   * @param uncertainty Why it is not certain that the joint rests; empty for none.
+   * Confirms the joint's last value: the source has sent all changes up to now, and none of this joint.
+   * @param uncertainty The reason why it is uncertain that the joint rests; empty for none.
    */
   confirm(joint: string, uncertainty = ''): void {
     const heard = this.#heard.get(joint);
@@ -74,7 +74,7 @@ export class Silence {
     return this.status.joints.now() - (heard === undefined ? 0 : this.now() - heard.sample);
   }
 
-  /** Gives each joint that was silent for too long its state. Returns those that stay a fault until their next sample. */
+  /** Sets the state of each joint that was silent for too long. Returns those that have a fault until their next sample. */
   check(): string[] {
     if (this.status.state !== 'connected') return [];
     const areAllSilent = this.#heard.size > 1 && [...this.#heard.values()].every(({ sample }) => this.now() - sample >= REST_MS);
@@ -93,7 +93,7 @@ export class Silence {
     if (this.unconfirmedMs !== null && unconfirmed > this.unconfirmedMs)
       this.#fault(joint, `no value for more than ${this.unconfirmedMs / 1000} s, and the source does not confirm the last one`);
     else if (this.unconfirmedMs === null && silent >= REST_MS) {
-      // Where a longer silence is a fault, the source is known to be silent for as long as this.
+      // With a limit for a fault, the source is known to be silent for up to that time.
       if (limit !== null) this.#rest(joint, heard);
       else if (this.hasEnded(joint)) this.#fault(joint, 'its data ended in mid-motion: it cannot have stopped where it was last seen');
       else this.#rest(joint, heard, uncertainty);

@@ -2,24 +2,24 @@ import { type Nanoseconds, NS_PER_S, toMilliseconds } from '../times';
 
 const FUTURE: Nanoseconds = NS_PER_S;
 
-/** Why a value is not passed on: a word to count by, and what to say. */
+/** The reason why a value is not forwarded: a word for counting, and a text. */
 export interface Refusal {
   reason: string;
   text: string;
 }
 
-/** Whether a stamp may be the t_k of a joint's value. */
+/** Checks whether a stamp is plausible as the t_k of a joint's value. */
 export class StampRule {
   readonly #newest: (Nanoseconds | null)[];
 
-  /** @param oldest What is older than this on the control clock shows no motion that a headset could follow. */
+  /** @param oldest Maximum age on the control clock. Older values do not show a motion that a headset could follow. */
   constructor(joints: number, readonly oldest: Nanoseconds) {
     this.#newest = Array<Nanoseconds | null>(joints).fill(null);
   }
 
   /**
-   * Takes the stamp as the joint's newest unless it refuses it.
-   * @param now On the control clock; null while that is unknown.
+   * Checks the stamp, and stores it as the joint's newest if it is accepted.
+   * @param now Control time; null while it is unknown.
    */
   judge(joint: number, stamp: Nanoseconds | null, now: Nanoseconds | null): Refusal | null {
     if (stamp === null) return { reason: 'stamp-missing', text: 'the value has no time stamp; choose another timestamp in the configuration' };
@@ -27,7 +27,7 @@ export class StampRule {
     const refusal = now === null ? null : this.#against(now, stamp);
     if (refusal !== null) return refusal;
     const newest = this.#newest[joint];
-    // After the clock was set back, what was newest lies in the future and holds nobody up.
+    // After the clock was set back, the previous newest stamp is in the future and must not block newer ones.
     const isStepped = newest !== null && now !== null && newest > now + FUTURE;
     if (newest !== null && stamp <= newest && !isStepped)
       return { reason: 'stamp-not-newer', text: `its time stamp is ${ms(newest - stamp)} ms before, or that of, the value before it` };

@@ -2,8 +2,8 @@ import type { Nanoseconds } from '../times';
 import type { Sample } from './grouping';
 
 /**
- * What each joint showed last. A control system that tells changes alone says by its silence that a joint stands: at a moment of which all
- * changes have been told, the joint still had that value, and that is a sample as true as the one that told it.
+ * The last value of each joint. For a control system that sends only changes, silence means that a joint is at rest: at a time up to which
+ * all changes are known, the joint still had its last value. That is a valid sample.
  */
 export class Standing {
   readonly #newest: (Sample | null)[];
@@ -16,14 +16,14 @@ export class Standing {
     this.#newest[sample.joint] = sample;
   }
 
-  /** Nothing is known of it any more: its value was refused. */
+  /** Removes a joint's value, because a later value was refused. */
   forget(joint: number): void {
     this.#newest[joint] = null;
   }
 
   /**
-   * The samples of all that stood at a time of the control system up to which all changes are known.
-   * @param silence How long nothing has come of a joint that stands.
+   * Gets the samples of all joints at rest at a time of the control system up to which all changes are known.
+   * @param silence Minimum silence of a joint at rest.
    */
   at(time: Nanoseconds, silence: (joint: number) => Nanoseconds): Sample[] {
     return this.#newest.filter(sample => sample !== null)

@@ -1,6 +1,6 @@
 import { type Nanoseconds, NS_PER_MS, NS_PER_S, ofFileTime } from '../times';
 
-/** Of a number that is a point in time: what it counts, and from when: 1970, 1601 (filetime), 2000 (dctime, EtherCAT's clocks). */
+/** Units of a number that is a point in time, with their epochs: 1970, 1601 (filetime), 2000 (dctime, EtherCAT's clocks). */
 export const TIME_UNITS = ['ns', 'us', 'ms', 's', 'filetime', 'dctime'] as const;
 export type TimeUnit = typeof TIME_UNITS[number];
 
@@ -16,7 +16,7 @@ export function ofCount(count: bigint, unit: TimeUnit): Nanoseconds {
   }
 }
 
-/** Whole units and the rest apart: the product of all would be rounded once more. */
+/** Converts whole units and the fraction separately, to avoid another rounding of the product. */
 export function ofFraction(value: number, unit: TimeUnit): Nanoseconds {
   const count = Math.floor(value), rest = value - count;
   return ofCount(BigInt(count), unit) + BigInt(Math.round(rest * Number(NS_OF[unit])));

@@ -50,7 +50,7 @@ class Link {
     }
   }
 
-  /** Error in ms of what is told now, and the stated bound. */
+  /** Gets the error of the current reading in ms, and its stated bound. */
   told() {
     const at = this.arrived + 1, { sent, errorBound } = this.clock.at(ns(at));
     return { error: Number(sent - ns(this.truth(at))) / 1e6, bound: Number(errorBound) / 1e6 };
@@ -80,7 +80,7 @@ describe('rtde clock', () => {
   it('Clock_AssumedDelayTooSmall_IsNotProven', () => {
     const wrong = Array.from({ length: 20 }, (_, i) => {
       const link = new Link({ seed: i + 1, sendMs: 0, leastMs: 0.01, jitterMs: 0.02, assumedMs: 0 });
-      // All packages leave 5 ms late, which nobody sees.
+      // All packages leave 5 ms late, which cannot be observed.
       link.truth = at => at * (1 + link.ppm / 1e6) + link.aheadMs + 5 * (at % link.periodMs > 1e-9 ? 1 : 0);
       link.play(5000);
       const { error, bound } = link.told();

@@ -1,4 +1,4 @@
-// The bytes on the wire against bytes written by hand from UR's RTDE guide, and streams that are no RTDE.
+// Compares the sent bytes with bytes written by hand from UR's RTDE guide, and tests streams that are not RTDE.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from '../parts.mjs';

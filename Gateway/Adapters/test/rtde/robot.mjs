@@ -25,7 +25,7 @@ export class RtdeRobot {
   version = [5, 11, 1, 108318];
   accepts = 2;
   isAnsweringWhileStreaming = true;
-  /** Each of so many packages is left out. */
+  /** Every n-th package is dropped. */
   losesEach = Infinity;
   sendsHalf = false;
   stands = false;

@@ -4,7 +4,7 @@ using UnityEngine.XR.Interaction.Toolkit;
 
 namespace MixedReality.Toolkit;
 
-/// <summary>Clicks when it is let go of, and toggles where its mode says so.</summary>
+/// <summary>Raises a click on release, and toggles if its mode is set to toggle.</summary>
 public class StatefulInteractable : MRTKBaseInteractable
 {
     [SerializeField] bool allowSelectByVoice = true;

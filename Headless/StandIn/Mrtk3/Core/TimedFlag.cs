@@ -24,7 +24,7 @@ public class TimedFlag
     public StatefulTimerEvent OnEntered => onEntered;
     public StatefulTimerEvent OnExited => onExited;
 
-    /// <summary>Without telling anybody.</summary>
+    /// <summary>Sets the value without raising events.</summary>
     public void Initialize(bool value) => active = value;
 
     public static implicit operator bool(TimedFlag flag) => flag.Active;

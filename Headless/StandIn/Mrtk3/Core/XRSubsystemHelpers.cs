@@ -7,9 +7,9 @@ public static class XRSubsystemHelpers
 {
     [ThreadStatic] static IKeywordRecognitionSubsystem _recognition;
 
-    /// <summary>Null while none runs.</summary>
+    /// <summary>The running subsystem; null if none is running.</summary>
     public static IKeywordRecognitionSubsystem KeywordRecognitionSubsystem => _recognition?.running == true ? _recognition : null;
 
-    /// <summary>What a test plays the recognition with; null for none.</summary>
+    /// <summary>Sets the recognition that a test simulates; null for none.</summary>
     internal static void Provide(IKeywordRecognitionSubsystem recognition) => _recognition = recognition;
 }

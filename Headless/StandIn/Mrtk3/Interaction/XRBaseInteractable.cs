@@ -1,6 +1,6 @@
 namespace UnityEngine.XR.Interaction.Toolkit;
 
-/// <summary>What interactors hold. Here tests do: <see cref="Enter"/> and <see cref="Exit"/> stand for any hand, pinch or ray.</summary>
+/// <summary>An object that interactors can hold. Here, tests call <see cref="Enter"/> and <see cref="Exit"/> for any hand, pinch or ray.</summary>
 public abstract class XRBaseInteractable : MonoBehaviour
 {
     int _selecting;
@@ -12,7 +12,7 @@ public abstract class XRBaseInteractable : MonoBehaviour
 
     protected virtual void Awake() { }
 
-    /// <summary>What is not active is not registered with the manager: nobody reaches it.</summary>
+    /// <summary>Does nothing for an inactive object, which is not registered with the manager.</summary>
     internal void Enter()
     {
         if (isActiveAndEnabled && _selecting++ == 0) firstSelectEntered.Invoke(new SelectEnterEventArgs());

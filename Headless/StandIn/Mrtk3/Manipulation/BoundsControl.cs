@@ -3,7 +3,7 @@ using UnityEngine.XR.Interaction.Toolkit;
 
 namespace MixedReality.Toolkit.SpatialManipulation;
 
-/// <summary>Handles about an object; here a test pulls at them.</summary>
+/// <summary>Handles around an object, moved by tests.</summary>
 public class BoundsControl : MonoBehaviour
 {
     public SelectEnterEvent ManipulationStarted { get; set; } = new();

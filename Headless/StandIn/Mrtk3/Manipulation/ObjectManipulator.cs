@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace MixedReality.Toolkit.SpatialManipulation;
 
-/// <summary>Moves its object while it is held; here a test does.</summary>
+/// <summary>Moves its object while it is held; here, tests move it.</summary>
 [RequireComponent(typeof(ConstraintManager))]
 public class ObjectManipulator : StatefulInteractable
 {

@@ -16,7 +16,7 @@ public sealed class AssetDatabase
 
     public static T LoadAssetAtPath<T>(string assetPath) where T : Object => Project.Load(assetPath).OfType<T>().FirstOrDefault();
 
-    /// <param name="filter">t:TYPE is understood, nothing else.</param>
+    /// <param name="filter">Only t:TYPE is supported.</param>
     public static string[] FindAssets(string filter) => Project.OfType(filter.StartsWith("t:", StringComparison.Ordinal)
         ? filter.Substring(2)
         : throw new NotSupportedException("only t:TYPE is understood, not " + filter)).ToArray();

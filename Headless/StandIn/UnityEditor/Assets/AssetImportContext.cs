@@ -15,7 +15,7 @@ public class AssetImportContext
     public string assetPath { get; }
     public Object mainObject { get; private set; }
 
-    /// <summary>What was said of the import, oldest first.</summary>
+    /// <summary>Error messages of the import, oldest first.</summary>
     internal List<string> Errors { get; } = new List<string>();
 
     internal List<string> Warnings { get; } = new List<string>();
@@ -23,7 +23,7 @@ public class AssetImportContext
     /// <summary>Paths of assets whose import this one uses.</summary>
     internal List<string> ArtifactDependencies { get; } = new List<string>();
 
-    /// <summary>Paths of files that this import reads, or would read if they were there.</summary>
+    /// <summary>Paths of files that this import reads, or would read if they existed.</summary>
     internal List<string> SourceDependencies { get; } = new List<string>();
 
     internal IReadOnlyCollection<string> Identifiers => _identifiers;
@@ -52,7 +52,7 @@ public class AssetImportContext
     public void LogImportError(string msg, Object obj = null) => Errors.Add(msg);
     public void LogImportWarning(string msg, Object obj = null) => Warnings.Add(msg);
 
-    // The identifiers of what a hierarchy has are made of the names on the way down to it.
+    // Identifiers of objects in a hierarchy consist of the names on their path.
     internal void CheckPaths()
     {
         foreach (var made in _objects)

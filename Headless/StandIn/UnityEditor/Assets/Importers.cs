@@ -12,7 +12,7 @@ namespace UnityEditor;
 /// <summary>Finds scripted importers by the extension they declare, and runs them as Unity does.</summary>
 static class Importers
 {
-    /// <summary>Null where no loaded assembly has one for it.</summary>
+    /// <summary>Gets the importer type of a file; null if no loaded assembly has one.</summary>
     internal static Type For(string path)
     {
         var extension = Path.GetExtension(path).TrimStart('.');
@@ -22,7 +22,7 @@ static class Importers
 
     internal static Imported Import(Type type, string path) => Import((ScriptedImporter)Activator.CreateInstance(type), path);
 
-    /// <param name="importer">With its import settings.</param>
+    /// <param name="importer">The importer with its import settings.</param>
     internal static Imported Import(ScriptedImporter importer, string path)
     {
         importer.assetPath = path;
@@ -36,7 +36,7 @@ static class Importers
         return new Imported(context);
     }
 
-    /// <summary>What an importer made: a prefab is in no scene.</summary>
+    /// <summary>The result of an import. A prefab is not in a scene.</summary>
     internal sealed class Imported
     {
         internal Imported(AssetImportContext context)

@@ -8,10 +8,10 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>The project whose assets the editor knows: the one that the running code lies in, unless a test opens another.</summary>
+/// <summary>The project whose assets the editor uses: the one that contains the running code, unless a test opens another.</summary>
 static class Project
 {
-    // What Unity keeps as text, or what the library knows enough of.
+    // Assets that Unity stores as text and that the library can read.
     static readonly string[] NativeAssets = { ".prefab", ".asset", ".mat", ".shader" };
 
     static readonly Dictionary<string, Object[]> Loaded = new Dictionary<string, Object[]>();
@@ -22,8 +22,8 @@ static class Project
     /// <summary>Absolute path of the folder that holds Assets and Packages.</summary>
     internal static string Root => _root ?? Open(Above(AppContext.BaseDirectory));
 
-    /// <summary>Forgets what was loaded and turns to another project.</summary>
-    /// <param name="root">Null for the one that the running code lies in.</param>
+    /// <summary>Discards the loaded assets and opens another project.</summary>
+    /// <param name="root">The project's folder; null for the one that contains the running code.</param>
     internal static string Open(string root)
     {
         Loaded.Clear();
@@ -32,10 +32,10 @@ static class Project
         return _root = root ?? Above(AppContext.BaseDirectory);
     }
 
-    /// <summary>Puts objects there as an importer would that is not stood in for; the first is the main one.</summary>
+    /// <summary>Adds objects like an importer that has no stand-in; the first is the main object.</summary>
     internal static void Put(string path, params Object[] objects) => Loaded[path] = objects;
 
-    /// <summary>The same, for an asset that is asked for by its GUID.</summary>
+    /// <summary>Adds objects for an asset that is found by its GUID.</summary>
     internal static void PutAs(string guid, string path, params Object[] objects)
     {
         PathOf(guid);
@@ -43,7 +43,7 @@ static class Project
         Put(path, objects);
     }
 
-    /// <summary>The objects of an asset, the main one first; none where there is no such asset.</summary>
+    /// <summary>Gets the objects of an asset, the main one first; empty if there is no such asset.</summary>
     internal static IReadOnlyList<Object> Load(string path)
     {
         if (string.IsNullOrEmpty(path)) return Array.Empty<Object>();
@@ -52,7 +52,7 @@ static class Project
         return Loaded[path] = File.Exists(FullPath(path)) ? Read(path) : Array.Empty<Object>();
     }
 
-    /// <summary>GUIDs of the assets of that type, among those that were put or loaded.</summary>
+    /// <summary>Gets the GUIDs of the assets of a type, among those that were added or loaded.</summary>
     internal static IEnumerable<string> OfType(string type) =>
         Loaded.Where(asset => asset.Value.Length > 0 && asset.Value[0].GetType().Name == type).Select(asset => GuidOf(asset.Key));
 
@@ -62,7 +62,7 @@ static class Project
         return Paths.TryGetValue(guid, out var path) ? path : Loaded.Keys.FirstOrDefault(p => GuidOf(p) == guid);
     }
 
-    /// <summary>Of the .meta; what a test put has one made of its path.</summary>
+    /// <summary>Gets the GUID of the .meta file. An asset added by a test gets one from its path.</summary>
     internal static string GuidOf(string path)
     {
         var meta = FullPath(path) + ".meta";
@@ -72,7 +72,7 @@ static class Project
 
     internal static string FullPath(string path) => Path.Combine(Root, path);
 
-    /// <summary>Editor code names files relative to the project, which is the working folder of Unity.</summary>
+    /// <summary>Runs an action in the project's folder, because editor code uses relative paths and Unity's working folder is the project.</summary>
     internal static T InRoot<T>(Func<T> action)
     {
         var before = Directory.GetCurrentDirectory();

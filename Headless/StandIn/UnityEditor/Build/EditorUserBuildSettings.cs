@@ -20,7 +20,7 @@ public class EditorUserBuildSettings : Object
         return true;
     }
 
-    /// <summary>As in a new project.</summary>
+    /// <summary>Resets the settings to those of a new project.</summary>
     internal static void Reset()
     {
         activeBuildTarget = BuildTarget.StandaloneWindows64;

@@ -46,7 +46,7 @@ public sealed class PlayerSettings : Object
         else GraphicsApis[platform] = GetGraphicsAPIs(platform);
     }
 
-    /// <summary>As in a project in which nobody set anything.</summary>
+    /// <summary>Resets the settings to those of a project with default settings.</summary>
     internal static void Reset()
     {
         Backends.Clear();

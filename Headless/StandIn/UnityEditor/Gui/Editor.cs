@@ -30,7 +30,7 @@ public class Editor : ScriptableObject, IPreviewable, IToolModeOwner
         Pending = null;
     }
 
-    // OnEnable of a class derived from this one reads its targets already.
+    // Set before construction, because OnEnable of a derived class already reads its targets.
     static Object[] Pending { get; set; }
 
     public bool DrawDefaultInspector()

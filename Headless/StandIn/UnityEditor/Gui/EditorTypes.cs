@@ -7,7 +7,7 @@ namespace UnityEditor;
 /// <summary>Finds the inspector that is declared for a component.</summary>
 static class EditorTypes
 {
-    /// <summary>The plain inspector where none is declared, or where it cannot show several objects.</summary>
+    /// <summary>Gets the inspector's type; the default inspector if none is declared, or if it does not support several objects.</summary>
     internal static Type For(Type inspected, bool several)
     {
         var type = EditorAssemblies.Types

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace UnityEditor;
 
-/// <summary>What editor code drew, for tests to read, and the click it is to find on a button.</summary>
+/// <summary>Records what editor code draws, for tests, and simulates clicks.</summary>
 static class GuiRecorder
 {
     /// <summary>Labels, boxes and buttons, in the order they were drawn.</summary>
@@ -18,13 +18,13 @@ static class GuiRecorder
     /// <summary>Names of the serialised fields that were drawn.</summary>
     internal static List<string> Properties { get; } = new List<string>();
 
-    /// <summary>The text of the button that is clicked when it is drawn next.</summary>
+    /// <summary>Text of the button whose next drawing reports a click.</summary>
     internal static string Click { get; set; }
 
     /// <summary>The entries of each drop-down.</summary>
     internal static List<string[]> Choices { get; } = new List<string[]>();
 
-    /// <summary>The entry that is chosen in the next drop-down that has it.</summary>
+    /// <summary>The entry selected in the next drop-down that contains it.</summary>
     internal static string Choose { get; set; }
 
     internal static void Clear()

@@ -5,7 +5,7 @@ namespace UnityEditor.PackageManager;
 
 public static class Client
 {
-    /// <summary>What was asked for, oldest first.</summary>
+    /// <summary>The requested packages, oldest first.</summary>
     internal static List<string> Asked { get; } = new List<string>();
 
     /// <summary>Calls of <see cref="Resolve"/>.</summary>

@@ -4,6 +4,6 @@ namespace UnityEditor.SceneManagement;
 
 public static class StageUtility
 {
-    /// <summary>Only the main stage is there, in which everything is anyway.</summary>
+    /// <summary>Does nothing: there is only the main stage, which contains everything.</summary>
     public static void PlaceGameObjectInCurrentStage(GameObject gameObject) { }
 }

@@ -5,7 +5,7 @@ using UnityEngine.Serialization;
 
 namespace UnityEngine.Events;
 
-/// <summary>A call that an event keeps in its file: an object, a method, an argument.</summary>
+/// <summary>A serialised call of an event: an object, a method and an argument.</summary>
 [Serializable]
 sealed class PersistentCall
 {
@@ -23,8 +23,8 @@ sealed class PersistentCall
     internal string MethodName => _method;
     internal PersistentListenerMode Mode => _mode;
 
-    /// <summary>A call as the editor makes it.</summary>
-    /// <param name="argument">Of the mode's type; null for none.</param>
+    /// <summary>Creates a call as the editor does.</summary>
+    /// <param name="argument">Argument of the mode's type; null for none.</param>
     internal static PersistentCall Of(Object target, string method, PersistentListenerMode mode, object argument)
     {
         var type = target.GetType();
@@ -39,8 +39,8 @@ sealed class PersistentCall
         };
     }
 
-    /// <summary>Calls it, with the argument that is kept or the event's.</summary>
-    /// <param name="eventType">Of the event's argument; null where it has none.</param>
+    /// <summary>Invokes the method with the serialised argument or with the event's.</summary>
+    /// <param name="eventType">Type of the event's argument; null if it has none.</param>
     internal void Invoke(Type eventType = null, object eventArgument = null)
     {
         if (_state == UnityEventCallState.Off || (_state == UnityEventCallState.RuntimeOnly && !Application.isPlaying)) return;
@@ -60,7 +60,7 @@ sealed class PersistentCall
         }
         catch (TargetInvocationException e)
         {
-            // The caller of Invoke gets what the listener threw, as from a delegate.
+            // The caller of Invoke gets the listener's exception, as with a delegate.
             ExceptionDispatchInfo.Capture(e.InnerException).Throw();
         }
     }
@@ -73,8 +73,8 @@ sealed class PersistentCall
         return KeepsArgument ? _arguments.TypeFor(_mode) : null;
     }
 
-    /// <summary>Null where there is none of that name for the argument.</summary>
-    /// <param name="eventType">Of the event's argument; null where it has none.</param>
+    /// <summary>Gets the method; null if there is none with this name and argument.</summary>
+    /// <param name="eventType">Type of the event's argument; null if it has none.</param>
     internal MethodInfo Method(Type eventType = null)
     {
         var argument = ArgumentType(eventType);

@@ -1,6 +1,6 @@
 namespace UnityEngine.Events;
 
-/// <summary>What a call kept in a file passes on.</summary>
+/// <summary>The kind of argument of a serialised call.</summary>
 enum PersistentListenerMode
 {
     EventDefined,

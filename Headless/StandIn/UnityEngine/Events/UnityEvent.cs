@@ -11,10 +11,10 @@ public class UnityEvent : UnityEventBase
 
     public void RemoveListener(UnityAction call) => _listeners -= call;
 
-    /// <summary>Those of the file first, then those added by code.</summary>
+    /// <summary>Invokes the serialised listeners first, then those added by code.</summary>
     public void Invoke()
     {
-        // An index: a listener may change the list.
+        // By index, because a listener may change the list.
         for (var i = 0; i < Persistent.Calls.Count; i++) Persistent.Calls[i].Invoke();
         _listeners?.Invoke();
     }

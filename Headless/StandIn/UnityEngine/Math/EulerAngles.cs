@@ -2,16 +2,16 @@ using System;
 
 namespace UnityEngine;
 
-/// <summary>The angles of Euler's order z, x, y that make a rotation.</summary>
+/// <summary>Converts rotations to Euler angles in the order z, x, y.</summary>
 static class EulerAngles
 {
-    // Beyond it (89.97 degrees) heading and roll turn about the same line; all of it is given to the heading.
+    // Beyond it (89.97 degrees), heading and roll have the same axis; the whole angle is assigned to the heading.
     const float GimbalLock = 0.9999999f;
 
     internal static Vector3 Of(Quaternion rotation)
     {
         var q = Quaternion.Normalize(rotation);
-        // Third column of the matrix: where forward goes; its height is minus the sine of the angle about x.
+        // The third column of the matrix is the image of forward. Its height is minus the sine of the angle about x.
         var sine = 2 * (q.w * q.x - q.y * q.z);
         if (MathF.Abs(sine) > GimbalLock)
         {

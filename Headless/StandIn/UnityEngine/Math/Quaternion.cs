@@ -35,7 +35,7 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
         }
     }
 
-    /// <summary>Degrees, each in 0..360; about z first, then x, then y.</summary>
+    /// <summary>Angles in degrees, each in 0..360; applied about z first, then x, then y.</summary>
     public Vector3 eulerAngles
     {
         readonly get => EulerAngles.Of(this);
@@ -82,7 +82,7 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
 
         var z = forward / forward.magnitude;
         var x = Vector3.Cross(upwards, z);
-        // With the view along "up" there is no one answer: the shortest turn from forward is as good as any.
+        // With the view along "up", the result is not unique; the shortest rotation from forward is used.
         if (x.sqrMagnitude < Vector3.EqualitySquared) return FromToRotation(Vector3.forward, z);
 
         x /= x.magnitude;
@@ -102,7 +102,7 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
             return Normalize(new Quaternion(axis.x, axis.y, axis.z, 1 + cosine));
         }
 
-        // Half a turn about any axis across.
+        // Half a turn about any perpendicular axis.
         var across = Vector3.Cross(from, MathF.Abs(from.x) < 0.9f ? Vector3.right : Vector3.up).normalized;
         return new Quaternion(across.x, across.y, across.z, 0);
     }
@@ -121,7 +121,7 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
         var sign = dot < 0 ? -1f : 1f;
         var angle = MathF.Acos(MathF.Min(dot * sign, 1));
         var sine = MathF.Sin(angle);
-        // Too near each other for the division: straight on is the same.
+        // Too close for the division; linear interpolation gives the same result.
         return sine < 1e-4f
             ? Normalize(Sum(a, 1 - t, b, sign * t))
             : Sum(a, MathF.Sin((1 - t) * angle) / sine, b, sign * MathF.Sin(t * angle) / sine);

@@ -2,13 +2,13 @@ using System;
 
 namespace UnityEngine;
 
-/// <summary>Rotations as the three images of right, up and forward.</summary>
+/// <summary>Rotations as the images of right, up and forward.</summary>
 static class RotationMatrix
 {
-    /// <summary>The three must be of length one and square to each other, in Unity's order.</summary>
+    /// <summary>Converts to a quaternion. The three vectors must be orthonormal, in Unity's order.</summary>
     internal static Quaternion ToQuaternion(Vector3 right, Vector3 up, Vector3 forward)
     {
-        // Divides by the largest component, so that nothing is lost near half a turn.
+        // Divides by the largest component, to keep the precision near half a turn.
         var trace = right.x + up.y + forward.z;
         if (trace > 0)
         {

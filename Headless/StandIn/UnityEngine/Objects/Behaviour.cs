@@ -25,14 +25,14 @@ public class Behaviour : Component
 
     public bool isActiveAndEnabled => !Destroyed && _enabled && Owner is { activeInHierarchy: true };
 
-    /// <summary>It is taking part: enabled, on an active object, and told so.</summary>
+    /// <summary>Whether it is enabled, on an active object, and has received OnEnable.</summary>
     internal bool Running { get; private set; }
 
     internal override void Activated() => UpdateRunning();
 
     internal override void Deactivated() => UpdateRunning();
 
-    /// <summary>The object has been awake for as long as it may run.</summary>
+    /// <summary>Whether the object may run, which requires that it is awake.</summary>
     internal virtual bool MayRun => true;
 
     internal virtual void StartRunning() { }

@@ -56,12 +56,12 @@ public class Component : Object
 
     internal void AttachTo(GameObject owner) => _gameObject = owner;
 
-    /// <summary>Its GameObject became active, or it was added to an active one.</summary>
+    /// <summary>Called when its GameObject becomes active, or when it is added to an active one.</summary>
     internal virtual void Activated() { }
 
-    /// <summary>Its GameObject became inactive.</summary>
+    /// <summary>Called when its GameObject becomes inactive.</summary>
     internal virtual void Deactivated() { }
 
-    /// <summary>The last word before it equals null.</summary>
+    /// <summary>Called just before the object is destroyed and equals null.</summary>
     internal virtual void Destroying() { }
 }

@@ -4,7 +4,7 @@ using System.Runtime.ExceptionServices;
 
 namespace UnityEngine;
 
-/// <summary>Makes objects of the engine's classes as the engine does: with whatever constructor there is, also a hidden one.</summary>
+/// <summary>Creates objects of the engine's classes with any constructor, including private ones, like the engine.</summary>
 static class Construction
 {
     internal static Object Create(Type type)

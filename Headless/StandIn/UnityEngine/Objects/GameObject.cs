@@ -54,13 +54,13 @@ public sealed partial class GameObject : Object
         }
     }
 
-    /// <summary>In the order they were added, the Transform first.</summary>
+    /// <summary>The components in the order in which they were added, the Transform first.</summary>
     internal IReadOnlyList<Component> Components => _components;
 
-    /// <summary>The scene it is in; null for a prefab and for what is still being put together.</summary>
+    /// <summary>The scene of the object; null for a prefab and for an object under construction.</summary>
     internal SceneContent Content { get; private set; }
 
-    /// <summary>An object that is in no scene: nothing of it wakes until <see cref="SceneContent.Adopt"/>.</summary>
+    /// <summary>Creates an object without a scene, which does not wake until <see cref="SceneContent.Adopt"/>.</summary>
     internal static GameObject Detached(string name) => new(name, (SceneContent)null);
 
     public bool CompareTag(string tag) => this.tag == tag;
@@ -97,7 +97,7 @@ public sealed partial class GameObject : Object
 
     public T AddComponent<T>() where T : Component => (T)AddComponent(typeof(T));
 
-    /// <summary>Adds it and nothing else: no message, no required ones.</summary>
+    /// <summary>Adds a component without messages and without required components.</summary>
     internal Component Add(Type type)
     {
         if (_components.Count > 0 && typeof(Transform).IsAssignableFrom(type)) return TransformOf(type);
@@ -108,7 +108,7 @@ public sealed partial class GameObject : Object
         return component;
     }
 
-    /// <summary>One of a derived class takes the place of the Transform, as in Unity; here only before anything hangs on it.</summary>
+    /// <summary>Replaces the Transform by a derived class, as in Unity; here only before it has children.</summary>
     Transform TransformOf(Type type)
     {
         if (type.IsInstanceOfType(transform)) return transform;
@@ -119,14 +119,14 @@ public sealed partial class GameObject : Object
         return replacing;
     }
 
-    /// <summary>Sets the flag as a file does, before the object is in a scene.</summary>
+    /// <summary>Sets the flag before the object is in a scene.</summary>
     internal void SetActiveSelf(bool value) => activeSelf = value;
 
     internal void SetActiveInHierarchy(bool value) => activeInHierarchy = value;
 
     internal void Remove(Component component) => _components.Remove(component);
 
-    /// <summary>Notes the scene, for it and all below it.</summary>
+    /// <summary>Sets the scene of the object and its descendants.</summary>
     internal void MoveTo(SceneContent scene)
     {
         Content = scene;

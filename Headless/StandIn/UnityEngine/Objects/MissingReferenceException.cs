@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine;
 
-/// <summary>Something of a destroyed object was asked for.</summary>
+/// <summary>A member of a destroyed object was accessed.</summary>
 sealed class MissingReferenceException : SystemException
 {
     internal MissingReferenceException(string message) : base(message) { }

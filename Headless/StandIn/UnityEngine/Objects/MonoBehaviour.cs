@@ -39,7 +39,7 @@ public class MonoBehaviour : Behaviour
         if (!_awake && World.RunsScript(Script))
         {
             _awake = true;
-            // A script that cannot wake does not run.
+            // A script whose Awake throws is disabled.
             if (!Script.Call(Message.Awake, this)) enabled = false;
         }
 

@@ -41,18 +41,18 @@ public partial class Object
         }
     }
 
-    /// <summary>The world it was made in and lives in.</summary>
+    /// <summary>The world in which it was created.</summary>
     internal World World { get; }
 
     internal bool Destroyed { get; private set; }
 
-    /// <summary>It is what a file holds: not to be destroyed by mistake.</summary>
+    /// <summary>Whether it is an asset, which is protected from being destroyed by mistake.</summary>
     internal bool IsAsset { get; private set; }
 
-    /// <summary>A component bears the name of its GameObject.</summary>
+    /// <summary>The object whose name it has; for a component its GameObject.</summary>
     internal virtual Object NameOwner => this;
 
-    /// <summary>A copy made by the class itself; null where Instantiate copies the serialised fields.</summary>
+    /// <summary>Creates a copy by the class itself; null if Instantiate copies the serialised fields.</summary>
     internal virtual Object Duplicate() => null;
 
     public int GetInstanceID() => _instanceId;
@@ -102,7 +102,7 @@ public partial class Object
         }
     }
 
-    /// <summary>From now on it equals null.</summary>
+    /// <summary>Marks the object as destroyed; it then equals null.</summary>
     internal void MarkDestroyed()
     {
         Destroyed = true;

@@ -2,7 +2,7 @@ using UnityEngine.Serialization;
 
 namespace UnityEngine;
 
-/// <summary>What it keeps in files; nothing is laid out by it here. No script of the package asks about it, so none can name it.</summary>
+/// <summary>Stores the serialised fields; there is no layout here. Internal, because no script of the package uses it.</summary>
 sealed class RectTransform : Transform
 {
     [SerializeField, SerializedName("m_AnchorMin")] internal Vector2 _anchorMin = new(0.5f, 0.5f);

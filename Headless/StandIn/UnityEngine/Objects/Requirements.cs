@@ -4,7 +4,7 @@ using System.Reflection;
 
 namespace UnityEngine;
 
-/// <summary>What a component class asks of the object it is added to.</summary>
+/// <summary>Requirements of a component class on its object.</summary>
 sealed class Requirements
 {
     Requirements(Type type)
@@ -22,7 +22,7 @@ sealed class Requirements
         Types = types;
     }
 
-    /// <summary>There may be one of it at most.</summary>
+    /// <summary>Whether at most one instance is allowed.</summary>
     internal bool Alone { get; }
 
     internal IReadOnlyList<Type> Types { get; }

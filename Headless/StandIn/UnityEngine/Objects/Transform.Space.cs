@@ -8,7 +8,7 @@ public partial class Transform
     [SerializeField, SerializedName("m_LocalRotation")] Quaternion _localRotation = Quaternion.identity;
     [SerializeField, SerializedName("m_LocalScale")] Vector3 _localScale = Vector3.one;
 
-    // Of the world; worked out when asked for and kept until something above moves.
+    // World pose, computed on demand and kept until an ancestor moves.
     Matrix4x4 _matrix;
     Quaternion _rotation;
     bool _known;
@@ -86,7 +86,7 @@ public partial class Transform
         set => rotation = Quaternion.Euler(value);
     }
 
-    /// <summary>Exact unless something turned stands under something scaled unevenly.</summary>
+    /// <summary>Exact unless a rotated object is below one with non-uniform scale.</summary>
     public Vector3 lossyScale
     {
         get
@@ -136,24 +136,24 @@ public partial class Transform
     public Vector3 InverseTransformPoint(Vector3 position)
     {
         ThrowIfDestroyed();
-        // Step by step from the root: what a 4x4 inverse loses in floats is visible at arm's length.
+        // Step by step from the root: the rounding of a 4x4 inverse in floats is visible at arm's length.
         var above = _parent is null ? position : _parent.InverseTransformPoint(position);
         return Unscaled(Quaternion.Inverse(_localRotation) * (above - _localPosition));
     }
 
-    /// <summary>From the world into its own axes and scale.</summary>
+    /// <summary>Converts a vector from the world to local axes and scale.</summary>
     internal Vector3 InverseVector(Vector3 vector)
     {
         var above = _parent is null ? vector : _parent.InverseVector(vector);
         return Unscaled(Quaternion.Inverse(_localRotation) * above);
     }
 
-    /// <summary>Also for someone who wrote the fields themselves.</summary>
+    /// <summary>Invalidates the world pose. Call this also after setting the fields directly.</summary>
     internal void MarkMoved()
     {
         if (!_known) return;
 
-        // What was not asked for since has nothing below it that was.
+        // If the pose is not known, no descendant's pose is known.
         _known = false;
         foreach (var child in _children) child.MarkMoved();
     }

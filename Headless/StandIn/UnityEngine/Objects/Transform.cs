@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>Its place in the hierarchy; see the other part for where it is in space.</summary>
+/// <summary>Place of an object in the hierarchy; see the other part for its pose.</summary>
 public partial class Transform : Component, IEnumerable
 {
     readonly List<Transform> _children = new();
@@ -57,11 +57,11 @@ public partial class Transform : Component, IEnumerable
         Lifecycle.Refresh(Owner);
     }
 
-    /// <summary>As SetParent, but nothing wakes or stops yet.</summary>
+    /// <summary>Sets the parent without activating or deactivating anything yet.</summary>
     internal void Hang(Transform parent, bool worldPositionStays)
     {
         ThrowIfDestroyed();
-        // A destroyed one counts as none.
+        // A destroyed parent counts as null.
         if (!Alive(parent)) parent = null;
         if (ReferenceEquals(parent, _parent)) return;
 
@@ -87,7 +87,7 @@ public partial class Transform : Component, IEnumerable
         return false;
     }
 
-    /// <summary>A child by its name, or by names with slashes; none deeper than that.</summary>
+    /// <summary>Finds a child by its name, or by a path of names with slashes; does not search deeper.</summary>
     public Transform Find(string n)
     {
         ThrowIfDestroyed();
@@ -103,7 +103,7 @@ public partial class Transform : Component, IEnumerable
 
     public int GetSiblingIndex() => _parent is null ? Owner.Content?.IndexOf(Owner) ?? 0 : _parent._children.IndexOf(this);
 
-    /// <summary>Takes it out of its parent or its scene: it is being destroyed.</summary>
+    /// <summary>Removes it from its parent or its scene, because it is being destroyed.</summary>
     internal void Leave()
     {
         if (_parent is not null) _parent._children.Remove(this);

@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine;
 
-/// <summary>What the engine throws at a misuse.</summary>
+/// <summary>The engine's exception for invalid use.</summary>
 sealed class UnityException : SystemException
 {
     internal UnityException(string message) : base(message) { }

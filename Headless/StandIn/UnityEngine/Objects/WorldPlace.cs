@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-/// <summary>Where something is in the world, to be kept while its parent changes.</summary>
+/// <summary>The world pose of an object, to be kept while its parent changes.</summary>
 readonly struct WorldPlace
 {
     readonly Matrix4x4 _matrix;
@@ -12,7 +12,7 @@ readonly struct WorldPlace
         _rotation = of.rotation;
     }
 
-    /// <summary>Position and rotation are kept; the scale as well as three numbers can, which skew it cannot.</summary>
+    /// <summary>Restores position and rotation; the scale only as far as three numbers without skew allow.</summary>
     internal void Restore(Transform to)
     {
         to.localScale = Vector3.one;

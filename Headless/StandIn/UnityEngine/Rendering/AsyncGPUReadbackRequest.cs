@@ -13,7 +13,7 @@ public struct AsyncGPUReadbackRequest
 
     public readonly bool done => IsPast || _readback.Done;
 
-    /// <summary>Also when it was done so long ago that what was read is gone.</summary>
+    /// <summary>Also true if it was finished so long ago that its data have been discarded.</summary>
     public readonly bool hasError => IsPast || _readback.Failed;
 
     readonly bool IsPast => _readback == null || _readback.Number != _number;

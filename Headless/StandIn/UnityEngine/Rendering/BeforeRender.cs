@@ -4,7 +4,7 @@ using UnityEngine.Events;
 
 namespace UnityEngine.Rendering;
 
-/// <summary>Application.onBeforeRender: called by the order that an attribute on the method gives, then as they came.</summary>
+/// <summary>Application.onBeforeRender: calls its methods in the order of their attribute, then of their subscription.</summary>
 sealed class BeforeRender
 {
     readonly List<(int Order, UnityAction Call)> _calls = new();
@@ -28,7 +28,7 @@ sealed class BeforeRender
 
     internal void Invoke()
     {
-        // A copy: a call may take itself off.
+        // A copy, because a call may unsubscribe.
         _calling.Clear();
         foreach (var (_, call) in _calls) _calling.Add(call);
         foreach (var call in _calling) Callbacks.Call(call);

@@ -1,9 +1,9 @@
 namespace UnityEngine;
 
-/// <summary>What the engine brings along: the meshes of the primitives, the default material, that of the font.</summary>
+/// <summary>The engine's built-in resources: meshes of the primitives, the default material, and that of the font.</summary>
 static class BuiltIn
 {
-    // Of the process, as in the engine: nobody changes or destroys them.
+    // Shared by the process, as in the engine; never changed or destroyed.
     static readonly World Own = new(isPlaying: false, _ => { });
 
     static Material s_material;
@@ -14,7 +14,7 @@ static class BuiltIn
 
     internal static Material FontMaterial => s_fontMaterial ? s_fontMaterial : s_fontMaterial = MakeFontMaterial();
 
-    /// <summary>Boxes of the primitives' documented sizes: nothing draws them.</summary>
+    /// <summary>Gets boxes of the primitives' documented sizes, because nothing draws them.</summary>
     internal static Mesh Mesh(PrimitiveType type)
     {
         if (Meshes[(int)type]) return Meshes[(int)type];
@@ -31,7 +31,7 @@ static class BuiltIn
         }
     }
 
-    /// <summary>The file names that Unity's own resources have; null for any other, a font among them: nothing draws text.</summary>
+    /// <summary>Gets a resource by Unity's file name; null for any other, including fonts, because nothing draws text.</summary>
     internal static Object Resource(string path) => path switch
     {
         "Cube.fbx" => Mesh(PrimitiveType.Cube),

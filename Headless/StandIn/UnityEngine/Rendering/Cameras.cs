@@ -25,7 +25,7 @@ sealed class Cameras
 
     internal void Remove(Camera camera) => _enabled.Remove(camera);
 
-    /// <summary>Unity has static fields for these: they hold the delegates of the current world.</summary>
+    /// <summary>Sets Unity's static fields to the delegates of the current world.</summary>
     internal void Resume()
     {
         _current = true;
@@ -42,7 +42,7 @@ sealed class Cameras
     internal void Render()
     {
         SortByDepth();
-        // An index: a callback may switch a camera off.
+        // By index, because a callback may disable a camera.
         for (var i = 0; i < _enabled.Count; i++)
         {
             var camera = _enabled[i];
@@ -51,7 +51,7 @@ sealed class Cameras
         }
     }
 
-    // In place and stable; a depth may change at any time.
+    // In place and stable, because a depth may change at any time.
     void SortByDepth()
     {
         for (var i = 1; i < _enabled.Count; i++)

@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-/// <summary>Draws nothing: there is no scene view.</summary>
+/// <summary>Draws nothing, because there is no scene view.</summary>
 public sealed class Gizmos
 {
     public static Color color { get; set; } = Color.white;

@@ -3,19 +3,19 @@ using UnityEngine.XR;
 
 namespace UnityEngine.Rendering;
 
-/// <summary>The graphics processor as tests set it up: which of its times can be had, and how late it answers.</summary>
+/// <summary>The graphics processor as configured by tests: which of its times are available, and how late it answers.</summary>
 sealed class Gpu
 {
     readonly List<Readback> _readbacks = new();
     readonly Stack<Readback> _done = new();
 
-    /// <summary>Null where no headset's display runs.</summary>
+    /// <summary>Null if no headset display is running.</summary>
     internal XRDisplaySubsystem Display { get; private set; }
 
-    /// <summary>Seconds, what the headset's display says of the last frame; null where it knows none.</summary>
+    /// <summary>GPU time of the last frame reported by the headset's display, s; null if unknown.</summary>
     internal float? DisplayGpuTime { get; set; }
 
-    /// <summary>Refreshes per second of the headset's display; null where it does not tell.</summary>
+    /// <summary>Refresh rate reported by the headset's display, Hz; null if unknown.</summary>
     internal float? DisplayHz { get; set; }
 
     internal GraphicsDeviceType Api { get; set; } = GraphicsDeviceType.Direct3D11;
@@ -25,13 +25,13 @@ sealed class Gpu
     /// <summary>Null for the built-in pipeline.</summary>
     internal RenderPipelineAsset RenderPipeline { get; set; }
 
-    /// <summary>Milliseconds of the last frames, newest first; empty where nothing is measured.</summary>
+    /// <summary>Times of the last frames in ms, newest first; empty if nothing is measured.</summary>
     internal List<FrameTiming> FrameTimings { get; } = new();
 
-    /// <summary>Frames until a readback is done, when that frame begins: 1 the next one, as soon as can be; negative where there is none.</summary>
+    /// <summary>Number of frames until a readback is done, at the start of that frame; at least 1. Negative if readbacks are not supported.</summary>
     internal int ReadbackFrames { get; set; } = -1;
 
-    /// <summary>Readbacks report an error.</summary>
+    /// <summary>Whether readbacks report an error.</summary>
     internal bool ReadbacksFail { get; set; }
 
     internal int PendingReadbacks => _readbacks.Count;
@@ -50,7 +50,7 @@ sealed class Gpu
         return new AsyncGPUReadbackRequest(readback);
     }
 
-    /// <summary>At the beginning of a frame.</summary>
+    /// <summary>Starts a frame.</summary>
     internal void Advance()
     {
         var count = _readbacks.Count;

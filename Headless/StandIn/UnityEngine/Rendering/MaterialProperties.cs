@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Rendering;
 
-/// <summary>Values by the id of their property's name; of one kind.</summary>
+/// <summary>Values of one kind by the id of their property's name.</summary>
 sealed class MaterialProperties<T>
 {
     readonly Dictionary<int, T> _values = new();

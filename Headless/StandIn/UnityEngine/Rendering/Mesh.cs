@@ -31,7 +31,7 @@ public sealed class Mesh : Object
         set => _normals = Copy(value);
     }
 
-    /// <summary>Of all parts; three indices each, clockwise seen from outside.</summary>
+    /// <summary>Triangles of all submeshes; three indices each, clockwise seen from outside.</summary>
     public int[] triangles
     {
         get
@@ -63,7 +63,7 @@ public sealed class Mesh : Object
     public void SetTriangles(int[] triangles, int submesh, bool calculateBounds) =>
         SetTriangles(triangles, 0, triangles.Length, submesh, calculateBounds);
 
-    /// <summary>Without an allocation while their number stays the same.</summary>
+    /// <summary>Does not allocate while the number of indices is unchanged.</summary>
     public void SetTriangles(int[] triangles, int trianglesStart, int trianglesLength, int submesh, bool calculateBounds = true, int baseVertex = 0)
     {
         ThrowIfDestroyed();

@@ -2,13 +2,13 @@ using System;
 
 namespace UnityEngine.Rendering;
 
-/// <summary>One request to the graphics processor; used again for another when it is done, for requests leave no garbage in the engine.</summary>
+/// <summary>One request to the graphics processor. Reused after it is done, because requests create no garbage in the engine.</summary>
 sealed class Readback
 {
     Action<AsyncGPUReadbackRequest> _callback;
     int _framesLeft;
 
-    /// <summary>Which request it stands for.</summary>
+    /// <summary>Number of the current request.</summary>
     internal int Number { get; private set; }
 
     internal bool Failed { get; private set; }

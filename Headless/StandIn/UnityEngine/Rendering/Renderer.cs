@@ -25,7 +25,7 @@ public class Renderer : Component
         }
     }
 
-    /// <summary>The box of the mesh, turned with it, and the box in the world's axes around that.</summary>
+    /// <summary>The mesh's box, rotated with it, and its bounding box in world axes.</summary>
     public Bounds bounds
     {
         get
@@ -69,7 +69,7 @@ public class Renderer : Component
         get => (Material[])_materials.Clone();
         set
         {
-            // In place where it can be: a change of materials allocates nothing that the caller's array does not.
+            // In place if possible, so that changing materials only allocates the caller's array.
             if (value.Length == _materials.Length) System.Array.Copy(value, _materials, value.Length);
             else _materials = (Material[])value.Clone();
         }

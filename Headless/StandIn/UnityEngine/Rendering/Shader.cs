@@ -11,7 +11,7 @@ public sealed class Shader : Object
         ["Background"] = 1000, ["Geometry"] = 2000, ["AlphaTest"] = 2450, ["Transparent"] = 3000, ["Overlay"] = 4000,
     };
 
-    // Ids hold for the process, as the engine says: code keeps them in static fields.
+    // Ids are valid for the process, as in the engine, because code keeps them in static fields.
     static readonly Dictionary<string, int> Ids = new();
 
     internal Shader() { }

@@ -3,7 +3,7 @@ using UnityEngine.Events;
 
 namespace UnityEngine;
 
-/// <summary>Calls of scripts' delegates: what they throw is logged and goes no further.</summary>
+/// <summary>Calls scripts' delegates and logs their exceptions.</summary>
 static class Callbacks
 {
     internal static void Call(UnityAction call)

@@ -2,20 +2,20 @@ using System;
 
 namespace UnityEngine;
 
-/// <summary>The engine's times, in seconds; they move only from frame to frame.</summary>
+/// <summary>The engine's times in seconds. They change only from frame to frame.</summary>
 sealed class Clock
 {
-    // What the engine says of a frame that has none before it.
+    // The engine's delta time of the first frame.
     const double FirstDelta = 0.02;
 
     internal int Frame { get; private set; }
 
-    /// <summary>Since the start, whatever the scale.</summary>
+    /// <summary>Time since the start, independent of the time scale.</summary>
     internal double Real { get; private set; }
 
     internal double RealDelta { get; private set; }
 
-    /// <summary>Scaled, and never further than the maximum in one frame.</summary>
+    /// <summary>Scaled time. It advances by at most the maximum delta time per frame.</summary>
     internal double Scaled { get; private set; }
 
     internal double ScaledDelta { get; private set; }

@@ -20,7 +20,7 @@ public sealed class Coroutine : YieldInstruction
 
     internal void End() => Ended = true;
 
-    /// <summary>Whether it goes on later.</summary>
+    /// <summary>Continues the routine. Returns whether it has more steps.</summary>
     internal bool MoveNext(int frame)
     {
         if (!Routine.MoveNext()) return false;
@@ -36,7 +36,7 @@ public sealed class Coroutine : YieldInstruction
     {
         if (_waitsFor is WaitForEndOfFrame) return endOfFrame;
 
-        // At the earliest in the next frame, whatever it waits for.
+        // In the next frame at the earliest, for every kind of wait.
         return !endOfFrame && frame > _frame && (_waitsFor is not Coroutine other || other.Ended);
     }
 }

@@ -38,7 +38,7 @@ sealed class Coroutines
         }
     }
 
-    /// <summary>Continues those that wait for a frame or a time; ones that start meanwhile wait for the next.</summary>
+    /// <summary>Continues the routines that wait for a frame or a time. Routines started in between wait for the next frame.</summary>
     internal void Update() => Pass(endOfFrame: false);
 
     internal void EndOfFrame() => Pass(endOfFrame: true);

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>Ends objects: at once, or between the frame's updates and its rendering.</summary>
+/// <summary>Destroys objects: immediately, or between the frame's updates and its rendering.</summary>
 sealed class Destruction
 {
     readonly World _world;
@@ -29,10 +29,10 @@ sealed class Destruction
         if (MayEnd(what, alsoAssets)) End(what);
     }
 
-    /// <summary>Ends what is due.</summary>
+    /// <summary>Destroys the objects that are due.</summary>
     internal void Flush()
     {
-        // What is added meanwhile, by an OnDestroy, goes with them.
+        // Objects added by an OnDestroy are destroyed in the same pass.
         for (var i = 0; i < _waiting.Count; i++)
         {
             var (what, at) = _waiting[i];

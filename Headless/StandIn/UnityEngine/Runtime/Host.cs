@@ -16,10 +16,10 @@ sealed class Host
     internal bool RunInBackground { get; set; } = true;
     internal bool Focused { get; set; } = true;
 
-    /// <summary>Where the application may keep files; nobody makes it before something is kept.</summary>
+    /// <summary>Folder for the application's files; created when the first file is written.</summary>
     internal string PersistentDataPath { get; set; } = Path.Combine(Path.GetTempPath(), "Nowpose Player");
 
-    /// <summary>What is shipped beside the application as files; an address where it lies in an archive.</summary>
+    /// <summary>Folder of the files shipped with the application; a URL if they are in an archive.</summary>
     internal string StreamingAssetsPath { get; set; } = Path.Combine(Path.GetTempPath(), "Nowpose Player", "StreamingAssets");
 
     internal int SubscriberCount => Count(LogReceived);

@@ -3,12 +3,12 @@ using System.Linq;
 
 namespace UnityEngine;
 
-/// <summary>Wakes and stops what becomes active or inactive.</summary>
+/// <summary>Activates and deactivates objects.</summary>
 static class Lifecycle
 {
     internal static void Activate(GameObject root) => Activate(new[] { root });
 
-    /// <summary>Everything active in them wakes and is enabled, script by script in the order of execution.</summary>
+    /// <summary>Wakes and enables all active objects of the hierarchies, script by script in the execution order.</summary>
     internal static void Activate(IReadOnlyList<GameObject> roots)
     {
         var waking = new List<GameObject>();
@@ -21,12 +21,12 @@ static class Lifecycle
         // OrderBy keeps the hierarchy's order among equals.
         foreach (var component in waking.SelectMany(g => g.Components).OrderBy(Order).ToList())
         {
-            // One that woke before may have switched it off or destroyed it.
+            // A script that woke before may have deactivated or destroyed it.
             if (!component.Destroyed && component.Owner.activeInHierarchy) component.Activated();
         }
     }
 
-    /// <summary>Brings an object and what is below it up to date after its flag or its parent changed.</summary>
+    /// <summary>Updates an object and its descendants after its flag or its parent has changed.</summary>
     internal static void Refresh(GameObject changed)
     {
         if (ShouldBeActive(changed) == changed.activeInHierarchy) return;
@@ -35,7 +35,7 @@ static class Lifecycle
         else Activate(changed);
     }
 
-    /// <summary>Children before their parents.</summary>
+    /// <summary>Deactivates a hierarchy, children before their parents.</summary>
     internal static void Deactivate(GameObject root)
     {
         var stopping = new List<GameObject>();
@@ -63,6 +63,6 @@ static class Lifecycle
         for (var i = 0; i < top.transform.childCount; i++) CollectActive(top.transform.GetChild(i).gameObject, into);
     }
 
-    // The engine's own components are there before any script.
+    // The engine's own components come before all scripts.
     static int Order(Component component) => component is MonoBehaviour script ? script.Script.Order : int.MinValue;
 }

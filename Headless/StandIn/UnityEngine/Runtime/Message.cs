@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-/// <summary>What the engine calls on a script by its name, without an argument.</summary>
+/// <summary>Messages without arguments that the engine calls on scripts by name.</summary>
 enum Message
 {
     Awake,

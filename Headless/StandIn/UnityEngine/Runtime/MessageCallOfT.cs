@@ -3,7 +3,7 @@ using System.Reflection;
 
 namespace UnityEngine;
 
-/// <summary>As <see cref="MessageCall"/>, with an argument.</summary>
+/// <summary>The same as <see cref="MessageCall"/> with an argument.</summary>
 abstract class MessageCall<T>
 {
     internal abstract void Invoke(MonoBehaviour target, T argument);

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>One scene: its objects without a parent, in order.</summary>
+/// <summary>The root objects of one scene, in order.</summary>
 sealed class SceneContent
 {
     readonly List<GameObject> _roots = new();
@@ -20,7 +20,7 @@ sealed class SceneContent
     internal bool IsLoaded { get; set; } = true;
     internal IReadOnlyList<GameObject> Roots => _roots;
 
-    /// <summary>Takes in hierarchies that were put together outside; whatever is active in them wakes, all in one go.</summary>
+    /// <summary>Adds hierarchies that were created outside of the scene, and wakes their active objects together.</summary>
     internal void Adopt(IReadOnlyList<GameObject> roots)
     {
         foreach (var root in roots)
@@ -38,7 +38,7 @@ sealed class SceneContent
 
     internal int IndexOf(GameObject root) => _roots.IndexOf(root);
 
-    /// <summary>From another scene to this one.</summary>
+    /// <summary>Moves a root object from another scene to this one.</summary>
     internal void Take(GameObject root)
     {
         root.Content?.Remove(root);

@@ -11,7 +11,7 @@ sealed class Scenes
 
     internal Scenes() => Active = Add("", "");
 
-    /// <summary>Where new objects go.</summary>
+    /// <summary>The scene of new objects.</summary>
     internal SceneContent Active { get; set; }
 
     internal IReadOnlyList<SceneContent> Loaded => _loaded;
@@ -29,7 +29,7 @@ sealed class Scenes
         _loaded.Remove(scene);
     }
 
-    /// <summary>Moves it to where no unloading of a scene reaches it.</summary>
+    /// <summary>Moves an object to a scene that is never unloaded.</summary>
     internal void Keep(GameObject root)
     {
         _kept ??= new SceneContent(--_lastHandle, "DontDestroyOnLoad", "");

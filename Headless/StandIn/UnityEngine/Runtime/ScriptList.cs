@@ -2,14 +2,14 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>Scripts by order of execution, then by when they came; may change while someone goes through it.</summary>
+/// <summary>Scripts by execution order, then by their addition. May change during an iteration.</summary>
 sealed class ScriptList
 {
     readonly List<MonoBehaviour> _places = new();
     readonly List<MonoBehaviour> _arriving = new();
     bool _hasGaps;
 
-    /// <summary>Places to go through; some may be empty.</summary>
+    /// <summary>Number of places to iterate over; some may be empty.</summary>
     internal int Size => _places.Count;
 
     internal int Count
@@ -24,10 +24,10 @@ sealed class ScriptList
 
     internal MonoBehaviour this[int index] => _places[index];
 
-    /// <summary>It takes part from the next pass on.</summary>
+    /// <summary>Adds a script from the next pass on.</summary>
     internal void Add(MonoBehaviour script) => _arriving.Add(script);
 
-    /// <summary>It is not called any more, also not in the pass that goes on.</summary>
+    /// <summary>Removes a script immediately, also from the current pass.</summary>
     internal void Remove(MonoBehaviour script)
     {
         if (_arriving.Remove(script)) return;
@@ -43,7 +43,7 @@ sealed class ScriptList
     {
         if (_hasGaps)
         {
-            // Removing empty places as RemoveAll would, without its delegate.
+            // Removes empty places like RemoveAll, but without allocating its delegate.
             var kept = 0;
             for (var i = 0; i < _places.Count; i++)
             {

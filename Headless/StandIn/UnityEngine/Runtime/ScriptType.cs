@@ -5,12 +5,12 @@ using System.Reflection;
 
 namespace UnityEngine;
 
-/// <summary>What the engine knows of a script class: its messages, its place in the order of execution, what it asks for.</summary>
+/// <summary>Metadata of a script class: its messages, its execution order and its requirements.</summary>
 sealed class ScriptType
 {
     const BindingFlags Declared = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
 
-    // Of Unity's messages those that would change what a script does: better refused than silently left out.
+    // Unity messages that are not supported and would change a script's behaviour. They are refused instead of ignored.
     static readonly string[] NotCalled =
     {
         "FixedUpdate", "OnGUI", "OnBecameVisible", "OnBecameInvisible", "OnWillRenderObject", "OnRenderObject", "OnRenderImage",
@@ -54,7 +54,7 @@ sealed class ScriptType
 
     internal bool Has(Message message) => _messages[(int)message] != null;
 
-    /// <summary>Whether it went without an exception; one is logged with the script as context, as the engine does.</summary>
+    /// <summary>Calls a message. Returns whether it succeeded; an exception is logged with the script as context, as in the engine.</summary>
     internal bool Call(Message message, MonoBehaviour script) => Guard(_messages[(int)message], script);
 
     internal void Pause(MonoBehaviour script, bool paused) => Guard(_pause, script, paused);

@@ -24,7 +24,7 @@ sealed class Scripts
         _lateUpdating.Remove(script);
     }
 
-    /// <summary>Start of those that run and had none.</summary>
+    /// <summary>Calls Start on running scripts that have not received it.</summary>
     internal void Start()
     {
         _starting.BeginPass();
@@ -49,7 +49,7 @@ sealed class Scripts
         {
             var script = scripts[i];
             script?.EnsureStarted();
-            // Start may have ended or disabled it: then its place is empty.
+            // The place is empty if Start has destroyed or disabled the script.
             if (script is not null && ReferenceEquals(scripts[i], script)) script.Script.Call(message, script);
         }
     }

@@ -3,10 +3,10 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>All state of the engine: Unity's static members look at the current one. Main thread only, but for the log.</summary>
+/// <summary>All state of the engine. Unity's static members use the current world. Main thread only, except for the log.</summary>
 sealed class World
 {
-    // What tests in edit mode use: nobody makes it and nobody ends it.
+    // Used by tests in edit mode; never disposed.
     static readonly World EditMode = new(isPlaying: false, EditModeLog);
 
     static World s_current = EditMode;
@@ -15,8 +15,8 @@ sealed class World
     readonly Action<LogEntry> _log;
     int _lastId;
 
-    /// <param name="isPlaying">Scripts run; otherwise only those that say that they do so in edit mode.</param>
-    /// <param name="log">Gets every entry, from whatever thread.</param>
+    /// <param name="isPlaying">Whether all scripts run; otherwise only those that run in edit mode.</param>
+    /// <param name="log">Receives every log entry, from any thread.</param>
     internal World(bool isPlaying, Action<LogEntry> log)
     {
         IsPlaying = isPlaying;
@@ -39,10 +39,10 @@ sealed class World
     internal Rendering.Gpu Gpu { get; } = new();
     internal Dictionary<string, Shader> Shaders { get; } = new();
 
-    /// <summary>Objects made in it that are not destroyed; assets do not count.</summary>
+    /// <summary>Number of objects that were created in it and not destroyed, without assets.</summary>
     internal int ObjectCount => _objects.Count;
 
-    /// <summary>Delegates that hang on the engine's events.</summary>
+    /// <summary>Number of delegates subscribed to the engine's events.</summary>
     internal int SubscriberCount => BeforeRender.Count + Cameras.SubscriberCount + Host.SubscriberCount;
 
     internal IReadOnlyCollection<Object> Objects => _objects;
@@ -52,7 +52,7 @@ sealed class World
 
     internal bool RunsScript(ScriptType type) => IsPlaying || type.RunsInEditMode;
 
-    /// <summary>Unity's ids of objects made at run time are negative.</summary>
+    /// <summary>Gets a new id. As in Unity, ids of objects created at run time are negative.</summary>
     internal int NextId() => --_lastId;
 
     internal void Register(Object made) => _objects.Add(made);
@@ -74,7 +74,7 @@ sealed class World
         return before;
     }
 
-    /// <summary>A world that ends is the current one no more.</summary>
+    /// <summary>Stops a disposed world from being the current one.</summary>
     internal static void Leave(World ended)
     {
         if (ReferenceEquals(s_current, ended)) MakeCurrent(EditMode);

@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine;
 
-/// <summary>One world is the current one until this is disposed; then the one before is again.</summary>
+/// <summary>Makes a world the current one until it is disposed, which restores the previous one.</summary>
 readonly struct WorldScope : IDisposable
 {
     readonly World _before;

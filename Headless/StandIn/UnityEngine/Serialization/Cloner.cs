@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Serialization;
 
-/// <summary>Object.Instantiate: a copy of what Unity serialises, with references inside the copied hierarchy turned to the copies.</summary>
+/// <summary>Object.Instantiate: copies Unity's serialised data. References inside the copied hierarchy are changed to the copies.</summary>
 sealed class Cloner
 {
     readonly Dictionary<Object, Object> _copies = new();
@@ -104,7 +104,7 @@ sealed class Cloner
         if (SerializedFields.IsList(type)) return CopyOfList((System.Collections.IList)value, type);
         if (!SerializedFields.IsNested(type) || SerializedFields.IsEngineValue(type)) return value;
 
-        // Files know no null for these.
+        // Files cannot store null for these types.
         var made = Activator.CreateInstance(type, nonPublic: true);
         if (value != null)
         {

@@ -5,17 +5,17 @@ using System.Reflection;
 
 namespace UnityEngine.Serialization;
 
-/// <summary>Which fields of a class Unity keeps in files and copies in Instantiate, by its documented rules.</summary>
+/// <summary>The fields of a class that Unity serialises and Instantiate copies, by its documented rules.</summary>
 static class SerializedFields
 {
     const BindingFlags Declared = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
 
     static readonly ConcurrentDictionary<Type, FieldInfo[]> Known = new();
 
-    /// <summary>Those of the base classes first, each in the order of the source.</summary>
+    /// <summary>Gets the fields, those of the base classes first, each in the order of the source.</summary>
     internal static IReadOnlyList<FieldInfo> Of(Type type) => Known.GetOrAdd(type, Read);
 
-    /// <summary>The field of that name in a file, also of a name it had before; null where there is none.</summary>
+    /// <summary>Finds a field by its current or former name in files; null if there is none.</summary>
     internal static FieldInfo Find(Type type, string name)
     {
         foreach (var field in Of(type))
@@ -34,18 +34,18 @@ static class SerializedFields
         return null;
     }
 
-    /// <summary>The name it has in a file.</summary>
+    /// <summary>Gets the field's name in files.</summary>
     internal static string NameOf(FieldInfo field) => field.GetCustomAttribute<SerializedNameAttribute>()?.Name ?? field.Name;
 
     internal static bool IsList(Type type) => type.IsGenericType && type.GetGenericTypeDefinition() == typeof(List<>);
 
-    /// <summary>A class or struct of the user's (or of the engine) that is written field by field.</summary>
+    /// <summary>Whether a class or struct is serialised field by field.</summary>
     internal static bool IsNested(Type type) =>
         !type.IsPrimitive && !type.IsEnum && type != typeof(string) && !typeof(Object).IsAssignableFrom(type) && !type.IsAbstract &&
         !typeof(Delegate).IsAssignableFrom(type) &&
         (type.IsSerializable || IsEngineValue(type)) && type.Namespace?.StartsWith("System", StringComparison.Ordinal) != true;
 
-    /// <summary>A vector, a colour and the like.</summary>
+    /// <summary>Whether the type is a vector, a colour or similar.</summary>
     internal static bool IsEngineValue(Type type) => type.IsValueType && type.Assembly == typeof(Object).Assembly;
 
     static FieldInfo[] Read(Type type)

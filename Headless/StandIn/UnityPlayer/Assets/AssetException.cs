@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.UnityPlayer.Assets;
 
-/// <summary>A file that Unity would misread, or read with something lost: says which file, which object of it (fileID) and which field.</summary>
+/// <summary>A file is invalid, or Unity would lose data of it. The message names the file, the object (fileID) and the field.</summary>
 public sealed class AssetException : Exception
 {
     public AssetException()

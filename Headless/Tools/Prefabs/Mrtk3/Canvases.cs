@@ -4,12 +4,12 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>What stands on a canvas in mm.</summary>
+/// <summary>Creates canvases in mm and their contents.</summary>
 static class Canvases
 {
     const float Millimetre = 0.001f;
 
-    /// <summary>Letters of half a degree at the distance of a hand, 0.45 m.</summary>
+    /// <summary>Scale for letters of half a degree at 0.45 m, the distance of a hand.</summary>
     const float TextScale = 1.6f;
 
     public static Transform Add(Transform parent, Vector3 place)
@@ -27,7 +27,7 @@ static class Canvases
         return rect;
     }
 
-    /// <summary>Behind what is pressed.</summary>
+    /// <summary>Adds a background behind the buttons.</summary>
     public static void AddGround(Workshop workshop, Transform canvas, Vector3 place, Vector2 size)
     {
         var ground = GameObject.CreatePrimitive(PrimitiveType.Quad);
@@ -46,7 +46,7 @@ static class Canvases
         return text;
     }
 
-    /// <summary>In the world, with the vertex data that MRTK3's own canvases ask for.</summary>
+    /// <summary>Gets the fields of a canvas in the world, with the vertex data that MRTK3's own canvases require.</summary>
     static YamlDotNet.RepresentationModel.YamlMappingNode CanvasFields() => Nodes.Lines(
         ("m_Enabled", Nodes.Number(1)),
         ("serializedVersion", Nodes.Number(3)),

@@ -3,7 +3,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>An object of somebody else's prefab, with the fileIDs that it and its components have there.</summary>
+/// <summary>An object of a foreign prefab, with its fileIDs and those of its components.</summary>
 sealed class ForeignObject
 {
     readonly Dictionary<Object, long> _fileIds;

@@ -1,6 +1,6 @@
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>Where the stand-ins for prefabs of MRTK3 are; their .meta files have the GUIDs of the real ones.</summary>
+/// <summary>Paths of the stand-ins for prefabs of MRTK3. Their .meta files have the GUIDs of the real ones.</summary>
 static class ForeignPaths
 {
     const string Mrtk = "Headless/StandIn/ForeignAssets/MixedReality.Toolkit/";

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>Of prefabs of MRTK3 the objects that the sample changes or calls, with the values and fileIDs that they have there.</summary>
+/// <summary>The objects of MRTK3's prefabs that the sample changes or calls, with their original values and fileIDs.</summary>
 static class ForeignPrefabs
 {
     /// <summary>The checkbox is a variant of the button: its objects' fileIDs come from this and the button's, as Unity computes them.</summary>

@@ -6,11 +6,11 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>What hands, gaze and pinch, and rays can move and turn.</summary>
+/// <summary>Makes objects that hands, gaze and pinch, and rays can move and turn.</summary>
 static class Graspable
 {
-    /// <param name="host">What moves; null for the object itself.</param>
-    /// <param name="size">Of the box that is grasped, m.</param>
+    /// <param name="host">The object that moves; null for the object itself.</param>
+    /// <param name="size">Size of the box that can be grasped, m.</param>
     public static ObjectManipulator Make(GameObject made, Transform host, Vector3 size)
     {
         var box = made.AddComponent<OpaqueComponent>();
@@ -19,7 +19,7 @@ static class Graspable
         var manipulator = made.AddComponent<ObjectManipulator>();
         Fields.Set(manipulator, "hostTransform", host != null ? host : made.transform);
         manipulator.AllowedManipulations = TransformFlags.Move | TransformFlags.Rotate;
-        // Keywords for it would only make it click.
+        // Voice commands for it would only click it.
         manipulator.AllowSelectByVoice = false;
         return manipulator;
     }

@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>MRTK3's hand menu with a cell's actions on it, and the same by voice.</summary>
+/// <summary>MRTK3's hand menu with a cell's actions, which are also available by voice.</summary>
 sealed class HeadsetMenuPrefab
 {
     const float NudgeMs = 20, NudgeStepMs = 1, OpacityStep = 0.2f;
@@ -28,7 +28,7 @@ sealed class HeadsetMenuPrefab
         Fields.Set(_menu, "_actions", _actions);
         var hand = workshop.Instantiate(ForeignPaths.HandMenu, _root.transform);
         _canvas = hand.transform.Find("MenuContent-Canvas");
-        // Shown by the first hand that holds its palm up, not before.
+        // Shown when a hand holds its palm up, not before.
         _canvas.gameObject.SetActive(false);
         _canvas.Find("Buttons-GridLayout").gameObject.SetActive(false);
         Canvases.AddGround(workshop, _canvas, new Vector3(0, -17, 4), new Vector2(112, 174));
@@ -51,7 +51,7 @@ sealed class HeadsetMenuPrefab
         Toggle("_panel", "Panel", nameof(CellActions.TogglePanel), new Vector2(34, 50));
         Toggle("_ghost", "Ghost", nameof(CellActions.ToggleGhost), new Vector2(-34, 16));
         Toggle("_occlusion", "Occlusion", nameof(CellActions.ToggleOcclusion), new Vector2(0, 16));
-        // Apart from the others, and asked about: it is not to be pressed by mistake.
+        // Separate from the other buttons and with a confirmation, so that it is not pressed by mistake.
         Click(_buttons.Button("Forget Cell", "Forget cell", new Vector2(34, -86)), nameof(CellActions.ForgetCell));
         Calls.Add(_buttons.Button("No Nudge", "No nudge", new Vector2(34, 16)), Clicked, _actions, nameof(CellActions.SetNudgeMs), 0f);
     }

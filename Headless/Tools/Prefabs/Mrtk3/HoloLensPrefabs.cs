@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>What the wearer of a HoloLens grasps, reads and answers.</summary>
+/// <summary>The prefabs that a HoloLens user grasps, reads and answers.</summary>
 static class HoloLensPrefabs
 {
     /// <summary>Size of the status panel's bar in font sizes: as wide as the panel's ground.</summary>
@@ -19,7 +19,7 @@ static class HoloLensPrefabs
     /// <summary>Font size of a panel that follows at 1.3 m, metres: read from up to a tenth farther.</summary>
     static readonly float BarSize = LetterSize.At(1.3f * 1.1f);
 
-    /// <summary>Its own transform is the robot's base frame.</summary>
+    /// <summary>Creates the marker, whose own transform is the robot's base frame.</summary>
     public static string Marker(Workshop workshop)
     {
         var marker = new GameObject("Hand-Placed Marker");
@@ -32,7 +32,7 @@ static class HoloLensPrefabs
         return workshop.Prefab(marker);
     }
 
-    /// <summary>The package's panel with a bar to hold it by, which pins it, and closes it.</summary>
+    /// <summary>Creates the package's panel with a bar for holding, pinning and closing it.</summary>
     public static string Panel(Workshop workshop)
     {
         var panel = new GameObject("Status Panel (MRTK3)");
@@ -54,8 +54,8 @@ static class HoloLensPrefabs
         return workshop.Prefab(panel);
     }
 
-    /// <summary>In units of the panel's font size, below its lower edge.</summary>
-    /// <returns>What the panel places and scales; so it looks the same in the editor as where the panel follows.</returns>
+    /// <summary>Adds the bar below the panel's lower edge, in units of the panel's font size.</summary>
+    /// <returns>The object that the panel places and scales, so that it looks the same in the editor as where the panel follows.</returns>
     static Transform AddBar(
         Workshop workshop, Transform panel, out ObjectManipulator handle, out PressableButton pin, out PressableButton close)
     {
@@ -75,7 +75,7 @@ static class HoloLensPrefabs
         return bar;
     }
 
-    /// <summary>Beside a button: its own letters are too small from where a panel is read.</summary>
+    /// <summary>Adds a word next to a button, because the button's own letters are too small at the distance of a panel.</summary>
     static void AddWord(Workshop workshop, string word, Transform canvas, Vector3 place)
     {
         var text = Canvases.AddText(workshop, word + " Word", canvas, place);
@@ -83,7 +83,7 @@ static class HoloLensPrefabs
         text.transform.localScale = Vector3.one / (LetterSize.Of(text) * BarUnit);
     }
 
-    /// <summary>Follows the wearer, before the panel and within reach, for a question that is not seen is not answered.</summary>
+    /// <summary>Creates the question. It follows the wearer in front of the panel and within reach, so that it is seen.</summary>
     public static string Consent(Workshop workshop)
     {
         var root = new GameObject("Consent Prompt");

@@ -2,8 +2,8 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Pictures;
 
-/// <summary>Where a picture is taken from, and how points of the world fall into it.</summary>
-/// <param name="Place">In the world, metres.</param>
+/// <summary>The camera of a picture, with the projection of points in the world.</summary>
+/// <param name="Place">Pose in the world, metres.</param>
 /// <param name="HorizontalDegrees">Field of view over the picture's width.</param>
 /// <param name="Width">Of the picture, pixels.</param>
 /// <param name="Height">Of the picture, pixels.</param>

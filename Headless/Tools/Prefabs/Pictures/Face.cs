@@ -7,7 +7,7 @@ sealed record Face((Vector3 Point, float Phase)[] Corners, Color Colour, double 
 {
     public Vector3 Centre => Corners.Aggregate(Vector3.zero, (sum, c) => sum + c.Point) / Corners.Length;
 
-    /// <summary>The parts of its stripes that keep all the opacity, or those that keep less.</summary>
+    /// <summary>Gets the parts of its stripes with full opacity, or those with reduced opacity.</summary>
     public IEnumerable<Vector3[]> Stripes(bool fainter)
     {
         var (first, last) = ((int)Math.Floor(Corners.Min(c => c.Phase)), (int)Math.Floor(Corners.Max(c => c.Phase)));
@@ -19,7 +19,7 @@ sealed record Face((Vector3 Point, float Phase)[] Corners, Color Colour, double 
         }
     }
 
-    // Where the phase is above a limit (sign 1), or below it (sign -1).
+    // Keeps the part with a phase above a limit (sign 1), or below it (sign -1).
     static (Vector3 Point, float Phase)[] Clip((Vector3 Point, float Phase)[] corners, float limit, int sign)
     {
         var kept = new List<(Vector3, float)>();

@@ -18,7 +18,7 @@ static class ManualPictures
 
     const int PanelWidth = 900, PartWidth = 320, PartHeight = 320, Caption = 28;
 
-    /// <summary>Between the displayed gripper and the ghost, so that both are seen.</summary>
+    /// <summary>Distance between the displayed gripper and the ghost, so that both are visible.</summary>
     const float GapMetres = 0.05f;
 
     /// <returns>Paths of the files.</returns>
@@ -43,14 +43,14 @@ static class ManualPictures
         cell.CutOff();
         cell.Run(2);
         eye = Before(cell);
-        // The words turn to the camera, and are as large as it takes to read them from there.
+        // The text turns to the camera, and its size depends on the camera's distance.
         cell.Head.SetPositionAndRotation(eye.Place.position, eye.Place.rotation);
         cell.Run(0.1);
         var held = new SceneDrawing(eye).Draw([cell.Real, cell.Displayed.gameObject]);
         return Parts(("current", current), ("current, and the ghost", compared), ("held: no sample for 2 s", held));
     }
 
-    /// <summary>In front of the gripper, from where no part of the arm hides it, with the place of its words at the left.</summary>
+    /// <summary>Gets a camera in front of the gripper, where no part of the arm hides it, with the text at the left.</summary>
     static Eye Before(PlayedCell cell)
     {
         var gripper = cell.Displayed.GetComponentInChildren<VirtualGripper>().transform;
@@ -62,7 +62,7 @@ static class ManualPictures
         return new Eye(new Pose(place, Quaternion.LookRotation(middle - place, Vector3.up)), 24, PartWidth, PartHeight);
     }
 
-    /// <summary>All that a HoloLens 2 shows to a head that looks level: the panel without a message, and with one.</summary>
+    /// <summary>Draws the view of a HoloLens 2 with the head level: the panel without and with a message.</summary>
     public static string Panel(string root)
     {
         using var cell = new PlayedCell(root);
@@ -85,7 +85,7 @@ static class ManualPictures
     static PanelCells Cells(StatusPanel panel) =>
         (PanelCells)typeof(StatusPanel).GetField("_cells", BindingFlags.Instance | BindingFlags.NonPublic).GetValue(panel);
 
-    /// <summary>Outlines of MRTK3's buttons, whose meshes are not here.</summary>
+    /// <summary>Draws outlines of MRTK3's buttons, whose meshes are not available here.</summary>
     static string Buttons(StatusPanel panel, Eye eye) => string.Concat(panel.GetComponentsInChildren<PressableButton>().Select(button =>
     {
         var rect = (RectTransform)button.transform;

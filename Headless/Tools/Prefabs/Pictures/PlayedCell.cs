@@ -20,7 +20,7 @@ sealed class PlayedCell : IDisposable
         _player = new Player(library);
         _player.LoadScene(PackagePaths.VirtualScene, roots => Session = roots.SelectMany(r => r.GetComponents<MrilSession>()).Single());
         Session.HeadsetClock = _clock;
-        // It has begun with the clock of this machine; it begins again with this one.
+        // The session has started with this machine's clock; setting it restarts the session with the virtual clock.
         Session.Settings = Session.Settings;
         Session.transform.Find("Status Panel").gameObject.SetActive(false);
         Panel = UnityEngine.Object.Instantiate(library.Load<GameObject>(PackagePaths.HoloLensPanel)).GetComponent<StatusPanel>();
@@ -41,7 +41,7 @@ sealed class PlayedCell : IDisposable
 
     public Transform Head => _player.Find<Camera>().transform;
 
-    /// <summary>Cuts all connections to the simulated control system.</summary>
+    /// <summary>Disconnects the simulated control system completely.</summary>
     public void CutOff() => Fields.Set(_player.Find<SimulatedControlSystem>(), "_loss", 1f);
 
     public void Run(double seconds)
@@ -59,7 +59,7 @@ sealed class PlayedCell : IDisposable
     {
         HeadsetTime _now;
 
-        /// <summary>A little later with every reading, as after some work.</summary>
+        /// <summary>The virtual time, which advances slightly with each reading.</summary>
         public HeadsetTime Now => _now += TimeSpan.FromMicroseconds(1);
 
         public void Set(double seconds) => _now = new HeadsetTime(TimeSpan.FromSeconds(seconds));

@@ -18,7 +18,7 @@ sealed class SceneDrawing(Eye eye)
     readonly MaterialPropertyBlock _block = new();
     readonly StringBuilder _svg = new();
 
-    /// <param name="roots">What is drawn, with all below it.</param>
+    /// <param name="roots">Objects to draw, with their descendants.</param>
     public string Draw(IEnumerable<GameObject> roots)
     {
         var drawn = roots.Where(root => root.activeInHierarchy).ToList();
@@ -90,7 +90,7 @@ sealed class SceneDrawing(Eye eye)
         var anchor = ((int)text.anchor % 3) switch { 0 => "start", 1 => "middle", _ => "end" };
         for (var i = 0; i < lines.Length; i++)
             _svg.Append(CultureInfo.InvariantCulture, $"""<text x="{x:0.0}" y="{y + i * Line * size:0.0}" font-size="{size:0.0}" """)
-                // A reader's browser may have another font.
+                // A reader's browser may use another font.
                 .Append(CultureInfo.InvariantCulture, $"""textLength="{LetterWidths.Of(lines[i]) * size:0.0}" lengthAdjust="spacingAndGlyphs" """)
                 .Append(CultureInfo.InvariantCulture, $"""text-anchor="{anchor}">{SecurityElement.Escape(lines[i])}</text>""")
                 .Append('\n');

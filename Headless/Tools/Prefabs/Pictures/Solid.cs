@@ -9,7 +9,7 @@ static class Solid
 
     static readonly Vector3[] Square = [new(-0.5f, -0.5f, 0), new(0.5f, -0.5f, 0), new(0.5f, 0.5f, 0), new(-0.5f, 0.5f, 0)];
 
-    /// <summary>By the name of the mesh; empty for any other.</summary>
+    /// <summary>Gets the faces by the mesh's name; empty for an unknown mesh.</summary>
     public static IEnumerable<Vector3[]> Faces(string mesh) => mesh switch
     {
         "Cube" => Cube(),
@@ -26,7 +26,7 @@ static class Solid
                 yield return [.. Square.Select(corner => turn * (corner + side * Vector3.forward))];
     }
 
-    // Of radius 0.5 and height 2.
+    // Radius 0.5 and height 2.
     static IEnumerable<Vector3[]> Cylinder()
     {
         for (var i = 0; i < Sides; i++) yield return [OnSide(i, -1), OnSide(i + 1, -1), OnSide(i + 1, 1), OnSide(i, 1)];

@@ -4,7 +4,7 @@ import { besides } from '../../configuration/besides';
 import { shown } from '../../configuration/problem';
 import type { Path, YamlFile } from '../../configuration/yamlFile';
 
-/** Reports a file that is missing or holds no certificate: nobody would ever be trusted by it. */
+/** Reports a file that is missing or has no certificate, because no server would match it. */
 export function requireCertificate(file: YamlFile, entry: Path, value: string): void {
   try {
     certificateIn(file, entry, readFileSync(besides(file.path, value)));
@@ -13,7 +13,7 @@ export function requireCertificate(file: YamlFile, entry: Path, value: string): 
   }
 }
 
-/** Reports a user's certificate or key that is none, and two that do not belong together. */
+/** Reports an invalid certificate or key of a user, and a pair that does not match. */
 export function requirePair(file: YamlFile, user: Path, { certificate, key }: { certificate: string; key: string }): void {
   const found = certificateIn(file, [...user, 'certificate'], certificate), secret = keyIn(file, [...user, 'key'], key);
   if (found !== null && secret !== null && !found.checkPrivateKey(secret))

@@ -1,18 +1,18 @@
 import { accessSync, constants, existsSync, statSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 
-/** What the folder of certificates is divided into. */
+/** Subfolders of the certificate folder. */
 export const PARTS = ['own', 'trusted', 'rejected'];
 
-/** Why certificates cannot be kept there, and what to do. */
+/** Gets the reason why certificates cannot be stored there, with the remedy. */
 export function folderTrouble(folder: string, error: Error): string {
   const why = (error as NodeJS.ErrnoException).code ?? error.message;
   return `certificates cannot be kept in ${folder} (${why}); let this user write there, or set plant.security.folder to another`;
 }
 
 /**
- * Looks whether certificates could be kept there; makes nothing.
- * @throws Error They could not.
+ * Checks whether certificates can be stored there, without creating anything.
+ * @throws Error They cannot be stored.
  */
 export function tryFolder(folder: string): void {
   for (const part of PARTS) {

@@ -5,7 +5,7 @@ import { crypto_utils as pki } from 'node-opcua-client';
 
 const APPLICATION = 'Nowpose', DAYS = 10 * 365, KEY_BITS = 2048;
 
-/** What this application is called in its certificate and when it connects: a server compares the two. */
+/** Name of this application in its certificate and in connections: servers compare the two. */
 export const applicationUri = (): string => `urn:${hostname().toLowerCase()}:nowpose:gateway`;
 
 export interface OwnCertificate {
@@ -15,7 +15,7 @@ export interface OwnCertificate {
   getPrivateKey(): ReturnType<typeof pki.makePrivateKeyFromPem>;
 }
 
-/** The certificate by which servers know this application; made the first time, with a key that only its owner can read. */
+/** Gets the certificate of this application; created the first time, with a key that only its owner can read. */
 export async function ownCertificate(folder: string): Promise<OwnCertificate> {
   const own = join(folder, 'own');
   const file = join(own, 'nowpose.der'), keyFile = join(own, 'nowpose-key.pem');
@@ -38,7 +38,7 @@ async function make(file: string, keyFile: string): Promise<void> {
     purpose: pki.CertificatePurpose.ForApplication,
   });
   const { privPem } = await pki.privateKeyToPEM(key);
-  // The mode is given at the making: nobody may read it even for a moment.
+  // Created with its mode, so that the key is never readable by others.
   writeFileSync(keyFile, privPem, { mode: 0o600 });
   writeFileSync(file, pki.convertPEMtoDER(cert));
 }

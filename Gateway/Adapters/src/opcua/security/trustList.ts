@@ -4,21 +4,21 @@ import { join } from 'node:path';
 import { type StatusCode, StatusCodes } from 'node-opcua-client';
 import type { SecuritySettings } from '../settings';
 
-/** Whoever answers in the server's place with ever new certificates does not fill the disk. */
+/** Maximum number of stored rejected certificates, so that an attacker cannot fill the disk. */
 const MOST_REJECTED = 16;
 
 const hash = (algorithm: string, der: Buffer): string => createHash(algorithm).update(der).digest('hex');
 
-/** As OPC UA tools show it, and what tells certificates apart. */
+/** Gets the thumbprints, which identify certificates in OPC UA tools. */
 export const thumbprints = (der: Buffer): { sha1: string; sha256: string } => ({ sha1: hash('sha1', der), sha256: hash('sha256', der) });
 
 /**
- * The certificates of the servers that are trusted: those in the folder, the one file and the one thumbprint of the configuration. A
- * server's own certificate must be there; that of an authority which signed it does not help. Never takes one in by itself.
+ * The trusted server certificates: those in the folder, the file and the thumbprint of the configuration. A server's own certificate must
+ * be in the list; that of its authority is not sufficient. Certificates are never added automatically.
  */
 export class TrustList {
   referenceCounter = 0;
-  /** Why the newest certificate was refused, and what to do. */
+  /** The reason for the last refused certificate, with the remedy. */
   refusal: string | null = null;
   readonly #trusted: string;
   readonly #rejected: string;
@@ -54,7 +54,7 @@ export class TrustList {
   async verifyCertificate(): Promise<string> { return 'Good'; }
   async getTrustStatus(certificate: Buffer): Promise<StatusCode> { return this.checkCertificate(certificate); }
 
-  // The library may ask for these; only a person changes the list.
+  // The library may call these; only a person changes the list.
   async trustCertificate(): Promise<void> {}
   async rejectCertificate(): Promise<void> {}
   async addIssuer(): Promise<void> {}
@@ -86,7 +86,7 @@ export class TrustList {
   }
 }
 
-// Of a chain only the first is the server's own.
+// Only the first certificate of a chain is the server's own.
 const leaf = (certificate: Buffer | Buffer[]): Buffer => new X509Certificate(Array.isArray(certificate) ? certificate[0] : certificate).raw;
 
 function derOf(file: string): Buffer {

@@ -2,7 +2,7 @@ using System.IO;
 
 namespace Nowpose.UnityPlayer.Assets.Files;
 
-/// <summary>An asset as its .meta introduces it. The asset itself need not be there: of a script nobody reads the source.</summary>
+/// <summary>An asset with a .meta file. The asset's own file may be missing: the source of a script, for example, is not read.</summary>
 sealed class AssetFile
 {
     public AssetFile(string guid, string path, string fullPath, string importer)
@@ -15,7 +15,7 @@ sealed class AssetFile
 
     public string Guid { get; }
 
-    /// <summary>As Unity calls it, with forward slashes: <c>Assets/…</c>, <c>Packages/…</c>.</summary>
+    /// <summary>Path in Unity's form, with forward slashes: <c>Assets/…</c>, <c>Packages/…</c>.</summary>
     public string Path { get; }
 
     public string FullPath { get; }
@@ -23,10 +23,10 @@ sealed class AssetFile
     /// <summary>Name of the importer's block in the .meta.</summary>
     public string Importer { get; }
 
-    /// <summary>Without its ending, which is what Unity calls the main object of most assets.</summary>
+    /// <summary>File name without its extension, which is Unity's name of the main object of most assets.</summary>
     public string Name => System.IO.Path.GetFileNameWithoutExtension(Path);
 
-    /// <summary>With its dot, in lower case.</summary>
+    /// <summary>Extension with its dot, in lower case.</summary>
     public string Extension => System.IO.Path.GetExtension(Path).ToLowerInvariant();
 
     /// <exception cref="AssetException">The file is missing.</exception>

@@ -30,7 +30,7 @@ sealed class AssetFiles
         return documents;
     }
 
-    /// <summary>The objects of a prefab or scene; what a scene sets as a whole is not among them.</summary>
+    /// <summary>Gets the objects of a prefab or scene, without the scene's settings.</summary>
     public ObjectFile Hierarchy(AssetFile file)
     {
         if (_hierarchies.TryGetValue(file.Guid, out var known)) return known ?? throw new AssetException(file.Path + ": is an instance of itself");

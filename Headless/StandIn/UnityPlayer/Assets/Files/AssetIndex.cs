@@ -6,7 +6,7 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.UnityPlayer.Assets.Files;
 
-/// <summary>Which assets there are: found by their .meta files, by GUID and by path.</summary>
+/// <summary>Index of the assets by GUID and by path. Assets are found by their .meta files.</summary>
 sealed class AssetIndex
 {
     const string Meta = ".meta";
@@ -17,8 +17,8 @@ sealed class AssetIndex
     readonly Dictionary<string, AssetFile> _byGuid = new Dictionary<string, AssetFile>(StringComparer.Ordinal);
     readonly Dictionary<string, AssetFile> _byPath = new Dictionary<string, AssetFile>(StringComparer.Ordinal);
 
-    /// <param name="folders">Each with what Unity calls it; what is hidden from Unity stays out, but for samples.</param>
-    /// <exception cref="AssetException">A .meta without a GUID, or two with the same.</exception>
+    /// <param name="folders">Folders with their names in Unity's paths. Folders hidden from Unity are excluded, except samples.</param>
+    /// <exception cref="AssetException">A .meta file has no GUID, or two have the same.</exception>
     public AssetIndex(IEnumerable<(string Name, string FullPath)> folders)
     {
         foreach (var (name, fullPath) in folders) AddFolder(name, fullPath);
@@ -26,7 +26,7 @@ sealed class AssetIndex
 
     public IReadOnlyCollection<AssetFile> Files => _byPath.Values;
 
-    /// <summary>The folders of a Unity project that hold assets, and stand-ins for those of packages that are not here.</summary>
+    /// <summary>Gets the folders of a Unity project that contain assets, and stand-ins for those of missing packages.</summary>
     public static IEnumerable<(string Name, string FullPath)> FoldersOf(string projectRoot)
     {
         foreach (var name in new[] { "Assets", "Packages", "Headless/StandIn/ForeignAssets" })
@@ -40,7 +40,7 @@ sealed class AssetIndex
     public AssetFile ByGuid(string guid) => _byGuid.TryGetValue(guid, out var file) ? file : null;
 
     /// <summary>Null if there is no such asset.</summary>
-    /// <param name="path">As Unity calls it, or in full.</param>
+    /// <param name="path">Path in Unity's form, or a full path.</param>
     public AssetFile ByPath(string path)
     {
         if (_byPath.TryGetValue(path.Replace('\\', '/'), out var file)) return file;

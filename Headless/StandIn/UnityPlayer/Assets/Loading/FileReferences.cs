@@ -15,9 +15,9 @@ sealed class FileReferences : IReferences
     readonly Dictionary<Object, long> _ids = new Dictionary<Object, long>();
     readonly Dictionary<Transform, int> _roots = new Dictionary<Transform, int>();
 
-    /// <param name="assets">All others.</param>
-    /// <param name="objects">The file's own, by fileID.</param>
-    /// <param name="roots">Of its hierarchy, in order.</param>
+    /// <param name="assets">All other assets.</param>
+    /// <param name="objects">The file's own objects by fileID.</param>
+    /// <param name="roots">The root objects of its hierarchy, in order.</param>
     public FileReferences(LoadedAssets assets, IReadOnlyDictionary<long, Object> objects, IReadOnlyList<GameObject> roots)
     {
         _assets = assets;

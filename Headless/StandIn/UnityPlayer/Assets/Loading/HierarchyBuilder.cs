@@ -11,8 +11,8 @@ using Object = UnityEngine.Object;
 namespace Nowpose.UnityPlayer.Assets.Loading;
 
 /// <summary>
-/// Makes the objects of a prefab or scene, in no scene yet and asleep. First all of them with their components and parents, then their
-/// fields, since those may refer to any of them.
+/// Creates the objects of a prefab or scene, without a scene and asleep. First all objects with their components and parents, then their
+/// fields, which may refer to any of them.
 /// </summary>
 sealed class HierarchyBuilder
 {
@@ -30,15 +30,15 @@ sealed class HierarchyBuilder
         _whole = whole;
     }
 
-    /// <summary>By fileID.</summary>
+    /// <summary>The objects by fileID.</summary>
     public IReadOnlyDictionary<long, Object> Objects => _objects;
 
     public IReadOnlyList<GameObject> Roots { get; private set; }
 
-    /// <param name="assets">What the file may refer to.</param>
-    /// <param name="file">Its objects.</param>
-    /// <param name="whole">What the objects are an instance of as a whole; null for the objects of the file itself.</param>
-    /// <param name="made">Called with all objects before any of their fields is read.</param>
+    /// <param name="assets">Assets that the file may refer to.</param>
+    /// <param name="file">Objects of the file.</param>
+    /// <param name="whole">The prefab whose instance the objects are; null for the objects of the file itself.</param>
+    /// <param name="made">Called with all objects before their fields are read.</param>
     public static HierarchyBuilder Build(
         LoadedAssets assets, ObjectFile file, PrefabOrigin.Group whole = null, Action<HierarchyBuilder> made = null)
     {

@@ -11,7 +11,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Loading;
 
-/// <summary>The assets of a library as objects of one world, each loaded when something first refers to it.</summary>
+/// <summary>The assets of a library as objects of one world, each loaded at its first reference.</summary>
 sealed class LoadedAssets
 {
     const long ScriptFileId = 11500000;
@@ -24,7 +24,7 @@ sealed class LoadedAssets
 
     public LoadedAssets(AssetFiles files) => _files = files;
 
-    /// <summary>The main object: of a prefab its root.</summary>
+    /// <summary>Gets the main object of an asset; for a prefab, its root.</summary>
     public Object Main(AssetFile file)
     {
         var objects = Load(file);
@@ -52,7 +52,7 @@ sealed class LoadedAssets
             : throw place.Error("refers to " + target + ", which is neither in this file nor an asset");
     }
 
-    /// <summary>The class of a component or ScriptableObject.</summary>
+    /// <summary>Gets the class of a component or ScriptableObject.</summary>
     public Type ScriptAt(FileObject described, Type baseType)
     {
         var reference = described.Reference(ScriptClass.ScriptField);
@@ -70,10 +70,10 @@ sealed class LoadedAssets
         return new AssetReference(ScriptFileId, file.Guid, AssetReference.Imported);
     }
 
-    /// <summary>The objects of a scene, anew each time.</summary>
+    /// <summary>Creates new objects of a scene at each call.</summary>
     public HierarchyBuilder Instantiate(AssetFile file) => HierarchyBuilder.Build(this, _files.Hierarchy(file));
 
-    /// <summary>An instance of a prefab that remembers whose instance it is.</summary>
+    /// <summary>Creates an instance of a prefab that keeps its link to the prefab.</summary>
     public GameObject InstantiatePrefab(GameObject prefab)
     {
         if (!_references.TryGetValue(prefab, out var reference) || _files.Index.ByGuid(reference.Guid) is not { Extension: ".prefab" } file)
@@ -103,7 +103,7 @@ sealed class LoadedAssets
         }
         catch (AssetException)
         {
-            // What was made of a broken file must not be found a second time.
+            // The objects of an invalid file must not be found later.
             _byGuid.Remove(file.Guid);
             throw;
         }
@@ -134,7 +134,7 @@ sealed class LoadedAssets
         }
     }
 
-    /// <summary>A file with one object.</summary>
+    /// <summary>Loads a file with one object.</summary>
     void LoadAlone(AssetFile file, long fileId, Func<FileObject, (ObjectClass Class, Object Made)> make, Action<Object> wake)
     {
         var documents = _files.Documents(file);
@@ -168,7 +168,7 @@ sealed class LoadedAssets
         }
     }
 
-    /// <summary>What a reference to the asset has as type; null where Unity alone knows the fileIDs.</summary>
+    /// <summary>Gets the type in references to the asset; null if only Unity can compute the fileIDs.</summary>
     static int? TypeOf(AssetFile file)
     {
         return file.Extension switch

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Loading;
 
-/// <summary>The objects of a scene, made but asleep and in no scene yet.</summary>
+/// <summary>The objects of a scene, created but asleep and not in a scene yet.</summary>
 sealed class LoadedScene
 {
     public LoadedScene(string name, string path, IReadOnlyList<GameObject> roots, IReadOnlyList<UnityDocument> settings)
@@ -19,6 +19,6 @@ sealed class LoadedScene
     public string Path { get; }
     public IReadOnlyList<GameObject> Roots { get; }
 
-    /// <summary>What the scene sets as a whole.</summary>
+    /// <summary>The settings of the scene as a whole.</summary>
     public IReadOnlyList<UnityDocument> Settings { get; }
 }

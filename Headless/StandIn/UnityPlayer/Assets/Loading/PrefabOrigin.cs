@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Loading;
 
-/// <summary>Remembers of an object in a hierarchy which object of which prefab it is an instance of, so that it can be saved as such.</summary>
+/// <summary>Stores, for an object in a hierarchy, the prefab object of which it is an instance, so that it can be saved as an instance.</summary>
 sealed class PrefabOrigin
 {
     static readonly ConditionalWeakTable<Object, PrefabOrigin> Origins = new ConditionalWeakTable<Object, PrefabOrigin>();
@@ -20,7 +20,7 @@ sealed class PrefabOrigin
 
     public long SourceFileId { get; }
 
-    /// <summary>Null for an object of no prefab instance.</summary>
+    /// <summary>Gets the origin; null for an object that is not in a prefab instance.</summary>
     public static PrefabOrigin Of(Object target) => Origins.TryGetValue(target, out var origin) ? origin : null;
 
     public static void Set(Object target, Group instance, long sourceFileId) => Origins.Add(target, new PrefabOrigin(instance, sourceFileId));

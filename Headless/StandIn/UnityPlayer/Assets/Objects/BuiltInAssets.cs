@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>What Unity brings along, by the fileIDs it has in every project.</summary>
+/// <summary>Unity's built-in assets by their fileIDs, which are the same in every project.</summary>
 static class BuiltInAssets
 {
     const string DefaultResources = "0000000000000000e000000000000000";
@@ -25,17 +25,17 @@ static class BuiltInAssets
 
     static readonly Dictionary<Object, AssetReference> ByObject = ByReference.ToDictionary(b => b.Value, b => b.Key);
 
-    /// <summary>Of text: Arial, from Unity 2022.2 on LegacyRuntime. The stand-in has no fonts.</summary>
+    /// <summary>The default font: Arial, or LegacyRuntime from Unity 2022.2 on. The stand-in has no fonts.</summary>
     public static AssetReference Font => Default(10102);
 
-    /// <summary>What that font's letters are drawn with.</summary>
+    /// <summary>The material of that font.</summary>
     public static AssetReference FontMaterial => Default(10100);
 
     public static AssetReference DefaultMaterial => new AssetReference(10303, ExtraResources, AssetReference.BuiltIn);
 
     public static bool Holds(AssetReference reference) => reference.Guid == DefaultResources || reference.Guid == ExtraResources;
 
-    /// <summary>Null if it is not known here.</summary>
+    /// <summary>Gets a built-in asset; null if it is unknown here.</summary>
     public static Object Find(AssetReference reference) => ByReference.TryGetValue(reference, out var found) ? found : null;
 
     public static bool TryFind(Object builtIn, out AssetReference reference) => ByObject.TryGetValue(builtIn, out reference);

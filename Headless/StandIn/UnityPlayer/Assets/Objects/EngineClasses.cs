@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>The engine's own classes that may stand in prefabs and scenes, with their fields as Unity 2021 writes them.</summary>
+/// <summary>The supported engine classes in prefabs and scenes, with their fields in the format of Unity 2021.</summary>
 static class EngineClasses
 {
     static readonly ObjectClass[] All =
@@ -64,7 +64,7 @@ static class EngineClasses
 
     static IEnumerable<Slot> TransformSlots()
     {
-        // Not by the properties, which make rotations unit length: what was read has to be written the same.
+        // Not through the properties, which normalise rotations: values must be written as they were read.
         foreach (var name in new[] { "m_LocalRotation", "m_LocalPosition", "m_LocalScale" }) yield return Slot.Field(typeof(Transform), name);
         yield return Slot.Constant("m_ConstrainProportionsScale", Nodes.Number(0));
         yield return Slot.Checked("m_Children", (Transform t, IReferences references, Place place) => new YamlSequenceNode(
@@ -84,7 +84,7 @@ static class EngineClasses
         yield return Slot.Field(typeof(RectTransform), "m_Pivot");
     }
 
-    /// <summary>What the editor shows; to a thousandth of a degree, in which the last digits of different machines' sines do not show.</summary>
+    /// <summary>Gets the Euler angles shown by the editor, rounded to 0.001°, which hides rounding differences between machines.</summary>
     static Vector3 EulerHint(Transform transform)
     {
         var angles = transform.localEulerAngles;
@@ -97,7 +97,7 @@ static class EngineClasses
         return (float)(rounded > 180 ? Math.Round(rounded - 360, 3) : rounded + 0.0);
     }
 
-    /// <summary>How a field of a component is told here: a name (one that the stand-in serialises), a name with its only value, or a slot.</summary>
+    /// <summary>Definition of a component's field: a name (serialised by the stand-in), a name with its only value, or a slot.</summary>
     readonly struct FieldSpec
     {
         readonly Func<Type, Slot> _slot;

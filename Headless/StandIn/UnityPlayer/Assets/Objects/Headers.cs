@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>The fields that objects of many classes begin with.</summary>
+/// <summary>The first fields of objects of many classes.</summary>
 static class Headers
 {
     /// <summary>An object of the file's own, not of a prefab instance.</summary>

@@ -9,7 +9,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>Materials: the values of the properties that their shader declares, all of them and no others.</summary>
+/// <summary>Materials: the values of exactly the properties that their shader declares.</summary>
 static class MaterialClass
 {
     public const long FileId = 2100000;
@@ -25,7 +25,7 @@ static class MaterialClass
         return shader;
     }
 
-    /// <summary>With the values that its shader declares.</summary>
+    /// <summary>Sets the shader, with the default values that it declares.</summary>
     public static void SetShader(Material material, Shader shader)
     {
         material.shader = shader;
@@ -103,7 +103,7 @@ static class MaterialClass
                 : throw place.Error("the properties of its shader are not known here");
         }
 
-        /// <summary>A list of which every item has one name with its value.</summary>
+        /// <summary>Reads a list whose items have one name with its value each.</summary>
         static void ReadEach<T>(YamlNode node, IReadOnlyDictionary<string, T> declared, Place place, Action<string, YamlNode, Place> set)
         {
             foreach (var entry in place.Sequence(node).Children.SelectMany(i => place.Mapping(i).Children))

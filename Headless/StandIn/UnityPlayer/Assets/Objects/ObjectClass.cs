@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>A class of objects as files have them: its number and name there, and its fields in order.</summary>
+/// <summary>A class of objects in files: its number and name, and its fields in order.</summary>
 class ObjectClass
 {
     readonly Slot[] _slots;
@@ -25,11 +25,11 @@ class ObjectClass
     public int Id { get; }
     public string Name { get; }
 
-    /// <summary>What the stand-in makes of it.</summary>
+    /// <summary>The stand-in's type for it.</summary>
     public Type Type { get; }
 
-    /// <summary>Sets all that the file has. What it leaves out keeps its default.</summary>
-    /// <exception cref="AssetException">A field that the class does not have, or a value that is none for it.</exception>
+    /// <summary>Sets all fields in the file. The others keep their defaults.</summary>
+    /// <exception cref="AssetException">The class does not have a field, or a value is invalid for it.</exception>
     public void Read(YamlMappingNode fields, Object target, IReferences references, Place place)
     {
         var unread = fields.Children.ToDictionary(f => place.Scalar(f.Key), f => f.Value);

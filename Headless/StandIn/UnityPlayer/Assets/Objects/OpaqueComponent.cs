@@ -3,10 +3,10 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>A component that the stand-in has no class for and nothing here asks about: its fields are kept as they are.</summary>
+/// <summary>A component without a class in the stand-in. Its fields are kept unchanged.</summary>
 sealed class OpaqueComponent : Component
 {
-    /// <summary>Which class it would be.</summary>
+    /// <summary>Name of its class.</summary>
     public string ClassName { get; set; }
 
     public YamlMappingNode Fields { get; } = new YamlMappingNode();

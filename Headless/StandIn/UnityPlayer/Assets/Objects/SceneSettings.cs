@@ -4,7 +4,7 @@ using Nowpose.UnityPlayer.Assets.Yaml;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>What a scene sets as a whole: nothing that the stand-in shows, so it is kept as it is.</summary>
+/// <summary>The settings of a scene as a whole. The stand-in does not use them and keeps them unchanged.</summary>
 static class SceneSettings
 {
     static readonly Dictionary<int, string> Classes = new Dictionary<int, string>
@@ -58,7 +58,7 @@ NavMeshSettings:
 
     public static bool Holds(UnityDocument document) => Classes.TryGetValue(document.ClassId, out var name) && name == document.ClassName;
 
-    /// <exception cref="AssetException">A scene has each of them once, before its objects.</exception>
+    /// <exception cref="AssetException">A scene must have each of them exactly once, before its objects.</exception>
     public static IReadOnlyList<UnityDocument> Of(IReadOnlyList<UnityDocument> documents, string file)
     {
         var settings = documents.TakeWhile(Holds).ToList();

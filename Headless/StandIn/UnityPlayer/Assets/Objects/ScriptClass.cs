@@ -11,14 +11,14 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>A class of the user's: a component, or a ScriptableObject as an asset of its own.</summary>
+/// <summary>A class of the user: a component, or a ScriptableObject as an asset.</summary>
 sealed class ScriptClass : ObjectClass
 {
     public const int ClassId = 114;
     public const string ClassName = "MonoBehaviour";
     public const string ScriptField = "m_Script";
 
-    /// <summary>Of a ScriptableObject in a file of its own.</summary>
+    /// <summary>FileID of a ScriptableObject in its own file.</summary>
     public const long AssetFileId = 11400000;
 
     static readonly ConcurrentDictionary<Type, ScriptClass> Known = new ConcurrentDictionary<Type, ScriptClass>();
@@ -28,7 +28,7 @@ sealed class ScriptClass : ObjectClass
     {
     }
 
-    /// <exception cref="AssetException">It has a field of a type that cannot be read or written here yet.</exception>
+    /// <exception cref="AssetException">It has a field of a type that is not supported yet.</exception>
     public static ScriptClass Of(Type type) => Known.GetOrAdd(type, t => new ScriptClass(t));
 
     protected override void ReadOther(string name, YamlNode node, Object target, IReferences references, Place place)

@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>What the source of a shader declares: its name and the properties that a material sets.</summary>
+/// <summary>The declarations in a shader's source: its name and the properties that a material can set.</summary>
 sealed class ShaderDeclaration
 {
     static readonly Regex Heads = new Regex("^\\s*Shader\\s+\"([^\"]+)\"", RegexOptions.Multiline | RegexOptions.CultureInvariant);
@@ -40,7 +40,7 @@ sealed class ShaderDeclaration
     /// <summary>Colours and vectors with their defaults.</summary>
     public IReadOnlyDictionary<string, Color> Colours { get; }
 
-    /// <exception cref="AssetException">No shader. Textures are left out: no material of the package has one of its own.</exception>
+    /// <exception cref="AssetException">The text is not a shader. Textures are ignored, because no material of the package has one.</exception>
     public static ShaderDeclaration Read(string text, string file)
     {
         text = Comments.Replace(text, "");

@@ -7,7 +7,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
-/// <summary>Puts a file's prefab instances in and makes every reference in it one to an object that is there.</summary>
+/// <summary>Inserts a file's prefab instances and changes all references to existing objects.</summary>
 sealed class Expansion
 {
     readonly string _file;
@@ -26,7 +26,7 @@ sealed class Expansion
 
     public IEnumerable<FileObject> Objects => _objects.Where(o => _byId.ContainsKey(o.FileId));
 
-    /// <summary>FileIDs of stripped placeholders, and which object each stands for.</summary>
+    /// <summary>FileIDs of stripped placeholders, with the fileIDs of their objects.</summary>
     public IReadOnlyDictionary<long, long> Stripped => _stripped;
 
     public IReadOnlyList<PrefabInstance> Instances => _instances.Select(i => i.Instance).ToList();
@@ -38,7 +38,7 @@ sealed class Expansion
         else Add(new FileObject(document, _file));
     }
 
-    /// <summary>To be called when all documents were added.</summary>
+    /// <summary>Call this after all documents were added.</summary>
     public void Connect()
     {
         foreach (var document in _strippedDocuments.Values) _stripped.Add(document.FileId, MeaningOf(document));
@@ -73,7 +73,7 @@ sealed class Expansion
         return instance.Map(found.FileId);
     }
 
-    /// <summary>References to placeholders become references to what they stand for.</summary>
+    /// <summary>Replaces references to placeholders by references to their objects.</summary>
     void Redirect(FileObject own)
     {
         foreach (var entry in own.Fields.Children.ToList())
@@ -87,7 +87,7 @@ sealed class Expansion
         }
     }
 
-    /// <summary>What the file hangs below an instance or adds to its objects; the prefab's own lists cannot know of them.</summary>
+    /// <summary>Adds the file's children and components of an instance, which the prefab's own lists do not contain.</summary>
     void AddFrom(PrefabInstance instance)
     {
         foreach (var own in _objects.Where(o => o.Link == null))
@@ -95,7 +95,7 @@ sealed class Expansion
             if (TryUp(own, "m_GameObject", instance, out var owner))
                 ListOf(owner, "m_Component").Add(Nodes.Lines(("component", new AssetReference(own.FileId).Write())));
         }
-        // Own objects and other instances stand among each other there.
+        // Own objects and other instances are interleaved there.
         var hung = _objects.Where(o => o.IsTransform && o.Link?.Instance != instance && TryUp(o, "m_Father", instance, out _));
         foreach (var child in hung.OrderBy(RootOrder).ToList())
         {

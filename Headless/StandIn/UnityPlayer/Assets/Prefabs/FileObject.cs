@@ -4,7 +4,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
-/// <summary>One object of a file after its prefab instances were put in, as fields that nothing else shares.</summary>
+/// <summary>One object of a file after the insertion of its prefab instances, with its own copy of the fields.</summary>
 sealed class FileObject
 {
     public FileObject(UnityDocument document, string file)
@@ -27,25 +27,25 @@ sealed class FileObject
     public int ClassId { get; }
     public string ClassName { get; }
 
-    /// <summary>Of a canvas, too.</summary>
+    /// <summary>Whether it is a Transform, including that of a canvas.</summary>
     public bool IsTransform => ClassName is "Transform" or "RectTransform";
 
     public long FileId { get; }
     public YamlMappingNode Fields { get; }
 
-    /// <summary>The object of another prefab that it is an instance of; null for one of the file's own.</summary>
+    /// <summary>The prefab object of which it is an instance; null for an object of the file itself.</summary>
     public PrefabLink Link { get; }
 
     public Place Place => PlaceAs(ClassName);
 
-    /// <summary>The object as it is in an instance of its file.</summary>
+    /// <summary>Gets the object as it is in an instance of its file.</summary>
     public FileObject In(PrefabInstance instance)
     {
         var fields = (YamlMappingNode)LocalReferences.Map(Fields, instance.Map);
         return new FileObject(ClassId, ClassName, instance.Map(FileId), fields, instance.File, new PrefabLink(instance, FileId));
     }
 
-    /// <param name="name">What errors call the object: the class that a script holds says more than that it is one.</param>
+    /// <param name="name">Name of the object in errors; for a script, its class.</param>
     public Place PlaceAs(string name) => new Place(File + " &" + Numbers.Write(FileId) + " " + name);
 
     public AssetReference Reference(string field)

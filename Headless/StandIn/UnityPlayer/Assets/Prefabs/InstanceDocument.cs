@@ -7,12 +7,12 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
-/// <summary>What a file says about one of its prefab instances: which prefab, where it hangs, what is changed in it.</summary>
+/// <summary>The document of a prefab instance in a file: its prefab, its parent and its changes.</summary>
 sealed class InstanceDocument
 {
     static readonly string[] Known = { "serializedVersion", "m_TransformParent", "m_Modifications", "m_RemovedComponents" };
 
-    /// <summary>Unity 2022.2 and later writes these too; with anything in them they are not understood here.</summary>
+    /// <summary>Lists written by Unity 2022.2 and later. They are supported only if empty.</summary>
     static readonly string[] LaterLists = { "m_RemovedGameObjects", "m_AddedGameObjects", "m_AddedComponents" };
 
     readonly Place _place;
@@ -42,7 +42,7 @@ sealed class InstanceDocument
 
     public string SourceGuid => _source.Guid;
 
-    /// <summary>FileID of the Transform that it hangs below, 0 for none.</summary>
+    /// <summary>FileID of its parent Transform, 0 for none.</summary>
     public long Parent { get; }
 
     /// <summary>The prefab's own root, known after <see cref="SourcePrefab"/>.</summary>
@@ -63,9 +63,9 @@ sealed class InstanceDocument
         return source;
     }
 
-    /// <param name="instance">Whose objects are changed.</param>
-    /// <param name="objects">All of the file; removed components leave it.</param>
-    /// <param name="resolve">From a placeholder's fileID to the object's.</param>
+    /// <param name="instance">The instance whose objects are changed.</param>
+    /// <param name="objects">All objects of the file; removed components are deleted.</param>
+    /// <param name="resolve">Gets the object's fileID from that of a placeholder.</param>
     public void Apply(PrefabInstance instance, Dictionary<long, FileObject> objects, Func<long, long> resolve)
     {
         SetParent(instance, objects, resolve(Parent));

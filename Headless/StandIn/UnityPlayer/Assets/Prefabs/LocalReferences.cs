@@ -5,10 +5,10 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
-/// <summary>The references to objects of the same file that a value holds at any depth.</summary>
+/// <summary>The references to objects of the same file, at any depth of a value.</summary>
 static class LocalReferences
 {
-    /// <summary>A copy in which each refers to what <paramref name="map"/> makes of it; references to other assets stay.</summary>
+    /// <summary>Returns a copy with local references replaced by the result of <paramref name="map"/>. Others are kept.</summary>
     public static YamlNode Map(YamlNode node, Func<long, long> map)
     {
         if (AssetReference.TryRead(node, out var reference))
@@ -28,7 +28,7 @@ static class LocalReferences
         }
     }
 
-    /// <summary>FileIDs referred to, 0 (none) left out.</summary>
+    /// <summary>Gets the referenced fileIDs, without 0 (none).</summary>
     public static IEnumerable<long> In(YamlNode node)
     {
         if (AssetReference.TryRead(node, out var reference))

@@ -6,13 +6,13 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
-/// <summary>What has to be modified in one object to make another of it: the inverse of <see cref="PropertyPath.Set"/>.</summary>
+/// <summary>Computes the modifications that change one object into another: the inverse of <see cref="PropertyPath.Set"/>.</summary>
 static class Modifications
 {
-    /// <summary>The hierarchy: an instance has its prefab's, plus what hangs itself on it.</summary>
+    /// <summary>Fields of the hierarchy: an instance has its prefab's, plus its added children.</summary>
     static readonly HashSet<string> Structure = new HashSet<string> { "m_GameObject", "m_Component", "m_Father", "m_Children" };
 
-    /// <exception cref="AssetException">Not only values differ but which fields there are: the prefab's file is of an older class.</exception>
+    /// <exception cref="AssetException">The sets of fields differ: the prefab's file is from an older version of the class.</exception>
     public static IEnumerable<Modification> Between(FileObject prefab, YamlMappingNode now)
     {
         return Between(Values(prefab.Fields), Values(now), "", prefab);
@@ -38,7 +38,7 @@ static class Modifications
 
     static IEnumerable<Modification> BetweenFields(YamlMappingNode before, YamlMappingNode now, string path, FileObject prefab)
     {
-        // An element that an instance added has only what was modified in it.
+        // An element added by an instance has only its modified fields.
         var isAdded = path.Contains(".Array.data[") && before.Children.Keys.All(now.Children.ContainsKey);
         if (!isAdded && !before.Children.Keys.SequenceEqual(now.Children.Keys))
             throw prefab.Place.Error(path + " has other fields in its prefab's file; write that anew first");
@@ -54,13 +54,13 @@ static class Modifications
         for (var i = 0; i < now.Children.Count; i++)
         {
             var item = path + ".Array.data[" + Numbers.Write(i) + "]";
-            // Elements that are added begin as copies of the last one; those of an empty list as nothing.
+            // Added elements begin as copies of the last one; those of an empty list are empty.
             var changes = count == 0 ? All(now.Children[i], item) : Between(before.Children[Math.Min(i, count - 1)], now.Children[i], item, prefab);
             foreach (var change in changes) yield return change;
         }
     }
 
-    /// <summary>Every value, but empty texts and references to nothing: those are what there is without them.</summary>
+    /// <summary>Gets all values except empty texts and null references, which are the defaults.</summary>
     public static IEnumerable<Modification> All(YamlNode now, string path)
     {
         if (AssetReference.TryRead(now, out var reference)) return reference.IsNone ? Array.Empty<Modification>() : One(path, "", reference);

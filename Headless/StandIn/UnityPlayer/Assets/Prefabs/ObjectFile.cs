@@ -5,8 +5,8 @@ using Nowpose.UnityPlayer.Assets.Yaml;
 
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
-/// <summary>A prefab or scene as one flat set of objects: its prefab instances are put in, with what is changed in them.</summary>
-/// <remarks>Its objects are never changed after; who needs other fields copies them.</remarks>
+/// <summary>A prefab or scene as one flat set of objects, with its prefab instances inserted and modified.</summary>
+/// <remarks>Its objects are immutable; copy them to change fields.</remarks>
 sealed class ObjectFile
 {
     readonly Dictionary<long, FileObject> _objects;
@@ -21,17 +21,17 @@ sealed class ObjectFile
         _stripped = stripped;
     }
 
-    /// <summary>What errors call it.</summary>
+    /// <summary>Name of the file in errors.</summary>
     public string Name { get; }
 
-    /// <summary>In the order of the file, those of an instance where the instance stands.</summary>
+    /// <summary>The objects in the order of the file; those of an instance are at the instance's position.</summary>
     public IReadOnlyList<FileObject> Objects { get; }
 
     public IReadOnlyList<PrefabInstance> Instances { get; }
 
-    /// <param name="documents">Of the file.</param>
-    /// <param name="name">What errors call it.</param>
-    /// <param name="prefabAt">The prefab of a GUID; throws for any other.</param>
+    /// <param name="documents">Documents of the file.</param>
+    /// <param name="name">Name of the file in errors.</param>
+    /// <param name="prefabAt">Gets the prefab of a GUID; throws for an unknown one.</param>
     public static ObjectFile Read(IReadOnlyList<UnityDocument> documents, string name, Func<string, ObjectFile> prefabAt)
     {
         var expansion = new Expansion(name, prefabAt);
@@ -40,7 +40,7 @@ sealed class ObjectFile
         return new ObjectFile(name, expansion.Objects, expansion.Stripped, expansion.Instances);
     }
 
-    /// <param name="fileId">Of an object of this file or of one of its stripped placeholders.</param>
+    /// <param name="fileId">FileID of an object of this file or of one of its stripped placeholders.</param>
     public FileObject Find(long fileId)
     {
         if (_stripped.TryGetValue(fileId, out var meant)) fileId = meant;

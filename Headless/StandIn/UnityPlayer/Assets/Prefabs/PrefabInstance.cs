@@ -1,12 +1,12 @@
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
-/// <summary>A prefab put into another file: its objects get fileIDs there that Unity computes from the two.</summary>
+/// <summary>A prefab inserted into another file. Unity computes the fileIDs of its objects from those of instance and prefab object.</summary>
 sealed class PrefabInstance
 {
-    /// <summary>Class of the document that says where the instance hangs and what is changed in it.</summary>
+    /// <summary>Class of the document with the parent and the changes of an instance.</summary>
     public const int ClassId = 1001;
 
-    /// <summary>What stands for the prefab as a whole in references to it.</summary>
+    /// <summary>FileID of the prefab as a whole in references to it.</summary>
     public const long PrefabFileId = 100100000;
 
     public PrefabInstance(string file, long fileId, string sourceGuid, ObjectFile source)
@@ -17,13 +17,13 @@ sealed class PrefabInstance
         Source = source;
     }
 
-    /// <summary>The file that it is put into.</summary>
+    /// <summary>The file that contains the instance.</summary>
     public string File { get; }
 
     public long FileId { get; }
     public string SourceGuid { get; }
     public ObjectFile Source { get; }
 
-    /// <summary>The fileID that an object of the prefab has in this file. 0 (no object) stays 0.</summary>
+    /// <summary>Gets the fileID of a prefab's object in this file. 0 (no object) stays 0.</summary>
     public long Map(long sourceFileId) => sourceFileId == 0 ? 0 : (FileId ^ sourceFileId) & long.MaxValue;
 }

@@ -1,6 +1,6 @@
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
-/// <summary>Which object of which prefab an object is an instance of.</summary>
+/// <summary>Identifies the prefab object of which an object is an instance.</summary>
 sealed class PrefabLink
 {
     public PrefabLink(PrefabInstance instance, long sourceFileId)

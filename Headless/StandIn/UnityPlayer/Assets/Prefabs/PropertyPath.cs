@@ -10,21 +10,21 @@ using YamlDotNet.RepresentationModel;
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
 /// <summary>
-/// Changes one value of an object as a modification of a prefab instance says it: <c>m_LocalPosition.x</c>,
+/// Changes one value of an object by the path of a prefab instance's modification: <c>m_LocalPosition.x</c>,
 /// <c>_fingers.Array.size</c>, <c>_fingers.Array.data[1].joint</c>.
 /// </summary>
 static class PropertyPath
 {
-    /// <summary>Marks the elements of a list that was empty in the prefab: what they consist of, only the modifications say.</summary>
+    /// <summary>Marks the elements of a list that is empty in the prefab. Their fields are known only from the modifications.</summary>
     static readonly TagName Open = new TagName("!open");
 
     static readonly Regex Element = new Regex(@"^data\[(\d+)\]\z", RegexOptions.CultureInvariant);
 
-    /// <param name="fields">Of the object; what the path names has to be there already.</param>
-    /// <param name="path">As in the file.</param>
-    /// <param name="value">For a scalar.</param>
-    /// <param name="reference">For a reference.</param>
-    /// <param name="place">For errors.</param>
+    /// <param name="fields">Fields of the object; the path must exist, except in new elements.</param>
+    /// <param name="path">Path as in the file.</param>
+    /// <param name="value">New value of a scalar.</param>
+    /// <param name="reference">New value of a reference.</param>
+    /// <param name="place">Place for errors.</param>
     public static void Set(YamlMappingNode fields, string path, string value, AssetReference reference, Place place)
     {
         var steps = path.Split('.');
@@ -82,7 +82,7 @@ static class PropertyPath
         return index < sequence.Children.Count ? index : throw place.At(index).Error("the list has only " + sequence.Children.Count);
     }
 
-    /// <summary>What is added are copies of the last one.</summary>
+    /// <summary>Sets the size of a list. Added elements are copies of the last one.</summary>
     static void Resize(YamlSequenceNode sequence, string value, Place place)
     {
         if (!int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out var size))

@@ -6,13 +6,13 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Saving;
 
-/// <summary>FileIDs that depend on the hierarchy alone: whoever writes the same objects, on whatever machine, writes the same numbers.</summary>
+/// <summary>Generates fileIDs from the hierarchy alone: the same objects get the same numbers on every machine.</summary>
 sealed class FileIds
 {
     readonly HashSet<long> _taken = new HashSet<long>();
 
-    /// <param name="gameObject">Of any hierarchy.</param>
-    /// <returns>Names from the root down; of equal names among siblings the second and later are counted.</returns>
+    /// <param name="gameObject">An object of any hierarchy.</param>
+    /// <returns>Names from the root down; equal names among siblings are numbered from the second on.</returns>
     public static string PathOf(GameObject gameObject)
     {
         var transform = gameObject.transform;
@@ -27,7 +27,7 @@ sealed class FileIds
         return PathOf(parent.gameObject) + "/" + gameObject.name + (before == 0 ? "" : "#" + before);
     }
 
-    /// <summary>Positive, and not given before.</summary>
+    /// <summary>Gets a positive fileID that was not used before.</summary>
     /// <param name="what">Class, place and, if there are several, number.</param>
     public long Next(string what)
     {

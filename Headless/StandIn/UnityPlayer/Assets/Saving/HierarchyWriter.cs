@@ -8,8 +8,8 @@ using UnityEngine;
 namespace Nowpose.UnityPlayer.Assets.Saving;
 
 /// <summary>
-/// A hierarchy as the text of a prefab or scene, the inverse of <see cref="HierarchyBuilder"/>: each object with all its fields, and what is
-/// an instance of a prefab as that, with what differs.
+/// Writes a hierarchy as the text of a prefab or scene, the inverse of <see cref="HierarchyBuilder"/>: each object with all its fields, and
+/// prefab instances with their changes.
 /// </summary>
 sealed class HierarchyWriter
 {
@@ -26,11 +26,11 @@ sealed class HierarchyWriter
         _given = given;
     }
 
-    /// <param name="assets">What the hierarchy may refer to.</param>
-    /// <param name="roots">One for a prefab.</param>
-    /// <param name="file">What errors call it.</param>
-    /// <param name="given">FileIDs of objects that must have certain ones; null for none.</param>
-    /// <returns>In the order of the hierarchy.</returns>
+    /// <param name="assets">Assets that the hierarchy may refer to.</param>
+    /// <param name="roots">The root objects; one for a prefab.</param>
+    /// <param name="file">Name of the file in errors.</param>
+    /// <param name="given">Required fileIDs of objects; null for none.</param>
+    /// <returns>The documents in the order of the hierarchy.</returns>
     public static IReadOnlyList<UnityDocument> Write(
         LoadedAssets assets, IReadOnlyList<GameObject> roots, string file, IReadOnlyDictionary<Object, long> given = null)
     {

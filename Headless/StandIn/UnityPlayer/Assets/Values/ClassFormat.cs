@@ -4,7 +4,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 
-/// <summary>A [Serializable] class or struct: its fields by name. Unity knows no null here: a value with defaults takes its place.</summary>
+/// <summary>A [Serializable] class or struct: its fields by name. Unity cannot store null here and writes an object with default values.</summary>
 sealed class ClassFormat : IValueFormat
 {
     readonly Type _type;

@@ -5,7 +5,7 @@ using Nowpose.UnityPlayer.Assets.Yaml;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 
-/// <summary>The number of the enum's member. One that no member has (or, with [Flags], no sum of them) is refused.</summary>
+/// <summary>The number of an enum member. A number without a member (with [Flags], without a sum of members) is refused.</summary>
 sealed class EnumFormat : IValueFormat
 {
     readonly Type _type;
@@ -17,7 +17,7 @@ sealed class EnumFormat : IValueFormat
         var text = place.Scalar(node);
         if (!Numbers.TryRead(text, out long number)) throw place.Error("\"" + text + "\" is no number of a " + _type.Name);
         var value = Enum.ToObject(_type, number);
-        // Of an undefined value (flags: with a bit that no member has) nothing but the number can be said.
+        // For an undefined value, or a flag without a member, ToString returns the number.
         if (Numbers.TryRead(value.ToString(), out long _)) throw place.Error(text + " is no member of " + _type.Name);
         return value;
     }

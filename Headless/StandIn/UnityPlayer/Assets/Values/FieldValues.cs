@@ -10,8 +10,8 @@ namespace Nowpose.UnityPlayer.Assets.Values;
 /// <summary>The serialised fields of a C# object, read from named values and written as such.</summary>
 static class FieldValues
 {
-    /// <summary>Fields that the file leaves out keep their values.</summary>
-    /// <exception cref="AssetException">The class has no such serialised field, or the value is none for it.</exception>
+    /// <summary>Sets the fields in the file; the others keep their values.</summary>
+    /// <exception cref="AssetException">The class has no such serialised field, or the value is invalid for it.</exception>
     public static void Read(YamlMappingNode mapping, object target, IReferences references, Place place)
     {
         foreach (var entry in mapping.Children)

@@ -6,7 +6,7 @@ using Nowpose.UnityPlayer.Assets.Yaml;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 
-/// <summary>An array or a List: each item below a dash; none at all is <c>[]</c>, which null becomes too.</summary>
+/// <summary>An array or a List: each item after a dash. An empty list or null is <c>[]</c>.</summary>
 sealed class ListFormat : IValueFormat
 {
     readonly Type _type;

@@ -2,7 +2,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 
-/// <summary>Where in a file something stands, as errors say it: <c>Arm.prefab &amp;12 Light.m_Color</c>.</summary>
+/// <summary>A place in a file, as named in errors: <c>Arm.prefab &amp;12 Light.m_Color</c>.</summary>
 readonly struct Place
 {
     readonly string _text;

@@ -33,7 +33,7 @@ static class ValueFormats
 
     static readonly ConcurrentDictionary<Type, IValueFormat> Composed = new ConcurrentDictionary<Type, IValueFormat>();
 
-    /// <exception cref="NotSupportedException">Unity would write it, this code cannot yet.</exception>
+    /// <exception cref="NotSupportedException">Unity supports the type, but this code does not.</exception>
     public static IValueFormat For(Type type)
     {
         return Simple.TryGetValue(type, out var format) ? format : Composed.GetOrAdd(type, Compose);
@@ -42,13 +42,13 @@ static class ValueFormats
     static IValueFormat Compose(Type type)
     {
         var item = type.IsArray ? type.GetElementType() : SerializedFields.IsList(type) ? type.GetGenericArguments()[0] : null;
-        // Unity packs the integers of a list into one string of hex digits; nothing here needs that.
+        // Unity packs the integers of a list into one string of hex digits, which is not needed here.
         if (item != null && item.IsPrimitive && item != typeof(float) && item != typeof(double))
             throw new NotSupportedException("a list of " + item.Name + " cannot be read or written yet");
         if (item != null) return new ListFormat(type, item);
         if (type.IsEnum) return new EnumFormat(type);
         if (typeof(Object).IsAssignableFrom(type)) return new ReferenceFormat(type);
-        // The engine's structs that are left have formats of their own in Unity's files.
+        // The remaining engine structs have their own formats in Unity's files.
         if (SerializedFields.IsNested(type) && !(type.IsValueType && type.Assembly == typeof(Object).Assembly)) return new ClassFormat(type);
         throw new NotSupportedException("a " + type.FullName + " cannot be read or written yet");
     }

@@ -3,16 +3,16 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
-/// <summary>A field that refers to an object: <c>{fileID: N}</c> in the same file, <c>{fileID: N, guid: G, type: T}</c> in another.</summary>
+/// <summary>A reference to an object: <c>{fileID: N}</c> in the same file, <c>{fileID: N, guid: G, type: T}</c> in another.</summary>
 readonly struct AssetReference : IEquatable<AssetReference>
 {
-    /// <summary>Type of what Unity has built in.</summary>
+    /// <summary>Type of Unity's built-in assets.</summary>
     public const int BuiltIn = 0;
 
-    /// <summary>Type of an asset that Unity keeps as it is: a material, a ScriptableObject.</summary>
+    /// <summary>Type of an asset in Unity's own format: a material, a ScriptableObject.</summary>
     public const int Native = 2;
 
-    /// <summary>Type of what an importer made: a script, a prefab, a shader.</summary>
+    /// <summary>Type of an importer's result: a script, a prefab, a shader.</summary>
     public const int Imported = 3;
 
     public AssetReference(long fileId, string guid = null, int type = 0)
@@ -33,7 +33,7 @@ readonly struct AssetReference : IEquatable<AssetReference>
 
     public bool IsNone => FileId == 0 && Guid == null;
 
-    /// <summary>False unless the node has exactly the form of a reference.</summary>
+    /// <summary>Reads a reference. Returns false if the node does not have exactly that form.</summary>
     public static bool TryRead(YamlNode node, out AssetReference reference)
     {
         reference = default;

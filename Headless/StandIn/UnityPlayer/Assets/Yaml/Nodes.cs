@@ -4,18 +4,18 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
-/// <summary>Makes nodes in the layout that Unity gives them.</summary>
+/// <summary>Creates nodes in Unity's layout.</summary>
 static class Nodes
 {
     public static YamlScalarNode Text(string value) => new YamlScalarNode(value);
 
     public static YamlScalarNode Number(long value) => Text(Numbers.Write(value));
 
-    /// <summary>In braces on one line.</summary>
+    /// <summary>Creates a mapping in braces on one line.</summary>
     public static YamlMappingNode Braces(params (string Name, YamlNode Value)[] entries) =>
         Fill(new YamlMappingNode { Style = MappingStyle.Flow }, entries);
 
-    /// <summary>One line for each entry.</summary>
+    /// <summary>Creates a mapping with one line per entry.</summary>
     public static YamlMappingNode Lines(params (string Name, YamlNode Value)[] entries) =>
         Fill(new YamlMappingNode { Style = MappingStyle.Block }, entries);
 
@@ -26,7 +26,7 @@ static class Nodes
         return mapping.Children.TryGetValue(new YamlScalarNode(name), out var value) ? value : null;
     }
 
-    /// <summary>A copy that shares nothing that can be changed.</summary>
+    /// <summary>Creates a deep copy.</summary>
     public static YamlNode Copy(YamlNode node)
     {
         switch (node)

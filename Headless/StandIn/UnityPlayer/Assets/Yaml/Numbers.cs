@@ -2,14 +2,14 @@ using System.Globalization;
 
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
-/// <summary>Numbers as Unity's files have them, whatever the machine's language.</summary>
+/// <summary>Numbers in the format of Unity's files, independent of the machine's language.</summary>
 static class Numbers
 {
     public static string Write(long value) => value.ToString(CultureInfo.InvariantCulture);
 
     public static string Write(ulong value) => value.ToString(CultureInfo.InvariantCulture);
 
-    /// <summary>The shortest text that reads back as the same value; exponents as <c>1e-7</c>.</summary>
+    /// <summary>Gets the shortest text that reads back as the same value, with exponents as <c>1e-7</c>.</summary>
     public static string Write(float value) => Exponent(value.ToString("R", CultureInfo.InvariantCulture));
 
     /// <inheritdoc cref="Write(float)"/>

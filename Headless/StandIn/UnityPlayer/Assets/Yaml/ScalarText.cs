@@ -6,8 +6,8 @@ using YamlDotNet.RepresentationModel;
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
 /// <summary>
-/// One scalar as Unity writes it: plain where that reads back the same, else in single quotes, in double quotes with escapes where it has
-/// line breaks or letters beyond ASCII (Unity decodes those nowhere else). Long text goes on below at the first blank after column 80.
+/// Writes one scalar like Unity: plain if that reads back the same, otherwise in single quotes, or in double quotes with escapes if it has
+/// line breaks or letters beyond ASCII (Unity decodes those nowhere else). Long text is wrapped at the first blank after column 80.
 /// </summary>
 static class ScalarText
 {
@@ -17,12 +17,12 @@ static class ScalarText
     static readonly Regex NotPlain = new Regex(@"^-(?: |\z)|^---|[{}\[\],#&*|>'""%@`]|: |:\z|\t", RegexOptions.CultureInvariant);
     static readonly Regex Printable = new Regex(@"^[ -~]*\z", RegexOptions.CultureInvariant);
 
-    /// <summary>What C# calls the field behind a property: the one thing in angle brackets that Unity leaves plain, as a name and in paths.</summary>
+    /// <summary>The compiler's name of the field behind a property. It is the only text with angle brackets that Unity writes plain.</summary>
     static readonly Regex BackingField = new Regex(@"^<\w+>k__BackingField[\w.\[\]]*\z", RegexOptions.CultureInvariant);
 
-    /// <param name="text">Ends with what stands before the scalar on its line.</param>
-    /// <param name="scalar">Its style is chosen here, not taken from it.</param>
-    /// <param name="continuation">Indent of further lines.</param>
+    /// <param name="text">Text so far, up to the scalar on its line.</param>
+    /// <param name="scalar">The scalar. Its style is chosen here.</param>
+    /// <param name="continuation">Indent of continuation lines.</param>
     public static void Append(StringBuilder text, YamlScalarNode scalar, int continuation)
     {
         var value = scalar.Value ?? "";
@@ -59,7 +59,7 @@ static class ScalarText
             else
             {
                 NewLine(text, continuation);
-                // A reader drops the blanks that a line begins with, unless the first of them is escaped.
+                // A reader drops the blanks at the start of a line unless the first one is escaped.
                 if (value[i + 1] == ' ') text.Append('\\');
             }
         }

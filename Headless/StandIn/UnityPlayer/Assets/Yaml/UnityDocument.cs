@@ -22,7 +22,7 @@ sealed class UnityDocument
 
     public YamlMappingNode Fields { get; }
 
-    /// <summary>A placeholder for an object of a prefab instance: it says which one, and has no fields of its own.</summary>
+    /// <summary>Whether it is a placeholder for an object of a prefab instance, which identifies the object and has no fields of its own.</summary>
     public bool IsStripped { get; }
 
     public override string ToString() => "&" + Numbers.Write(FileId) + " " + ClassName;

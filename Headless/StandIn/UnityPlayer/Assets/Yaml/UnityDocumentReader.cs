@@ -7,8 +7,8 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
-/// <summary>Takes a text asset of Unity apart into its objects.</summary>
-/// <remarks>Unity's document heads (<c>stripped</c> after the anchor, one tag prefix for all) are not YAML; what is below each of them is.</remarks>
+/// <summary>Splits a Unity text asset into its objects.</summary>
+/// <remarks>Unity's document headers (<c>stripped</c> after the anchor, one tag prefix for all) are not valid YAML; their contents are.</remarks>
 static class UnityDocumentReader
 {
     const string Header = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n";
@@ -16,9 +16,9 @@ static class UnityDocumentReader
     static readonly Regex Heads = new Regex(@"^--- !u!(\d+) &(-?\d+)( stripped)?$", RegexOptions.Multiline | RegexOptions.CultureInvariant);
     static readonly Regex DocumentStarts = new Regex("^---", RegexOptions.Multiline | RegexOptions.CultureInvariant);
 
-    /// <param name="text">The whole file, lines ended by LF or CR LF.</param>
-    /// <param name="file">What errors call it.</param>
-    /// <exception cref="AssetException">Not a file that Unity reads: a broken head, broken YAML, a fileID used twice.</exception>
+    /// <param name="text">The whole file, with LF or CR LF line ends.</param>
+    /// <param name="file">Name of the file in errors.</param>
+    /// <exception cref="AssetException">Not a file that Unity can read: an invalid header, invalid YAML, or a duplicate fileID.</exception>
     public static IReadOnlyList<UnityDocument> Read(string text, string file)
     {
         text = text.Replace("\r\n", "\n");

@@ -6,7 +6,7 @@ using YamlDotNet.RepresentationModel;
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
 /// <summary>
-/// Objects as the text that Unity writes: two blanks a level, a sequence's dashes at its own field's indent, references and vectors in
+/// Writes objects in Unity's text format: two blanks per level, a sequence's dashes at its own field's indent, references and vectors in
 /// braces on one line, an empty scalar as <c>name: </c>.
 /// </summary>
 sealed class UnityDocumentWriter
