@@ -62,7 +62,7 @@ public sealed class MetaFileTests
     public void Format_OfAUrdf_NamesThePackagesImporter()
     {
         var package = Path.Combine(ProjectRoot.Find(TestContext.CurrentContext.TestDirectory), "Packages", "com.nowpose.mril");
-        var importer = new MetaFile(File.ReadAllText(Path.Combine(package, "Editor", "Import", "UrdfImporter.cs.meta"))).AssetGuid;
+        var importer = new MetaFile(File.ReadAllText(Path.Combine(package, "Editor", "UrdfImporter.cs.meta"))).AssetGuid;
         var script = $"\n  script: {{fileID: 11500000, guid: {importer}, type: 3}}\n";
 
         Assert.That(MetaFile.Format(new AssetEntry("Assets/a.urdf", IsFolder: false), Guid), Does.Contain(script));

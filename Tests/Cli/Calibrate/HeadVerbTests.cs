@@ -30,7 +30,7 @@ public sealed class HeadVerbTests : CalibrationFolder
     [Test]
     public async Task Head_RenderedPictures_FindsLatencyAndLVisuSeparatelyAndKeepsTheStillLVisu()
     {
-        var pictures = await TakenAsync("moving", "--pictures", "76", "--head-latency-ms", "2");
+        var pictures = await TakenAsync("moving", "--pictures", "120", "--head-latency-ms", "2");
 
         var run = await CliRun.OfAsync(
             "calibrate", "head", pictures, "--profile", SavedProfile(), "--reprojection", "depth", "--out", Out, "--json");
