@@ -10,7 +10,7 @@ sealed class PathCell
     const double ErrorFactor = 1.2;
 
     /// <summary>Minimum of the limit on the skew's deviation from its previous value, ppm.</summary>
-    const double LeastMaxSkewPpm = 5;
+    const double MinSkewLimitPpm = 5;
 
     /// <summary>
     /// Maximum deviation of the skew relative to that without a change. Once the minimum delays of both directions have changed, the exchanges
@@ -47,7 +47,7 @@ sealed class PathCell
 
     double MaxErrorMs => (ErrorFactor * _physicsMs) + _ownErrorMs;
 
-    double MaxSkewPpm => Math.Max(LeastMaxSkewPpm, SkewFactor * _ownSkewPpm);
+    double MaxSkewPpm => Math.Max(MinSkewLimitPpm, SkewFactor * _ownSkewPpm);
 
     /// <summary>One line for each missed limit; empty if all limits are kept.</summary>
     public IEnumerable<string> Missed

@@ -18,7 +18,7 @@ static class DemoVerb
         "--network", "Simulated network between gateway and headset", "wifi", [.. NetworkProfile.All.Select(profile => profile.Name)]);
     static readonly Option<string> Robot = new("--robot")
     {
-        Description = "youbot, ur5, ur3e, ur5e, ur10e, ur16e or a .urdf file",
+        Description = RobotFiles.Names + " or a .urdf file",
         DefaultValueFactory = _ => "youbot",
     };
     static readonly Option<string> Recording = new("--recording")

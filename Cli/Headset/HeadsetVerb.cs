@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.Net;
 using Nowpose.Cli.Demo;
 using Nowpose.Gateway.Options;
+using Nowpose.Gateway.Plants;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Protocol;
@@ -29,7 +30,7 @@ static class HeadsetVerb
         Description = "Allow plain connections to another machine: on a trusted network only",
     };
     static readonly Option<string> Name = new("--name") { Description = "This headset's name", DefaultValueFactory = _ => "headless" };
-    static readonly Option<string> Robot = new("--robot") { Description = "youbot, ur5, ur3e, ur5e, ur10e, ur16e or a .urdf file [default: as the gateway describes it]" };
+    static readonly Option<string> Robot = new("--robot") { Description = RobotFiles.Names + " or a .urdf file [default: as the gateway describes it]" };
     static readonly Option<string> Predictor = PredictorOption.Create();
     static readonly Option<double> Visualisation = NumberOption.Create("--visu-ms", "Display latency that the runtime is told", 40.0, 0, 500, "ms");
     static readonly Option<double> FramesPerSecond = NumberOption.Create("--fps", "Frames a second", 60.0, 1, 240, "Hz");

@@ -10,7 +10,7 @@ static class KinematicsVerb
 {
     public static Command Create()
     {
-        var file = new Argument<string>("FILE.urdf") { Description = "The robot: a URDF, or youbot, ur5, ur3e, ur5e, ur10e or ur16e." };
+        var file = new Argument<string>("FILE.urdf") { Description = $"The robot: a URDF, or one of {RobotFiles.Names}." };
         var joints = new Option<string>("--joints")
         {
             Description = "Joint values in rad (prismatic: m), as in a=0.1,b=-0.2; others are 0, mimic joints follow their masters unless given.",

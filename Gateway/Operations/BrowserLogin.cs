@@ -12,8 +12,7 @@ sealed class BrowserLogin(GatewayOptions options, Door door, ConnectionCounters 
     /// <summary>POST /operations/login: {"token": …}.</summary>
     public async Task LogInAsync(HttpContext context)
     {
-        if (await RefuseBlockedAsync(context))
-            return;
+        if (await RefuseBlockedAsync(context)) return;
         if (!options.AsksForTokens)
             await RefuseAsync(context, StatusCodes.Status400BadRequest, "this gateway asks for no token");
         // The address may have been blocked by other requests while the body was being received.
@@ -38,13 +37,8 @@ sealed class BrowserLogin(GatewayOptions options, Door door, ConnectionCounters 
         return SmallJson.AnswerAsync(context, new { });
     }
 
-    async Task<bool> RefuseBlockedAsync(HttpContext context)
-    {
-        var blocked = _wrong.BlockedFor(context.Connection.RemoteIpAddress);
-        if (blocked == TimeSpan.Zero) return false;
-        await Door.RefuseForNowAsync(context, blocked, "too many wrong tokens; wait a minute");
-        return true;
-    }
+    Task<bool> RefuseBlockedAsync(HttpContext context) =>
+        Door.RefuseBlockedAsync(context, _wrong, "too many wrong tokens; wait a minute");
 
     Task WelcomeAsync(HttpContext context, string token, Role role)
     {

@@ -22,13 +22,8 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, Door door, 
             await ExchangeAsync(context, token, name);
     }
 
-    async Task<bool> RefuseBlockedAsync(HttpContext context)
-    {
-        var blocked = _wrong.BlockedFor(context.Connection.RemoteIpAddress);
-        if (blocked == TimeSpan.Zero) return false;
-        await Door.RefuseForNowAsync(context, blocked, $"more than {PairingLimits.WrongCodesPerMinute} wrong codes in a minute");
-        return true;
-    }
+    Task<bool> RefuseBlockedAsync(HttpContext context) =>
+        Door.RefuseBlockedAsync(context, _wrong, $"more than {PairingLimits.WrongCodesPerMinute} wrong codes in a minute");
 
     Task ExchangeAsync(HttpContext context, string token, string name)
     {

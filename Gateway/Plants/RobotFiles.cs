@@ -7,6 +7,9 @@ public static class RobotFiles
 {
     static readonly string[] Included = ["youbot", "ur5", "ur3e", "ur5e", "ur10e", "ur16e"];
 
+    /// <summary>The names of the included robots, for option help and messages.</summary>
+    public static string Names { get; } = string.Join(", ", Included);
+
     /// <summary>Whether the name is that of an included robot.</summary>
     public static bool IsIncluded(string name) => Included.Contains(name);
 
@@ -44,5 +47,5 @@ public static class RobotFiles
         }
     }
 
-    static string Allowed => string.Join(", ", Included) + " or the path of a .urdf file is needed";
+    static string Allowed => Names + " or the path of a .urdf file is needed";
 }

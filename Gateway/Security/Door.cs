@@ -77,6 +77,15 @@ sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters 
         return AnswerAsync(context, StatusCodes.Status429TooManyRequests, text);
     }
 
+    /// <summary>Whether the address of a request has sent too many wrong tokens or codes. If so, the request was answered.</summary>
+    public static async Task<bool> RefuseBlockedAsync(HttpContext context, WrongTokens wrong, string text)
+    {
+        var blocked = wrong.BlockedFor(context.Connection.RemoteIpAddress);
+        if (blocked == TimeSpan.Zero) return false;
+        await RefuseForNowAsync(context, blocked, text);
+        return true;
+    }
+
     // Known tokens are accepted before this, also from an address with many wrong ones.
     async Task RefuseTokenAsync(HttpContext context)
     {

@@ -24,8 +24,6 @@ sealed class WrongTokens(TimeProvider time)
     // Sorted by their last attempt, the oldest first.
     readonly LinkedList<Address> _order = [];
 
-    public bool IsBlocked(IPAddress address) => BlockedFor(address) > TimeSpan.Zero;
-
     /// <summary>Gets the remaining time for which an address is blocked; zero if it is not.</summary>
     public TimeSpan BlockedFor(IPAddress address)
     {

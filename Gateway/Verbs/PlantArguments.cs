@@ -9,7 +9,7 @@ sealed class PlantArguments
 {
     readonly Option<string> _robot = new("--robot")
     {
-        Description = "youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path of a .urdf file",
+        Description = RobotFiles.Names + " or the path of a .urdf file",
         HelpName = "ROBOT",
         DefaultValueFactory = _ => "youbot",
     };

@@ -17,7 +17,7 @@ static class ServeVerb
         var server = new ServerArguments();
         var robot = new Option<string>("--robot")
         {
-            Description = "Robot description to hand to headsets: youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path of a .urdf file [default: a source sends it]",
+            Description = $"Robot description to hand to headsets: {RobotFiles.Names} or the path of a .urdf file [default: a source sends it]",
             HelpName = "ROBOT",
         };
         var controlClock = new Option<string>("--clock")

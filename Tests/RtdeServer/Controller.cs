@@ -34,7 +34,7 @@ sealed class Controller
         _started = Stopwatch.GetTimestamp();
     }
 
-    /// <summary>What the controller's clock shows now, s.</summary>
+    /// <summary>Present time of the controller's clock, s.</summary>
     public double Now => _uptimeSeconds + Stopwatch.GetElapsedTime(_started).TotalSeconds * _rate;
 
     /// <summary>How long this machine has to wait until the clock shows a time.</summary>

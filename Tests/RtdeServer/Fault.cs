@@ -1,6 +1,6 @@
 namespace Nowpose.RtdeServer;
 
-/// <summary>What the server can do wrong, by the names of the command line.</summary>
+/// <summary>Faults that the server can simulate, by their names on the command line.</summary>
 enum Fault
 {
     None,

@@ -10,7 +10,7 @@ sealed class RtdeClient : IDisposable
     const int HeaderSize = 3;
     const byte OutputRecipe = 1;
 
-    /// <summary>A client that takes nothing for so long is gone.</summary>
+    /// <summary>Timeout after which a client that does not read counts as gone.</summary>
     const int SendTimeoutMs = 1000;
 
     readonly Socket _socket;

@@ -5,7 +5,7 @@ namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 /// <summary>Where a plant truly is, on a clock that only it has.</summary>
 interface IPlantTruth
 {
-    /// <summary>What its clock shows at a moment on this machine's counter.</summary>
+    /// <summary>The plant's clock at a moment on this machine's counter.</summary>
     ControlTime TimeAt(HeadsetTime headset);
 
     /// <summary>Where its joints are at a time of its clock.</summary>

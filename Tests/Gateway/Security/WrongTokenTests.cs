@@ -48,7 +48,7 @@ public class WrongTokenTests
 
         for (var i = 0; i < PairingLimits.WrongCodesPerMinute; i++) wrong.Count(IPAddress.Parse(guessing));
 
-        Assert.That(wrong.IsBlocked(IPAddress.Parse(other)), Is.EqualTo(isBlocked));
+        Assert.That(wrong.BlockedFor(IPAddress.Parse(other)) > TimeSpan.Zero, Is.EqualTo(isBlocked));
     }
 
     [Test]
@@ -85,13 +85,13 @@ public class WrongTokenTests
         for (var i = 0; i < 3 * WrongTokens.MaxAddresses; i++)
         {
             wrong.Count(new IPAddress([10, 1, (byte)(i >> 8), (byte)i]));
-            if (i % 500 == 0) Assert.That(wrong.IsBlocked(trying), Is.True, $"after {i} others");
+            if (i % 500 == 0) Assert.That(wrong.BlockedFor(trying) > TimeSpan.Zero, Is.True, $"after {i} others");
         }
 
         Block(newest);
         for (var i = 0; i < WrongTokens.MaxAddresses - 1; i++) wrong.Count(new IPAddress([10, 2, (byte)(i >> 8), (byte)i]));
-        Assert.That(wrong.IsBlocked(newest), Is.True, "only the oldest make room");
-        Assert.That(wrong.IsBlocked(silent), Is.False);
+        Assert.That(wrong.BlockedFor(newest) > TimeSpan.Zero, Is.True, "only the oldest make room");
+        Assert.That(wrong.BlockedFor(silent) > TimeSpan.Zero, Is.False);
     }
 
     [Test]

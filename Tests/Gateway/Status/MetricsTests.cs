@@ -108,7 +108,7 @@ public class MetricsTests
     }
 
     [Test]
-    public void Of_AJointAtRest_SaysWhetherThatIsCertain()
+    public void Of_JointAtRest_HasItsUncertainty()
     {
         JointView Rest(string name, string uncertain) => new(name, "press", "rest", "2026-11-20T12:00:00.000Z", 5, 0, "no change is reported", uncertain);
         var state = Snapshot() with { Joints = [Rest("sure", null), Rest("doubtful", "the stop itself was not observed")] };

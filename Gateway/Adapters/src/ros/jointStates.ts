@@ -2,7 +2,7 @@ import type { PlantClock } from '../clock/plantClock';
 import { shown } from '../configuration/problem';
 import { JOINT_STATES, jointState } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
-import { EndOfData, FLOOR_LINEAR, FLOOR_ROTARY } from '../samples/endOfData';
+import { decelerationFloor, EndOfData } from '../samples/endOfData';
 import type { Silence } from '../samples/silence';
 import { StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
@@ -78,7 +78,7 @@ export class JointStates {
       this.status.accept(joint);
       this.silence.heard(joint);
       let end = this.#ends.get(joint);
-      if (end === undefined) this.#ends.set(joint, end = new EndOfData(isLinear ? FLOOR_LINEAR : FLOOR_ROTARY));
+      if (end === undefined) this.#ends.set(joint, end = new EndOfData(decelerationFloor(isLinear)));
       end.add(stamp!, position * scale + offset);
       this.#judged.delete(joint);
     }

@@ -12,7 +12,7 @@ export async function run(context: AdapterContext): Promise<void> {
   const { configuration, status, log, stopping } = context;
   const settings = settingsOf(configuration), backoff = new Backoff();
   let fields = fieldsOf(settings.source);
-  log.line('RTDE is neither encrypted nor authenticated: whoever reaches this network can read the robot and pose as it');
+  log.line('RTDE is neither encrypted nor authenticated: anyone with access to this network can read the robot and pose as it');
   status.detail('endpoint', at(settings));
   status.detail('security', 'none');
   status.enter('connecting');

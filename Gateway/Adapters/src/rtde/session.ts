@@ -81,7 +81,7 @@ export class RtdeSession {
   // A controller accepts few clients, and test servers only one.
   #because(error: Error): Error {
     if (error instanceof RefusalError)
-      return this.#isReading ? new Error(`the stream of ${at(this.settings)} is damaged; reading begins anew, check the robot's network if this goes on`) : error;
+      return this.#isReading ? new Error(`the stream of ${at(this.settings)} is damaged; reading starts again, check the robot's network if this goes on`) : error;
     const then = this.#isReading ? '; see whether the controller was switched off or restarted, reading goes on when it answers'
       : ' before it answered; if other programs read this robot over RTDE, end one of them';
     return new Error(error.message + then);
@@ -185,13 +185,13 @@ export class RtdeSession {
   #hearData(payload: Buffer, arrived: Nanoseconds): void {
     const cycle = this.#recipe.decode(payload);
     if (typeof cycle === 'string')
-      return this.#fail(new Error(`${at(this.settings)} sends ${cycle}; reading begins anew, update the controller if this goes on`));
+      return this.#fail(new Error(`${at(this.settings)} sends ${cycle}; reading starts again, update the controller if this goes on`));
     this.#lastMs = performance.now();
     const { context: { status } } = this, before = this.#timestamp;
     if (before !== null && cycle.timestamp <= before) {
       if (before - cycle.timestamp <= RESTART_S) return status.count('stamp-not-newer');
       return this.#fail(new Error(`the controller was restarted: its time went from ${before.toFixed(1)} s back to ${cycle.timestamp.toFixed(1)} s; `
-        + 'reading begins anew'));
+        + 'reading starts again'));
     }
     this.#timestamp = cycle.timestamp;
     const stamp = ofFraction(cycle.timestamp, 's');
@@ -247,6 +247,6 @@ export class RtdeSession {
 
   #tellStep(by: Nanoseconds): void {
     this.context.log.change('controller clock', 'stepped', `the controller's clock contradicts what it showed before, by ${(Number(by) / 1e6).toFixed(1)} ms; `
-      + 'it is measured anew');
+      + 'it is measured again');
   }
 }

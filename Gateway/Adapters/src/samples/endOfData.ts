@@ -37,7 +37,9 @@ const GOES_ON_S = 0.3, GOES_ON_STEPS = 3;
 const STOPPED_NEAR = 0.25;
 
 /** Assumed deceleration capability of every joint: rad/s², and m/s² for a length. A third of a hard emergency stop. */
-export const FLOOR_ROTARY = 12, FLOOR_LINEAR = 3;
+const FLOOR_ROTARY = 12, FLOOR_LINEAR = 3;
+
+export const decelerationFloor = (isLinear = false): number => isLinear ? FLOOR_LINEAR : FLOOR_ROTARY;
 
 interface Point {
   /** Seconds since the first sample of the joint. */

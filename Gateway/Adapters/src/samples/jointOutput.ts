@@ -4,7 +4,7 @@ import { JOINT_STATES, jointState } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
 import { shown } from '../configuration/problem';
 import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
-import { EndOfData, FLOOR_LINEAR, FLOOR_ROTARY, type LimitBasis } from './endOfData';
+import { decelerationFloor, EndOfData, type LimitBasis } from './endOfData';
 import { grouped, type Sample } from './grouping';
 import { Silence } from './silence';
 import { type Refusal, StampRule } from './stampRule';
@@ -82,7 +82,7 @@ export class JointOutput {
   ) {
     this.#rule = new StampRule(joints.length, options.oldest);
     this.#standing = new Standing(joints.length);
-    this.#ends = joints.map(joint => new EndOfData(joint.isLinear === true ? FLOOR_LINEAR : FLOOR_ROTARY, joint.maxDeceleration ?? null));
+    this.#ends = joints.map(joint => new EndOfData(decelerationFloor(joint.isLinear), joint.maxDeceleration ?? null));
     const limits = new Map(joints.map(joint => [joint.joint, joint.faultAfterMs ?? null]));
     this.silence = new Silence(status, joint => (limits.has(joint) ? limits.get(joint) : options.faultAfterMs) ?? null, counter);
   }

@@ -175,8 +175,8 @@ describe('rtde adapter', { concurrency: 4 }, () => {
   });
 
   for (const [what, bytes, text] of [
-    ['WithBytesThatAreNone', Buffer.alloc(64), /waiting: the stream of .* is damaged; reading begins anew/],
-    ['WithAPackageOfAnotherSize', packageOf('U', byte(1), 'short'), /sends a data package of 6 bytes where the recipe has \d+; reading begins anew/],
+    ['WithBytesThatAreNone', Buffer.alloc(64), /waiting: the stream of .* is damaged; reading starts again/],
+    ['WithAPackageOfAnotherSize', packageOf('U', byte(1), 'short'), /sends a data package of 6 bytes where the recipe has \d+; reading starts again/],
   ])
     it(`Stream_${what}_IsReadAnew`, async t => {
       const { bridge, robot, adapter } = await cell(t);

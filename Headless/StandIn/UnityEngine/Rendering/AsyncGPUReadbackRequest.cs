@@ -13,7 +13,7 @@ public struct AsyncGPUReadbackRequest
 
     public readonly bool done => IsPast || _readback.Done;
 
-    /// <summary>Also true if it was finished so long ago that its data have been discarded.</summary>
+    /// <summary>Also true once the data of a finished request have been discarded.</summary>
     public readonly bool hasError => IsPast || _readback.Failed;
 
     readonly bool IsPast => _readback == null || _readback.Number != _number;

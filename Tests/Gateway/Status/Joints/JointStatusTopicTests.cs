@@ -42,7 +42,7 @@ public class JointStatusTopicTests
     }
 
     [Test]
-    public void Publish_RestThatIsNotCertain_SaysSoInItsReason()
+    public void Publish_UncertainRest_ReasonNamesTheUncertainty()
     {
         _topic.Publish([Joint("b", JointDataState.Rest, "no change is reported") with { Uncertainty = "the stop itself was not observed" }]);
 

@@ -6,12 +6,12 @@ namespace Nowpose.Latency
     public static class LatencyProfileFile
     {
         /// <summary>Maximum file size. A profile has about 400 bytes, so a much larger file is something else.</summary>
-        const int GreatestBytes = 64 * 1024;
+        const int MaxBytes = 64 * 1024;
 
         const string What = "latency profile";
 
         /// <exception cref="InputException">The file cannot be read or is not a usable profile; the message names it in one line.</exception>
-        public static LatencyProfile Load(string path) => LatencyProfileJson.Read(WholeFile.Read(path, GreatestBytes, What), path);
+        public static LatencyProfile Load(string path) => LatencyProfileJson.Read(WholeFile.Read(path, MaxBytes, What), path);
 
         /// <summary>Writes a temporary file in the same folder, flushes it to the disk, and then replaces the old file with it.</summary>
         /// <param name="path">The folder is created when it does not exist.</param>

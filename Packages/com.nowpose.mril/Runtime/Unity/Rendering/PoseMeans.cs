@@ -3,10 +3,10 @@ namespace Nowpose.Unity.Rendering
     /// <summary>How a material can show that a pose is not current.</summary>
     enum PoseMeans
     {
-        /// <summary>Its shader declares <c>_Fade</c> and <c>_Hatch</c>.</summary>
+        /// <summary>The shader declares <c>_Fade</c> and <c>_Hatch</c>.</summary>
         Pattern,
 
-        /// <summary>It is blended by its alpha (according to <c>_SrcBlend</c> or its tag), and its shader has a colour.</summary>
+        /// <summary>The material is blended by its alpha (according to <c>_SrcBlend</c> or its tag), and the shader has a colour.</summary>
         Alpha,
 
         /// <summary>Neither: the part is drawn with another material, or hidden.</summary>
