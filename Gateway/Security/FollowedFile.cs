@@ -49,16 +49,22 @@ sealed class FollowedFile<T>
     {
         try
         {
-            _value = _read(out var fault);
+            var value = _read(out var fault);
+            if (IsChangedSince(stamps)) return;
+            _value = value;
             _stamps = stamps;
             Tell(fault, "; what else it says holds");
         }
         catch (InputException fault)
         {
+            if (IsChangedSince(stamps)) return;
             // Read again on the next access, because it may only have been locked.
             Tell(fault.Message, "; what it said before goes on, also what was removed from it");
         }
     }
+
+    // A file that changed while it was read may have been read empty or in part. It is read again when it has settled.
+    bool IsChangedSince(Stamp[] stamps) => !Stamps().AsSpan().SequenceEqual(stamps);
 
     void Tell(string fault, string consequence)
     {

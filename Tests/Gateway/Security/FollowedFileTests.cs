@@ -1,0 +1,44 @@
+using Nowpose.Gateway.Security;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Security;
+
+public class FollowedFileTests
+{
+    readonly List<string> _log = [];
+    string _path;
+
+    [SetUp]
+    public void SetUp()
+    {
+        _log.Clear();
+        _path = Path.GetTempFileName();
+        File.WriteAllText(_path, "first");
+    }
+
+    [TearDown]
+    public void TearDown() => File.Delete(_path);
+
+    /// <summary>An editor truncates the file and then writes it. What was read in between is neither used nor reported.</summary>
+    [TestCase("")]
+    [TestCase("half a ", "the file ends too early")]
+    public void File_WrittenDuringTheReading_IsReadAgain(string meanwhile, string fault = null)
+    {
+        var isBeingWritten = false;
+        var file = new FollowedFile<string>([_path], (out string part) =>
+        {
+            part = null;
+            var text = File.ReadAllText(_path);
+            if (!isBeingWritten) return text;
+            isBeingWritten = false;
+            File.WriteAllText(_path, "the whole second text");
+            return fault == null ? text : throw new InputException(fault);
+        }, TimeSpan.Zero, _log.Add);
+        File.WriteAllText(_path, meanwhile);
+        isBeingWritten = true;
+
+        Assert.That(file.Current, Is.EqualTo("first"), "read while it was written");
+        Assert.That(file.Current, Is.EqualTo("the whole second text"));
+        Assert.That(_log, Is.Empty);
+    }
+}
