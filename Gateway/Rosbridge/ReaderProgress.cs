@@ -7,9 +7,6 @@ sealed class ReaderProgress : IDisposable
 {
     const int PayloadBytes = sizeof(long);
 
-    /// <summary>Minimum read rate. A slower client may be closed while a long message is being sent to it.</summary>
-    const double MinBytesPerSecond = 3000;
-
     /// <summary>Time from the message that makes a ping due to the ping.</summary>
     /// <remarks>A sample goes to all clients at once. Immediate pings and their pongs delayed the sample for the last clients.</remarks>
     internal static readonly TimeSpan PingDelay = TimeSpan.FromMilliseconds(5);
@@ -24,17 +21,22 @@ sealed class ReaderProgress : IDisposable
     readonly SendWindow _window = new();
     readonly long _start;
     readonly ITimer _delayedPing;
+    readonly Action _unanswered;
     // At most one ping is outstanding at a time.
     readonly byte[] _payload = new byte[PayloadBytes];
     bool _isPingPlanned;
+    bool _isUnansweredReported;
     // Null while no message waits.
     TaskCompletionSource _changed;
     TimeSpan _lastPing;
     TimeSpan _lastReceived;
 
     /// <param name="sendPing">Sends a ping with a payload after everything that was sent before.</param>
-    public ReaderProgress(Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan pingInterval, TimeSpan pongTimeout, TimeProvider time)
+    /// <param name="unanswered">Called once when messages are limited to an assumed read rate, because the client answers no pings; null for none.</param>
+    public ReaderProgress(
+        Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan pingInterval, TimeSpan pongTimeout, TimeProvider time, Action unanswered = null)
     {
+        _unanswered = unanswered ?? (() => { });
         _sendPing = sendPing;
         _pingInterval = pingInterval;
         _pongTimeout = pongTimeout;
@@ -46,7 +48,8 @@ sealed class ReaderProgress : IDisposable
     TimeSpan Now => _time.GetElapsedTime(_start);
 
     /// <summary>Gets the timeout for a client to read a number of bytes and to answer.</summary>
-    public TimeSpan Patience(long bytes) => _pongTimeout + TimeSpan.FromSeconds(bytes / MinBytesPerSecond);
+    /// <remarks>A client that reads slower than assumed may be closed while a long message is being sent to it.</remarks>
+    public TimeSpan Patience(long bytes) => _pongTimeout + TimeSpan.FromSeconds(bytes / SendWindow.AssumedBytesPerSecond);
 
     /// <summary>End of the last time in which messages had to wait for the client, a count of the time provider.</summary>
     public long WaitedUntil { get; private set; } = long.MinValue;
@@ -112,7 +115,7 @@ sealed class ReaderProgress : IDisposable
             if (IsSilent()) return;
             bool isPingDue;
             lock (_lock) isPingDue = _window.PingAt == null && Now - _lastPing >= _pingInterval;
-            // The window also depends on time: it opens for a client that answers no pings.
+            // The window also depends on time: it opens slowly for a client that answers no pings.
             Signal();
             if (isPingDue) _ = PingAsync();
         }
@@ -164,8 +167,17 @@ sealed class ReaderProgress : IDisposable
     // Null while the window is open.
     Task NextChange()
     {
+        Task change;
+        bool isReportDue;
         lock (_lock)
-            return _window.IsOpen(Now) ? null : (_changed ??= new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously)).Task;
+        {
+            change = _window.IsOpen(Now) ? null : (_changed ??= new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously)).Task;
+            isReportDue = _window.IsAssumed && !_isUnansweredReported;
+            _isUnansweredReported |= isReportDue;
+        }
+
+        if (isReportDue) _unanswered();
+        return change;
     }
 
     void Signal()

@@ -78,7 +78,9 @@ sealed class RosbridgeServer(
         var longest = isSource ? ProtocolLimits.DescriptionBytes : ProtocolLimits.MessageBytes;
         var allowed = new RequestRate(isSource ? options.SourceMessagesPerSecond : options.ObserverMessagesPerSecond);
         var receiver = new MessageReceiver(socket, upgrade.Fragments, options, longest, allowed, TimeProvider.System);
-        using var reader = new ReaderProgress(upgrade.PingAsync, options.PingInterval, options.PongTimeout, TimeProvider.System);
+        using var reader = new ReaderProgress(
+            upgrade.PingAsync, options.PingInterval, options.PongTimeout, TimeProvider.System,
+            () => log($"websocket: {AddressOf(context.Connection)} answers no pings, so it is sent at most {SendWindow.AssumedBytesPerSecond / 1000:0} kB/s"));
         upgrade.Fragments.Pong = payload => reader.OnPong(payload.Span);
         upgrade.Received = reader.OnReceived;
         SendBuffer.Limit(context);

@@ -31,10 +31,13 @@ sealed class SendWindow
     internal static readonly TimeSpan Target = TimeSpan.FromMilliseconds(200);
 
     /// <summary>
-    /// Timeout of the first pong. Without it, the window is unlimited, and only the buffers of the connection limit the unread data.
+    /// Timeout of the first pong. A client that has answered no ping by then is assumed to read <see cref="AssumedBytesPerSecond"/>.
     /// </summary>
     /// <remarks>A client that reads 700 bytes per second answers in time.</remarks>
     internal static readonly TimeSpan FirstPongTimeout = TimeSpan.FromSeconds(2);
+
+    /// <summary>Assumed read rate of a client that answers no pings. Whether it is a slow one or a fast one cannot be measured.</summary>
+    internal const double AssumedBytesPerSecond = 3000;
 
     /// <summary>Window size of a client whose window was not full, as a multiple of its unread bytes.</summary>
     const double Reserve = 1.5;
@@ -47,7 +50,7 @@ sealed class SendWindow
     bool _wasFull;
     bool _mayGrow;
     bool _hasAnswered;
-    bool _isUnlimited;
+    TimeSpan? _assumedUntil;
 
     /// <summary>Window size, bytes.</summary>
     public int Size { get; private set; } = FirstBytes;
@@ -56,10 +59,13 @@ sealed class SendWindow
     public long Unread => _sent - _read;
 
     /// <summary>Number of bytes that the client has to read before the newest ping.</summary>
-    public long BytesBeforePing => _pingPosition - _read;
+    public long BytesBeforePing => Math.Max(0, _pingPosition - _read);
 
     /// <summary>Whether the client has answered a ping.</summary>
     public bool HasAnswered => _hasAnswered;
+
+    /// <summary>Whether the client's read rate is assumed, because it has not answered a ping in time.</summary>
+    public bool IsAssumed => !_hasAnswered && _assumedUntil != null;
 
     /// <summary>Time at which the outstanding ping was sent; null if there is none.</summary>
     public TimeSpan? PingAt => _pingAt;
@@ -67,8 +73,8 @@ sealed class SendWindow
     /// <summary>Whether a message may be sent; the last one may exceed the window.</summary>
     public bool IsOpen(TimeSpan now)
     {
-        if (!_hasAnswered && now - _pingAt >= FirstPongTimeout) _isUnlimited = true;
-        var isOpen = _isUnlimited || Unread < Size;
+        if (!_hasAnswered && now - _pingAt >= FirstPongTimeout) AssumeRead(now);
+        var isOpen = Unread < Size;
         _wasFull |= !isOpen;
         return isOpen;
     }
@@ -99,11 +105,19 @@ sealed class SendWindow
         var hadData = _pingPosition > _read;
         _read = _pingPosition;
         _hasAnswered = true;
-        _isUnlimited = false;
         // The pong of an idle connection does not show how fast the client could read.
         if (hadData) Resize(now - pingAt, unread);
         _mayGrow = _wasFull;
         _wasFull = false;
+    }
+
+    void AssumeRead(TimeSpan now)
+    {
+        var since = _assumedUntil ?? now - FirstPongTimeout;
+        var read = (long)(AssumedBytesPerSecond * (now - since).TotalSeconds);
+        if (read == 0) return;
+        _assumedUntil = now;
+        _read = Math.Min(_sent, _read + read);
     }
 
     // A full window grows with the next pong, because the first pong of a client that has just become slow is still fast.

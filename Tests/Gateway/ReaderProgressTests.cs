@@ -100,6 +100,25 @@ public class ReaderProgressTests
     }
 
     [Test]
+    public async Task OpensAsync_ClientThatNeverAnswersAPing_IsReportedOnce()
+    {
+        var time = new SteppedTimers();
+        var reports = 0;
+        using var progress = new ReaderProgress(_ => Task.CompletedTask, TimeSpan.FromSeconds(2), PongTimeout, time, () => reports++);
+        progress.OnSent(SendWindow.FirstBytes);
+        time.Advance(ReaderProgress.PingDelay);
+        Assert.That(reports, Is.Zero);
+
+        for (var i = 0; i < 3; i++)
+        {
+            time.Advance(SendWindow.FirstPongTimeout);
+            await progress.OpensAsync(default).Bounded();
+        }
+
+        Assert.That(reports, Is.EqualTo(1));
+    }
+
+    [Test]
     public async Task OpensAsync_PongOfAnotherPing_IsIgnored()
     {
         var time = new SteppedTimers();

@@ -65,14 +65,45 @@ public class SendWindowTests
     }
 
     [Test]
-    public void IsOpen_ClientThatNeverAnswersAPing_OpensAfterTheTimeout()
+    public void IsOpen_ClientThatNeverAnswersAPing_OpensAtTheAssumedRateAfterTheTimeout()
     {
         var window = new SendWindow();
         window.OnSent(SendWindow.FirstBytes);
         window.OnPing(TimeSpan.Zero);
 
         Assert.That(window.IsOpen(SendWindow.FirstPongTimeout - Step), Is.False);
+        Assert.That(window.IsAssumed, Is.False);
         Assert.That(window.IsOpen(SendWindow.FirstPongTimeout), Is.True);
+        Assert.That(window.IsAssumed, Is.True);
+        window.OnSent(SendWindow.FirstBytes + (int)SendWindow.AssumedBytesPerSecond);
+        Assert.That(window.IsOpen(SendWindow.FirstPongTimeout + TimeSpan.FromSeconds(1)), Is.False);
+        Assert.That(window.IsOpen(SendWindow.FirstPongTimeout + TimeSpan.FromSeconds(1) + Step), Is.True);
+    }
+
+    [Test]
+    public void Reader_Of4KilobytesASecondThatAnswersNoPings_GetsNothingOlderThanTheLimit(
+        [Values(350, 450, 900)] int messageBytes, [Values(5, 20, 50)] int intervalMs, [Values(1, 40, 120)] int roundTripMs)
+    {
+        var run = new Run(bytesPerSecond: 4000, messageBytes, intervalMs, roundTripMs) { AnswersPings = false };
+
+        run.Continue(TimeSpan.FromSeconds(60));
+
+        Assert.That(run.MaxAge.TotalSeconds, Is.LessThan(MaxAgeSeconds));
+        Assert.That(run.ReadMessages * messageBytes, Is.GreaterThan(0.9 * 58 * SendWindow.AssumedBytesPerSecond), "used");
+    }
+
+    [Test]
+    public void Reader_ThatAnswersItsFirstPingLate_GetsEverythingFromThenOn()
+    {
+        var run = new Run(bytesPerSecond: 1e7, messageBytes: 450, intervalMs: 20, roundTripMs: 1) { AnswersPings = false };
+        run.Continue(TimeSpan.FromSeconds(10));
+
+        run.AnswersPings = true;
+        run.Continue(TimeSpan.FromSeconds(2));
+        var refused = run.Refused;
+        run.Continue(TimeSpan.FromSeconds(20));
+
+        Assert.That(run.Refused - refused, Is.Zero);
     }
 
     [Test]
@@ -115,6 +146,7 @@ public class SendWindowTests
         double _credit;
 
         public double BytesPerSecond { get; set; } = bytesPerSecond;
+        public bool AnswersPings { get; set; } = true;
         public SendWindow Window { get; } = new();
         public TimeSpan MaxAge { get; private set; }
         public int ReadMessages { get; private set; }
@@ -126,7 +158,7 @@ public class SendWindowTests
         {
             for (var end = _now + time; _now < end; _now += Step)
             {
-                while (_pongs.TryPeek(out var pong) && pong.Arrives <= _now)
+                while (AnswersPings && _pongs.TryPeek(out var pong) && pong.Arrives <= _now)
                 {
                     Window.OnPong(_pongs.Dequeue().Ping, _now);
                     PlanPing();
