@@ -1,6 +1,7 @@
 using System.ComponentModel;
 using System.Diagnostics;
 using System.Text;
+using System.Text.Json;
 using Nowpose.Gateway.Options;
 
 namespace Nowpose.Gateway.Plants;
@@ -27,7 +28,11 @@ static class AdapterProgram
             await process.WaitForExitAsync(patience.Token);
             if (process.ExitCode != 0) throw new WrongEntriesException((await bad).Trim().Split('\n'));
             var lines = (await good).Trim().Split('\n', 2);
-            return new PlantFile(file, lines[1]["name ".Length..].Trim(), lines[0].Trim());
+            var content = JsonSerializer.Deserialize<PlantContent>(lines[1], PlantContent.Names);
+            return new PlantFile(file, content.Name, lines[0].Trim())
+            {
+                Joints = content.Joints, PassesUnlisted = content.PassesUnlisted, Robot = content.Robot,
+            };
         }
         catch (OperationCanceledException) when (!stop.IsCancellationRequested)
         {
@@ -68,5 +73,10 @@ static class AdapterProgram
         {
             throw new InputException($"{Needed}; it could not be started: {e.Message}. Install it from nodejs.org", e);
         }
+    }
+
+    sealed record PlantContent(string Name, string[] Joints, bool PassesUnlisted, string Robot)
+    {
+        public static readonly JsonSerializerOptions Names = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
     }
 }

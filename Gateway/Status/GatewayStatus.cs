@@ -51,7 +51,7 @@ sealed class GatewayStatus : IDisposable
         _drops = drops;
         _connections = [("sync", sync), ("websocket", webSocket)];
         _said = new DiagnosticsBoard(options.Time);
-        _joints = new JointBoard(options.Time);
+        _joints = new JointBoard(options.Time, () => limits.Robot);
         _refusals = new RecentRefusals(options.Time);
         Events = events;
         _conditions = new Conditions(options, clock, _said, _refusals, limits, recorder);

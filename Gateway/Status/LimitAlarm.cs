@@ -24,6 +24,15 @@ sealed class LimitAlarm : IDisposable
         _subscriptions = [hub.Subscribe(RosTopics.RobotDescription, Describe), hub.Subscribe(RosTopics.JointStates, Take)];
     }
 
+    /// <summary>The described robot; null while none is described, or its description is still being read.</summary>
+    public RobotModel Robot
+    {
+        get
+        {
+            lock (_lock) return _robot;
+        }
+    }
+
     /// <summary>Joints that are beyond their limits at present.</summary>
     public IReadOnlyList<JointBeyondLimits> Beyond
     {

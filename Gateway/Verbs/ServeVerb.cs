@@ -60,6 +60,7 @@ static class ServeVerb
             };
             var read = await AdapterProcesses.CheckAsync(files, options, stop);
             foreach (var one in read) Announcement.Log(one.Summary);
+            if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) Announcement.Log($"missing joints: {Missing(missing)}");
             await using var gateway = await GatewayServer.StartAsync(options, clock, Announcement.Log, stop);
             using var source = gateway.Hub.OpenSource();
             if (description != null)
@@ -78,11 +79,14 @@ static class ServeVerb
         var findings = new Findings();
         var options = server.Check(parsed, findings);
         findings.Try(() => server.Clock(parsed, isSystemClock));
-        if (robot != null) findings.Try(() => Describe(robot));
+        var description = robot == null ? null : findings.Try(() => Describe(robot));
         findings.Good("robot", robot);
         try
         {
-            foreach (var good in await AdapterProcesses.CheckAsync(plants, options, stop)) findings.Good("plant", good.Summary);
+            var read = await AdapterProcesses.CheckAsync(plants, options, stop);
+            foreach (var good in read) findings.Good("plant", good.Summary);
+            // No error: another client may publish them.
+            if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) findings.Good("missing_joints", Missing(missing));
         }
         catch (InputException wrong)
         {
@@ -91,6 +95,9 @@ static class ServeVerb
 
         findings.Conclude();
     }
+
+    static string Missing(IReadOnlyList<string> joints) =>
+        $"{string.Join(", ", joints)}; no plant configures {(joints.Count == 1 ? "it" : "them")}, so headsets show no current pose until another source publishes {(joints.Count == 1 ? "it" : "them")}";
 
     static void CheckClock(OptionResult result)
     {

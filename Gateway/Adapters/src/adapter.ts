@@ -29,4 +29,6 @@ export interface Kind {
   obstacle?(configuration: Configuration): string | null;
   /** Gets the summary after --check: the source and the data that are read. */
   summary(configuration: Configuration): string;
+  /** Whether it also publishes joints that the configuration does not list. */
+  passesUnlisted?(configuration: Configuration): boolean;
 }

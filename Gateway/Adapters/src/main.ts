@@ -1,5 +1,6 @@
 // plant.mjs CONFIG.yaml [--check]: reads a control system and sends its joint positions and its time to a gateway.
-import { readConfiguration } from './configuration/configuration';
+import type { Kind } from './adapter';
+import { type Configuration, readConfiguration } from './configuration/configuration';
 import { ConfigurationError } from './configuration/problem';
 import { kinds } from './kinds';
 import { runPlant } from './plant';
@@ -19,9 +20,20 @@ async function main(): Promise<number> {
   const configuration = readConfiguration(others[0], process.env, checks);
   if (!isCheck) return runPlant(configuration);
   const kind = kinds[configuration.plant.kind], obstacle = kind.obstacle?.(configuration) ?? null;
-  if (obstacle === null) process.stdout.write(`${others[0]} is good: ${kind.summary(configuration)}\nname ${configuration.plant.name}\n`);
-  else process.stderr.write(`${obstacle}\n`);
+  if (obstacle === null) process.stdout.write(`${others[0]} is good: ${kind.summary(configuration)}\n`);
+  if (obstacle === null && configuration.isSupervised) process.stdout.write(`${JSON.stringify(contentOf(kind, configuration))}\n`);
+  if (obstacle !== null) process.stderr.write(`${obstacle}\n`);
   return obstacle === null ? 0 : BAD_INPUT;
+}
+
+/** Gets what the gateway needs to know before it starts the adapter. */
+function contentOf(kind: Kind, configuration: Configuration): object {
+  return {
+    name: configuration.plant.name,
+    joints: configuration.joints.map(({ joint }) => joint),
+    passes_unlisted: kind.passesUnlisted?.(configuration) ?? false,
+    robot: configuration.robot,
+  };
 }
 
 main().then(status => process.exit(status), error => {

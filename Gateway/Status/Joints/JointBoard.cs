@@ -1,4 +1,5 @@
 using Nowpose.Gateway.Hub;
+using Nowpose.Kinematics;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Joints;
@@ -8,8 +9,10 @@ namespace Nowpose.Gateway.Status.Joints;
 /// A joint in an adapter's configuration stays until the adapter reports without it. A joint that was only published is removed when it
 /// has been silent for <see cref="ForgottenAfter"/> and its source ended normally. If its source did not end normally, its data have failed,
 /// and the joint stays until it is published again.
+/// A joint of the described robot's arm that no source publishes is missing as soon as a source publishes another one.
 /// </remarks>
-sealed class JointBoard(TimeProvider time)
+/// <param name="robot">Gets the described robot; null for none.</param>
+sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null)
 {
     internal const int MaxJoints = 4 * ProtocolLimits.Joints;
 
@@ -26,6 +29,7 @@ sealed class JointBoard(TimeProvider time)
 
     readonly Lock _lock = new();
     readonly Dictionary<string, Joint> _joints = [];
+    readonly UnpublishedJoints _unpublished = new(time);
 
     /// <param name="source">The source; null for the gateway's own.</param>
     /// <param name="age">Control time minus the sample's stamp at its arrival.</param>
@@ -95,12 +99,13 @@ sealed class JointBoard(TimeProvider time)
     /// <summary>Gets all joints sorted by name and source.</summary>
     public IReadOnlyList<JointStatus> Read()
     {
+        var expected = robot?.Invoke();
         lock (_lock)
         {
             Forget();
             return
             [
-                .. _joints.Values.SelectMany(joint => joint.Judge(time)).OrderBy(row => row.Name, StringComparer.Ordinal)
+                .. _joints.Values.SelectMany(joint => joint.Judge(time)).Concat(_unpublished.Judge(expected, _joints.ContainsKey)).OrderBy(row => row.Name, StringComparer.Ordinal)
                     .ThenBy(row => row.Source, StringComparer.Ordinal),
             ];
         }

@@ -152,6 +152,36 @@ public class AdapterProcessTests
         }));
     }
 
+    [TestCase("kind: opcua\n  endpoint: opc.tcp://127.0.0.1:9", true, true)]
+    [TestCase("kind: opcua\n  endpoint: opc.tcp://127.0.0.1:9", false, true)]
+    [TestCase("kind: ros\n  endpoint: ws://127.0.0.1:9", true, true)]
+    [TestCase("kind: ros\n  endpoint: ws://127.0.0.1:9", false, false)]
+    public async Task Check_JointsOfTheRobotThatNoPlantConfigures_NamesThem(string plant, bool hasJoints, bool isNamed)
+    {
+        var node = plant.Contains("opcua", StringComparison.Ordinal) ? "\n    node: ns=1;s=a" : "";
+        var path = Write($"plant:\n  {plant}\n" + (hasJoints ? $"joints:\n  - joint: arm_joint_2{node}\n" : ""), "some.yaml");
+        var other = Write(Good.Replace("joint: a", "joint: arm_joint_1"), "other.yaml");
+
+        var (status, output, errors) = await CapturedConsole.OfAsync(() => Nowpose.Gateway.CommandLine.RunAsync(
+            ["serve", "--check", "--robot", "youbot", "--plant", path, "--plant", other, "--ws-port", "0", "--sync-port", "0"]).Bounded());
+
+        Assert.That(status, Is.Zero, errors);
+        var line = CapturedConsole.Lines(output).SingleOrDefault(one => one.StartsWith("missing_joints ", StringComparison.Ordinal));
+        var missing = hasJoints ? "arm_joint_3, arm_joint_4, arm_joint_5" : "arm_joint_2, arm_joint_3, arm_joint_4, arm_joint_5";
+        Assert.That(line, isNamed ? Does.StartWith($"missing_joints {missing}; no plant configures them") : Is.Null);
+    }
+
+    [Test]
+    public async Task Check_RobotOfAPlant_IsTheOneWhoseJointsCount()
+    {
+        var path = Write(Good.Replace("joint: a", "joint: shoulder_pan_joint") + "\nrobot: ur5\n");
+
+        var plants = await AdapterProcesses.CheckAsync([path], Gateways.Options(), default);
+
+        Assert.That(PlantFile.MissingJoints(plants, null), Is.EquivalentTo(
+            new[] { "shoulder_lift_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint", "wrist_3_joint" }));
+    }
+
     [Test]
     public void Check_PlainGatewayOnALanAddress_IsRefused()
     {

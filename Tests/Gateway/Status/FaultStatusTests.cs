@@ -8,6 +8,7 @@ using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status.Events;
+using Nowpose.Gateway.Status.Joints;
 using Nowpose.Network;
 using Nowpose.Protocol;
 
@@ -627,5 +628,33 @@ public class FaultStatusTests
         await StartAsync();
 
         Assert.That((await StateAsync()).GetProperty("host").GetString(), Is.EqualTo(Environment.MachineName));
+    }
+
+    [Test]
+    public async Task Ready_JointOfTheRobotThatNobodyPublishes_IsNamedEverywhere()
+    {
+        await StartAsync();
+        _source.TryDescribe(RobotFiles.LoadText("youbot"));
+        string[] all = [.. RobotFiles.Load("youbot").ArmJoints.Select(joint => joint.Name)];
+        Publish(all[1..]);
+        await Soon.BecomesAsync(() => IsDescribed(all), "the description is read");
+        _time.Advance(UnpublishedJoints.Patience);
+        Publish(all[1..]);
+
+        var reasons = await ReadyAsync(HttpStatusCode.ServiceUnavailable);
+
+        Assert.That(reasons[1..], Has.Length.EqualTo(1).And.Some.Contains($"joint {all[0]} (no source) is missing"));
+        Assert.That((await StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("error"));
+        Assert.That((await GetAsync("/metrics")).Text, Does.Contain($"joint=\"{all[0]}\",source=\"no source\",state=\"missing\"}} 1"));
+        Publish(all);
+        await ReadyAsync(HttpStatusCode.OK);
+    }
+
+    // Advances the time so that the joint without a source is seen as soon as the robot is known.
+    bool IsDescribed(string[] all)
+    {
+        _time.Advance(TimeSpan.FromMilliseconds(100));
+        Publish(all[1..]);
+        return JsonDocument.Parse(GetAsync("/operations/state").Result.Text).RootElement.GetProperty("joints").GetArrayLength() == all.Length;
     }
 }

@@ -69,6 +69,7 @@ export const broker: Kind = {
     };
     configuration.plant.settings = settings;
   },
+  passesUnlisted: configuration => settingsOf(configuration).direction === 'subscribe',
   summary(configuration) {
     const { direction, endpoint, topic, clock } = settingsOf(configuration);
     const gateway = configuration.isSupervised ? 'this gateway' : `gateway ${configuration.gateway.url}`;

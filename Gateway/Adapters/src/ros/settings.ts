@@ -55,6 +55,7 @@ export const ros: Kind = {
         file.report(['joints', i], `the robot's joint ${String(source)} stands here for the second time; name each once`);
     });
   },
+  passesUnlisted: ({ joints }) => joints.length === 0,
   summary(configuration) {
     const { joints } = configuration, { endpoint, jointStates, hasClock } = settingsOf(configuration);
     return `rosbridge ${endpoint}, ${jointStates}, ${hasClock ? 'its time' : 'not its time'}, ${passedJoints(joints, 'all joints')}`;

@@ -1,7 +1,9 @@
 using System.Globalization;
 using NUnit.Framework;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Status.Joints;
+using Nowpose.Kinematics;
 using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Status.Joints;
@@ -351,5 +353,50 @@ public class JointBoardTests
 
         Assert.That(_board.Read(), Has.Count.EqualTo(JointBoard.MaxJoints));
         Assert.That(_board.Read().Select(joint => joint.Name), Does.Contain("configured").And.Contain("live"));
+    }
+
+    [Test]
+    public void Read_JointOfTheArmWithoutASource_IsMissingWhileAnotherHasOne()
+    {
+        var arm = RobotFiles.Load("youbot");
+        var names = arm.ArmJoints.Select(joint => joint.Name).Order().ToArray();
+        RobotModel robot = null;
+        _board = new JointBoard(_time, () => robot);
+
+        Send(2, names[1..]);
+        Assert.That(_board.Read(), Has.All.Property("State").EqualTo(JointDataState.Live), "no robot is described");
+        robot = arm;
+        Assert.That(_board.Read().Select(joint => joint.Name), Is.EqualTo(names[1..]), "its source may still be starting");
+        Send(UnpublishedJoints.Patience.TotalSeconds + 0.1, names[1..]);
+
+        var missing = Joint(names[0]);
+        Assert.That(missing.State, Is.EqualTo(JointDataState.Missing));
+        Assert.That(missing.Source, Is.EqualTo("no source"));
+        Assert.That(missing.Since, Is.EqualTo(_time.GetUtcNow() - UnpublishedJoints.Patience - TimeSpan.FromSeconds(0.1)));
+        Assert.That(missing.Reason, Does.Contain("no source publishes it"));
+        Send(0.1, names);
+        Assert.That(_board.Read(), Has.Count.EqualTo(names.Length).And.All.Property("State").EqualTo(JointDataState.Live));
+    }
+
+    [Test]
+    public void Read_NoJointOfTheArmHasASource_NamesNone()
+    {
+        _board = new JointBoard(_time, () => RobotFiles.Load("youbot"));
+
+        Send(5, "another_robots_joint");
+
+        Assert.That(_board.Read().Select(joint => joint.Name), Is.EqualTo(new[] { "another_robots_joint" }), "this robot has no source at all");
+    }
+
+    [Test]
+    public void NamesOf_MimicJointInTheArm_NamesItsMasterOnce()
+    {
+        var robot = UrdfReader.Read(
+            "<robot name=\"r\"><link name=\"l0\"/><link name=\"l1\"/><link name=\"l2\"/>" +
+            "<joint name=\"a\" type=\"continuous\"><parent link=\"l0\"/><child link=\"l1\"/></joint>" +
+            "<joint name=\"b\" type=\"continuous\"><parent link=\"l1\"/><child link=\"l2\"/><mimic joint=\"a\"/></joint></robot>",
+            "r.urdf");
+
+        Assert.That(UnpublishedJoints.NamesOf(robot), Is.EqualTo(new[] { "a" }));
     }
 }

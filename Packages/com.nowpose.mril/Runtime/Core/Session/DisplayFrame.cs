@@ -1,5 +1,5 @@
 using System;
-using System.Collections.Generic;
+using System.Linq;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Latency.DisplayTime;
@@ -23,7 +23,7 @@ namespace Nowpose.Session
             _kinematics = new ForwardKinematics(robot);
             _linkPoses = new RigidTransform[robot.Links.Count];
             _toolLink = robot.IndexOfLink(robot.ToolLink.Name);
-            _armJoints = ArmJointsOf(robot, _toolLink);
+            _armJoints = robot.ArmJoints.Select(joint => joint.MovingIndex).ToArray();
         }
 
         /// <summary>Start of the frame on the headset clock.</summary>
@@ -111,15 +111,6 @@ namespace Nowpose.Session
             if (!IsTimeTrusted) return PoseState.Unsynchronised;
             if (held) return PoseState.Held;
             return Range == RangeState.Outside ? PoseState.OutsideRange : PoseState.Current;
-        }
-
-        // Only joints of the arm count: a gripper that reports only its motion must not make the arm stale.
-        static int[] ArmJointsOf(RobotModel robot, int toolLink)
-        {
-            var joints = new List<int>();
-            for (var link = toolLink; link > 0; link = robot.Links[link].ParentIndex)
-                if (robot.Links[link].ParentJoint.MovingIndex >= 0) joints.Add(robot.Links[link].ParentJoint.MovingIndex);
-            return joints.ToArray();
         }
     }
 }

@@ -1,0 +1,38 @@
+using Nowpose.Kinematics;
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Status.Joints;
+
+/// <summary>Joints of a robot's arm that no source publishes while another joint of the arm has a source. Not thread-safe.</summary>
+/// <remarks>Headsets cannot show a current pose without them. A gripper's joints and mimic joints may have no source.</remarks>
+sealed class UnpublishedJoints(TimeProvider time)
+{
+    /// <summary>The source that is named for these joints.</summary>
+    internal const string NoSource = "no source";
+
+    /// <summary>Time for several sources of one arm to start one after the other.</summary>
+    internal static readonly TimeSpan Patience = TimeSpan.FromSeconds(1);
+
+    readonly Dictionary<string, (long Count, DateTimeOffset Utc)> _since = [];
+
+    /// <param name="robot">The described robot; null for none.</param>
+    /// <param name="hasSource">Whether a source publishes a joint, or an adapter has it in its configuration.</param>
+    public IEnumerable<JointStatus> Judge(RobotModel robot, Func<string, bool> hasSource)
+    {
+        var names = robot == null ? [] : NamesOf(robot);
+        var missing = names.Exists(hasSource.Invoke) ? names.FindAll(name => !hasSource(name)) : [];
+        foreach (var name in _since.Keys.Except(missing).ToArray()) _since.Remove(name);
+        foreach (var name in missing) _since.TryAdd(name, (time.GetTimestamp(), time.GetUtcNow()));
+        return _since.Where(entry => time.GetElapsedTime(entry.Value.Count) >= Patience).Select(entry => new JointStatus(
+            entry.Key, NoSource, JointDataState.Missing, entry.Value.Utc, null, 0, "the robot description has this joint, but no source publishes it"));
+    }
+
+    /// <summary>Gets the names of the joints whose positions have to be published to show the arm.</summary>
+    internal static List<string> NamesOf(RobotModel robot) => [.. robot.ArmJoints.Select(joint => MasterOf(robot, joint).Name).Distinct()];
+
+    static RobotJoint MasterOf(RobotModel robot, RobotJoint joint)
+    {
+        while (joint.Mimic != null) joint = robot.MovingJoints[robot.IndexOfMovingJoint(joint.Mimic.Master)];
+        return joint;
+    }
+}
