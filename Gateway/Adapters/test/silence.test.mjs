@@ -115,8 +115,9 @@ describe('silence', () => {
   });
 
   /** Joints that swing with at most 0.6 rad/s, read every 50 ms. Joints in `stopped` send nothing after the moment of their highest speed. */
-  function swing(stopped, amplitude = 0.3) {
+  function swing(stopped, { amplitude = 0.3, prepare = () => {} } = {}) {
     const cell = plant(), cut = 1000 * Math.PI * 3;
+    prepare(cell);
     for (; cell.time.ms < cut + 2000; cell.time.ms += 50) {
       const s = cell.time.ms / 1000;
       for (const joint of [0, 1]) if (cell.time.ms < cut || !stopped.includes(joint)) cell.value(joint, amplitude * Math.sin(2 * s));
@@ -156,6 +157,17 @@ describe('silence', () => {
     assert.match(cell.status.values()['uncertain/a'], /^the stop itself was not observed; it would need 1\d\.\d rad\/s²$/);
     assert.match(cell.status.message, /^a may not be at rest: the stop itself was not observed/);
     assert.match(cell.status.values()['joint/a'], /assumed at rest; the stop itself was not observed; it would need 1\d\.\d rad\/s²$/);
+  });
+
+  it('Motion_OfAllJointsCutBelowTheFloorAndNoLongerWritten_IsFault', () => {
+    const prepare = cell => { cell.output.hasSourceStopped = joint => joint === 0 && cell.time.ms > 1000 * Math.PI * 3 + 700; };
+    const cell = swing([0, 1], { prepare });
+
+    assert.deepEqual([cell.stateOf('a'), cell.stateOf('b')], ['fault', 'rest']);
+    assert.match(cell.status.values()['joint/a'], /ended in mid-motion: the stop itself was not observed; .* rad\/s², and the server's source timestamps show/);
+    const repeated = cell.sent.filter(({ name }) => name.includes('a')).length;
+    cell.output.hold(cell.clock.now, 30n * MS);
+    assert.equal(cell.sent.filter(({ name }) => name.includes('a')).length, repeated, 'it is not repeated');
   });
 
   it('Silence_LongerThanConfigured_IsFault', () => {

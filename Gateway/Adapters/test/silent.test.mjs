@@ -7,7 +7,9 @@ import { parts } from './parts.mjs';
 const { SilentNodes } = await parts('opcua/silentNodes');
 const { SilentSymbols } = await parts('ads/silentSymbols');
 
-const good = value => new DataValue({ value: new Variant({ dataType: DataType.Double, value }), statusCode: StatusCodes.Good });
+const good = (value, ms) => new DataValue({
+  value: new Variant({ dataType: DataType.Double, value }), statusCode: StatusCodes.Good, sourceTimestamp: ms === undefined ? null : new Date(ms),
+});
 const bad = statusCode => new DataValue({ statusCode });
 
 /** Two nodes of a server; `answers` are its answers to a read. */
@@ -121,6 +123,53 @@ describe('silent nodes', () => {
     await cell.look();
 
     assert.deepEqual([cell.refused, cell.renewed], [[[0, 'status-bad']], [0]]);
+  });
+
+  /** Lets the source write node 0 with its unchanged value in each look, or not. */
+  async function atRest(cell, looks, isWritten) {
+    for (let i = 0; i < looks; i++) {
+      if (isWritten) cell.answers[0] = good(1, 1_000_000 + cell.now);
+      await cell.look();
+    }
+  }
+
+  it('Source_ThatWroteANodeAtRestAndNoLongerDoes_HasStoppedThatNodeOnly', async () => {
+    const cell = server();
+    cell.hear(0, good(1, 999_000));
+    await atRest(cell, 20, true);
+    assert.equal(cell.nodes.hasStopped(0), false);
+
+    await atRest(cell, 3, false);
+    assert.equal(cell.nodes.hasStopped(0), false, 'three intervals may pass');
+    await atRest(cell, 1, false);
+
+    assert.deepEqual([cell.nodes.hasStopped(0), cell.nodes.hasStopped(1), cell.renewed], [true, false, []]);
+  });
+
+  it('Source_ThatWritesAnUnchangedNodeAgain_LetsItBeMonitoredAgain', async () => {
+    const cell = server();
+    cell.hear(0, good(1, 999_000));
+    await atRest(cell, 20, true);
+    await atRest(cell, 10, false);
+
+    await atRest(cell, 1, true);
+
+    assert.deepEqual([cell.nodes.hasStopped(0), cell.renewed], [false, [0]]);
+    cell.hear(0, good(1, 1_000_000 + cell.now));
+    await atRest(cell, 3, true);
+    assert.deepEqual(cell.renewed, [0]);
+  });
+
+  it('Source_ThatStampsChangesOnly_IsNotKnownToHaveStopped', async () => {
+    const cell = server();
+    for (let i = 0; i < 20; i++) {
+      cell.hear(0, good(i, 1_000_000 + cell.now));
+      cell.answers[0] = good(i, 1_000_000 + cell.now);
+      await atRest(cell, 3, false);
+    }
+    await atRest(cell, 100, false);
+
+    assert.equal(cell.nodes.hasStopped(0), false);
   });
 
   it('Value_NaN_IsTheSameInEachRead', async () => {

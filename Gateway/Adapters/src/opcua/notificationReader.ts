@@ -80,6 +80,11 @@ export class NotificationReader {
     for (const joint of this.#readers[node]) this.context.output.refuse(joint, reason, text);
   }
 
+  /** Sets how to find out whether the source of a node has stopped writing it. */
+  set hasStopped(hasStopped: (node: number) => boolean) {
+    this.context.output.hasSourceStopped = joint => hasStopped(this.#readers.findIndex(joints => joints.includes(joint)));
+  }
+
   /** Marks the next value of this node as the first of a new monitored item. */
   expectFirst(node: number): void {
     this.#told.delete(node);

@@ -3,6 +3,8 @@ import { isDeepStrictEqual } from 'node:util';
 import { isGone, isGood, statusRefusal } from './nodeValues';
 import type { NotificationReader } from './notificationReader';
 import type { NodeValue, ReadOnlySession } from './readOnlySession';
+import { Renewals } from './renewals';
+import { sourceStamp } from './stamps';
 
 /** Time without a notification after which a node is read. */
 const SILENT_MS = 60;
@@ -27,6 +29,7 @@ export class SilentNodes {
   /** Maximum delay of a change, ms. */
   delayMs = 0;
   readonly #nodes: NodeState[];
+  readonly #renewals: Renewals;
 
   /**
    * @param ids The joints' nodes at this server.
@@ -37,11 +40,19 @@ export class SilentNodes {
     readonly nameOf: (node: number) => string, readonly now: () => number = () => performance.now(),
   ) {
     this.#nodes = ids.map(() => ({ heardAt: now(), value: null, isGone: false, isBad: false, differsSince: null }));
+    this.#renewals = new Renewals(ids.length, now);
   }
 
+  /** Whether the source wrote the node periodically at an earlier rest, and has not written it for a while. */
+  hasStopped(node: number): boolean { return this.#renewals.hasStopped(node); }
+
   heard(values: NodeValue[]): void {
-    for (const { node, value } of values)
-      if (node < this.#nodes.length) this.#nodes[node] = { heardAt: this.now(), value, isGone: isGone(value.statusCode), isBad: false, differsSince: null };
+    for (const { node, value } of values) {
+      if (node >= this.#nodes.length) continue;
+      if (isSameValue(this.#nodes[node].value, value)) this.#renewals.unchanged(node, sourceStamp(value));
+      else this.#renewals.changed(node, sourceStamp(value));
+      this.#nodes[node] = { heardAt: this.now(), value, isGone: isGone(value.statusCode), isBad: false, differsSince: null };
+    }
   }
 
   /** Reports that the server does not monitor this node. */
@@ -67,8 +78,7 @@ export class SilentNodes {
       if (!state.isGone) this.refused(node, `${this.nameOf(node)}: value ${this.reader.nodes[node]}; the server has no such node any more (${value.statusCode.name})`);
       return false;
     }
-    const isSame = state.value !== null && isGood(state.value.statusCode) === isGood(value.statusCode)
-      && isDeepStrictEqual(state.value.value?.value, value.value?.value);
+    const isSame = isSameValue(state.value, value);
     if (!isGood(value.statusCode)) {
       if (!isSame && !state.isBad) this.reader.refuse(node, statusRefusal(value)!);
       state.isBad = !isSame;
@@ -76,8 +86,9 @@ export class SilentNodes {
     }
     const now = this.now();
     state.differsSince = isSame ? null : state.differsSince ?? now;
+    const isWrittenAgain = isSame && this.#renewals.unchanged(node, sourceStamp(value));
     // A new monitored item immediately sends the value with its stamp.
-    const isNew = state.isGone || state.isBad
+    const isNew = isWrittenAgain || state.isGone || state.isBad
       || state.differsSince !== null && now - state.differsSince >= Math.max(DIFFERENT_MS, DELAYS * this.delayMs);
     if (isNew) await this.#monitorAgain(node);
     return isSame && !isNew;
@@ -90,3 +101,6 @@ export class SilentNodes {
     if (refusal !== null) this.refused(node, `${this.nameOf(node)}: the server says ${refusal}`);
   }
 }
+
+const isSameValue = (one: DataValue | null, other: DataValue): boolean =>
+  one !== null && isGood(one.statusCode) === isGood(other.statusCode) && isDeepStrictEqual(one.value?.value, other.value?.value);

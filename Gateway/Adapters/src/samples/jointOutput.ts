@@ -73,6 +73,8 @@ export class JointOutput {
   /** Sampling interval of the source in seconds; 0 if unknown. */
   samplingS = 0;
   readonly silence: Silence;
+  /** Whether the source wrote a joint's value periodically at an earlier rest, and has not written it for a while. */
+  hasSourceStopped: (joint: number) => boolean = () => false;
 
   /** @param counter Monotonic time in ms; this machine's by default. */
   constructor(
@@ -105,7 +107,7 @@ export class JointOutput {
   hold(time: Nanoseconds, silence: Nanoseconds, except: ReadonlySet<number> = new Set()): void {
     const { now, isSettled } = this.clock;
     if (!isSettled || now === null) return;
-    const silent = this.#standing.at(time, joint => this.#silenceOf(joint, silence)).filter(({ joint }) => !except.has(joint) && !this.#hasEnded(joint, time));
+    const silent = this.#standing.at(time, joint => this.#silenceOf(joint, silence)).filter(({ joint }) => !except.has(joint) && !this.#hasEnded(joint, time) && !this.#isAbandoned(joint));
     const standing = silent.filter(({ joint }) => this.#rule.judge(joint, time, now) === null);
     for (const sample of standing) {
       this.#standing.heard(sample);
@@ -158,12 +160,23 @@ export class JointOutput {
     if (verdict !== null || isOthersKnown || unobserved === null) this.#judged.add(joint);
     if (unobserved !== null) this.#unobserved.set(joint, unobserved);
     if (verdict === null) return false;
-    const { joint: name } = this.joints[joint], unit = this.#unitOf(joint);
+    const unit = this.#unitOf(joint);
+    this.#end(joint, `to stop there needs ${verdict.required.toFixed(1)} ${unit}, more than the ${verdict.limit.toFixed(1)} ${unit} ${LIMITS[verdict.basis]}`);
+    return true;
+  }
+
+  /** Determines whether the source stopped writing a joint whose stop was not observed. */
+  #isAbandoned(joint: number): boolean {
+    if (!this.#unobserved.has(joint) || !this.hasSourceStopped(joint)) return false;
+    this.#end(joint, `${this.#uncertaintyOf(joint)}, and the server's source timestamps show that the value is no longer written, as it was at earlier rests`);
+    return true;
+  }
+
+  #end(joint: number, reason: string): void {
+    const { joint: name } = this.joints[joint];
     this.#standing.forget(joint);
     this.#ended.add(joint);
-    this.status.joints.fault(name, `its data ended in mid-motion: to stop there needs ${verdict.required.toFixed(1)} ${unit}, `
-      + `more than the ${verdict.limit.toFixed(1)} ${unit} ${LIMITS[verdict.basis]}`, this.silence.lastSample(name));
-    return true;
+    this.status.joints.fault(name, `its data ended in mid-motion: ${reason}`, this.silence.lastSample(name));
   }
 
   /** Gets the reason why it is uncertain that the joint rests; empty if it is certain. */

@@ -78,6 +78,37 @@ describe('silence over OPC UA', { concurrency: 2 }, () => {
     assert.ok(server.asked.get('ReadRequest') > 0);
   });
 
+  it('Writer_OfAllJointsThatStopsInASlowMotionAfterItWroteAtRest_IsFaultThenLive', async t => {
+    const { bridge, state, writers } = await cell(t);
+    // At rest, the writer writes the same value with a new source timestamp. Then it accelerates to 0.08 rad/s, and stops.
+    let phase = 'rest', beganMs = 0, newest = null;
+    const writer = () => {
+      let last = null;
+      return sent => {
+        const seconds = (sent.sourceTimestamp.getTime() - beganMs) / 1000, value = 0.04 * (1 - Math.cos(2 * Math.min(seconds, Math.PI / 4)));
+        if (phase === 'moving' && seconds > Math.PI / 4) phase = 'stopped';
+        if (phase === 'stopped') return last;
+        last = { ...sent, value: Object.assign(sent.value.clone(), { value: phase === 'moving' ? value : last?.value.value ?? 0 }) };
+        newest = last;
+        return last;
+      };
+    };
+    writers.set('arm_joint_1', writer());
+    writers.set('arm_joint_2', writer());
+    const atRest = samplesOf(bridge, 'b');
+    await until(() => samplesOf(bridge, 'b') > atRest + 50, 'samples at rest');
+
+    beganMs = newest.sourceTimestamp.getTime();
+    phase = 'moving';
+    const { reason, since } = await state('a', 'fault');
+
+    assert.match(reason, /ended in mid-motion: .* source timestamps/);
+    assert.ok(Math.abs(since - newest.sourceTimestamp.getTime() / 1000) < 1, `${since}`);
+    await state('b', 'fault');
+    phase = 'rest';
+    await Promise.all([state('a', 'live'), state('b', 'live')]);
+  });
+
   it('Joint_AtRest_IsReadBackAndAssumedAtRest', async t => {
     const { bridge, state, writers } = await cell(t);
 
