@@ -56,8 +56,8 @@ sealed record HeadsetResult(
     /// <summary>A time without a current pose, at the start or later.</summary>
     /// <param name="ToS">End of the outage; null if it lasted to the end of the run.</param>
     /// <param name="Pose">State of the pose at the end of the outage.</param>
-    /// <param name="Joints">Joints without data.</param>
-    /// <param name="Reason">The reason in one line; empty while unknown.</param>
+    /// <param name="Joints">All joints that had no data during the outage, by name.</param>
+    /// <param name="Reason">The first reasons in their order, separated by "; then "; empty while unknown.</param>
     public sealed record OutageResult(double FromS, double? ToS, string Pose, IReadOnlyList<string> Joints, string Reason);
 
     public string Json() => JsonSerializer.Serialize(this, Options);

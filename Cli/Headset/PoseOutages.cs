@@ -14,7 +14,14 @@ sealed class PoseOutages(Action<string> say)
 
     static readonly TimeSpan Interval = TimeSpan.FromSeconds(0.25);
 
+    /// <summary>Maximum number of reasons of one outage in the result.</summary>
+    internal const int MaxReasons = 5;
+
     readonly List<HeadsetResult.OutageResult> _outages = [];
+    // Of the present outage. What came first is often the cause of what followed.
+    readonly List<string> _reasons = [];
+    readonly SortedSet<string> _joints = new(StringComparer.Ordinal);
+    (string Pose, string Reason)? _told;
     TimeSpan? _since = TimeSpan.Zero;
     TimeSpan _next;
     bool _wasCurrent;
@@ -37,8 +44,11 @@ sealed class PoseOutages(Action<string> say)
         if (time - _since < (_wasCurrent ? MinLength : MinLengthAtStart) || time < _next) return;
         _next = time + Interval;
         var (pose, joints, reason) = describe();
-        if (_now?.Pose == pose && _now.Reason == reason) return;
-        _now = new HeadsetResult.OutageResult(_since.Value.TotalSeconds, null, pose, joints, reason);
+        if (_told == (pose, reason)) return;
+        _told = (pose, reason);
+        if (reason.Length > 0 && _reasons.Count < MaxReasons && !_reasons.Contains(reason)) _reasons.Add(reason);
+        _joints.UnionWith(joints);
+        _now = new HeadsetResult.OutageResult(_since.Value.TotalSeconds, null, pose, [.. _joints], string.Join("; then ", _reasons));
         say(FormattableString.Invariant($"at {time.TotalSeconds:0.0} s: the pose is {pose}") + (reason.Length == 0 ? "" : "; " + reason));
     }
 
@@ -53,6 +63,8 @@ sealed class PoseOutages(Action<string> say)
             say(FormattableString.Invariant($"at {time.TotalSeconds:0.0} s: the pose is current again, after {(time - _since.Value).TotalSeconds:0.0} s"));
         }
 
-        (_since, _now, _next) = (null, null, TimeSpan.Zero);
+        (_since, _now, _told, _next) = (null, null, null, TimeSpan.Zero);
+        _reasons.Clear();
+        _joints.Clear();
     }
 }

@@ -98,7 +98,7 @@ public class HeadsetVerbTests
         var run = await RunAsync(gateway, "--seconds", "6", "--json", "--robot", urdf.Path);
 
         Assert.That(run.ExitStatus, Is.EqualTo(1));
-        Assert.That(run.Errors.TrimEnd().Split('\n')[^1], Is.EqualTo("nowpose: the pose was never current; joint arm_joint_x: no value yet"));
+        Assert.That(run.Errors.TrimEnd().Split('\n')[^1], Is.EqualTo("nowpose: the pose was never current; joint arm_joint_x: no value"));
         var result = JsonDocument.Parse(run.Output).RootElement;
         Assert.That(result.GetProperty("missing_joints").EnumerateArray().Select(joint => joint.GetString()), Is.EqualTo(new[] { "arm_joint_x" }));
         Assert.That(result.GetProperty("joints")[0].GetProperty("state").GetString(), Is.EqualTo("missing"));

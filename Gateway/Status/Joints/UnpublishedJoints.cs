@@ -1,5 +1,6 @@
 using Nowpose.Kinematics;
 using Nowpose.Protocol;
+using Nowpose.Session;
 
 namespace Nowpose.Gateway.Status.Joints;
 
@@ -28,11 +29,5 @@ sealed class UnpublishedJoints(TimeProvider time)
     }
 
     /// <summary>Gets the names of the joints whose positions have to be published to show the arm.</summary>
-    internal static List<string> NamesOf(RobotModel robot) => [.. robot.ArmJoints.Select(joint => MasterOf(robot, joint).Name).Distinct()];
-
-    static RobotJoint MasterOf(RobotModel robot, RobotJoint joint)
-    {
-        while (joint.Mimic != null) joint = robot.MovingJoints[robot.IndexOfMovingJoint(joint.Mimic.Master)];
-        return joint;
-    }
+    internal static List<string> NamesOf(RobotModel robot) => [.. ToolJoints.Of(robot).Select(joint => robot.MovingJoints[joint].Name)];
 }

@@ -50,6 +50,21 @@ public class PoseOutagesTests
         Assert.That(_outages.Result().Single().ToS, Is.Null, "it lasts");
     }
 
+    [Test]
+    public void Add_ReasonChanges_KeepsTheFirstReasonsAndAllJoints()
+    {
+        Play(5, true);
+        Play(1, false, "joint a3: no data: node deleted", "a3");
+        Play(1, false, "connection refused", "a1", "a3");
+        Play(1, false, "joint a3: no data: node deleted", "a3");
+        Play(1, true);
+
+        var outage = _outages.Result().Single();
+        Assert.That(outage.Reason, Is.EqualTo("joint a3: no data: node deleted; then connection refused"));
+        Assert.That(outage.Joints, Is.EqualTo(new[] { "a1", "a3" }));
+        Assert.That(_lines, Has.Count.EqualTo(4));
+    }
+
     [TestCase(0.3)]
     [TestCase(0.45)]
     public void Add_ShortGap_IsNoOutage(double seconds)

@@ -635,7 +635,7 @@ public class FaultStatusTests
     {
         await StartAsync();
         _source.TryDescribe(RobotFiles.LoadText("youbot"));
-        string[] all = [.. RobotFiles.Load("youbot").ArmJoints.Select(joint => joint.Name)];
+        string[] all = [.. UnpublishedJoints.NamesOf(RobotFiles.Load("youbot"))];
         Publish(all[1..]);
         await Soon.BecomesAsync(() => IsDescribed(all), "the description is read");
         _time.Advance(UnpublishedJoints.Patience);

@@ -359,7 +359,7 @@ public class JointBoardTests
     public void Read_JointOfTheArmWithoutASource_IsMissingWhileAnotherHasOne()
     {
         var arm = RobotFiles.Load("youbot");
-        var names = arm.ArmJoints.Select(joint => joint.Name).Order().ToArray();
+        var names = UnpublishedJoints.NamesOf(arm).Order().ToArray();
         RobotModel robot = null;
         _board = new JointBoard(_time, () => robot);
 

@@ -24,7 +24,6 @@ namespace Nowpose.Kinematics
             foreach (var joint in MovingJoints) _movingIndices.Add(joint.Name, joint.MovingIndex);
             FlangeLink = toolLink;
             while (FlangeLink.ParentIndex >= 0 && FlangeLink.ParentJoint.Kind == JointKind.Fixed) FlangeLink = links[FlangeLink.ParentIndex];
-            ArmJoints = ArmJointsOf(links, toolLink);
         }
 
         /// <summary>Name of the robot; empty if the URDF specifies none.</summary>
@@ -55,12 +54,6 @@ namespace Nowpose.Kinematics
         /// </summary>
         public RobotLink FlangeLink { get; }
 
-        /// <summary>
-        /// The moving joints from the root to <see cref="ToolLink"/>, including mimic joints. Only their data decide whether the pose is
-        /// current: a gripper that reports only its motion must not make the arm stale.
-        /// </summary>
-        internal IReadOnlyList<RobotJoint> ArmJoints { get; }
-
         /// <summary>Returns an index in <see cref="Links"/>, -1 if there is no such link.</summary>
         public int IndexOfLink(string name) => _linkIndices.TryGetValue(name, out var index) ? index : -1;
 
@@ -79,15 +72,6 @@ namespace Nowpose.Kinematics
                 if (!given[mimic.Joint])
                     positions[mimic.Joint] = mimic.Multiplier * positions[mimic.Master] + mimic.Offset;
             }
-        }
-
-        static List<RobotJoint> ArmJointsOf(RobotLink[] links, RobotLink toolLink)
-        {
-            var joints = new List<RobotJoint>();
-            for (var link = toolLink; link.ParentIndex >= 0; link = links[link.ParentIndex])
-                if (link.ParentJoint.MovingIndex >= 0) joints.Add(link.ParentJoint);
-            joints.Reverse();
-            return joints;
         }
 
         internal void RequireOnePerMovingJoint(int length, string argument)

@@ -1,5 +1,4 @@
 using System;
-using System.Linq;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Latency.DisplayTime;
@@ -14,7 +13,7 @@ namespace Nowpose.Session
         readonly ForwardKinematics _kinematics;
         readonly RigidTransform[] _linkPoses;
         readonly int _toolLink;
-        readonly int[] _armJoints;
+        readonly int[] _toolJoints;
 
         internal DisplayFrame(RobotModel robot, JointTracks tracks, OutsideRangeResponse outsideRange)
         {
@@ -23,7 +22,7 @@ namespace Nowpose.Session
             _kinematics = new ForwardKinematics(robot);
             _linkPoses = new RigidTransform[robot.Links.Count];
             _toolLink = robot.IndexOfLink(robot.ToolLink.Name);
-            _armJoints = robot.ArmJoints.Select(joint => joint.MovingIndex).ToArray();
+            _toolJoints = ToolJoints.Of(robot);
         }
 
         /// <summary>Start of the frame on the headset clock.</summary>
@@ -103,7 +102,7 @@ namespace Nowpose.Session
         {
             var held = isJointReportedMissing;
             var kinds = _tracks.Kinds;
-            foreach (var joint in _armJoints)
+            foreach (var joint in _toolJoints)
             {
                 if (kinds[joint] == PredictionKind.None) return PoseState.Incomplete;
                 held |= kinds[joint] == PredictionKind.Held;

@@ -57,7 +57,7 @@ namespace Nowpose.Session
                 case JointDataState.Live: return "live";
                 case JointDataState.Rest: return "assumed at rest";
                 case JointDataState.Refused: return "values cannot be used";
-                case JointDataState.Missing: return "no value yet";
+                case JointDataState.Missing: return "no value";
                 default: return "no data";
             }
         }

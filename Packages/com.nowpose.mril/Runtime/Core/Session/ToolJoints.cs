@@ -3,7 +3,10 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Session
 {
-    /// <summary>Finds the joints between base and tool that have samples of their own.</summary>
+    /// <summary>
+    /// Finds the joints between base and tool that have samples of their own. Only these decide whether the pose is current: a gripper that
+    /// reports only its motion must not make the arm stale.
+    /// </summary>
     static class ToolJoints
     {
         /// <summary>

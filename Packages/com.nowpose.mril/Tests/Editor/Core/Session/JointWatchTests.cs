@@ -87,7 +87,7 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(joint.Joint, Is.EqualTo("shoulder"));
             Assert.That(joint.State, Is.EqualTo(JointDataState.Missing));
             Assert.That(joint.Age, Is.Null);
-            Assert.That(joint.Description, Is.EqualTo("no value yet"));
+            Assert.That(joint.Description, Is.EqualTo("no value"));
         }
 
         [TestCase(JointDataState.Fault)]
