@@ -1,7 +1,9 @@
 using Nowpose.Gateway.Options;
 using Nowpose.Kinematics;
+using Nowpose.Latency;
 using Nowpose.Motion;
 using Nowpose.Simulation;
+using Nowpose.Sync;
 
 namespace Nowpose.Cli.Demo;
 
@@ -22,6 +24,14 @@ sealed record DemoSettings
     public string MotionName { get; init; }
 
     public string Predictor { get; init; }
+    public string Estimator { get; init; } = ClockEstimators.Default;
+
+    /// <summary>The profile that the runtime is given; null for the true display latency with <see cref="VisualisationErrorMs"/>.</summary>
+    public LatencyProfile Profile { get; init; }
+
+    /// <summary>The display latency that the runtime is given, ms. With a load, it is calibrated unless there is a profile.</summary>
+    public double GivenVisualisationMs => Profile?.Visualisation.Length.TotalMilliseconds ?? VisualisationMs + VisualisationErrorMs;
+
     public double SamplingMs { get; init; }
     public MillisecondRange Acquisition { get; init; }
     public double VisualisationMs { get; init; }

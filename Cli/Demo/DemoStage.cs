@@ -42,12 +42,15 @@ static class DemoStage
         TimeSpan.FromMilliseconds(settings.SamplingMs),
         TimeSpan.FromMilliseconds(settings.Acquisition.Min), TimeSpan.FromMilliseconds(settings.Acquisition.Max));
 
+    /// <summary>Gets the settings of the headset's session. With a load and without a profile, the display is calibrated first.</summary>
+    internal static SessionSettings SessionOf(DemoSettings settings, ConnectionSettings connection) => new(
+        connection, VisualisationLatency.FromMilliseconds(settings.GivenVisualisationMs), new PredictionSettings(settings.Predictor),
+        clockEstimator: settings.Estimator, profile: settings.Profile ?? (settings.Load == null ? null : DemoCalibration.Of(settings)));
+
     static DemoRun Play(
         DemoSettings settings, ConnectionSettings connection, DemoTruth truth, string recordingPath, CancellationToken cancel)
     {
-        var told = new VisualisationLatency(TimeSpan.FromMilliseconds(settings.VisualisationMs + settings.VisualisationErrorMs));
-        var session = new SessionSettings(
-            connection, told, new PredictionSettings(settings.Predictor), profile: settings.Load == null ? null : DemoCalibration.Of(settings));
+        var session = SessionOf(settings, connection);
         var clock = new StopwatchHeadsetClock();
         using var headset = new DemoHeadset(
             settings.Robot, session, clock, (int)(settings.Seconds * 1000 / settings.SamplingMs) + 1000, recordingPath);

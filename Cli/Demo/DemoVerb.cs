@@ -26,6 +26,8 @@ static class DemoVerb
         Description = "Motion to play forth and back: .csv or .csv.gz, time in s, then one column per joint",
     };
     static readonly Option<string> Predictor = PredictorOption.Create();
+    static readonly Option<string> Estimator = RuntimeOptions.Estimator();
+    static readonly Option<string> Profile = RuntimeOptions.Profile();
     static readonly Option<double> Sampling = NumberOption.Create(
         "--sampling-ms", "Sampling interval T_s of the control system", 50.0, 1, 1000, "ms");
     static readonly Option<MillisecondRange> Acquisition = RangeOption.Create(
@@ -55,7 +57,8 @@ static class DemoVerb
         var verb = new Command(
             "demo", "Run the headset runtime against a simulated cell over real sockets, and score what it shows against the truth.")
         {
-            Seconds, Network, Robot, Recording, Predictor, Sampling, Acquisition, Visualisation, VisualisationError, Load, Trajectory, Seed, Output,
+            Seconds, Network, Robot, Recording, Predictor, Estimator, Profile, Sampling, Acquisition, Visualisation,
+            VisualisationError, Load, Trajectory, Seed, Output,
         };
         verb.SetAction((parsed, cancel) => RunAsync(Settings(parsed), parsed.GetValue(Output), cancel));
         return verb;
@@ -81,6 +84,8 @@ static class DemoVerb
             Motion = recording == null ? new PickAndPlaceMotion(robot) : new RecordedMotion(MotionRecording.Read(recording), robot),
             MotionName = recording == null ? "pick-and-place cycle of 7-phase moves" : $"recording {Path.GetFileName(recording)}, forth and back",
             Predictor = parsed.GetValue(Predictor),
+            Estimator = parsed.GetValue(Estimator),
+            Profile = RuntimeOptions.ProfileOf(parsed, Profile, VisualisationError),
             SamplingMs = parsed.GetValue(Sampling),
             Acquisition = parsed.GetValue(Acquisition),
             VisualisationMs = parsed.GetValue(Visualisation),

@@ -101,7 +101,10 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
     }
 
     CompensationSession Open(RobotModel robot) => new(
-        new SessionSettings(settings.Connection, settings.Visualisation, new PredictionSettings(settings.Predictor)), robot, _clock);
+        new SessionSettings(
+            settings.Connection, settings.Visualisation, new PredictionSettings(settings.Predictor), clockEstimator: settings.Estimator,
+            profile: settings.Profile),
+        robot, _clock);
 
     HeadsetResult Result(CompensationSession session, RobotModel robot, TimeSpan length)
     {

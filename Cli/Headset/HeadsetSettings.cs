@@ -12,6 +12,11 @@ sealed record HeadsetSettings
     public string Robot { get; init; }
 
     public string Predictor { get; init; }
+    public string Estimator { get; init; }
+
+    /// <summary>Replaces <see cref="Visualisation"/>; null for none.</summary>
+    public LatencyProfile Profile { get; init; }
+
     public VisualisationLatency Visualisation { get; init; }
     public double Seconds { get; init; }
     public double FramesPerSecond { get; init; }

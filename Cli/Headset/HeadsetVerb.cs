@@ -32,6 +32,8 @@ static class HeadsetVerb
     static readonly Option<string> Name = new("--name") { Description = "This headset's name", DefaultValueFactory = _ => "headless" };
     static readonly Option<string> Robot = new("--robot") { Description = RobotFiles.Names + " or a .urdf file [default: as the gateway describes it]" };
     static readonly Option<string> Predictor = PredictorOption.Create();
+    static readonly Option<string> Estimator = RuntimeOptions.Estimator();
+    static readonly Option<string> Profile = RuntimeOptions.Profile();
     static readonly Option<double> Visualisation = NumberOption.Create("--visu-ms", "Display latency that the runtime is told", 40.0, 0, 500, "ms");
     static readonly Option<double> FramesPerSecond = NumberOption.Create("--fps", "Frames a second", 60.0, 1, 240, "Hz");
     static readonly Option<double> Seconds = NumberOption.Create("--seconds", "How long to run", 20.0, 1, 86_400, "s");
@@ -42,7 +44,8 @@ static class HeadsetVerb
     {
         var verb = new Command("headset", "Run the headset runtime on a gateway that serves already, and say how well it does.")
         {
-            Host, SyncPort, WebSocketPort, Pin, TokenFile, InsecureLan, Name, Robot, Predictor, Visualisation, FramesPerSecond, Seconds, Record, Json,
+            Host, SyncPort, WebSocketPort, Pin, TokenFile, InsecureLan, Name, Robot, Predictor, Estimator, Profile, Visualisation,
+            FramesPerSecond, Seconds, Record, Json,
         };
         verb.SetAction((parsed, cancel) => Task.Factory.StartNew(
             () => Run(Settings(parsed), parsed.GetValue(Json), cancel),
@@ -74,6 +77,8 @@ static class HeadsetVerb
                 token: Token(parsed.GetValue(TokenFile)), insecureLan: parsed.GetValue(InsecureLan), headsetName: parsed.GetValue(Name)),
             Robot = parsed.GetValue(Robot),
             Predictor = parsed.GetValue(Predictor),
+            Estimator = parsed.GetValue(Estimator),
+            Profile = RuntimeOptions.ProfileOf(parsed, Profile, Visualisation),
             Visualisation = new VisualisationLatency(TimeSpan.FromMilliseconds(parsed.GetValue(Visualisation))),
             Seconds = parsed.GetValue(Seconds),
             FramesPerSecond = parsed.GetValue(FramesPerSecond),

@@ -14,8 +14,7 @@ static class SyncVerb
             Description = "Log of exchanges: t1_ns,t2_ns,t3_ns,t4_ns (t1, t4 on C2; t2, t3 on C1), .csv or .csv.gz; "
                 + "or a recorded session, .jsonl or .jsonl.gz.",
         };
-        var estimator = ChoiceOption.Create(
-            "--estimator", "Clock estimator; ransac is the paper's", ClockEstimators.Default, [.. ClockEstimators.Names]);
+        var estimator = RuntimeOptions.Estimator();
         var at = new Option<string>("--at")
         {
             Description = "File of instants (t_ns on C2, increasing): print what was known at each, instead of after each exchange.",

@@ -6,6 +6,8 @@ using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Security;
 using Nowpose.Headless.Tests.Gateway;
+using Nowpose.Latency;
+using Nowpose.Latency.Profile;
 using Nowpose.Motion;
 using static System.FormattableString;
 
@@ -104,6 +106,49 @@ public class HeadsetVerbTests
         Assert.That(result.GetProperty("joints")[0].GetProperty("state").GetString(), Is.EqualTo("missing"));
         Assert.That(result.GetProperty("pose").GetProperty("state").GetString(), Is.EqualTo("incomplete"));
         Assert.That(result.GetProperty("pose").GetProperty("current_share_of_run").GetDouble(), Is.Zero);
+    }
+
+    [Test]
+    public async Task Headset_EstimatorAndProfile_AreUsed()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var cell = Simulate(gateway);
+        using var profile = Profile(63.5);
+
+        var run = await RunAsync(gateway, "--seconds", "3", "--json", "--estimator", "ransac", "--profile", profile.Path);
+
+        var result = JsonDocument.Parse(run.Output).RootElement;
+        Assert.That(result.GetProperty("latency_ms").GetProperty("visu").GetDouble(), Is.EqualTo(63.5));
+        Assert.That(result.GetProperty("samples").GetInt64(), Is.GreaterThan(0));
+    }
+
+    [TestCase("headset", "--visu-ms")]
+    [TestCase("demo", "--visu-error-ms")]
+    public async Task Profile_BesideAnotherDisplayLatency_IsRefused(string verb, string option)
+    {
+        using var profile = Profile(63.5);
+
+        var run = await CliRun.OfAsync(verb, "--profile", profile.Path, option, "10");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors.TrimEnd(), Is.EqualTo($"nowpose: --profile and {option} both set the display latency; give one of them"));
+    }
+
+    [TestCase("headset")]
+    [TestCase("demo")]
+    public async Task Estimator_Unknown_IsRefused(string verb)
+    {
+        var run = await CliRun.OfAsync(verb, "--estimator", "kalman");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors, Does.Contain("kalman").And.Contain("ransac"));
+    }
+
+    static TemporaryFile Profile(double visuMs)
+    {
+        var file = new TemporaryFile("", ".json");
+        LatencyProfileFile.Save(file.Path, new LatencyProfile(visuMs, 1, "test device", 60, DateTime.UtcNow, CalibrationMethod.VisibleLight, 10));
+        return file;
     }
 
     [Test]

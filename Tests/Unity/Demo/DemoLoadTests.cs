@@ -1,5 +1,6 @@
 using Nowpose.Cli.Demo;
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
 using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo;
@@ -22,6 +23,21 @@ public class DemoLoadTests
             score.Range.VisualisationMs(isOutside: true), Is.GreaterThan(score.Range.VisualisationMs(isOutside: false) + 15), "frames miss a refresh");
         Assert.That(score.Range.RmsOutsideMm, Is.GreaterThan(1.5 * score.Range.RmsInTimeMm.Value), "than the same frames in time");
         Assert.That(WhileLoaded(score, run), Is.GreaterThan(1.5 * WhileLoaded(seed)), "than the same motion without a load");
+    }
+
+    [Test]
+    public void Demo_ProfileOfAFile_ReplacesTheDemosOwnCalibration()
+    {
+        var profile = new LatencyProfile(
+            60, 1, "another headset", DemoDisplay.FramesPerSecond, DateTime.UtcNow, CalibrationMethod.VisibleLight, 10, 10.5,
+            RenderTimeSourceKind.DisplayGpuTime);
+
+        var run = VirtualDemo.Play(300_000, 1, 6, profile);
+        var own = VirtualDemo.Play(300_000, 1, 6);
+
+        Assert.That(run.Statistics.VisualisationLatency.TotalMilliseconds, Is.EqualTo(60));
+        Assert.That(run.Limit, Is.EqualTo(TimeSpan.FromMilliseconds(10.5)));
+        Assert.That(new DemoScore(run).Result().ToolErrorMm.Rms, Is.GreaterThan(1.5 * new DemoScore(own).Result().ToolErrorMm.Rms), "20 ms too much");
     }
 
     [Test]

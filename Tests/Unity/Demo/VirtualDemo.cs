@@ -38,18 +38,17 @@ sealed class VirtualDemo : IDemoTruth, IDisposable
     }
 
     /// <param name="vertices">Vertices of the load; null for a display without a load.</param>
-    public static DemoRun Play(int? vertices, int seed, double seconds = 20)
+    /// <param name="profile">The profile given to the runtime; null for the demo's own calibration.</param>
+    public static DemoRun Play(int? vertices, int seed, double seconds = 20, LatencyProfile profile = null)
     {
         var robot = RobotFiles.Load("youbot", out var urdf);
         var settings = new DemoSettings
         {
             Seconds = seconds, Network = NetworkProfile.Wifi, Robot = robot, RobotText = urdf, Motion = new PickAndPlaceMotion(robot),
             Predictor = Predictors.Default, SamplingMs = 50, Acquisition = new(55, 105), VisualisationMs = 40, Load = vertices, Seed = seed,
+            Profile = profile,
         };
-        var profile = vertices == null ? null : DemoCalibration.Of(settings);
-        using var demo = new VirtualDemo(settings, new SessionSettings(
-            new ConnectionSettings("127.0.0.1", 1, 1), VisualisationLatency.FromMilliseconds(settings.VisualisationMs),
-            new PredictionSettings(settings.Predictor), profile: profile));
+        using var demo = new VirtualDemo(settings, DemoStage.SessionOf(settings, new ConnectionSettings("127.0.0.1", 1, 1)));
         return demo.Run(settings);
     }
 

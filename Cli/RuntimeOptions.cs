@@ -1,0 +1,30 @@
+using System.CommandLine;
+using Nowpose.Gateway.Options;
+using Nowpose.Latency;
+using Nowpose.Sync;
+
+namespace Nowpose.Cli;
+
+/// <c>--estimator</c> and <c>--profile</c>: settings of the runtime that several verbs take alike.
+static class RuntimeOptions
+{
+    public static Option<string> Estimator() => ChoiceOption.Create(
+        "--estimator", "Clock estimator; ransac is the paper's", ClockEstimators.Default, [.. ClockEstimators.Names]);
+
+    public static Option<string> Profile() => new("--profile")
+    {
+        Description = "Latency profile that calibrate has written: sets the display latency and its render time limit", HelpName = "FILE.json",
+    };
+
+    /// <summary>Reads the latency profile.</summary>
+    /// <param name="given">Other options that set the display latency.</param>
+    /// <returns>Null for none.</returns>
+    /// <exception cref="InputException">The file is not a readable profile, or another option sets the display latency, too.</exception>
+    public static LatencyProfile ProfileOf(ParseResult parsed, Option<string> profile, params Option[] given)
+    {
+        if (parsed.GetValue(profile) is not { } path) return null;
+        if (Array.Find(given, option => parsed.GetResult(option) is { Implicit: false }) is { } other)
+            throw new InputException($"--profile and {other.Name} both set the display latency; give one of them");
+        return LatencyProfileFile.Load(path);
+    }
+}
