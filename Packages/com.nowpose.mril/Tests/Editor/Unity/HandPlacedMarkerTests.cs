@@ -27,13 +27,13 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Read_NeverMoved_SaysNothing()
+        public void Read_NeverMoved_ReturnsNoMarker()
         {
             Assert.That(Read(), Is.Empty);
         }
 
         [Test]
-        public void Read_PutDown_IsWhereItsTransformIsSinceThen()
+        public void Read_Released_HasItsPoseAndTime()
         {
             _marker.transform.position = new Vector3(1, 2, 3);
             _marker.BeginMove();
@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Read_WhileMoved_IsNewEachTime()
+        public void Read_WhileMoved_HasANewTimeEachFrame()
         {
             _marker.BeginMove();
 

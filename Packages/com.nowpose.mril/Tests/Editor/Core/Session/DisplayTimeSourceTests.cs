@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void DisplayTimeSource_LatencyThatVaries_IsCompensatedOnlyWithIt()
+        public void DisplayTimeSource_VaryingLatency_IsCompensatedOnlyWithASource()
         {
             var with = ErrorOf(new Runtime());
             var without = ErrorOf(null);
@@ -55,7 +55,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void DisplayTimeSource_KnowsNothingOrNonsense_LightAppearsAsCalibrated([Values(null, -1.0, 501.0)] double? ms)
+        public void DisplayTimeSource_NoOrInvalidTime_UsesTheCalibratedLatency([Values(null, -1.0, 501.0)] double? ms)
         {
             var simulated = Running(new Runtime { Ms = _ => ms });
 
@@ -68,7 +68,7 @@ namespace Nowpose.Tests.Core.Session
 
         [TestCase(46.5, true)]
         [TestCase(44, false)]
-        public void DisplayTimeSource_LastingDifference_IsToldOnceAboveFiveMilliseconds(double ms, bool isTold)
+        public void DisplayTimeSource_LastingDifference_IsReportedOnceAboveFiveMilliseconds(double ms, bool isTold)
         {
             var simulated = Running(null);
             var watch = new SessionWatch();
@@ -92,7 +92,7 @@ namespace Nowpose.Tests.Core.Session
 
         [TestCase(46.5, 40, true)]
         [TestCase(40, 46.5, false)]
-        public void DisplayTimeSource_FrameComputedTwice_OnlyTheLastOneIsCompared(double lastMs, double firstMs, bool isDoubted)
+        public void DisplayTimeSource_FrameComputedTwice_ComparesOnlyTheSecond(double lastMs, double firstMs, bool isDoubted)
         {
             var simulated = Running(null);
             var ms = lastMs;
@@ -111,7 +111,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void DisplayTimeSource_OutsideTheRange_IsNotComparedWithWhatNoLongerHolds()
+        public void DisplayTimeSource_OutsideTheRange_IsNotCompared()
         {
             var simulated = Running(null);
             simulated.Session.Calibrate(new LatencyProfile(

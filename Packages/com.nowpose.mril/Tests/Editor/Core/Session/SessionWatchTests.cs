@@ -61,7 +61,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Changed_Synchronised_IsSaidAfterHalfASecond()
+        public void Changed_Synchronised_IsReportedAfterHalfASecond()
         {
             var watch = new SessionWatch();
 
@@ -71,7 +71,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Changed_SeveralAtOnce_AreAllSaid()
+        public void Changed_SeveralChanges_AreAllReported()
         {
             var watch = new SessionWatch();
             for (var frame = 0; frame < 40; frame++) watch.Changed(At(frame), PoseState.Current, true, RangeState.Inside);
@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void End_Synchronised_IsLostAndStartsAnew()
+        public void End_Synchronised_ReportsLostAndResets()
         {
             var watch = new SessionWatch();
             var before = watch.End();
@@ -96,7 +96,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Changed_WholeSession_TellsItsStory()
+        public void Changed_WholeSession_ReportsAllChangesInOrder()
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, 7);
             var watch = new SessionWatch();
