@@ -22,7 +22,7 @@ public class AccessFaultTests
     public void TearDown() => Directory.Delete(_folder, true);
 
     [Test]
-    public async Task Certificate_ThatExpires_IsToldOnBothSidesAndRecoveredFromByARenewedOne()
+    public async Task Certificate_Expires_IsReportedOnBothSidesUntilRenewed()
     {
         var path = Path.Combine(_folder, "gateway.pem");
         using var key = ECDsa.Create(ECCurve.NamedCurves.nistP256);
@@ -55,7 +55,7 @@ public class AccessFaultTests
     }
 
     [Test]
-    public async Task Token_RevokedAndGivenBack_IsToldAndRecoveredFrom()
+    public async Task Token_RevokedAndRestored_IsReportedAndTheHeadsetRecovers()
     {
         var path = Path.Combine(_folder, "tokens.txt");
         File.WriteAllText(path, "observer a\nobserver b\n");
