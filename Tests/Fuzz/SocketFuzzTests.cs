@@ -23,7 +23,7 @@ public class SocketFuzzTests
     const long GreatestGrowthBytes = 16 * 1024 * 1024;
 
     [Test]
-    public async Task Gateway_SpoiltMessages_AnswersTheHonestOneAfterwards()
+    public async Task Gateway_DamagedMessages_AnswersAValidOneAfterwards()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { SourceMessagesPerSecond = 100_000 });
         await SendSpoiltAsync(gateway, Seed, Messages / 10);
@@ -35,7 +35,7 @@ public class SocketFuzzTests
     }
 
     [Test]
-    public async Task Gateway_SpoiltFrames_ServesTheHonestOneAfterwards()
+    public async Task Gateway_DamagedFrames_ServesAValidClientAfterwards()
     {
         await using var gateway = await Gateways.StartAsync();
         var random = new Random(Seed);
@@ -59,7 +59,7 @@ public class SocketFuzzTests
     }
 
     [Test]
-    public async Task SyncServer_SpoiltFrames_AnswersTheHonestOneAfterwards()
+    public async Task SyncServer_DamagedFrames_AnswersAValidOneAfterwards()
     {
         await using var gateway = await Gateways.StartAsync();
         var random = new Random(Seed);
@@ -83,7 +83,7 @@ public class SocketFuzzTests
     }
 
     [Test]
-    public async Task Headset_MaliciousServer_ShowsFinitePosesAndTakesTheHonestMessageAfterwards()
+    public async Task Headset_MaliciousServer_ShowsFinitePosesAndAcceptsAValidMessageAfterwards()
     {
         using var server = new FakeWebSocketServer();
         using var sync = new FakeSyncServer(new WildReplies(Seed).Answer);
