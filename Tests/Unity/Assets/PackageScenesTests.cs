@@ -13,7 +13,7 @@ public sealed class PackageScenesTests
     static IEnumerable<string> ScenesWithRobot => Scenes.Where(s => !s.Contains("Any Robot", StringComparison.Ordinal));
 
     [TestCaseSource(nameof(Scenes))]
-    public void Scene_PlayedAlone_BindsItsRigAndComplainsOfNothing(string path)
+    public void Scene_PlayedAlone_BindsItsRigWithoutWarnings(string path)
     {
         using var player = Play(path);
 
@@ -28,7 +28,7 @@ public sealed class PackageScenesTests
     }
 
     [TestCaseSource(nameof(ScenesWithRobot))]
-    public void Scene_GhostShown_RidesOnTheHeldPose(string path)
+    public void Scene_GhostShown_FollowsTheHeldPose(string path)
     {
         using var player = Play(path);
         var ghost = player.Find<BaseAnchor>().GetComponentInChildren<Ghost>(true);
