@@ -28,7 +28,7 @@ public class VirtualRobotCellTests
 
     [TestCase("youbot")]
     [TestCase("ur5")]
-    public void Play_KnobsAsTheyCome_TheGapCloses(string robot)
+    public void Play_DefaultSettings_GapCloses(string robot)
     {
         using var sample = new PlayedSample(robot).Start().Run(6);
 
@@ -42,7 +42,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void Scene_Played_TheGapCloses()
+    public void Scene_Played_GapCloses()
     {
         using var sample = PlayedSample.OfScene().Run(6);
 
@@ -69,7 +69,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void Play_Twice_IsTheSame()
+    public void Play_Twice_Repeats()
     {
         using var one = new PlayedSample().Start().Run(8);
         var first = one.Displayed.Tool.position;
@@ -79,7 +79,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void Play_SessionWithoutARobot_TakesTheControlSystems()
+    public void Play_SessionWithoutARobot_UsesTheControlSystems()
     {
         using var sample = new PlayedSample(sessionKnowsTheRobot: false).Start().Run(8);
 
@@ -89,7 +89,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void TruthRig_Playing_ShowsTheArmAndNotTheTool()
+    public void TruthRig_Playing_ShowsTheArmButNotTheTool()
     {
         using var sample = new PlayedSample().Start().Run(1);
 
@@ -101,7 +101,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void TruthRig_DisplaySlowerThanCalibrated_ShowsWhatThatDoes()
+    public void TruthRig_DisplaySlowerThanCalibrated_ShowsTheResultingGap()
     {
         using var calibrated = new PlayedSample().Start().Run(6).Run(10);
         using var slower = new PlayedSample();
@@ -117,7 +117,7 @@ public class VirtualRobotCellTests
     });
 
     [TestCaseSource(nameof(Ends))]
-    public void Knob_TurnedToItsEndWhilePlaying_ThrowsNothingAndCanBeTurnedBack(string knob, float value)
+    public void Knob_SetToItsLimitAndBackWhilePlaying_DoesNotThrow(string knob, float value)
     {
         using var sample = new PlayedSample().Start().Run(5);
         var field = typeof(SimulatedControlSystem).GetField(knob, BindingFlags.NonPublic | BindingFlags.Instance);
@@ -136,7 +136,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void Knobs_AllAtRandom_ThrowNothing([NUnit.Framework.Range(1, 8)] int seed)
+    public void Knobs_AllAtRandom_DoNotThrow([NUnit.Framework.Range(1, 8)] int seed)
     {
         var random = new Random(seed);
         using var sample = new PlayedSample().Start().Run(3);
@@ -153,7 +153,7 @@ public class VirtualRobotCellTests
     [TestCase("_samplingMs", 1000f)]
     [TestCase("_latencyMinMs", 1000f)]
     [TestCase("_loss", 1f)]
-    public void Knob_BeyondWhatCanBePredicted_IsNotShownAsCurrent(string knob, float value)
+    public void Knob_BeyondThePredictableRange_IsNotShownAsCurrent(string knob, float value)
     {
         using var sample = new PlayedSample().Start().Run(6);
 
@@ -165,7 +165,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void ClockAhead_ChangedWhilePlaying_IsAStepThatIsFound()
+    public void ClockAhead_ChangedWhilePlaying_IsDetectedAsAStep()
     {
         using var sample = new PlayedSample().Start().Run(6);
 
@@ -178,7 +178,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void Play_PausedAndBack_IsCurrentAgain()
+    public void Play_PausedAndResumed_IsCurrentAgain()
     {
         using var sample = new PlayedSample().Start().Run(6);
 
@@ -194,7 +194,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void ControlSystem_DisabledAndEnabled_BeginsAnew()
+    public void ControlSystem_DisabledAndEnabled_Restarts()
     {
         using var sample = new PlayedSample().Start().Run(6);
 
@@ -210,7 +210,7 @@ public class VirtualRobotCellTests
 
     [TestCase("_session", "session")]
     [TestCase("_robot", "robot")]
-    public void ControlSystem_NothingAssigned_SaysWhatAndThrowsNothing(string field, string named)
+    public void ControlSystem_ReferenceMissing_IsLoggedWithoutException(string field, string named)
     {
         using var sample = new PlayedSample();
         sample.Control.With(field, null);
