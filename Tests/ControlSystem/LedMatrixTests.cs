@@ -58,8 +58,8 @@ public class LedMatrixTests
 
     [TestCase("wValue XOR SHR(wValue, 1)", "wValue", TestName = "Block_WithoutGrayCode_IsFound")]
     [TestCase("bOdd := NOT bOdd", "bEven := NOT bEven", TestName = "Block_WithOneParity_IsFound")]
-    [TestCase("MOD 65536", "MOD 32768", TestName = "Block_OfFewerBits_IsFound")]
-    [TestCase("aRows[0] := BYTE#16#9F", "aRows[0] := BYTE#16#F9", TestName = "Block_WithTheMarksOnTheOtherSide_IsFound")]
+    [TestCase("MOD 65536", "MOD 32768", TestName = "Block_FewerBits_IsFound")]
+    [TestCase("aRows[0] := BYTE#16#9F", "aRows[0] := BYTE#16#F9", TestName = "Block_MarksOnTheWrongSide_IsFound")]
     public void Block_Wrong(string right, string wrong)
     {
         var block = new StructuredText(Text("FB_NowposeLedCode.st").Replace(right, wrong));

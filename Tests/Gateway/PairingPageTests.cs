@@ -108,7 +108,7 @@ public sealed class PairingPageTests
 
         var key = JsonDocument.Parse(text).RootElement.GetProperty("key").GetString();
         Assert.That(key, Has.Length.EqualTo(13).And.EndsWith("…"));
-        var flow = new PairingFlow(PairedCells.None, "headset 7", (_, _, _) => throw new InvalidOperationException("nobody has agreed"));
+        var flow = new PairingFlow(PairedCells.None, "headset 7", (_, _, _) => throw new InvalidOperationException("the wearer has not agreed"));
         flow.See(gateway.CellCode().Text, HeadsetTime.FromSeconds(10));
         Assert.That(flow.Question, Does.EndWith("key " + key));
     }

@@ -94,7 +94,7 @@ public class RosapiTests
 
     [TestCase("none", false)]
     [TestCase("error", true)]
-    public async Task SetLevel_Level_FiltersStatusMessages(string level, bool isTold)
+    public async Task SetLevel_Level_FiltersStatusMessages(string level, bool isSent)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -102,7 +102,7 @@ public class RosapiTests
 
         await client.SendAsync("""{"op":"unheard_of"}""");
 
-        if (isTold) await client.ExpectErrorAsync("Unknown operation");
+        if (isSent) await client.ExpectErrorAsync("Unknown operation");
         await client.RoundTripAsync();
     }
 }

@@ -331,7 +331,7 @@ public class RosbridgeClientTests
         Assert.That(RosbridgeReader.TryRead(await NextAsync(socket, "publish", RosTopics.Displayed), out var message, out _), Is.True);
         Assert.That(message.Displayed.FrameId, Is.EqualTo("left door"));
         Assert.That(message.Displayed.Positions, Is.EqualTo(new[] { 0.5 }));
-        Assert.That(message.JointState, Is.Null, "it is no sample of the robot");
+        Assert.That(message.JointState, Is.Null, "it is not a sample of the robot");
     }
 
     [Test]

@@ -36,7 +36,7 @@ public sealed class SweepTableTests : CalibrationFolder
         var rows = SweepTable.Read(Write("sweep.csv", [Log("HoloLens 2,", "HoloLens 2,", "HoloLens 2,60")]));
 
         Assert.That((SweepTable.Device(rows), SweepTable.DisplayHz(rows)), Is.EqualTo(("HoloLens 2", 60)));
-        Assert.That(SweepTable.DisplayHz([rows[0]]), Is.Zero, "nobody says it");
+        Assert.That(SweepTable.DisplayHz([rows[0]]), Is.Zero, "no row gives the rate");
     }
 
     [TestCase("HoloLens 2,60", "Quest 3,60", "frames of 'HoloLens 2' and of 'Quest 3'; a sweep is of one headset")]

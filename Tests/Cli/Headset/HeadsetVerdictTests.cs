@@ -34,7 +34,7 @@ public class HeadsetVerdictTests
     [TestCase(3, 1, 0, true, TestName = "FailureOf_ShortRunThatSynchronisedInTime_IsNone")]
     [TestCase(2, 4, 3.9, true)]
     [TestCase(2, 4, 4.1, false)]
-    [TestCase(12, 8, 0, false, TestName = "FailureOf_CurrentOnlyTowardsTheEnd_IsAFailure")]
+    [TestCase(12, 8, 0, false, TestName = "FailureOf_CurrentOnlyTowardsTheEnd_IsReported")]
     public void FailureOf_CurrentShare_HasAThresholdOfHalf(double before, double current, double after, bool isGood)
     {
         var pose = Pose((before, PoseState.Unsynchronised), (current, PoseState.Current), (after, PoseState.Held));

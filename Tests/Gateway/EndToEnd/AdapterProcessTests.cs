@@ -94,7 +94,7 @@ public class AdapterProcessTests
 
         await using var adapters = AdapterProcesses.Start([Plant(_folder.Path)], gateway);
 
-        await Soon.BecomesAsync(() => lines.Any(line => line.Contains("its adapter ended", StringComparison.Ordinal)), "its end is told");
+        await Soon.BecomesAsync(() => lines.Any(line => line.Contains("its adapter ended", StringComparison.Ordinal)), "its end is logged");
         for (var i = 0; i < 100; i++) gateway.Log("the same");
         Assert.That(lines.Count(line => line == "the same"), Is.EqualTo(QuietLog.LinesAMinute), "that log bounds them");
     }

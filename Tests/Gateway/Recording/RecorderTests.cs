@@ -274,7 +274,7 @@ public class RecorderTests
         await recorder.SwitchOffAsync().Bounded();
 
         Assert.That(lost, Is.GreaterThan(10_000));
-        Assert.That(took, Is.LessThan(TimeSpan.FromSeconds(5)), "nobody waited");
+        Assert.That(took, Is.LessThan(TimeSpan.FromSeconds(5)), "writers are not blocked");
         var lines = Lines(recorder.Path);
         Assert.That(Count(lines, "sample") + lines.Where(line => line.GetProperty("kind").GetString() == "lost").Sum(line => line.GetProperty("count").GetInt64()),
             Is.InRange(20_000, 20_100));

@@ -132,7 +132,7 @@ public class RevocationTests
         await using var gateway = await StartAsync("observer only");
         using var client = await ConnectAsync(gateway, "only");
 
-        Write("# nobody at the moment");
+        Write("# no tokens at the moment");
 
         Assert.That((await client.Socket.ReceiveAsync(new byte[100], default).Bounded()).CloseStatusDescription, Is.EqualTo("Token"));
         Assert.That(await RefusalAsync(gateway, "only"), Is.EqualTo(HttpStatusCode.Unauthorized));

@@ -313,7 +313,7 @@ public class BaseAnchorTests
         hand.transform.SetParent(_session.transform);
         _session.gameObject.SetActive(true);
         _cell.Run(5, _session);
-        Assert.That(_anchor.State, Is.EqualTo(BaseAnchorState.Placed), "nobody has moved it");
+        Assert.That(_anchor.State, Is.EqualTo(BaseAnchorState.Placed), "it has not been moved");
 
         hand.BeginMove();
         hand.transform.SetPositionAndRotation(new Vector3(0.4f, 1, 2), Quaternion.Euler(0, 30, 0));

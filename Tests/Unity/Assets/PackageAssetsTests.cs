@@ -177,7 +177,7 @@ public sealed class PackageAssetsTests
             for (var i = 0; i < model.Links.Count; i++)
             {
                 var link = rig.Link(model.Links[i].Name);
-                Assert.That(saved, Does.Contain(link), "bound to what the prefab has, not built anew");
+                Assert.That(saved, Does.Contain(link), "bound to the prefab's objects, not rebuilt");
                 RequireAt(rig.transform, link, expected[i], $"seed {seed}, pose {n}, link {link.name}");
             }
         }

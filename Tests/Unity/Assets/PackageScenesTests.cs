@@ -41,7 +41,7 @@ public sealed class PackageScenesTests
         Assert.That(ghost.GetComponentInChildren<VirtualGripper>().Rig, Is.SameAs(ghost.GetComponent<RobotRig>()));
     }
 
-    /// <summary>Whether a message is AR Foundation's own warning that there is no headset, which the package does not suppress.</summary>
+    /// <summary>Whether a message is AR Foundation's own warning about a missing headset, which the package does not suppress.</summary>
     static bool IsOfNoHeadset(string message) => message.StartsWith("No active ", StringComparison.Ordinal);
 
     static Player Play(string path)

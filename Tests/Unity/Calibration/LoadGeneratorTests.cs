@@ -83,8 +83,8 @@ public sealed class LoadGeneratorTests
 
     [TestCase(LoadMesh.GreatestVertices, 2f)]
     [TestCase(600_000, 10f)]
-    [TestCase(100_000, 0.1f, TestName = "Building_WhenOneStepIsLongerThanItsTime_TakesThatOne")]
-    public void Building_OfALoad_StaysWithinItsTimePerFrame(int vertices, float msPerFrame)
+    [TestCase(100_000, 0.1f, TestName = "Building_StepLongerThanTheTimePerFrame_TakesOneStep")]
+    public void Building_Load_StaysWithinTheTimePerFrame(int vertices, float msPerFrame)
     {
         Play(0, msPerFrame);
         var without = Enumerable.Range(0, 10).Max(_ => FrameMs());
@@ -110,7 +110,7 @@ public sealed class LoadGeneratorTests
         _load.Vertices = 400_000;
 
         Assert.That(Build(), Is.EqualTo(1));
-        Assert.That(_load.GetComponentsInChildren<MeshRenderer>(), Has.Length.EqualTo(16), "nothing was made anew");
+        Assert.That(_load.GetComponentsInChildren<MeshRenderer>(), Has.Length.EqualTo(16), "the objects are reused");
     }
 
     [Test]

@@ -69,7 +69,7 @@ public class RenderTimeSourceTests
         Assert.That(_session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9).Within(1e-3));
         Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Inside));
         Assert.That(Said(), Is.EqualTo(new[] { "GPU time by headset" }), "once");
-        Assert.That(Gpu.PendingReadbacks, Is.EqualTo(0), "nobody needs them");
+        Assert.That(Gpu.PendingReadbacks, Is.EqualTo(0), "they are not needed");
     }
 
     [TestCase(null)]

@@ -13,7 +13,7 @@ namespace Nowpose.Unity.Tests.Samples;
 public class VirtualRobotCellTests
 {
     /// <summary>The value is 0.89 to 0.91 on every machine, because time is virtual and random numbers are seeded.</summary>
-    const double LeastReduction = 0.85;
+    const double MinReduction = 0.85;
 
     static readonly (string Name, KnobRange Range)[] Knobs =
     [
@@ -36,8 +36,8 @@ public class VirtualRobotCellTests
 
         Assert.That(sample.States, Is.All.EqualTo(PoseState.Current));
         Assert.That(Rms(sample.HoldErrors), Is.GreaterThan(0.02), "there is a gap to close");
-        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(LeastReduction));
-        Assert.That(sample.Session.Statistics.ErrorReduction, Is.GreaterThan(LeastReduction), "the panel says so, too");
+        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(MinReduction));
+        Assert.That(sample.Session.Statistics.ErrorReduction, Is.GreaterThan(MinReduction), "the panel shows it, too");
         Assert.That(Complaints(sample), Is.Empty);
     }
 
@@ -50,7 +50,7 @@ public class VirtualRobotCellTests
 
         Assert.That(sample.States, Is.All.EqualTo(PoseState.Current));
         Assert.That(Rms(sample.HoldErrors), Is.GreaterThan(0.02), "there is a gap to close");
-        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(LeastReduction));
+        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(MinReduction));
         Assert.That(sample.Session.Statistics.SampleLink.State, Is.EqualTo(LinkState.Idle), "it needs no network");
         Assert.That(Complaints(sample), Is.Empty);
     }
@@ -132,7 +132,7 @@ public class VirtualRobotCellTests
         Assert.That(Complaints(sample), Is.Empty);
         Assert.That(sample.States[^1], Is.EqualTo(PoseState.Current));
         if (atTheEnd.Count > 30)
-            Assert.That(Rms(atTheEnd.Errors), Is.LessThan(Rms(atTheEnd.HoldErrors) + 0.001), "what is called current is no worse than the hold");
+            Assert.That(Rms(atTheEnd.Errors), Is.LessThan(Rms(atTheEnd.HoldErrors) + 0.001), "current poses are no worse than held ones");
     }
 
     [Test]
@@ -174,7 +174,7 @@ public class VirtualRobotCellTests
         sample.Run(10);
 
         Assert.That(sample.Session.Statistics.ClockSteps, Is.EqualTo(1));
-        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(LeastReduction));
+        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(MinReduction));
     }
 
     [Test]

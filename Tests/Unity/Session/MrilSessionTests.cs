@@ -388,7 +388,7 @@ public class MrilSessionTests
         _cell.Run(1, session);
         Assert.That(session.Robot, Is.Null);
         Assert.That(session.Frame, Is.Null);
-        Assert.That(shown, Is.EqualTo(0), "nobody knows what to show");
+        Assert.That(shown, Is.EqualTo(0), "no frame is shown without a robot");
 
         session.Session.Described(RobotFiles.LoadText("ur5"));
         _cell.Run(5, session);
@@ -415,7 +415,7 @@ public class MrilSessionTests
         _cell.Run(0.1, session);
 
         Assert.That(session.Robot, Is.SameAs(robot));
-        Assert.That(session.Session, Is.SameAs(resumed), "the same text starts nothing anew");
+        Assert.That(session.Session, Is.SameAs(resumed), "the same text does not restart the session");
         session.Session.Described(RobotFiles.LoadText("youbot"));
         _cell.Run(0.1, session);
         Assert.That(session.Robot.Name, Is.EqualTo("youbot"));
@@ -491,7 +491,7 @@ public class MrilSessionTests
         var offset = first.Samples;
         _cell.Run(1, session);
 
-        Assert.That(first.Samples, Is.EqualTo(offset), "nobody asked since");
+        Assert.That(first.Samples, Is.EqualTo(offset), "they have not been read since");
         Assert.That(session.Statistics, Is.SameAs(first));
         Assert.That(first.Samples, Is.GreaterThan(offset));
     }

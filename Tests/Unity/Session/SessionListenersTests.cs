@@ -171,30 +171,30 @@ public class SessionListenersTests
     public void Synchronised_ListenerRestarts_OthersAreNotifiedAfterwards()
     {
         _session = _cell.Play();
-        var told = new List<SessionChange>();
+        var raised = new List<SessionChange>();
         Listen("Synchronised", () => _session.Settings = Others);
-        _session.Changed += told.Add;
+        _session.Changed += raised.Add;
 
         _cell.Run(6, _session);
 
-        Assert.That(told.Take(2), Is.EqualTo(new[] { SessionChange.Synchronised, SessionChange.Lost }));
+        Assert.That(raised.Take(2), Is.EqualTo(new[] { SessionChange.Synchronised, SessionChange.Lost }));
     }
 
     [Test]
     public void Changed_ListenerThrows_LaterChangesAreRaised()
     {
         _session = _cell.Play();
-        var told = new List<SessionChange>();
+        var raised = new List<SessionChange>();
         _session.Changed += change =>
         {
-            told.Add(change);
-            throw new InvalidOperationException("as told");
+            raised.Add(change);
+            throw new InvalidOperationException("thrown by the listener");
         };
 
         _cell.Run(6, _session);
         Assert.That(() => _session.Settings = Others, Throws.InvalidOperationException);
 
-        Assert.That(told, Is.EqualTo(new[] { SessionChange.Synchronised, SessionChange.Lost }));
+        Assert.That(raised, Is.EqualTo(new[] { SessionChange.Synchronised, SessionChange.Lost }));
     }
 
     static RobotDescriptionAsset Robot(string name) => RobotDescriptionAsset.Create(name, RobotFiles.LoadText(name));

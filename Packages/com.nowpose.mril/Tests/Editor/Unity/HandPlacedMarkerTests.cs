@@ -47,7 +47,7 @@ namespace Nowpose.Tests.Unity
             Assert.That(first.Tracking, Is.EqualTo(MarkerTracking.Placed));
             Assert.That(first.Payload, Is.Null, "it stands for the base frame itself");
             Assert.That(new[] { first.Pose.X, first.Pose.Y, first.Pose.Z }, Is.EqualTo(new double[] { 3, -1, 2 }), "the URDF's axes");
-            Assert.That(second.LastSeen, Is.EqualTo(first.LastSeen), "nobody has moved it since");
+            Assert.That(second.LastSeen, Is.EqualTo(first.LastSeen), "it has not been moved since");
         }
 
         [Test]

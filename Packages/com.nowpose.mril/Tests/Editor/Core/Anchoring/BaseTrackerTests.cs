@@ -56,7 +56,7 @@ namespace Nowpose.Tests.Core.Anchoring
             cell.OutlierShare = 0;
             var told = cell.Now;
             // The sighting is renewed twice a second, as by devices that read codes.
-            cell.Told = sighting =>
+            cell.Change = sighting =>
             {
                 if (sighting.LastSeen - told >= Lengths.Seconds(0.5)) told = sighting.LastSeen;
                 return new MarkerSighting("1", "a", sighting.Pose, 0, told, MarkerTracking.Tracking);
@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Anchoring
         {
             var cell = SimulatedMarkers.One(1, 0, new AnchoringSettings(oldestMs: 10_000));
             MarkerSighting? first = null;
-            cell.Told = sighting => first ??= sighting;
+            cell.Change = sighting => first ??= sighting;
 
             Assert.That(cell.RunUntilLocked(8), Is.Null);
             Assert.That(cell.Tracker.Markers[0].Sightings, Is.EqualTo(1));
@@ -96,7 +96,7 @@ namespace Nowpose.Tests.Core.Anchoring
             var cell = NoisyOne();
             var before = cell.Tracker.Base.Value;
             var last = cell.Now;
-            cell.Told = sighting => new MarkerSighting(
+            cell.Change = sighting => new MarkerSighting(
                 "1", "a", RigidTransform.FromXyzRpy(0.5, 0, 0, 0, 0, 0) * sighting.Pose, 0, last, MarkerTracking.Tracking);
 
             cell.Run(5);
@@ -119,7 +119,7 @@ namespace Nowpose.Tests.Core.Anchoring
             {
                 var cell = NoisyOne();
                 var before = cell.Tracker.Base.Value;
-                cell.Told = sighting => new MarkerSighting("1", "a", pose, 0, sighting.LastSeen, MarkerTracking.Tracking);
+                cell.Change = sighting => new MarkerSighting("1", "a", pose, 0, sighting.LastSeen, MarkerTracking.Tracking);
 
                 cell.Run(3);
 
@@ -191,7 +191,7 @@ namespace Nowpose.Tests.Core.Anchoring
             cell.Noisy();
             cell.Run(1.5);
             cell.IsInView = _ => false;
-            cell.Told = s => new MarkerSighting(s.Id, s.Payload, s.Pose, 0, s.LastSeen, MarkerTracking.Tracking);
+            cell.Change = s => new MarkerSighting(s.Id, s.Payload, s.Pose, 0, s.LastSeen, MarkerTracking.Tracking);
             cell.Run(5);
             cell.Base = RigidTransform.FromXyzRpy(0.5, 0, 0, 0, 0, 0) * cell.Base;
             cell.IsInView = _ => true;
@@ -306,7 +306,7 @@ namespace Nowpose.Tests.Core.Anchoring
             var cell = NoisyOne();
             var before = cell.Tracker.Base.Value;
             cell.IsInView = _ => false;
-            cell.Told = s => new MarkerSighting(s.Id, s.Payload, s.Pose, 0, s.LastSeen, MarkerTracking.Limited);
+            cell.Change = s => new MarkerSighting(s.Id, s.Payload, s.Pose, 0, s.LastSeen, MarkerTracking.Limited);
             cell.Tracker.Relock();
 
             cell.Run(14.5);
@@ -316,7 +316,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
             Assert.That(cell.Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0));
             cell.Shifted["a"] = RigidTransform.FromXyzRpy(0.36, 0, 0, 0, 0, 0.4);
-            (cell.IsInView, cell.Told) = (_ => true, s => s);
+            (cell.IsInView, cell.Change) = (_ => true, s => s);
             cell.Run(1);
             Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Moved), "it is watched");
         }
@@ -492,7 +492,7 @@ namespace Nowpose.Tests.Core.Anchoring
         {
             var cell = SimulatedMarkers.One(1, 0);
             var other = false;
-            cell.Told = sighting => (other = !other)
+            cell.Change = sighting => (other = !other)
                 ? sighting
                 : new MarkerSighting("2", "a", sighting.Pose * RigidTransform.FromXyzRpy(1, 0, 0, 0, 0, 0), 0, cell.Now, MarkerTracking.Tracking);
 

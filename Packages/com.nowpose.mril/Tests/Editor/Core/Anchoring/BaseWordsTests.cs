@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Core.Anchoring
         {
             _cell.IsInView = payload => payload == "a";
             _cell.Head = head ?? _cell.Head;
-            _cell.Told = s => new MarkerSighting(
+            _cell.Change = s => new MarkerSighting(
                 s.Id, s.Payload, s.Pose, sizeMetres, HeadsetTime.FromSeconds(s.LastSeen.SinceEpoch.TotalSeconds - ageSeconds), s.Tracking);
         }
 

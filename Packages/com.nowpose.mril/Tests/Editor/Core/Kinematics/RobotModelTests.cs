@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [TestCase("", "hand", TestName = "ToolLink_NoName_IsTheLeafWithMostMovingJoints")]
-        [TestCase("flange", "flange", TestName = "ToolLink_Flange_IsIt")]
+        [TestCase("flange", "flange", TestName = "ToolLink_Flange_IsTheFlange")]
         [TestCase("flange tool0", "tool0", TestName = "ToolLink_FlangeAndTool0_IsTool0")]
         [TestCase("flange tool0 tool_centre_point", "tool_centre_point", TestName = "ToolLink_All_IsTheToolCentrePoint")]
         public void ToolLink(string frames, string expected)

@@ -126,11 +126,11 @@ namespace Nowpose.Tests.Core.Latency
         {
             var monitor = Monitor();
             Add(monitor, 20, 7);
-            var (early, doubt) = (monitor.State, monitor.Doubt);
+            var (early, reason) = (monitor.State, monitor.Doubt);
             Add(monitor, 20);
 
             Assert.That(early, Is.EqualTo(RangeState.Unknown));
-            Assert.That(doubt, Is.EqualTo(RangeDoubt.TooFewFrames));
+            Assert.That(reason, Is.EqualTo(RangeDoubt.TooFewFrames));
             Assert.That(monitor.State, Is.EqualTo(RangeState.Outside));
             Assert.That(monitor.Doubt, Is.EqualTo(RangeDoubt.None));
         }
@@ -237,13 +237,13 @@ namespace Nowpose.Tests.Core.Latency
             Add(monitor, 12, 100);
             var before = monitor.State;
             monitor.Range = new ConstantLatencyRange(15, Source);
-            var (between, doubt) = (monitor.State, monitor.Doubt);
+            var (between, reason) = (monitor.State, monitor.Doubt);
 
             Add(monitor, 12);
 
             Assert.That(before, Is.EqualTo(RangeState.Outside));
             Assert.That(between, Is.EqualTo(RangeState.Unknown));
-            Assert.That(doubt, Is.EqualTo(RangeDoubt.TooFewFrames));
+            Assert.That(reason, Is.EqualTo(RangeDoubt.TooFewFrames));
             Assert.That(monitor.State, Is.EqualTo(RangeState.Inside));
         }
 

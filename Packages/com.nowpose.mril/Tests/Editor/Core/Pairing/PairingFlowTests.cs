@@ -114,7 +114,7 @@ namespace Nowpose.Tests.Core.Pairing
             Frame(Token);
             Assert.That(_flow.Words, Does.Contain("now look at the robot's marker"));
             Frame(Cell);
-            Assert.That(_sent, Is.Empty, "nobody has agreed yet");
+            Assert.That(_sent, Is.Empty, "the wearer has not agreed yet");
 
             _flow.Accept();
             Frame();
@@ -427,7 +427,7 @@ namespace Nowpose.Tests.Core.Pairing
             Assert.That(_flow.Question, Is.Null);
 
             _flow.AskToForget();
-            Assert.That(_flow.Question, Is.Null, "there is no cell to forget");
+            Assert.That(_flow.Question, Is.Null, "no cell is paired");
             Frame(Cell);
 
             Assert.That(_flow.Question, Does.StartWith("Connect to cell 'Press 3'?"));
@@ -573,7 +573,7 @@ namespace Nowpose.Tests.Core.Pairing
             Assert.That(said, Is.EqualTo(1));
             Assert.That(_flow.Problem, Does.Contain("256 different ones"));
             Frame(Cell);
-            Assert.That(_flow.Question, Is.Null, "there is no room");
+            Assert.That(_flow.Question, Is.Null, "no further codes are kept");
 
             _now += PairingLimits.CodeValidity;
             Frame(Cell);

@@ -79,8 +79,8 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         // The plan is offset from the predicted position. The displayed position must never move faster than the blend, even in very short steps.
-        [TestCase(1.2, 0.02, TestName = "Follow_PlanForLater_StartsAndEndsWithoutAJump")]
-        [TestCase(1.05, 0.02, TestName = "Follow_PlanThatHasBegun_StartsAndEndsWithoutAJump")]
+        [TestCase(1.2, 0.02, TestName = "Follow_PlanInTheFuture_StartsAndEndsWithoutAJump")]
+        [TestCase(1.05, 0.02, TestName = "Follow_PlanAlreadyStarted_StartsAndEndsWithoutAJump")]
         public void Follow_Plan_StartsAndEndsWithoutAJump(double start, double beside)
         {
             const double step = 1e-4;

@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Prediction
             predictor.Add(0, 0);
             predictor.Add(1, 10);
 
-            Assert.That(predictor.At(2).Position, Is.EqualTo(20).Within(1e-9), "a slide of ten metres is no angle");
+            Assert.That(predictor.At(2).Position, Is.EqualTo(20).Within(1e-9), "ten metres of a linear joint are not wrapped like an angle");
         }
 
         static double Wrapped(double angle) => angle - Turn * Math.Round(angle / Turn);

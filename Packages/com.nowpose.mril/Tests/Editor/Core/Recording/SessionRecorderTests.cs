@@ -317,7 +317,7 @@ namespace Nowpose.Tests.Core.Recording
             session.Tick(Start);
             var flush = recorder.FlushAsync();
 
-            Assert.That(flush.Wait(TimeSpan.FromMinutes(1)), "nobody waits for ever");
+            Assert.That(flush.Wait(TimeSpan.FromMinutes(1)), "the wait for the flush ends");
             Assert.That(recorder.State, Is.EqualTo(RecordingState.Failed));
             Assert.That(recorder.Problem, Is.EqualTo("recording disk has stopped: No space left on device"));
             recorder.Dispose();
@@ -345,8 +345,8 @@ namespace Nowpose.Tests.Core.Recording
             Assert.That(recorder.Problem, Is.EqualTo("recording disk has stopped: No space left on device"));
             Assert.That(recorder.State, Is.EqualTo(RecordingState.Failed), "still");
             Assert.That(disk.IsClosed);
-            Assert.That(disk.Refusals, Is.LessThanOrEqualTo(2), "once by writing, once by closing: nobody goes on trying");
-            Assert.That(recorder.LostLines, Is.EqualTo(lost), "nothing is collected that nobody will write");
+            Assert.That(disk.Refusals, Is.LessThanOrEqualTo(2), "once by writing, once by closing: no further retries");
+            Assert.That(recorder.LostLines, Is.EqualTo(lost), "no lines are queued that will never be written");
             var text = System.Text.Encoding.UTF8.GetString(bytes);
             Assert.That(bytes.Length, Is.EqualTo(recorder.Bytes).And.LessThanOrEqualTo(room));
             var lines = text.Split(new[] { '\n' }, StringSplitOptions.RemoveEmptyEntries).Select(JObject.Parse).ToList();

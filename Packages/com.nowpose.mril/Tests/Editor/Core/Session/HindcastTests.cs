@@ -217,7 +217,7 @@ namespace Nowpose.Tests.Core.Session
                 if (i >= 60 && Statistics(simulated).HoldErrorMm.HasValue) known++;
             }
 
-            Assert.That(known, Is.GreaterThan(170), "frames that nobody can judge do not keep those after them waiting");
+            Assert.That(known, Is.GreaterThan(170), "frames that cannot be judged do not delay those after them");
         }
 
         [Test]
@@ -245,7 +245,7 @@ namespace Nowpose.Tests.Core.Session
                 sent++;
             }
 
-            Assert.That(before, Is.Null, "nobody can judge frames older than the samples");
+            Assert.That(before, Is.Null, "frames older than the samples cannot be judged");
             Assert.That(sent * 20, Is.LessThan(500), "ms; 900 until the stamps are newer than the newest of before");
         }
 
@@ -262,7 +262,7 @@ namespace Nowpose.Tests.Core.Session
                 simulated.Run(0.05);
             }
 
-            Assert.That(Statistics(simulated).ErrorMm, Is.Null, "where the elbow went nobody said");
+            Assert.That(Statistics(simulated).ErrorMm, Is.Null, "no sample gave the elbow's position");
         }
 
         [Test]

@@ -59,9 +59,9 @@ namespace Nowpose.Tests.Unity.Import
             Assert.That(ReadText(Solid(Facet(Lower)) + Solid(Facet(Upper))).Count, Is.EqualTo(2));
         }
 
-        [TestCase(0f, 0f, 0f, 0f, 0f, 0f, 1f, 1f, 1f, TestName = "Read_TwoCornersInOnePlace_LeavesTheTriangleOut")]
-        [TestCase(0f, 0f, 0f, 1f, 1f, 1f, 3f, 3f, 3f, TestName = "Read_CornersOnOneLine_LeavesTheTriangleOut")]
-        [TestCase(100f, 0f, 0f, 200f, 0f, 0f, 150f, 1e-6f, 0f, TestName = "Read_TriangleThinnerThanRounding_LeavesItOut")]
+        [TestCase(0f, 0f, 0f, 0f, 0f, 0f, 1f, 1f, 1f, TestName = "Read_TwoEqualVertices_SkipsTheTriangle")]
+        [TestCase(0f, 0f, 0f, 1f, 1f, 1f, 3f, 3f, 3f, TestName = "Read_CollinearVertices_SkipsTheTriangle")]
+        [TestCase(100f, 0f, 0f, 200f, 0f, 0f, 150f, 1e-6f, 0f, TestName = "Read_TriangleThinnerThanRounding_SkipsTheTriangle")]
         public void Read_TriangleWithoutArea_IsOmitted(params float[] corners)
         {
             var triangles = ReadText(Solid(Facet(Lower), Facet(corners)));

@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Unity.Status
             Step(Head(yaw, 20, 15, eyes));
 
             Assert.That(Vector3.Distance(_panel.position, eyes), Is.EqualTo(1.3f).Within(1e-4));
-            Assert.That(Mathf.DeltaAngle(Azimuth(_panel, eyes), yaw), Is.EqualTo(0).Within(0.01), "straight ahead, whatever the nod and tilt");
+            Assert.That(Mathf.DeltaAngle(Azimuth(_panel, eyes), yaw), Is.EqualTo(0).Within(0.01), "straight ahead, ignoring pitch and roll");
             Assert.That(_panel.position.y - eyes.y, Is.EqualTo(-1.3 * Math.Sin(12 * Math.PI / 180)).Within(1e-4));
             Assert.That((_panel.rotation * Vector3.up).y, Is.EqualTo(1).Within(1e-5), "upright");
             var away = _panel.position - eyes;

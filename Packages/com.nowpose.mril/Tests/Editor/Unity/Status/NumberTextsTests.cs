@@ -62,7 +62,7 @@ namespace Nowpose.Tests.Unity.Status
         [Test]
         public void Of_SameNumberTwice_ReusesTheString()
         {
-            Assert.That(Texts.Of(12.34), Is.SameAs(Texts.Of(12.31)), "made beforehand");
+            Assert.That(Texts.Of(12.34), Is.SameAs(Texts.Of(12.31)), "the texts are created in advance");
         }
     }
 }

@@ -107,7 +107,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         }
 
         [TestCase(@"""version"": 1", @"""version"": 2, ""lengths"": {}", "profile.json: latency profile of version 2, this Nowpose reads up to 1; "
-            + "update Nowpose or calibrate anew", TestName = "Read_NewerVersion_SaysWhatToDo")]
+            + "update Nowpose or calibrate anew", TestName = "Read_NewerVersion_NamesTheRemedy")]
         [TestCase(@"""version"": 1", @"""version"": 0", "profile.json: version: 0 is out of range; allowed is 1")]
         [TestCase(@"""version"": 1,", "", "profile.json: version is missing")]
         [TestCase("nowpose-latency-profile", "other", "profile.json: no latency profile; its format is 'other', not 'nowpose-latency-profile'")]

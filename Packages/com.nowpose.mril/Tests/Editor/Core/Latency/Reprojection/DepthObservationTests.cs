@@ -10,7 +10,7 @@ namespace Nowpose.Tests.Core.Latency.Reprojection
         [TestCase(true, true, true, true, true, DepthSubmission.Active)]
         [TestCase(false, true, true, true, true, DepthSubmission.Unknown, TestName = "Judge_NoDisplay_IsUnknown")]
         [TestCase(true, false, true, true, true, DepthSubmission.TurnedOff)]
-        [TestCase(true, true, false, true, true, DepthSubmission.NotSupported, TestName = "Judge_OnlyTicked_IsNotSupported")]
+        [TestCase(true, true, false, true, true, DepthSubmission.NotSupported, TestName = "Judge_TurnedOnButNotSupported_IsNotSupported")]
         [TestCase(true, true, true, false, true, DepthSubmission.NoMainCamera)]
         [TestCase(true, true, true, true, false, DepthSubmission.NotRequested)]
         [TestCase(true, true, true, true, null, DepthSubmission.Unknown, TestName = "Judge_BeforeTheFirstFrame_IsUnknown")]
