@@ -12,11 +12,11 @@ static class FramingCases
     public static IEnumerable<AutobahnSection> All()
     {
         yield return Section("1.1.1–1.1.8", "text of 0, 125, 126, 127, 128, 65535, 65536 bytes, the last one also in pieces of 997",
-            "Empty text is no JSON: the message is refused, the connection bears it.",
+            "Empty text is not JSON: the message is refused, the connection stays open.",
             [.. Sizes.Select((size, i) => Case($"1.1.{i + 1}", size == 0 ? "refused" : "taken", s => Sized(s, Text, size))),
              Case("1.1.8", "taken", s => { s.Chop = 997; Sized(s, Text, 65536); })]);
         yield return Section("1.2.1–1.2.8", "the same as binary",
-            "rosbridge's JSON is text: binary messages are refused, the connection bears them.",
+            "rosbridge's JSON is text: binary messages are refused, the connection stays open.",
             [.. Sizes.Select((size, i) => Case($"1.2.{i + 1}", "refused", s => Sized(s, Binary, size))),
              Case("1.2.8", "refused", s => { s.Chop = 997; Sized(s, Binary, 65536); })]);
         yield return Section("2.1–2.6", "pings of 0, some, binary, 125 and 126 bytes, byte by byte", "",
@@ -24,7 +24,7 @@ static class FramingCases
             Case("2.3", "pong", s => s.SendPing("\u0000\u0001\u007f\u0002")), Case("2.4", "pong", s => s.SendPing(new string('x', 125))),
             Case("2.5", Refused, s => s.SendPing(new string('x', 126))),
             Case("2.6", "pong", s => { s.Chop = 1; s.SendPing(new string('x', 125)); }));
-        yield return Section("2.7–2.9", "pongs that nobody asked for, then a ping", "",
+        yield return Section("2.7–2.9", "unsolicited pongs, then a ping", "",
             Case("2.7", "", s => s.Frame(Pong)), Case("2.8", "", s => s.Frame(Pong, [1, 2, 3])),
             Case("2.9", "pong", s => { s.Frame(Pong, [1, 2, 3]); s.SendPing("ping"); }));
         yield return Section("2.10–2.11", "ten pings at once, whole and byte by byte", "",

@@ -18,7 +18,7 @@ static class LimitCases
              .. new[] { 4, 16, 64 }.Select((count, i) => Case($"9.3.{i + 1}", "", s => s.SendFragments(Description(Longest), count))),
              .. new[] { 65536, 8192, 1024 }.Select((chop, i) => Case($"9.5.{i + 1}", "", s => { s.Chop = chop; s.Frame(Text,
                  Description(Longest)); }))]);
-        yield return Section("9.1, 9.3 beyond", "a byte more than 1 MiB, a fragment more than 64", "Refused by our limits; the connection bears it.",
+        yield return Section("9.1, 9.3 beyond", "a byte more than 1 MiB, a fragment more than 64", "Beyond our limits; the connection stays open.",
             Case("9.1.4", "refused", s => s.Frame(Text, Description(Longest + 1))), Case("9.3.4", "refused",
                 s => s.SendFragments(s.Message(length: 65 * 70), 65)));
         yield return Section("9.1.6", "text of 18 MiB", "Beyond what is read over: the connection ends. The gateway says 1009; a headset just closes.",

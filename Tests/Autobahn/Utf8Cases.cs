@@ -12,13 +12,13 @@ static class Utf8Cases
     public static IEnumerable<AutobahnSection> All()
     {
         yield return Section("6.1.1–6.1.3", "empty text, three empty fragments, an empty one before and behind",
-            "Empty text is no JSON: refused, not closed.",
+            "Empty text is not JSON: refused, the connection stays open.",
             Case("6.1.1", "refused", s => s.Frame(Text)),
             Case("6.1.2", "refused", s => { s.Frame(Text, isFinal: false); s.Frame(Continuation, isFinal: false); s.Frame(Continuation); }),
             Case("6.1.3", "taken", s => { s.Frame(Text, isFinal: false); s.Frame(Continuation, s.Message(),
                 isFinal: false); s.Frame(Continuation); }));
         yield return Section("6.2.1–6.2.4", "letters of two to four bytes: whole, in two fragments, a fragment for each byte",
-            "A fragment for each byte is more than the 64 that our protocol allows: the message is refused, the connection bears it.",
+            "A fragment for each byte is more than the 64 that our protocol allows: the message is refused, the connection stays open.",
             Case("6.2.1", "taken", s => s.Send("Hello-µ@ßöäüàá-UTF-8!!")), Case("6.2.2", "taken",
                 s => s.SendFragments(s.Message("Hello-µ@ßöäüàá-UTF-8!!"), 2)),
             Case("6.2.3", "refused", s => s.SendFragments(s.Message("Hello-µ@ßöäüàá-UTF-8!!"), 0)),

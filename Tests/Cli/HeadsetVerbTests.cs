@@ -17,7 +17,7 @@ namespace Nowpose.Headless.Tests.Cli;
 public class HeadsetVerbTests
 {
     [Test]
-    public async Task Headset_GatewayWithAMovingRobot_SaysHowWellItDoes()
+    public async Task Headset_GatewayWithAMovingRobot_ReportsTheAccuracy()
     {
         var control = new StopwatchControlClock(Gateways.Start);
         await using var gateway = await Gateways.StartAsync(clock: control);
@@ -63,7 +63,7 @@ public class HeadsetVerbTests
     }
 
     [Test]
-    public async Task Headset_GatewayThatAsksForATokenAndTls_IsReachedWithBoth()
+    public async Task Headset_GatewayWithTokenAndTls_Connects()
     {
         using var certificate = CertificateFiles.Generate();
         await using var gateway = await Gateways.StartAsync(
@@ -79,7 +79,7 @@ public class HeadsetVerbTests
     }
 
     [Test]
-    public async Task Headset_PlantThatSaysNothing_FailsAndSaysWhy()
+    public async Task Headset_SilentPlant_FailsWithTheReason()
     {
         await using var gateway = await Gateways.StartAsync();
 
@@ -90,7 +90,7 @@ public class HeadsetVerbTests
     }
 
     [Test]
-    public async Task Headset_JointThatIsNeverPublished_FailsAndNamesTheJoint()
+    public async Task Headset_JointNeverPublished_FailsAndNamesTheJoint()
     {
         await using var gateway = await Gateways.StartAsync();
         using var cell = Simulate(gateway);

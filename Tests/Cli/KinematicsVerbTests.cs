@@ -48,7 +48,7 @@ public class KinematicsVerbTests
     }
 
     [Test]
-    public async Task Kinematics_NoJoints_AreAllZeroAndMimicsFollow()
+    public async Task Kinematics_NoJoints_UsesZeroAndMimicsFollow()
     {
         var run = await RunAsync("--json");
 
@@ -78,7 +78,7 @@ public class KinematicsVerbTests
     [TestCase("youbot", "tool_centre_point")]
     [TestCase("ur5", "tool0")]
     [TestCase("ur5e", "tool0")]
-    public async Task Kinematics_RobotThatComesAlong_IsFoundByName(string robot, string tool)
+    public async Task Kinematics_IncludedRobot_IsFoundByName(string robot, string tool)
     {
         var run = await CliRun.OfAsync("kinematics", robot, "--json");
 
@@ -95,7 +95,7 @@ public class KinematicsVerbTests
     [TestCase("lead", "'lead' is not of the form name=value")]
     [TestCase("lead=1,", "'' is not of the form name=value")]
     [TestCase("lead=1.5e308", "too large")]
-    public async Task Kinematics_BadJoints_IsOneLineAndExit2(string joints, string message)
+    public async Task Kinematics_InvalidJoints_IsOneLineAndExit2(string joints, string message)
     {
         var run = await RunAsync("--joints", joints, "--json");
 
@@ -105,7 +105,7 @@ public class KinematicsVerbTests
     }
 
     [Test]
-    public async Task Kinematics_BadUrdf_NamesFileLineAndElement()
+    public async Task Kinematics_InvalidUrdf_NamesFileLineAndElement()
     {
         using var file = new TemporaryFile("<robot name='r'>\n<link name='a'/>\n<link name='b'/></robot>", ".urdf");
 
@@ -119,7 +119,7 @@ public class KinematicsVerbTests
     [TestCase("no-such-robot", "no-such-robot: no such file; youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path of a .urdf file is needed")]
     [TestCase(".", ".: is a folder; youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path of a .urdf file is needed")]
     [TestCase(" ", "no robot named; youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path of a .urdf file is needed")]
-    public async Task Kinematics_NoSuchRobot_SaysWhatIsAllowed(string robot, string message)
+    public async Task Kinematics_UnknownRobot_NamesTheAllowedOnes(string robot, string message)
     {
         var run = await CliRun.OfAsync("kinematics", robot);
 

@@ -42,7 +42,7 @@ public class UnityVerbTests
         Json(project.Manifest).GetProperty("dependencies").EnumerateObject().ToDictionary(d => d.Name, d => d.Value.GetString());
 
     [Test]
-    public async Task Unity_EmptyProject_GetsPackageRegistryAndTestables()
+    public async Task Unity_EmptyProject_AddsPackageRegistryAndTestables()
     {
         using var project = new UnityProjectFolder(Empty);
 
@@ -95,7 +95,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_Check_ListsChangesAndWritesNothing()
+    public async Task Unity_Check_ListsChangesWithoutWriting()
     {
         using var project = new UnityProjectFolder(Empty);
 
@@ -112,7 +112,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_Mrtk3_AddsAllThatTheSampleNeeds()
+    public async Task Unity_Mrtk3_AddsAllPackagesOfTheSample()
     {
         using var project = new UnityProjectFolder(Empty);
 
@@ -133,7 +133,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_Mrtk3FromTarballs_StaysAndIsCompleted()
+    public async Task Unity_Mrtk3FromTarballs_IsKeptAndCompleted()
     {
         using var project = new UnityProjectFolder(WithMrtk3);
         var before = Dependencies(project);
@@ -148,7 +148,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_ProjectOfThisRepository_NeedsNothing()
+    public async Task Unity_ProjectOfThisRepository_IsComplete()
     {
         var run = await CliRun.OfAsync("unity", RepositoryFiles.Root, "--check");
 
@@ -170,7 +170,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_PlugInInUnity63Already_IsRefused()
+    public async Task Unity_PlugInAlreadyInUnity63_IsRefused()
     {
         using var project = new UnityProjectFolder(WithMrtk3, "6000.3.0f1");
 
@@ -179,7 +179,7 @@ public class UnityVerbTests
 
     [TestCase("6000.3.2f1", "not compiled against this release")]
     [TestCase("6000.0.78f1", "untried on a device")]
-    public async Task Unity_VersionNotTried_IsNoted(string version, string note)
+    public async Task Unity_UntestedVersion_IsNoted(string version, string note)
     {
         using var project = new UnityProjectFolder(Empty, version);
 
@@ -190,7 +190,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_Mrtk4_IsNotedAndWithTheOptionRefused()
+    public async Task Unity_Mrtk4_IsNotedAndRefusedWithTheOption()
     {
         const string manifest =
             """{ "dependencies": { "org.mixedrealitytoolkit.core": "4.0.0-pre.2", "com.unity.xr.interaction.toolkit": "3.0.4" } }""";
@@ -205,7 +205,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_OlderDependency_IsNamedAndDealtWithAsAsked()
+    public async Task Unity_OlderDependency_IsNamedAndHandledAsChosen()
     {
         const string manifest = "{\n  \"dependencies\": {\n    \"org.nuget.mathnet.numerics\": \"4.15.0\"\n  }\n}\n";
         using var project = new UnityProjectFolder(manifest);
@@ -226,7 +226,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_NewerDependency_Stays()
+    public async Task Unity_NewerDependency_IsKept()
     {
         using var project = new UnityProjectFolder("""{ "dependencies": { "org.nuget.mathnet.numerics": "6.1.0" } }""");
 
@@ -237,7 +237,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_RegistryThatMoved_IsNamed()
+    public async Task Unity_MovedRegistry_IsNamed()
     {
         using var project = new UnityProjectFolder(
             """{ "scopedRegistries": [{ "name": "x", "url": "https://unitynuget-registry.azurewebsites.net", "scopes": ["org.nuget"] }] }""");
@@ -255,7 +255,7 @@ public class UnityVerbTests
     [TestCase(
         """ "url": "https://own.example", "scopes": ["org.nuget", "a"] """, "replace", "its url stays. Change it there, or use --on-conflict keep.")]
     [TestCase(""" "scopes": ["org.nuget"] """, "replace", "comes from a registry without url; ")]
-    public async Task Unity_OtherRegistry_OffersTheRulesThatWork(string registry, string rule, string offer)
+    public async Task Unity_OtherRegistry_OffersTheApplicableRules(string registry, string rule, string offer)
     {
         using var project = new UnityProjectFolder($$"""{ "scopedRegistries": [{ "name": "x", {{registry}} }] }""");
 
@@ -266,7 +266,7 @@ public class UnityVerbTests
     [TestCase("{\n  \"dependencies\": {\n    \"a\": \"1.0.0\",\n  }\n}", ":4: not a JSON object: a name in double quotes is expected")]
     [TestCase("{\n  // packages\n  \"dependencies\": {}\n}", ":2: not a JSON object: a name in double quotes is expected (JSON has no comments)")]
     [TestCase("", ":1: not a JSON object: { is expected")]
-    public async Task Unity_BrokenManifest_IsNamedByItsLineAndLeftAlone(string manifest, string reason)
+    public async Task Unity_InvalidManifest_IsNamedWithItsLineAndUnchanged(string manifest, string reason)
     {
         using var project = new UnityProjectFolder(manifest);
 
@@ -287,7 +287,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_ReadOnlyManifest_IsNamedAndLeftAlone()
+    public async Task Unity_ReadOnlyManifest_IsNamedAndUnchanged()
     {
         using var project = new UnityProjectFolder(Empty);
         var manifest = project.At("Packages/manifest.json");
@@ -307,7 +307,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_ManifestIsALink_StaysOneAndItsTargetIsWritten()
+    public async Task Unity_ManifestIsALink_WritesItsTarget()
     {
         using var project = new UnityProjectFolder(Empty);
         var link = project.At("Packages/manifest.json");
@@ -331,7 +331,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_NewFileCannotBeWritten_LeavesTheManifestWhole()
+    public async Task Unity_NewFileCannotBeWritten_KeepsTheManifest()
     {
         using var project = new UnityProjectFolder(Empty);
         Directory.CreateDirectory(project.At("Packages/manifest.json.nowpose-new"));
@@ -343,7 +343,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_NewFileOfARunThatWasEnded_IsReplaced()
+    public async Task Unity_NewFileOfAnInterruptedRun_IsReplaced()
     {
         using var project = new UnityProjectFolder(Empty);
         project.Write("Packages/manifest.json.nowpose-new", new string('x', 10000));
@@ -393,7 +393,7 @@ public class UnityVerbTests
 
     [TestCase(null, "Packages/manifest.json", "Packages/manifest.json is missing")]
     [TestCase(Empty, "ProjectSettings/ProjectVersion.txt", "ProjectSettings/ProjectVersion.txt is missing")]
-    public async Task Unity_NoProject_IsRefused(string manifest, string without, string reason)
+    public async Task Unity_NotAProject_IsRefused(string manifest, string without, string reason)
     {
         using var project = new UnityProjectFolder(manifest);
         File.Delete(project.At(without).Replace("Packages/manifest.json", "Packages", StringComparison.Ordinal));
@@ -430,7 +430,7 @@ public class UnityVerbTests
     [TestCase(
         "git@git.example:me/nowpose.git?path=/Packages/com.nowpose.mril#main",
         "git@git.example:me/nowpose.git?path=/Packages/com.nowpose.mril#main")]
-    public async Task Unity_PackageByGit_IsWrittenAndStays(string given, string written)
+    public async Task Unity_PackageByGit_IsWrittenAndKept(string given, string written)
     {
         using var project = new UnityProjectFolder(Empty);
 
@@ -458,7 +458,7 @@ public class UnityVerbTests
     [TestCase("https://github.com/OWNER/nowpose.git", "in the place of OWNER")]
     [TestCase("no-such-folder", "is neither a git address nor a folder or tarball with the package com.nowpose.mril")]
     [TestCase("file:../nowhere", "is neither a git address nor a folder or tarball with the package com.nowpose.mril")]
-    public async Task Unity_PackageThatIsNotThere_IsRefused(string given, string reason)
+    public async Task Unity_MissingPackage_IsRefused(string given, string reason)
     {
         using var project = new UnityProjectFolder(Empty);
 
@@ -476,7 +476,7 @@ public class UnityVerbTests
     [TestCase(
         "{ 'name': 'com.nowpose.mril', 'displayName': 'x', 'version': '1.0.0', 'samples': [{ 'displayName': 'a', 'description': 'b' }] }",
         ": samples[0].path must be a string")]
-    public async Task Unity_PackageJsonNotValid_IsNamedByItsFileAndField(string json, string reason)
+    public async Task Unity_InvalidPackageJson_IsNamedWithFileAndField(string json, string reason)
     {
         using var project = new UnityProjectFolder(Empty);
         project.Write("package/package.json", json.Replace('\'', '"'));
@@ -486,7 +486,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_PackageWithoutSamples_IsTaken()
+    public async Task Unity_PackageWithoutSamples_IsAccepted()
     {
         using var project = new UnityProjectFolder(Empty);
         project.Write("package/package.json", """{ "name": "com.nowpose.mril", "displayName": "Nowpose", "version": "0.1.0" }""");
@@ -507,7 +507,7 @@ public class UnityVerbTests
 
     [TestCase("Virtual Robot Cell")]
     [TestCase("hololens 2 (mrtk3)")]
-    public async Task Sample_NewOrHalfCopied_IsCopiedWhole(string name)
+    public async Task Sample_NewOrPartlyCopied_IsCopiedCompletely(string name)
     {
         using var project = new UnityProjectFolder(Empty);
 
@@ -541,7 +541,7 @@ public class UnityVerbTests
     [TestCase("Assets/Samples", "--check")]
     [TestCase("Assets/Samples")]
     [TestCase("Assets/Samples/Nowpose/0.1.0/Virtual Robot Cell")]
-    public async Task Sample_FileInThePlaceOfAFolder_IsNamedAndNothingIsChanged(string path, params string[] options)
+    public async Task Sample_FileInsteadOfAFolder_IsNamedAndNothingChanged(string path, params string[] options)
     {
         using var project = new UnityProjectFolder(Empty);
         project.Write(path, "mine");
@@ -569,7 +569,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Sample_Unknown_NamesThoseThereAreAndChangesNothing()
+    public async Task Sample_Unknown_NamesTheAvailableOnesAndChangesNothing()
     {
         using var project = new UnityProjectFolder(Empty);
 
@@ -580,7 +580,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public void Needs_OfThePackage_AreThoseOfItsPackageJson()
+    public void Needs_OfThePackage_MatchItsPackageJson()
     {
         var declared = Json(RepositoryFiles.Read(RepositoryFiles.Package + "/package.json")).GetProperty("dependencies").EnumerateObject()
             .Where(d => !d.Name.StartsWith("com.unity.modules.", StringComparison.Ordinal)).Select(d => d.Name + " " + d.Value.GetString());

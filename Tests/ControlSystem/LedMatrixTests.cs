@@ -22,7 +22,7 @@ public class LedMatrixTests
     }
 
     [Test]
-    public void Block_WholeMillisecondsOfTheFile_LightsItsRows()
+    public void Block_WholeMillisecondsOfTheFile_LightsTheExpectedRows()
     {
         var block = Block();
 
@@ -32,7 +32,7 @@ public class LedMatrixTests
 
     [TestCase(0UL)]
     [TestCase(NsPerMs - 1)]
-    public void Block_AnyMomentOfAMillisecondLongAfterTheEpoch_ShowsThatMillisecond(ulong intoTheMillisecondNs)
+    public void Block_AnyTimeWithinAMillisecondLongAfterTheEpoch_ShowsThatMillisecond(ulong intoTheMillisecondNs)
     {
         var block = Block();
         const ulong epoch = 26_000 * PeriodNs;
@@ -58,8 +58,8 @@ public class LedMatrixTests
 
     [TestCase("wValue XOR SHR(wValue, 1)", "wValue", TestName = "Block_WithoutGrayCode_IsFound")]
     [TestCase("bOdd := NOT bOdd", "bEven := NOT bEven", TestName = "Block_WithOneParity_IsFound")]
-    [TestCase("MOD 65536", "MOD 32768", TestName = "Block_OfFewerBits_IsFound")]
-    [TestCase("aRows[0] := BYTE#16#9F", "aRows[0] := BYTE#16#F9", TestName = "Block_WithTheMarksOnTheOtherSide_IsFound")]
+    [TestCase("MOD 65536", "MOD 32768", TestName = "Block_FewerBits_IsFound")]
+    [TestCase("aRows[0] := BYTE#16#9F", "aRows[0] := BYTE#16#F9", TestName = "Block_MarksOnTheWrongSide_IsFound")]
     public void Block_Wrong(string right, string wrong)
     {
         var block = new StructuredText(Text("FB_NowposeLedCode.st").Replace(right, wrong));
@@ -69,7 +69,7 @@ public class LedMatrixTests
 
     [TestCase("WHILE TRUE DO END_WHILE")]
     [TestCase("wGray := ROL(wGray, 1);")]
-    public void StructuredText_OfAnotherSort_IsAnErrorNotSkipped(string statement)
+    public void StructuredText_UnsupportedStatement_Throws(string statement)
     {
         var text = Text("FB_NowposeLedCode.st").Replace("END_FUNCTION_BLOCK", statement + "\nEND_FUNCTION_BLOCK");
 
@@ -78,7 +78,7 @@ public class LedMatrixTests
 
     [TestCase("END_IF;", "END_IF")]
     [TestCase("END_FOR;", "END_FOR")]
-    public void StructuredText_BlockThatNoSemicolonEnds_IsRefusedAsTheStandardDoes(string ended, string open)
+    public void StructuredText_BlockWithoutSemicolon_IsRefusedLikeInTheStandard(string ended, string open)
     {
         var text = Text("FB_NowposeLedCode.st").Replace(ended, open);
         var program = new StructuredText(text);

@@ -6,10 +6,10 @@ namespace Nowpose.Headless.Tests.Fuzz;
 /// <summary>Feeds seeded inputs to a reader on all cores. The reader must not throw, hang or keep memory.</summary>
 sealed class FuzzRun
 {
-    const long GreatestGrowthBytes = 4 * 1024 * 1024;
+    const long MaxGrowthBytes = 4 * 1024 * 1024;
 
     /// <summary>Time limit of one input. A reader needs only milliseconds; the limit allows for a busy machine.</summary>
-    static readonly TimeSpan LongestInput = TimeSpan.FromSeconds(15);
+    static readonly TimeSpan InputTimeout = TimeSpan.FromSeconds(15);
 
     readonly string _name;
     readonly int _seed;
@@ -40,7 +40,7 @@ sealed class FuzzRun
         var growth = GC.GetTotalMemory(forceFullCollection: true) - before;
         TestContext.Out.WriteLine(
             $"{_name}: {_inputs} inputs, {_accepted} accepted, {watch.Elapsed.TotalSeconds:F1} s, heap {growth / 1024} KiB more, seed {_seed}");
-        Assert.That(growth, Is.LessThan(GreatestGrowthBytes), $"{_name}: bytes that stayed, seed {_seed}");
+        Assert.That(growth, Is.LessThan(MaxGrowthBytes), $"{_name}: bytes not freed, seed {_seed}");
         return _accepted;
     }
 
@@ -80,8 +80,8 @@ sealed class FuzzRun
         for (var part = 0; part < _since.Length; part++)
         {
             var since = Volatile.Read(ref _since[part]);
-            if (since != long.MaxValue && since != 0 && Stopwatch.GetElapsedTime(since) > LongestInput)
-                _failure ??= $"{_name}, seed {_seed}, input {Volatile.Read(ref _doing[part])}: still being read after {LongestInput.TotalSeconds} s";
+            if (since != long.MaxValue && since != 0 && Stopwatch.GetElapsedTime(since) > InputTimeout)
+                _failure ??= $"{_name}, seed {_seed}, input {Volatile.Read(ref _doing[part])}: still being read after {InputTimeout.TotalSeconds} s";
         }
     }
 

@@ -23,7 +23,7 @@ public class ReaderFuzzTests
         Assert.That(Messages + Bytes + Frames + Exchanges + Codes + Robots + Profiles + Configurations + Pairings + Tokens, Is.EqualTo(1_000_000));
 
     [Test]
-    public void Rosbridge_SpoiltMessages_AreRefusedOrHoldWhatTheyMay()
+    public void Rosbridge_DamagedMessages_AreRefusedOrValid()
     {
         var accepted = new FuzzRun("rosbridge messages", 1, Messages).Feed<string>(() => new TextMutator(Seeds.Messages).Next, () =>
         {
@@ -35,7 +35,7 @@ public class ReaderFuzzTests
     }
 
     [Test]
-    public void Rosbridge_SpoiltBytes_AreRefusedOrHoldWhatTheyMay()
+    public void Rosbridge_DamagedBytes_AreRefusedOrValid()
     {
         var accepted = new FuzzRun("rosbridge bytes", 10, Bytes).Feed<byte[]>(() => NextBytes, () =>
         {
@@ -54,7 +54,7 @@ public class ReaderFuzzTests
     }
 
     [Test]
-    public void SyncFrame_SpoiltFrames_AreRefusedOrReadAsWritten()
+    public void SyncFrame_DamagedFrames_AreRefusedOrRoundTrip()
     {
         var accepted = new FuzzRun("sync frames", 2, Frames).Feed<byte[]>(() => FrameMutator.Next, () => bytes =>
         {
@@ -72,7 +72,7 @@ public class ReaderFuzzTests
     }
 
     [Test]
-    public void Clock_RepliesOfAWildServer_StayWithinWhatAClockCanSay()
+    public void Clock_RandomReplies_KeepsTheEstimateValid()
     {
         var accepted = new FuzzRun("sync replies", 3, Exchanges).Feed<int>(() => random => random.Next(), () => new WildServer().Reply);
 
@@ -80,7 +80,7 @@ public class ReaderFuzzTests
     }
 
     [Test]
-    public void Codes_Spoilt_AreRefusedInOneLine() => Refused("pairing codes", 4, Codes, Seeds.Codes, text =>
+    public void Codes_Damaged_AreRefusedInOneLine() => Refused("pairing codes", 4, Codes, Seeds.Codes, text =>
     {
         var code = CellCode.Parse(text);
         MessageRules.Finite(code.SizeMetres);
@@ -89,7 +89,7 @@ public class ReaderFuzzTests
     });
 
     [Test]
-    public void Urdf_Spoilt_IsRefusedOrHasAPose() => Refused("robot descriptions", 5, Robots, Seeds.Robots, text =>
+    public void Urdf_Damaged_IsRefusedOrHasAPose() => Refused("robot descriptions", 5, Robots, Seeds.Robots, text =>
     {
         var robot = UrdfReader.Read(text, "fuzz");
         var poses = new RigidTransform[robot.Links.Count];
@@ -99,7 +99,7 @@ public class ReaderFuzzTests
     });
 
     [Test]
-    public void Profile_Spoilt_IsRefusedOrFinite() => Refused("latency profiles", 6, Profiles, [Seeds.Profile], text =>
+    public void Profile_Damaged_IsRefusedOrFinite() => Refused("latency profiles", 6, Profiles, [Seeds.Profile], text =>
     {
         var profile = LatencyProfileJson.Read(text, "fuzz");
         MessageRules.Finite(profile.Visualisation.Length.TotalSeconds);
@@ -107,7 +107,7 @@ public class ReaderFuzzTests
     });
 
     [Test]
-    public void Configuration_Spoilt_IsReadOrEachFaultHasItsLine()
+    public void Configuration_Damaged_IsReadOrEachFaultHasItsLine()
     {
         var accepted = new FuzzRun("configurations", 9, Configurations).Feed<string>(() => new TextMutator(Seeds.Configurations).Next, () => text =>
         {
@@ -123,7 +123,7 @@ public class ReaderFuzzTests
     }
 
     [Test]
-    public void Tokens_SpoiltFile_IsRefusedInOneLineThatHidesThem()
+    public void Tokens_DamagedFile_IsRefusedInOneLineWithoutTokens()
     {
         using var folder = new TemporaryFolder();
 
@@ -136,7 +136,7 @@ public class ReaderFuzzTests
     }
 
     [Test]
-    public void PairedHeadsets_SpoiltLines_AreRefusedOrWrittenAsRead()
+    public void PairedHeadsets_DamagedLines_AreRefusedOrRoundTrip()
     {
         new FuzzRun("lists of paired headsets", 8, Pairings).Feed<string>(() => new TextMutator(Seeds.Paired).Next, () => text =>
         {

@@ -20,10 +20,10 @@ public class SocketFuzzTests
     const int Seed = 11;
     const int Messages = 20_000, FrameConnections = 250, FramesEach = 20, SyncConnections = 1000, ServerMessages = 10_000;
     const string Last = "after the spoilt ones";
-    const long GreatestGrowthBytes = 16 * 1024 * 1024;
+    const long MaxGrowthBytes = 16 * 1024 * 1024;
 
     [Test]
-    public async Task Gateway_SpoiltMessages_AnswersTheHonestOneAfterwards()
+    public async Task Gateway_DamagedMessages_AnswersAValidOneAfterwards()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { SourceMessagesPerSecond = 100_000 });
         await SendSpoiltAsync(gateway, Seed, Messages / 10);
@@ -31,11 +31,11 @@ public class SocketFuzzTests
 
         await SendSpoiltAsync(gateway, Seed + 1, Messages);
 
-        Assert.That(GC.GetTotalMemory(forceFullCollection: true) - before, Is.LessThan(GreatestGrowthBytes), $"bytes that stayed, seed {Seed}");
+        Assert.That(GC.GetTotalMemory(forceFullCollection: true) - before, Is.LessThan(MaxGrowthBytes), $"bytes not freed, seed {Seed}");
     }
 
     [Test]
-    public async Task Gateway_SpoiltFrames_ServesTheHonestOneAfterwards()
+    public async Task Gateway_DamagedFrames_ServesAValidClientAfterwards()
     {
         await using var gateway = await Gateways.StartAsync();
         var random = new Random(Seed);
@@ -59,7 +59,7 @@ public class SocketFuzzTests
     }
 
     [Test]
-    public async Task SyncServer_SpoiltFrames_AnswersTheHonestOneAfterwards()
+    public async Task SyncServer_DamagedFrames_AnswersAValidOneAfterwards()
     {
         await using var gateway = await Gateways.StartAsync();
         var random = new Random(Seed);
@@ -83,7 +83,7 @@ public class SocketFuzzTests
     }
 
     [Test]
-    public async Task Headset_MaliciousServer_ShowsFinitePosesAndTakesTheHonestMessageAfterwards()
+    public async Task Headset_MaliciousServer_ShowsFinitePosesAndAcceptsAValidMessageAfterwards()
     {
         using var server = new FakeWebSocketServer();
         using var sync = new FakeSyncServer(new WildReplies(Seed).Answer);

@@ -16,7 +16,7 @@ public class BrokerBridgeTests
     static readonly ControlTime PlantStart = ControlTime.FromSeconds(70_000);
 
     [Test]
-    public async Task OtherHall_Headset_GetsThePlantsSamplesAndTime()
+    public async Task OtherHall_Headset_ReceivesThePlantsSamplesAndTime()
     {
         if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "adapters", "plant.mjs"))) Assert.Ignore("Node.js was missing when this was built");
         using var folder = new TemporaryFolder();
@@ -52,7 +52,7 @@ public class BrokerBridgeTests
     }
 
     [Test]
-    public async Task OtherHall_JointsThatAreNotLive_AreNamedWithTheirReasonUntilThePlantsGatewayEnds()
+    public async Task OtherHall_JointsNotLive_AreNamedWithTheirReasonUntilThePlantsGatewayEnds()
     {
         if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "adapters", "plant.mjs"))) Assert.Ignore("Node.js was missing when this was built");
         using var folder = new TemporaryFolder();

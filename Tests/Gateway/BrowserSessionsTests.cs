@@ -9,7 +9,7 @@ public class BrowserSessionsTests
     static readonly byte[] Token = TokenList.HashOf("token");
 
     [Test]
-    public void Session_LeftForTwelveHours_IsOver()
+    public void Session_IdleForTwelveHours_Expires()
     {
         var time = new SteppedTime();
         var sessions = new BrowserSessions(time);
@@ -24,7 +24,7 @@ public class BrowserSessionsTests
     }
 
     [Test]
-    public void Open_MoreThanThereIsRoomFor_EndsTheOneIdleLongest()
+    public void Open_BeyondTheMaximum_EndsTheLongestIdle()
     {
         var time = new SteppedTime();
         var sessions = new BrowserSessions(time);
@@ -39,7 +39,7 @@ public class BrowserSessionsTests
     }
 
     [Test]
-    public void Id_OfEachSession_Is256BitsOfItsOwn()
+    public void Id_OfEachSession_HasUnique256Bits()
     {
         var sessions = new BrowserSessions(TimeProvider.System);
 

@@ -31,7 +31,7 @@ public class CertificateFilesTests
     }
 
     [Test]
-    public void Generate_Twice_GivesTwoKeys()
+    public void Generate_Twice_CreatesTwoKeys()
     {
         using var first = CertificateFiles.Generate();
         using var second = CertificateFiles.Generate();
@@ -41,7 +41,7 @@ public class CertificateFilesTests
     }
 
     [Test]
-    public void LoadOrGenerate_Expired_SaysSince()
+    public void LoadOrGenerate_Expired_ThrowsWithTheDate()
     {
         var path = Path.Combine(_folder, "old.pfx");
         using var old = CertificateFiles.Generate(

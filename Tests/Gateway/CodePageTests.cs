@@ -30,7 +30,7 @@ public class CodePageTests
     }
 
     [Test]
-    public async Task Page_AskedFor_IsOneWithoutRequestsToOthersOrSecrets()
+    public async Task Page_Requested_HasNoExternalRequestsAndNoSecrets()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
 
@@ -45,7 +45,7 @@ public class CodePageTests
     }
 
     [Test]
-    public async Task Page_AskedForByManyThatKeepTheirConnections_LeavesThePlaces()
+    public async Task Page_RequestedByManyKeepAliveClients_ClosesTheirConnections()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 1 });
         using var first = await RawWebSocket.ConnectAsync(gateway);
@@ -61,7 +61,7 @@ public class CodePageTests
     }
 
     [Test]
-    public async Task Page_NotBuilt_IsOneLineThatSaysWhatToInstall()
+    public async Task Page_NotBuilt_AnswersInOneLineWithTheRemedy()
     {
         var counters = new ConnectionCounters();
         var door = new Door(Gateways.Options(), new WrongTokens(TimeProvider.System), counters, _ => { });
@@ -87,7 +87,7 @@ public class CodePageTests
     }
 
     [Test]
-    public async Task Time_AskedFor_LiesBetweenBeforeAndAfterInOrder()
+    public async Task Time_Requested_LiesBetweenRequestAndAnswerInOrder()
     {
         var clock = new StopwatchControlClock(Gateways.Start) { Resolution = TimeSpan.FromMicroseconds(250), IsSynchronised = false };
         await using var gateway = await Gateways.StartAsync(clock: clock);
@@ -119,7 +119,7 @@ public class CodePageTests
     [TestCase(null, HttpStatusCode.Unauthorized)]
     [TestCase("guess", HttpStatusCode.Unauthorized)]
     [TestCase(Gateways.ObserverToken, HttpStatusCode.OK)]
-    public async Task Time_WithTokens_NeedsOne(string token, HttpStatusCode status)
+    public async Task Time_WithTokens_RequiresOne(string token, HttpStatusCode status)
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
 
@@ -146,7 +146,7 @@ public class CodePageTests
     }
 
     [Test]
-    public async Task Time_AskedFasterThanSyncMay_IsRefusedAndTheConnectionEnds()
+    public async Task Time_RequestedAboveTheSyncRate_IsRefusedAndTheConnectionEnds()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { SyncRequestsPerSecond = 1 });
         using var hasty = await RawWebSocket.ConnectAsync(gateway);
@@ -161,7 +161,7 @@ public class CodePageTests
     }
 
     [Test]
-    public async Task Time_OfAnotherName_IsToldWhichAreTheGateways()
+    public async Task Time_UnknownHostName_AnswersWithTheGatewaysNames()
     {
         await using var gateway = await Gateways.StartAsync();
 
@@ -174,7 +174,7 @@ public class CodePageTests
 
     [TestCase("/vlc", "POST", "GET")]
     [TestCase("/vlc/time", "GET", "POST")]
-    public async Task Request_WithAnotherMethod_IsToldWhichIsAllowed(string path, string method, string allowed)
+    public async Task Request_OtherMethod_AnswersWithTheAllowedMethod(string path, string method, string allowed)
     {
         await using var gateway = await Gateways.StartAsync();
 
@@ -185,7 +185,7 @@ public class CodePageTests
     }
 
     [Test]
-    public async Task WebSocket_OnThePagesPath_IsServedAsOnAnyOther()
+    public async Task WebSocket_OnThePagesPath_IsServed()
     {
         await using var gateway = await Gateways.StartAsync();
         using var socket = new System.Net.WebSockets.ClientWebSocket();

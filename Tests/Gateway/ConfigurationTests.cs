@@ -60,7 +60,7 @@ public class ConfigurationTests
     [TestCase("!all {cell: foo}", "\"key: value\"")]
     [TestCase("[a, b]", "\"key: value\"")]
     [TestCase("word", "\"key: value\"")]
-    public async Task Entry_Wrong_IsOneLineWithFileLineAndKey(string entry, string part)
+    public async Task Entry_Invalid_IsReportedInOneLineWithFileLineAndKey(string entry, string part)
     {
         foreach (var isCheck in new[] { true, false })
         {
@@ -77,7 +77,7 @@ public class ConfigurationTests
     [TestCase("{pairing: headsets.txt, cell: --tls}")]
     [TestCase("{pairing: headsets.txt, cell: press.urdf}")]
     [TestCase("skew-ppm: -5")]
-    public async Task Entry_ThatACommandLineWouldTakeForSomethingElse_IsItsValue(string entry)
+    public async Task Entry_LooksLikeAnArgument_IsReadAsItsValue(string entry)
     {
         var (status, _, errors) = await CheckAsync(entry, "--ws-port", "0", "--sync-port", "0");
 
@@ -85,7 +85,7 @@ public class ConfigurationTests
     }
 
     [Test]
-    public async Task Entries_Wrong_AreToldAllAtOnce()
+    public async Task Entries_SeveralInvalid_AreReportedTogether()
     {
         var (status, _, errors) = await CheckAsync("bind: nowhere\nws-prot: 1\nsync-port: 70000\nsync-port: 3\ntls: yes\n");
 
@@ -95,7 +95,7 @@ public class ConfigurationTests
     }
 
     [Test]
-    public async Task Entries_AlsoTyped_YieldToWhatIsTyped()
+    public async Task Entries_AlsoOnTheCommandLine_AreOverridden()
     {
         var (status, output, errors) = await CheckAsync("ws-port: 0\nsync-port: 0\ncell: from the file\nbind: 127.0.0.2\n", "--bind", "localhost");
 
@@ -106,7 +106,7 @@ public class ConfigurationTests
     [TestCase("")]
     [TestCase("# nothing but comments\n")]
     [TestCase("---\n...\n")]
-    public async Task File_Empty_SetsNothing(string text)
+    public async Task File_Empty_KeepsTheDefaults(string text)
     {
         var (status, output, errors) = await CheckAsync(text, "--ws-port", "0", "--sync-port", "0");
 
@@ -115,7 +115,7 @@ public class ConfigurationTests
     }
 
     [Test]
-    public async Task Paths_CountFromTheFolderOfTheFile()
+    public async Task Paths_Relative_StartAtTheFolderOfTheFile()
     {
         Save("observer a-token-of-somebody\n", "tokens.txt");
 
@@ -127,7 +127,7 @@ public class ConfigurationTests
     }
 
     [Test]
-    public async Task Robot_ByItsFile_IsOneFromTheFolderOfTheFile()
+    public async Task Robot_ByFile_StartsAtTheFolderOfTheFile()
     {
         File.Copy(Path.Combine(AppContext.BaseDirectory, "Robots", "ur5.urdf"), Path.Combine(_folder, "press.xml"));
 
@@ -138,7 +138,7 @@ public class ConfigurationTests
     }
 
     [Test]
-    public async Task Check_OfWhatIsNotThereYet_MakesNothing()
+    public async Task Check_MissingFiles_CreatesNothing()
     {
         var (status, output, _) = await CheckAsync(
             "ws-port: 0\nsync-port: 0\ncertificate: gateway.pem\npairing: headsets.txt\nrecordings: films\nrecord: true\n");
@@ -149,7 +149,7 @@ public class ConfigurationTests
     }
 
     [Test]
-    public async Task Check_EverythingWrong_TellsAllOfIt()
+    public async Task Check_SeveralErrors_ReportsAll()
     {
         using var expired = CertificateFiles.Generate(DateTimeOffset.UtcNow.AddDays(-10), DateTimeOffset.UtcNow.AddDays(-1));
         File.WriteAllBytes(Path.Combine(_folder, "old.pfx"), expired.Export(System.Security.Cryptography.X509Certificates.X509ContentType.Pfx));
@@ -171,7 +171,7 @@ public class ConfigurationTests
     }
 
     [Test]
-    public async Task Check_BesideAGatewayThatRuns_SaysWhichPortsAreTakenAndIsGood()
+    public async Task Check_PortsInUse_NamesThemAndSucceeds()
     {
         await using var other = await Gateways.StartAsync();
         var (sync, webSocket) = (other.SyncEndPoint.Port, other.WebSocketEndPoint.Port);
@@ -189,7 +189,7 @@ public class ConfigurationTests
 
     // A start may be repeated until the address exists, but a check must report it.
     [Test]
-    public async Task Bind_OfAnotherMachine_IsBlamedInsteadOfThePorts()
+    public async Task Bind_AddressOfAnotherMachine_IsReportedInsteadOfThePorts()
     {
         foreach (var isCheck in new[] { true, false })
         {
@@ -203,7 +203,7 @@ public class ConfigurationTests
     [TestCase("{sync-port: 47999, ws-port: 47999}", "ws-port 47999")]
     [TestCase("sync-port: 47011", "sync-port 47011")]
     [TestCase("ws-port: 47010", "ws-port 47010")]
-    public async Task Ports_BothTheSame_AreToldByCheckAndByStart(string entry, string part)
+    public async Task Ports_Equal_AreReportedByCheckAndStart(string entry, string part)
     {
         foreach (var isCheck in new[] { true, false })
         {
@@ -217,7 +217,7 @@ public class ConfigurationTests
     // No user can create files in /proc, including root. A start continues nevertheless, as with a disk that fails later.
     [Test]
     [Platform("Linux")]
-    public async Task Check_RecordingsWhereNothingCanBeWritten_AreToldWithTheirLine()
+    public async Task Check_RecordingsFolderNotWritable_IsReportedWithItsLine()
     {
         var (status, _, errors) = await CheckAsync("ws-port: 0\nsync-port: 0\nrecordings: /proc\n");
 
@@ -237,7 +237,7 @@ public class ConfigurationTests
     [TestCase("robot: none.urdf", "robot: ", "none.urdf: no such file")]
     [TestCase("certificate-key: a.pem", "certificate-key: belongs to a --certificate")]
     [TestCase("plants: [none.yaml]", "plants: ", "none.yaml: there is no such file")]
-    public async Task Entry_ThatCannotBeServed_IsToldWithItsLineByCheckAndByStart(string entry, string part, string more = "")
+    public async Task Entry_Unusable_IsReportedWithItsLineByCheckAndStart(string entry, string part, string more = "")
     {
         foreach (var isCheck in new[] { true, false })
         {
@@ -249,7 +249,7 @@ public class ConfigurationTests
     }
 
     [Test]
-    public async Task Entry_ReplacedByWhatIsTyped_IsNotBlamed()
+    public async Task Entry_OverriddenOnTheCommandLine_IsNotReported()
     {
         var (_, _, errors) = await CheckAsync("ws-port: 0\nsync-port: 0\ntokens: good.txt\n", "--tokens", Path.Combine(_folder, "none.txt"));
 
@@ -257,7 +257,7 @@ public class ConfigurationTests
     }
 
     [Test]
-    public async Task Example_IsGood()
+    public async Task Example_AsShipped_IsValid()
     {
         var example = File.ReadAllText(Path.Combine(RepositoryFiles.Root, "Gateway", "Packaging", "gateway.yaml"));
 
@@ -267,7 +267,7 @@ public class ConfigurationTests
     }
 
     [Test]
-    public async Task Example_WithEverythingInIt_IsGoodButForWhatItNames()
+    public async Task Example_AllEntriesEnabled_ReportsOnlyMissingFiles()
     {
         var example = File.ReadAllText(Path.Combine(RepositoryFiles.Root, "Gateway", "Packaging", "gateway.yaml"));
         var keys = example.Split('\n').Select(line => line.StartsWith("#   - ", StringComparison.Ordinal) || IsKey(line) ? line[2..] : line);
@@ -281,7 +281,7 @@ public class ConfigurationTests
     static bool IsKey(string line) => System.Text.RegularExpressions.Regex.IsMatch(line, "^# [a-z-]+:( |$)");
 
     [Test]
-    public void Parse_NestedAThousandfold_IsRefusedAtOnce()
+    public void Parse_DeeplyNested_IsRefusedQuickly()
     {
         foreach (var text in new[] { new string('[', 60_000), string.Concat(Enumerable.Repeat("a: {", 15_000)), string.Concat(Enumerable.Repeat("? ", 30_000)) })
         {
@@ -295,6 +295,6 @@ public class ConfigurationTests
     [TestCase("sync_port", "sync-port")]
     [TestCase("colour", null)]
     [TestCase("", null)]
-    public void Nearest_IsTheOneThatWasMeant(string word, string expected) =>
+    public void Nearest_MisspeltWord_ReturnsTheIntendedOne(string word, string expected) =>
         Assert.That(Nearest.Of(word, ["bind", "sync-port", "ws-port", "cell"]), Is.EqualTo(expected));
 }

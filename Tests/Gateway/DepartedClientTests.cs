@@ -17,7 +17,7 @@ public class DepartedClientTests
     const int Clients = 100;
 
     [Test]
-    public void Session_Disposed_IsHeldByNothing()
+    public void Session_Disposed_IsNotReferenced()
     {
         var hub = new MessageHub();
         var plant = new PlantClocks(null, new StopwatchHeadsetClock());
@@ -34,7 +34,7 @@ public class DepartedClientTests
     }
 
     [Test]
-    public async Task Clients_OfBothPortsThatLeft_LeaveNoPlaceAndNoTopic()
+    public async Task Clients_DisconnectedFromBothPorts_ReleaseConnectionsAndTopics()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
         var topics = gateway.Hub.Topics;

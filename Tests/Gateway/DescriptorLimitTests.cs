@@ -38,7 +38,7 @@ public class DescriptorLimitTests
     }
 
     [Test]
-    public async Task Accept_ThatFails_IsTriedAgain()
+    public async Task Accept_Fails_IsRetried()
     {
         var sockets = new SocketTransportFactory(Options.Create(new SocketTransportOptions()), NullLoggerFactory.Instance);
         var failures = new Queue<Exception>(

@@ -19,7 +19,7 @@ public class DisplayedTopicTests
         gateway, options => options.SetRequestHeader("Authorization", "Bearer " + Gateways.ObserverToken));
 
     [Test]
-    public async Task Displayed_OfAnObserver_ReachesWhoListensAndIsNoSample()
+    public async Task Displayed_OfAnObserver_ReachesSubscribersAndIsNotASample()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var page = await ObserverAsync(gateway);
@@ -39,7 +39,7 @@ public class DisplayedTopicTests
     }
 
     [Test]
-    public async Task Displayed_UnderAnothersName_IsRefused()
+    public async Task Displayed_WithTheNameOfAnother_IsRefused()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var headset = await ObserverAsync(gateway);
@@ -52,7 +52,7 @@ public class DisplayedTopicTests
     }
 
     [Test]
-    public async Task Name_OfAnotherConnection_IsRefusedUntilThatOneIsGoneOrSilent()
+    public async Task Name_OfAnotherConnection_IsRefusedUntilThatEndsOrIsSilent()
     {
         var time = new SteppedTime();
         await using var gateway = await Gateways.StartAsync(WithTokens with { Time = time });
@@ -78,7 +78,7 @@ public class DisplayedTopicTests
     }
 
     [Test]
-    public async Task Diagnostics_UnderThePlantsName_AreASourcesOnly()
+    public async Task Diagnostics_WithThePlantsName_AreAllowedOnlyForSources()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var observer = await ObserverAsync(gateway);
@@ -97,7 +97,7 @@ public class DisplayedTopicTests
     }
 
     [Test]
-    public async Task Displayed_IsNotKeptForWhoComesLater()
+    public async Task Displayed_LaterSubscriber_DoesNotReceiveIt()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var headset = await ObserverAsync(gateway);
@@ -111,7 +111,7 @@ public class DisplayedTopicTests
     }
 
     [Test]
-    public async Task Displayed_FromAnHourAhead_IsDropped()
+    public async Task Displayed_StampAnHourAhead_IsDropped()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var headset = await ObserverAsync(gateway);
@@ -140,7 +140,7 @@ public class DisplayedTopicTests
     }
 
     [Test]
-    public void JointState_WhateverItsFrame_IsTaken()
+    public void JointState_AnyFrameId_IsAccepted()
     {
         var text = Gateways.StateText(1).Replace("\"frame_id\":\"\"", "\"frame_id\":7");
 

@@ -8,7 +8,7 @@ public class FragmentCounterTests
     const int Seed = 5;
 
     [Test]
-    public void Pong_InPieces_IsHandedOnUnmasked()
+    public void Pong_InPieces_IsPassedOnUnmasked()
     {
         var pongs = new List<byte[]>();
         var counter = new FragmentCounter { Pong = payload => pongs.Add(payload.ToArray()) };
@@ -24,7 +24,7 @@ public class FragmentCounterTests
     }
 
     [Test]
-    public void Take_RandomFramesInRandomPieces_IsTheCountOfEachMessage()
+    public void Take_RandomFramesInRandomPieces_CountsTheFragmentsOfEachMessage()
     {
         var random = new Random(Seed);
         var bytes = new List<byte>();

@@ -46,7 +46,7 @@ public class GatewayCommandLineTests
     [TestCase("replay", "FILE")]
     [TestCase("replay none.csv", "none.csv")]
     [TestCase("", "command")]
-    public async Task Arguments_Bad_EndWithOneLineAndStatus2(string line, string part)
+    public async Task Arguments_Invalid_EndWithOneLineAndStatus2(string line, string part)
     {
         var (status, errors) = await RunAsync(line.Split(' ', StringSplitOptions.RemoveEmptyEntries));
 
@@ -58,7 +58,7 @@ public class GatewayCommandLineTests
     [TestCase("--sync-port {0} --ws-port 0", "--sync-port")]
     [TestCase("--sync-port 0 --ws-port {1}", "--ws-port")]
     [TestCase("--sync-port 0 --ws-port 0 --bind 192.0.2.7 --insecure-lan", "--bind 192.0.2.7: is no address of this machine now")]
-    public async Task Serve_PortThatCannotBeHadNow_EndsWithOneLineAndStatus1(string line, string part)
+    public async Task Serve_PortUnavailable_EndsWithOneLineAndStatus1(string line, string part)
     {
         await using var other = await Gateways.StartAsync();
         var ports = string.Format(CultureInfo.InvariantCulture, line, other.SyncEndPoint.Port, other.WebSocketEndPoint.Port);
@@ -70,7 +70,7 @@ public class GatewayCommandLineTests
     }
 
     [Test]
-    public async Task Serve_ConfiguredPortThatIsTaken_NamesItsLine()
+    public async Task Serve_ConfiguredPortInUse_NamesItsLine()
     {
         await using var other = await Gateways.StartAsync();
         using var file = new TemporaryFile($"ws-port: 0\nsync-port: {other.SyncEndPoint.Port}\n");
@@ -81,7 +81,7 @@ public class GatewayCommandLineTests
     }
 
     [Test]
-    public async Task Pairings_RevokeWhereNobodyIsPaired_SaysThatThereAreNone()
+    public async Task Pairings_RevokeWithoutPairedHeadsets_ReportsThatThereAreNone()
     {
         using var file = new TemporaryFile("# Headsets\n");
 

@@ -21,7 +21,7 @@ public class GatewayOptionsTests
     }
 
     [Test]
-    public void Start_PlainOnTheLan_NeedsInsecureLan() => Refuse(Lan, "--insecure-lan");
+    public void Start_PlainOnTheLan_RequiresInsecureLan() => Refuse(Lan, "--insecure-lan");
 
     [TestCase(false)]
     [TestCase(true)]
@@ -46,7 +46,7 @@ public class GatewayOptionsTests
     }
 
     [Test]
-    public async Task Start_PortTaken_SaysWhich()
+    public async Task Start_PortInUse_NamesIt()
     {
         await using var gateway = await Gateways.StartAsync();
 

@@ -33,7 +33,7 @@ public sealed class HeadsetFileTests
     }
 
     [Test]
-    public void Add_AfterAnEditorThatLeftTheLineOpen_BeginsALine()
+    public void Add_LastLineWithoutLineEnd_StartsANewLine()
     {
         File.WriteAllText(_path, First.ToString());
 
@@ -61,7 +61,7 @@ public sealed class HeadsetFileTests
     }
 
     [Test]
-    public async Task AddAndRemove_AtOnce_LoseNothing()
+    public async Task AddAndRemove_Concurrently_KeepAllEntries()
     {
         HeadsetFile.Open(_path);
         var gone = Enumerable.Range(0, 30).Select(i => First with { Name = "gone " + i }).ToList();
@@ -76,7 +76,7 @@ public sealed class HeadsetFileTests
     }
 
     [Test]
-    public void List_LineIsDamaged_RevokedTokensCountNoLonger()
+    public void List_DamagedLine_RevokedTokensAreRefused()
     {
         var log = new List<string>();
         HeadsetFile.Open(_path);
@@ -109,8 +109,8 @@ public sealed class HeadsetFileTests
     [TestCase(" \t\n", "headset")]
     [TestCase(" a\u0000b\n ", "ab")]
     [TestCase("a\u202Eb\u2028c\u200Bd", "abcd")]
-    public void NameOf_AnyText_IsALineOfItsOwn(string name, string expected) => Assert.That(PairedHeadset.NameOf(name), Is.EqualTo(expected));
+    public void NameOf_AnyText_IsOneLine(string name, string expected) => Assert.That(PairedHeadset.NameOf(name), Is.EqualTo(expected));
 
     [Test]
-    public void NameOf_LongText_IsCut() => Assert.That(PairedHeadset.NameOf(new string('a', 500)), Has.Length.EqualTo(64));
+    public void NameOf_LongText_IsShortened() => Assert.That(PairedHeadset.NameOf(new string('a', 500)), Has.Length.EqualTo(64));
 }

@@ -11,7 +11,7 @@ public class MessageReceiverTests
 {
     [TestCase(4.9, DropReason.None)]
     [TestCase(5.1, DropReason.TooSlow)]
-    public async Task Message_LateInEnding_IsDroppedAndTheNextTaken(double seconds, object expected)
+    public async Task Message_CompletedTooLate_IsDroppedAndTheNextAccepted(double seconds, object expected)
     {
         var time = new ManualTime();
         using var socket = new ScriptedWebSocket(

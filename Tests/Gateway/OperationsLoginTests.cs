@@ -20,7 +20,7 @@ public sealed class OperationsLoginTests
 
     [TestCase(Gateways.ObserverToken, "observer")]
     [TestCase(Gateways.OperatorToken, "operator")]
-    public async Task Login_KnownToken_GivesACookieThatOpensAWebSocket(string token, string role)
+    public async Task Login_ValidToken_SetsACookieThatOpensAWebSocket(string token, string role)
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
 
@@ -35,7 +35,7 @@ public sealed class OperationsLoginTests
     }
 
     [Test]
-    public async Task Login_OverTls_GivesACookieForTlsOnly()
+    public async Task Login_OverTls_SetsASecureCookie()
     {
         await using var gateway = await PairingGateway.StartAsync(tokens: Gateways.Tokens);
         using var request = new StringContent($"{{\"token\":\"{Gateways.OperatorToken}\"}}", Encoding.UTF8, "application/json");
@@ -85,7 +85,7 @@ public sealed class OperationsLoginTests
     }
 
     [Test]
-    public async Task WebSocket_AfterLogout_IsEndedAndOthersAreNot()
+    public async Task WebSocket_AfterLogout_IsClosedAndOthersAreNot()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var answer = await LoginAsync(gateway, Gateways.OperatorToken);
@@ -120,7 +120,7 @@ public sealed class OperationsLoginTests
     }
 
     [Test]
-    public async Task Login_WrongTokens_Are401AndThenNotListenedTo()
+    public async Task Login_WrongTokens_Are401AndThenBlocked()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         for (var i = 0; i < 10; i++)
@@ -138,7 +138,7 @@ public sealed class OperationsLoginTests
 
     [TestCase("localhost", HttpStatusCode.BadRequest)]
     [TestCase("evil.example", HttpStatusCode.Forbidden)]
-    public async Task Login_WhereNoTokenIsAskedFor_IsTold(string host, HttpStatusCode expected)
+    public async Task Login_GatewayWithoutTokens_IsRefused(string host, HttpStatusCode expected)
     {
         await using var gateway = await Gateways.StartAsync();
 
@@ -160,7 +160,7 @@ public sealed class OperationsLoginTests
     }
 
     [Test]
-    public async Task Page_WithoutAToken_IsShownForItHasTheForm()
+    public async Task Page_WithoutAToken_IsServedForItsForm()
     {
         if (Nowpose.Web.OperationsPage.Html == null) Assert.Ignore("built without Node.js");
         await using var gateway = await Gateways.StartAsync(WithTokens);

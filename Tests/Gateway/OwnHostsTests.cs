@@ -10,7 +10,7 @@ public class OwnHostsTests
 
     [TestCase("0.0.0.0")]
     [TestCase("::")]
-    public void Reachable_OfAllAddresses_AreThoseThatAPageMayComeFrom(string bind)
+    public void Reachable_AllAddresses_AreAcceptedAsOrigin(string bind)
     {
         var hosts = OwnHosts.Reachable(IPAddress.Parse(bind)).ToList();
 
@@ -26,7 +26,7 @@ public class OwnHostsTests
     [TestCase("127.0.0.1", "127.0.0.1")]
     [TestCase("192.0.2.7", "192.0.2.7")]
     [TestCase("2001:db8::7", "[2001:db8::7]")]
-    public void Reachable_OfOneAddress_IsThat(string bind, string host)
+    public void Reachable_OneAddress_ReturnsIt(string bind, string host)
     {
         Assert.That(OwnHosts.Reachable(IPAddress.Parse(bind)), Is.EqualTo(new[] { host }));
     }
@@ -34,7 +34,7 @@ public class OwnHostsTests
     [TestCase("127.0.0.1")]
     [TestCase("::ffff:192.0.2.7")]
     [TestCase("2001:db8::7")]
-    public void Of_AnAddress_AreAllAccepted(string local)
+    public void Of_Address_AreAllAccepted(string local)
     {
         var address = IPAddress.Parse(local);
 
@@ -46,7 +46,7 @@ public class OwnHostsTests
     [TestCase("192.0.2.8", "192.0.2.7")]
     [TestCase("0.0.0.0", "192.0.2.7")]
     [TestCase("evil.example", "127.0.0.1")]
-    public void Contain_AHostThatIsNotThisConnections_IsFalse(string host, string local)
+    public void Contain_HostOfAnotherConnection_IsFalse(string host, string local)
     {
         Assert.That(OwnHosts.Contain(Page(host), IPAddress.Parse(local)), Is.False);
     }

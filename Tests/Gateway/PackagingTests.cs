@@ -46,7 +46,7 @@ public class PackagingTests
     }
 
     [Test]
-    public void Unit_IsWhatSystemdUnderstands()
+    public void Unit_SystemdAnalyze_ReportsNoError()
     {
         var (status, output) = Analyze("verify", "--man=no", SavedUnit());
 
@@ -55,7 +55,7 @@ public class PackagingTests
     }
 
     [Test]
-    public void Unit_ExposesLittle()
+    public void Unit_SystemdSecurity_HasLowExposure()
     {
         var (_, output) = Analyze("security", "--offline=true", "--no-pager", SavedUnit());
 
@@ -65,7 +65,7 @@ public class PackagingTests
     }
 
     [Test]
-    public void Unit_RunsAsAnOrdinaryUserAndLetsCompilersRun()
+    public void Unit_User_IsUnprivilegedAndMayCompileAtRunTime()
     {
         Assert.That(Unit, Does.Contain("\nType=exec\n").And.Contain("\nUser=nowpose\nGroup=nowpose\n").And.Contain("\nNoNewPrivileges=yes\n"));
         Assert.That(Unit, Does.Not.Match(@"(?m)^MemoryDenyWriteExecute"), ".NET and Node.js compile as they run");
@@ -73,7 +73,7 @@ public class PackagingTests
     }
 
     [Test]
-    public void Unit_UserOfItsOwn_IsMadeByTheFileBesideIt()
+    public void Unit_User_IsCreatedBySysusers()
     {
         var users = File.ReadAllLines(Path.Combine(Folder, "nowpose-gateway.sysusers.conf")).Where(line => line[0] != '#');
 
@@ -81,7 +81,7 @@ public class PackagingTests
     }
 
     [Test]
-    public void Unit_FaultThatMayPass_IsTriedAgainForEver()
+    public void Unit_TemporaryFault_IsRetriedForever()
     {
         Assert.That(Unit, Does.Contain("\nStartLimitIntervalSec=0\n").And.Contain("\nRestart=on-failure\n"));
         Assert.That(Unit, Does.Not.Contain("StartLimitBurst"));
@@ -89,7 +89,7 @@ public class PackagingTests
 
     // A copy would keep tokens that are removed from the file, and a check before the start would be repeated for ever.
     [Test]
-    public void Unit_Tokens_AreTheFileItselfAndNothingRunsBefore()
+    public void Unit_Tokens_AreReadFromTheFileWithoutPreparation()
     {
         var entries = Unit.Split('\n').Where(line => !line.StartsWith('#')).ToArray();
 
@@ -99,7 +99,7 @@ public class PackagingTests
     }
 
     [Test]
-    public async Task Unit_Command_IsOneThatTheGatewayTakes()
+    public async Task Unit_Command_IsValid()
     {
         File.WriteAllText(Path.Combine(_folder, "tokens.txt"), "observer a-token-of-somebody\n");
         File.Copy(Path.Combine(Folder, "gateway.yaml"), Path.Combine(_folder, "gateway.yaml"));
@@ -113,7 +113,7 @@ public class PackagingTests
     }
 
     [Test]
-    public void Container_IsOneThatEndsAsAnOrdinaryUserWithAHealthCheck()
+    public void Container_FinalStage_HasAnUnprivilegedUserAndAHealthCheck()
     {
         var lines = File.ReadAllText(Path.Combine(Folder, "Containerfile")).Replace("\\\n", " ").Split('\n')
             .Where(line => line.Length > 0 && line[0] != '#').Select(line => line.Split(' ', 2)).ToArray();
@@ -129,7 +129,7 @@ public class PackagingTests
     }
 
     [Test]
-    public void Container_Nodes_AreThoseOfOneImageOfItsOwn()
+    public void Container_Node_ComesFromOnePinnedImage()
     {
         var text = File.ReadAllText(Path.Combine(Folder, "Containerfile"));
 
@@ -138,7 +138,7 @@ public class PackagingTests
     }
 
     [Test]
-    public void Container_IsMadeWithoutWhatWasBuiltHere()
+    public void Container_Context_ExcludesLocalBuilds()
     {
         var ignored = File.ReadAllLines(Path.Combine(RepositoryFiles.Root, ".containerignore"));
 
@@ -147,11 +147,11 @@ public class PackagingTests
 
     [TestCase("Containerfile")]
     [TestCase("../../Packages/com.nowpose.mril/Documentation~/gateway.md")]
-    public void Container_CommandToBuildIt_KeepsTheHealthCheck(string path) =>
+    public void Container_BuildCommand_KeepsTheHealthCheck(string path) =>
         Assert.That(File.ReadAllText(Path.Combine(Folder, path)), Does.Contain("podman build --format docker -f Gateway/Packaging/Containerfile"));
 
     [Test]
-    public async Task Container_Command_IsOneThatTheGatewayTakes()
+    public async Task Container_Command_IsValid()
     {
         File.Copy(Path.Combine(Folder, "gateway.yaml"), Path.Combine(_folder, "gateway.yaml"));
         var command = Regex.Match(File.ReadAllText(Path.Combine(Folder, "Containerfile")), @"(?m)^CMD \[(.*)\]$").Groups[1].Value

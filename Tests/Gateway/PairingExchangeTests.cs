@@ -30,7 +30,7 @@ public sealed class PairingExchangeTests
 
     [TestCase(true)]
     [TestCase(false)]
-    public async Task Exchange_ShownCode_GivesATokenThatTheGatewayTakes(bool isSecure)
+    public async Task Exchange_ShownCode_ReturnsAnAcceptedToken(bool isSecure)
     {
         await using var gateway = await PairingGateway.StartAsync(isSecure);
         Assert.That(await RosbridgeStatusAsync(gateway, null), Is.EqualTo(HttpStatusCode.Unauthorized), "it asks for a token");
@@ -45,7 +45,7 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
-    public async Task Token_OfAHeadset_OpensTheSyncConnectionToo()
+    public async Task Token_OfAHeadset_OpensTheSyncConnection()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var own = (await gateway.ExchangeAsync((await gateway.ShownAsync()).Token)).Token;
@@ -87,7 +87,7 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
-    public async Task Renew_MakesTheFormerCodeWorthless()
+    public async Task Renew_ShownCode_InvalidatesTheFormer()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var former = await gateway.ShownAsync();
@@ -100,7 +100,7 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
-    public async Task Exchange_NoCodeWasEverShown_IsRefused()
+    public async Task Exchange_NoCodeShown_IsRefused()
     {
         await using var gateway = await PairingGateway.StartAsync();
 
@@ -109,7 +109,7 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
-    public async Task Exchange_ManyWrongCodes_AreNotListenedToForAMinute()
+    public async Task Exchange_ManyWrongCodes_BlockTheAddressForAMinute()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var code = await gateway.ShownAsync();
@@ -140,11 +140,11 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
-    public void Exchange_PlainToAnotherMachine_IsRefusedBeforeAnyConnection() => Assert.ThrowsAsync<InputException>(
+    public void Exchange_PlainToAnotherMachine_IsRefusedWithoutConnection() => Assert.ThrowsAsync<InputException>(
         () => PairingRequest.SendAsync(new ConnectionSettings("10.0.0.7", insecureLan: true), "token", CancellationToken.None));
 
     [Test]
-    public async Task Exchange_GatewayThatPairsNone_SaysWhatToDo()
+    public async Task Exchange_PairingDisabled_NamesTheOption()
     {
         await using var gateway = await Gateways.StartAsync();
 
@@ -156,7 +156,7 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
-    public async Task Exchange_NobodyListens_IsWorthRetrying()
+    public async Task Exchange_ConnectionRefused_IsWorthRetrying()
     {
         var answer = await PairingRequest.SendAsync(new ConnectionSettings("127.0.0.1", 1, 1), "token", CancellationToken.None).Bounded();
 
@@ -175,7 +175,7 @@ public sealed class PairingExchangeTests
     [TestCase("HTTP/1.1 302 Found\r\nLocation: http://10.0.0.7/\r\n\r\n", "status 302")]
     [TestCase("SSH-2.0-OpenSSH\r\n\r\n", "not HTTP/1.1")]
     [TestCase("\r\n\r\n", "not HTTP/1.1")]
-    public async Task Exchange_OtherAnswer_IsAProblemAndNothingElse(string text, string part)
+    public async Task Exchange_InvalidAnswer_IsReportedAsAProblem(string text, string part)
     {
         using var server = new FakeWebSocketServer();
         var served = server.AnswerAsync(text);
@@ -226,7 +226,7 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
-    public async Task List_HoldsHashesOnly_AndSurvivesARestart()
+    public async Task List_Restarted_HasOnlyHashesAndStillAcceptsTheToken()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var own = (await gateway.ExchangeAsync((await gateway.ShownAsync()).Token, "Anna's\n \u0007headset")).Token;
@@ -269,7 +269,7 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
-    public async Task List_DamagedWhileItRuns_IsSaidOnceAndTheFormerGoesOn()
+    public async Task List_DamagedWhileRunning_IsLoggedOnceAndTheFormerStaysInUse()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var own = (await gateway.ExchangeAsync((await gateway.ShownAsync()).Token)).Token;
@@ -282,7 +282,7 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
-    public async Task List_CannotBeWritten_IsA503AndTheCodeStaysWorthSomething()
+    public async Task List_CannotBeWritten_Is503AndTheCodeStaysValid()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var code = await gateway.ShownAsync();
@@ -299,7 +299,7 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
-    public async Task Log_NeverHoldsATokenOrCode()
+    public async Task Log_AnyExchange_ContainsNoTokenOrCode()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var code = await gateway.ShownAsync();

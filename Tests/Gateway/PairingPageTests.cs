@@ -15,7 +15,7 @@ namespace Nowpose.Headless.Tests.Gateway;
 public sealed class PairingPageTests
 {
     [Test]
-    public async Task Page_OfThisMachine_HoldsNoSecretItself()
+    public async Task Page_OfThisMachine_ContainsNoSecret()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var code = await gateway.ShownAsync();
@@ -31,7 +31,7 @@ public sealed class PairingPageTests
     [TestCase("GET", "/pair")]
     [TestCase("POST", "/pair/code")]
     [TestCase("POST", "/pair/cell")]
-    public async Task Anything_UnderAnotherName_Is403(string method, string path)
+    public async Task Request_UnderAnotherHostName_Is403(string method, string path)
     {
         await using var gateway = await PairingGateway.StartAsync();
         using var body = new StringContent("{}");
@@ -51,7 +51,7 @@ public sealed class PairingPageTests
     [TestCase("127.0.0.1", "127.0.0.1", null, 200)]
     [TestCase("::ffff:10.0.0.9", "::ffff:10.0.0.7", null, 403)]
     [TestCase("::1", "::1", null, 200)]
-    public async Task Code_AskedForFromAnAddress_IsToldToThisMachineAndOperatorsOnly(string remote, string local, string token, int expected)
+    public async Task Code_RequestedFromAnAddress_IsReturnedOnlyToThisMachineAndOperators(string remote, string local, string token, int expected)
     {
         using var folder = new TemporaryFile("");
         var options = Gateways.Options() with { Headsets = new HeadsetList(folder.Path), Tokens = Gateways.Tokens };
@@ -90,7 +90,7 @@ public sealed class PairingPageTests
     [TestCase("DELETE", "/pair", HttpStatusCode.MethodNotAllowed)]
     [TestCase("GET", "/pair/else", HttpStatusCode.NotFound)]
     [TestCase("GET", "/pairs", HttpStatusCode.Unauthorized)]
-    public async Task Request_OtherMethodOrPath_IsTold(string method, string path, HttpStatusCode expected)
+    public async Task Request_OtherMethodOrPath_IsRefused(string method, string path, HttpStatusCode expected)
     {
         await using var gateway = await PairingGateway.StartAsync();
 
@@ -100,7 +100,7 @@ public sealed class PairingPageTests
     }
 
     [Test]
-    public async Task Code_OfAGatewayWithTls_SpellsTheKeyAsTheQuestionDoes()
+    public async Task Code_OfAGatewayWithTls_ShowsTheKeyLikeTheQuestion()
     {
         await using var gateway = await PairingGateway.StartAsync();
 
@@ -108,13 +108,13 @@ public sealed class PairingPageTests
 
         var key = JsonDocument.Parse(text).RootElement.GetProperty("key").GetString();
         Assert.That(key, Has.Length.EqualTo(13).And.EndsWith("…"));
-        var flow = new PairingFlow(PairedCells.None, "headset 7", (_, _, _) => throw new InvalidOperationException("nobody has agreed"));
+        var flow = new PairingFlow(PairedCells.None, "headset 7", (_, _, _) => throw new InvalidOperationException("the wearer has not agreed"));
         flow.See(gateway.CellCode().Text, HeadsetTime.FromSeconds(10));
         Assert.That(flow.Question, Does.EndWith("key " + key));
     }
 
     [Test]
-    public async Task Cell_WithOffset_IsACodeThatAHeadsetReads()
+    public async Task Cell_WithOffset_ReturnsAReadableCode()
     {
         await using var gateway = await PairingGateway.StartAsync();
 
@@ -137,7 +137,7 @@ public sealed class PairingPageTests
     [TestCase("{\"name\":\"a\",\"host\":\"10.0.0.7\",\"size_mm\":\"x\"}", "size")]
     [TestCase("{\"name\":\"a\",\"host\":\"10.0.0.7\",\"size_mm\":\"0\"}", "size")]
     [TestCase("{\"name\":\"a\",\"host\":\"10.0.0.7\",\"size_mm\":\"120\",\"offset\":\"1,2\"}", "offset")]
-    public async Task Cell_BadInput_IsOneLine(string body, string part)
+    public async Task Cell_InvalidInput_IsReportedInOneLine(string body, string part)
     {
         await using var gateway = await PairingGateway.StartAsync();
 

@@ -24,7 +24,7 @@ public class PlantJointsTests
     }
 
     [Test]
-    public void Plants_AsManyJointsAsAMessageCarries_HaveThem()
+    public void Plants_MaximumNumberOfJoints_HaveAll()
     {
         var robot = Chain(256);
 
@@ -33,7 +33,7 @@ public class PlantJointsTests
     }
 
     [Test]
-    public void Plants_MoreJointsThanAMessageCarries_SayBoth()
+    public void Plants_TooManyJoints_ThrowWithNumberAndMaximum()
     {
         var robot = Chain(257);
 

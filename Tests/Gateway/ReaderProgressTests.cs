@@ -10,7 +10,7 @@ public class ReaderProgressTests
     static readonly TimeSpan PongTimeout = TimeSpan.FromSeconds(6);
 
     [Test]
-    public void OnSent_PingIsDue_IsPingedAfterTheDelay()
+    public void OnSent_PingIsDue_SendsItAfterTheDelay()
     {
         var time = new SteppedTimers();
         var pings = new List<byte[]>();
@@ -28,7 +28,7 @@ public class ReaderProgressTests
     }
 
     [Test]
-    public async Task IsSilent_LongMessageOnItsWay_WaitsAsLongAsASlowReaderNeeds()
+    public async Task IsSilent_LongMessageInTransit_AllowsTheTimeOfASlowReader()
     {
         var time = new SteppedTimers();
         var pings = new List<byte[]>();
@@ -47,7 +47,7 @@ public class ReaderProgressTests
     }
 
     [Test]
-    public void IsSilent_ClientThatAnsweredOnceAndSends_IsSilentWithoutAPong()
+    public void IsSilent_ClientAnsweredOnceAndSends_IsTrueWithoutAPong()
     {
         var time = new SteppedTimers();
         var pings = new List<byte[]>();
@@ -65,7 +65,7 @@ public class ReaderProgressTests
     }
 
     [Test]
-    public void IsSilent_ClientThatNeverAnswersAndSendsNothing_IsSilentInTimeWhateverItIsSent()
+    public void IsSilent_ClientNeverAnswersNorSends_IsTrueAfterTheTimeout()
     {
         var time = new SteppedTimers();
         var pings = new List<byte[]>();
@@ -82,7 +82,7 @@ public class ReaderProgressTests
     }
 
     [Test]
-    public void IsSilent_ClientThatNeverAnswersAPingAndSends_IsNot()
+    public void IsSilent_ClientNeverAnswersAPingButSends_IsFalse()
     {
         var time = new SteppedTimers();
         using var progress = Progress(time, []);

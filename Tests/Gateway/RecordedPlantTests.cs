@@ -46,7 +46,7 @@ public class RecordedPlantTests
     [TestCase(5, 0.3)]
     [TestCase(6, 0.1)]
     [TestCase(6 + 5, 0.3)]
-    public void At_Time_PlaysForthAndBack(double seconds, double expected)
+    public void At_Time_PlaysForwardAndBackward(double seconds, double expected)
     {
         var motion = Played("t,q1,q2", "ur5");
 
@@ -55,7 +55,7 @@ public class RecordedPlantTests
     }
 
     [Test]
-    public void At_FingerColumn_MovesTheMimicToo()
+    public void At_FingerColumn_MovesTheMimic()
     {
         var motion = Played("t,gripper_finger_joint_l,arm_joint_1", "youbot");
 
@@ -63,7 +63,7 @@ public class RecordedPlantTests
     }
 
     [Test]
-    public void Constructor_MoreColumnsThanJoints_SaysBoth()
+    public void Constructor_MoreColumnsThanJoints_ThrowsWithBothNumbers()
     {
         using var file = new TemporaryFile("t,a,b,c,d,e,f,g\n0,1,1,1,1,1,1,1\n1,1,1,1,1,1,1,1\n");
 

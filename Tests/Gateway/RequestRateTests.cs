@@ -9,7 +9,7 @@ public class RequestRateTests
     static readonly long Millisecond = Stopwatch.Frequency / 1000;
 
     [Test]
-    public void TryTake_AsFastAsAllowedForAnHour_NeverRefuses()
+    public void TryTake_AtTheLimitForAnHour_NeverRefuses()
     {
         var rate = new RequestRate(100);
 

@@ -8,7 +8,7 @@ public class RosapiTests
 {
     [TestCase("/rosapi/topics")]
     [TestCase("rosapi/topics")]
-    public async Task Topics_AskedFor_AreListedWithTheirTypes(string service)
+    public async Task Topics_Requested_AreListedWithTheirTypes(string service)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -21,7 +21,7 @@ public class RosapiTests
     }
 
     [Test]
-    public async Task GetTime_WithoutTheSlash_IsAnswered()
+    public async Task GetTime_WithoutLeadingSlash_IsAnswered()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -44,7 +44,7 @@ public class RosapiTests
     [TestCase("""{"op":"advertise","topic":"/joint_states","type":"std_msgs/String"}""", "error",
         "advertise /joint_states dropped: /joint_states has the type sensor_msgs/JointState, not std_msgs/String")]
     [TestCase("""{"op":"subscribe"}""", "error", "subscribe dropped: a field is missing or empty")]
-    public async Task Request_ForWhatIsNotSupported_GetsAStatusWithItsId(string request, string level, string part)
+    public async Task Request_Unsupported_ReceivesAStatusWithItsId(string request, string level, string part)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -60,7 +60,7 @@ public class RosapiTests
     [TestCase("""{"op":"subscribe","topic":"/joint_states","compression":"none","type":"sensor_msgs/msg/JointState"}""")]
     [TestCase("""{"op":"subscribe","topic":"/joint_states","compression":"","fragment_size":null}""")]
     [TestCase("""{"op":"set_level","level":"error"}\n{"op":"subscribe","topic":"/joint_states","compression":"png"}""")]
-    public async Task Request_ForWhatIsSupported_GetsNoStatus(string requests)
+    public async Task Request_Supported_ReceivesNoStatus(string requests)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -80,7 +80,7 @@ public class RosapiTests
     [TestCase("topic_type", "[]", """{"type":""}""")]
     [TestCase("service_type", """{"service":"/rosapi/get_time"}""", """{"type":"rosapi/GetTime"}""")]
     [TestCase("get_ros_version", "{}", """{"version":1,"distro":""}""")]
-    public async Task Service_OfRosapi_Answers(string service, string args, string values)
+    public async Task Service_OfRosapi_ReturnsItsValues(string service, string args, string values)
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();
@@ -94,7 +94,7 @@ public class RosapiTests
 
     [TestCase("none", false)]
     [TestCase("error", true)]
-    public async Task SetLevel_None_TellsNoStatusAnyMore(string level, bool isTold)
+    public async Task SetLevel_Level_FiltersStatusMessages(string level, bool isSent)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -102,7 +102,7 @@ public class RosapiTests
 
         await client.SendAsync("""{"op":"unheard_of"}""");
 
-        if (isTold) await client.ExpectErrorAsync("Unknown operation");
+        if (isSent) await client.ExpectErrorAsync("Unknown operation");
         await client.RoundTripAsync();
     }
 }

@@ -31,7 +31,7 @@ public class SampleScheduleTests
     }
 
     [Test]
-    public void Taken_IntervalBetweenCycles_IsCutToTheCycleAndDoesNotDrift()
+    public void Taken_IntervalBetweenCycles_IsRoundedToTheCycleWithoutDrift()
     {
         var samples = First(1001, 12.5, 0, 0);
 
@@ -40,7 +40,7 @@ public class SampleScheduleTests
     }
 
     [Test]
-    public void Sent_Delays_FillTheRangeInOrder()
+    public void Sent_Delays_CoverTheRangeInOrder()
     {
         var samples = First(2000, 200, 55, 105);
         var delays = samples.Select(sample => (sample.Sent - sample.Taken).TotalMilliseconds).ToArray();
@@ -51,7 +51,7 @@ public class SampleScheduleTests
     }
 
     [Test]
-    public void Sent_DelaysLongerThanTheInterval_StillInOrder()
+    public void Sent_DelaysLongerThanTheInterval_StayInOrder()
     {
         var sent = First(2000, 10, 0, 100).Select(sample => sample.Sent).ToArray();
 
@@ -59,7 +59,7 @@ public class SampleScheduleTests
     }
 
     [Test]
-    public void Sent_SameSeed_IsTheSame()
+    public void Sent_SameSeed_Repeats()
     {
         Assert.That(First(50, 50, 55, 105, 7), Is.EqualTo(First(50, 50, 55, 105, 7)));
         Assert.That(First(50, 50, 55, 105, 7), Is.Not.EqualTo(First(50, 50, 55, 105, 8)));
@@ -68,6 +68,6 @@ public class SampleScheduleTests
     [TestCase(0.5, 0, 0)]
     [TestCase(50, -1, 0)]
     [TestCase(50, 10, 5)]
-    public void CellTiming_Impossible_IsRefused(double sampling, double min, double max) =>
+    public void CellTiming_Invalid_IsRefused(double sampling, double min, double max) =>
         Assert.Throws<ArgumentOutOfRangeException>(() => new CellTiming(Ms(sampling), Ms(min), Ms(max)));
 }

@@ -13,7 +13,7 @@ public class SimulatedCellTests
     static readonly CellTiming Timing = new(TimeSpan.FromMilliseconds(10), TimeSpan.FromMilliseconds(20), TimeSpan.FromMilliseconds(40));
 
     [Test]
-    public async Task Publish_RealTime_SendsTheTruthOfTheStampNotBeforeItsDelayIsOver()
+    public async Task Publish_RealTime_SendsTheTruthOfTheStampAfterItsDelay()
     {
         var clock = new StopwatchControlClock(ControlTime.FromSeconds(50), 100e-6);
         await using var gateway = await Gateways.StartAsync(clock: clock);
@@ -42,7 +42,7 @@ public class SimulatedCellTests
     }
 
     [Test]
-    public async Task Publish_ClockThatWaitsForTheCell_SendsEachSampleWhenItsDelayIsOver()
+    public async Task Publish_SteppedClock_SendsEachSampleAfterItsDelay()
     {
         var clock = new LookedAtClock();
         var delays = new ConcurrentQueue<double>();
@@ -59,7 +59,7 @@ public class SimulatedCellTests
     }
 
     [Test]
-    public void TruthAt_BeforeTheStart_StandsAtHome()
+    public void TruthAt_BeforeTheStart_IsTheHomePosition()
     {
         var clock = new StopwatchControlClock(ControlTime.FromSeconds(50));
         var motion = new PickAndPlaceMotion(RobotFiles.Load("youbot"));
@@ -74,7 +74,7 @@ public class SimulatedCellTests
     }
 
     [Test]
-    public async Task PublishInto_ASecondHub_GoesOnThereWithFreshSamples()
+    public async Task PublishInto_SecondHub_ContinuesWithNewSamples()
     {
         var clock = new StopwatchControlClock(ControlTime.FromSeconds(50));
         using var cell = new SimulatedCell(new PickAndPlaceMotion(RobotFiles.Load("ur5")), clock, Timing, 1);

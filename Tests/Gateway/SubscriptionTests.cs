@@ -10,7 +10,7 @@ namespace Nowpose.Headless.Tests.Gateway;
 public class SubscriptionTests
 {
     [Test]
-    public async Task Dispose_WhileItWaitsOutALongThrottle_EndsThePump()
+    public async Task Dispose_DuringALongThrottle_EndsThePump()
     {
         var hub = new MessageHub();
         using var source = hub.OpenSource();
@@ -35,7 +35,7 @@ public class SubscriptionTests
 
     [TestCase(true, 9)]
     [TestCase(false, 0)]
-    public async Task Pump_OldSamples_SendsTheNewestAndCountsTheOthersWhereAReaderWasSlow(bool isReaderSlow, int dropped)
+    public async Task Pump_OldSamples_SendsTheNewestAndCountsThoseOfASlowReader(bool isReaderSlow, int dropped)
     {
         var hub = new MessageHub();
         using var source = hub.OpenSource();

@@ -20,7 +20,7 @@ public class TokenListTests
     }
 
     [Test]
-    public void Read_RolesCommentsAndBlanks_GivesEachItsRole()
+    public void Read_RolesCommentsAndBlanks_ReturnsTheRoles()
     {
         var tokens = Read("# the cell\n\nobserver abc\n  source\tdef  \noperator ghi\n");
 
@@ -36,7 +36,7 @@ public class TokenListTests
     [TestCase("observer a\nadmin secret\n")]
     [TestCase("observer a\nsource\n")]
     [TestCase("observer a\nsource secret more\n")]
-    public void Read_OtherLine_NamesFileAndLineButNoToken(string text)
+    public void Read_InvalidLine_NamesFileAndLineButNoToken(string text)
     {
         var error = Assert.Throws<InputException>(() => Read(text));
 

@@ -20,7 +20,7 @@ public sealed class MetaCheckTests
     public void TearDown() => _project.Dispose();
 
     [Test]
-    public void Faults_AllWritten_None()
+    public void Faults_AllWritten_AreEmpty()
     {
         Assert.That(MetaCheck.Faults(_project.Root), Is.Empty);
     }
@@ -62,7 +62,7 @@ public sealed class MetaCheckTests
     }
 
     [Test]
-    public void Faults_FolderWithoutFolderAsset_SaysSo()
+    public void Faults_FolderWithoutFolderAsset_NamesIt()
     {
         _project.Replace("Assets/Folder.meta", "folderAsset: yes\n", "");
 
@@ -70,7 +70,7 @@ public sealed class MetaCheckTests
     }
 
     [Test]
-    public void Faults_BrokenGuid_SaysSo()
+    public void Faults_InvalidGuid_NamesIt()
     {
         _project.Replace("Assets/Folder.meta", "guid: ", "guid: x");
 
@@ -90,7 +90,7 @@ public sealed class MetaCheckTests
     }
 
     [Test]
-    public void Faults_ThisRepository_None()
+    public void Faults_ThisRepository_AreEmpty()
     {
         var root = ProjectRoot.Find(TestContext.CurrentContext.TestDirectory);
 
@@ -100,7 +100,7 @@ public sealed class MetaCheckTests
     }
 
     [Test]
-    public void Find_FolderInsideProject_IsTheProject()
+    public void Find_FolderInsideProject_ReturnsTheProject()
     {
         Assert.That(ProjectRoot.Find(Path.Combine(_project.Root, "Assets", "Folder")), Is.EqualTo(_project.Root));
     }

@@ -8,7 +8,7 @@ public sealed class MetaFileTests
     const string Guid = "0123456789abcdef0123456789abcdef";
 
     [Test]
-    public void Format_Script_IsWhatUnityWrites()
+    public void Format_Script_EqualsUnitysOutput()
     {
         var text = MetaFile.Format(new AssetEntry("Assets/A.cs", IsFolder: false), Guid);
 
@@ -19,7 +19,7 @@ public sealed class MetaFileTests
     }
 
     [Test]
-    public void Format_Folder_IsWhatUnityWrites()
+    public void Format_Folder_EqualsUnitysOutput()
     {
         var text = MetaFile.Format(new AssetEntry("Assets/A.cs", IsFolder: true), Guid);
 

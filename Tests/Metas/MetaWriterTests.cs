@@ -14,7 +14,7 @@ public sealed class MetaWriterTests
     public void TearDown() => _project.Dispose();
 
     [Test]
-    public void WriteMissing_AssetsPackagesAndSamples_EachFileAndFolderGetsOne()
+    public void WriteMissing_AssetsPackagesAndSamples_WritesOnePerFileAndFolder()
     {
         _project.Add("Assets/Scenes/Demo.unity");
         _project.Add("Packages/com.x/package.json");
@@ -76,7 +76,7 @@ public sealed class MetaWriterTests
     }
 
     [Test]
-    public void WriteMissing_SamePathElsewhere_GivesTheSameGuid()
+    public void WriteMissing_SamePathInAnotherProject_WritesTheSameGuid()
     {
         using var other = new UnityProjectFolder();
         _project.Add("Assets/A.cs");
@@ -89,7 +89,7 @@ public sealed class MetaWriterTests
     }
 
     [Test]
-    public void WriteMissing_PathWhoseGuidMovedAway_GetsAnotherGuid()
+    public void WriteMissing_GuidOfThePathInUse_WritesAnother()
     {
         _project.Add("Assets/A.cs");
         MetaWriter.WriteMissing(_project.Root);
@@ -103,7 +103,7 @@ public sealed class MetaWriterTests
     }
 
     [Test]
-    public void Prune_AssetGone_RemovesItsMetaOnly()
+    public void Prune_AssetDeleted_RemovesOnlyItsMeta()
     {
         _project.Add("Assets/A.cs");
         _project.Add("Assets/B.cs");

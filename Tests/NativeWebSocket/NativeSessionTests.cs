@@ -18,7 +18,7 @@ public class NativeSessionTests
     readonly StopwatchControlClock _control = StopwatchControlClock.FromUnixTime();
 
     [Test]
-    public async Task Session_GatewayIsKilledAndBack_IsCurrentAgain()
+    public async Task Session_GatewayKilledAndRestarted_IsCurrentAgain()
     {
         var made = 0;
         using var cell = Cell();
@@ -45,7 +45,7 @@ public class NativeSessionTests
     }
 
     [Test]
-    public void Transport_NativeWebSocketInstalled_TakesAllButPins()
+    public void Transport_NativeWebSocketInstalled_IsUsedExceptWithPins()
     {
         var pin = Nowpose.Protocol.CertificatePin.Of(Nowpose.Gateway.Security.CertificateFiles.Generate());
 

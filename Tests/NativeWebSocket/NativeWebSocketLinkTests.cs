@@ -68,7 +68,7 @@ public class NativeWebSocketLinkTests
     }
 
     [Test]
-    public async Task Message_ThatIsFetchedLate_IsStampedWhenItArrived()
+    public async Task Message_FetchedLate_HasItsArrivalTime()
     {
         using var server = new FakeWebSocketServer();
         var clock = new ObservedClock { Now = HeadsetTime.FromSeconds(1) };
@@ -87,7 +87,7 @@ public class NativeWebSocketLinkTests
     }
 
     [Test]
-    public async Task Link_OpenedOnAFramesThread_WaitsForNoFrame()
+    public async Task Link_OpenedOnTheMainThread_DoesNotWaitForAFrame()
     {
         using var server = new FakeWebSocketServer();
         var frame = new FrameContext();
@@ -106,7 +106,7 @@ public class NativeWebSocketLinkTests
 
     [TestCase(0, DropReason.None)]
     [TestCase(1, DropReason.TooLarge)]
-    public async Task Message_LongerThanAMebibyte_IsRefusedAndTheNextOneTaken(int over, object expected)
+    public async Task Message_LongerThanAMebibyte_IsRefusedAndTheNextAccepted(int over, object expected)
     {
         using var server = new FakeWebSocketServer();
         var (link, socket) = await OpenAsync(server);
@@ -125,7 +125,7 @@ public class NativeWebSocketLinkTests
     }
 
     [Test]
-    public async Task Messages_NobodyFetches_TheOldestGoAndAreCounted()
+    public async Task Messages_NotFetched_OldestAreDroppedAndCounted()
     {
         const int Sent = 100;
         using var server = new FakeWebSocketServer();
@@ -149,7 +149,7 @@ public class NativeWebSocketLinkTests
     [TestCase(Gateways.ObserverToken, null)]
     [TestCase("guessed", "the gateway does not accept this headset's token (401)")]
     [TestCase(null, "the gateway does not accept this headset's token (401)")]
-    public async Task Token_TravelsAsAHeader(string token, string refusal)
+    public async Task Open_WithToken_SendsItAsAHeader(string token, string refusal)
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
         using var link = Link(gateway.WebSocketEndPoint.Port, token);
@@ -161,7 +161,7 @@ public class NativeWebSocketLinkTests
     }
 
     [Test]
-    public async Task Certificate_TheDeviceDoesNotTrust_IsRefused()
+    public async Task Certificate_NotTrustedByTheDevice_IsRefused()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Certificate = CertificateFiles.Generate() });
         var settings = new ConnectionSettings("127.0.0.1", webSocketPort: gateway.WebSocketEndPoint.Port, deviceTrust: true);
@@ -172,7 +172,7 @@ public class NativeWebSocketLinkTests
     }
 
     [Test]
-    public void Link_SettingsWithAPin_IsRefused()
+    public void Constructor_SettingsWithAPin_Throws()
     {
         var settings = new ConnectionSettings("127.0.0.1", pin: CertificatePin.Of(CertificateFiles.Generate()));
 
@@ -180,7 +180,7 @@ public class NativeWebSocketLinkTests
     }
 
     [Test]
-    public async Task Open_NobodyListens_SaysSo()
+    public async Task Open_ConnectionRefused_Throws()
     {
         int port;
         using (var server = new FakeWebSocketServer()) port = server.Port;
@@ -190,7 +190,7 @@ public class NativeWebSocketLinkTests
     }
 
     [Test]
-    public async Task Open_CancelledWhileTheServerThinks_EndsAtOnce()
+    public async Task Open_CancelledDuringTheHandshake_EndsImmediately()
     {
         using var server = new SilentServer();
         using var link = Link(server.Port);
@@ -205,7 +205,7 @@ public class NativeWebSocketLinkTests
     }
 
     [Test]
-    public async Task Open_CancelledBefore_ConnectsToNobody()
+    public async Task Open_AlreadyCancelled_DoesNotConnect()
     {
         using var server = new SilentServer();
         using var link = Link(server.Port);
@@ -233,7 +233,7 @@ public class NativeWebSocketLinkTests
     }
 
     [Test]
-    public async Task Receive_ServerSaysGoodbye_IsTheEndInOrder()
+    public async Task Receive_ServerCloses_EndsAfterTheLastMessage()
     {
         using var server = new FakeWebSocketServer();
         var (link, socket) = await OpenAsync(server);
@@ -249,7 +249,7 @@ public class NativeWebSocketLinkTests
     }
 
     [Test]
-    public async Task Receive_ServerIsGone_FailsAndSoDoesSending()
+    public async Task Receive_ConnectionLost_FailsLikeSending()
     {
         using var server = new FakeWebSocketServer();
         var link = Link(server.Port);
@@ -265,7 +265,7 @@ public class NativeWebSocketLinkTests
     }
 
     [Test]
-    public async Task Dispose_Open_SaysGoodbyeAndEndsTheReader()
+    public async Task Dispose_Open_SendsACloseFrameAndEndsTheReader()
     {
         using var server = new FakeWebSocketServer();
         var (link, socket) = await OpenAsync(server);
@@ -280,7 +280,7 @@ public class NativeWebSocketLinkTests
     }
 
     [Test]
-    public async Task Dispose_ServerDoesNotSayGoodbye_EndsAllTheSame()
+    public async Task Dispose_ServerDoesNotAnswerTheClose_Ends()
     {
         using var server = new FakeWebSocketServer();
         var link = Link(server.Port);
@@ -295,7 +295,7 @@ public class NativeWebSocketLinkTests
     }
 
     [Test]
-    public async Task Dispose_AtAnyMoment_LeavesNoConnection([Range(0, 15)] int moment)
+    public async Task Dispose_AtAnyTime_LeavesNoConnection([Range(0, 15)] int moment)
     {
         await using var gateway = await Gateways.StartAsync();
         var link = Link(gateway.WebSocketEndPoint.Port);
@@ -310,7 +310,7 @@ public class NativeWebSocketLinkTests
     }
 
     [Test]
-    public async Task Links_AHundredOpenedAndClosed_LeaveNoThreadAndNoConnection()
+    public async Task Links_HundredOpenedAndClosed_LeaveNoThreadsOrConnections()
     {
         await using var gateway = await Gateways.StartAsync();
         async Task Cycle(int count)

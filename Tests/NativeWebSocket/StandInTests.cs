@@ -9,7 +9,7 @@ namespace Nowpose.Headless.Tests;
 public class StandInTests
 {
     [Test]
-    public void Socket_PublicMembers_AreThePackages()
+    public void Socket_PublicMembers_MatchThePackage()
     {
         var members = typeof(Socket).GetMembers(BindingFlags.Public | BindingFlags.Instance | BindingFlags.DeclaredOnly)
             .Where(member => member is not MethodInfo { IsSpecialName: true })
@@ -24,7 +24,7 @@ public class StandInTests
     }
 
     [Test]
-    public async Task Events_MadeWithoutAContext_WaitUntilTheyAreDispatched()
+    public async Task Events_WithoutAContext_WaitUntilDispatched()
     {
         using var server = new FakeWebSocketServer();
         var socket = await Task.Run(() => new Socket($"ws://127.0.0.1:{server.Port}/"));
@@ -41,7 +41,7 @@ public class StandInTests
     }
 
     [Test]
-    public async Task Events_MadeUnderAContext_ArePostedThere()
+    public async Task Events_WithAContext_ArePostedToIt()
     {
         using var server = new FakeWebSocketServer();
         var frame = new FrameContext();
@@ -59,7 +59,7 @@ public class StandInTests
     }
 
     [Test]
-    public async Task Connect_Refused_IsAnErrorThenACloseAndNoException()
+    public async Task Connect_Refused_RaisesErrorAndCloseWithoutException()
     {
         using var server = new FakeWebSocketServer();
         var socket = await Task.Run(() => new Socket($"ws://127.0.0.1:{server.Port}/"));

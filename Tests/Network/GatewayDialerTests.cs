@@ -23,7 +23,7 @@ public sealed class GatewayDialerTests
     }
 
     [Test]
-    public void Open_NobodyListens_SaysSo()
+    public void Open_ConnectionRefused_Throws()
     {
         var free = new TcpListener(IPAddress.Loopback, 0);
         free.Start();

@@ -17,14 +17,14 @@ public class LinkScoreTests
     static readonly LinkTruth Truth = new("c1_ns = 1700000000000000000 + 1.0002 * monotonic_ns", "1700000299000000000", "youbot");
 
     [Test]
-    public void ControlAt_ClockLine_IsTheLine()
+    public void ControlAt_ClockLine_InterpolatesIt()
     {
         // 300 s at 200 ppm are 60 ms.
         Assert.That(Truth.ControlAt(Start).Nanoseconds, Is.EqualTo(1_700_000_300_060_000_000));
     }
 
     [Test]
-    public void Result_FramesAtTheTruth_HaveNoError()
+    public void Result_FramesAtTheTruth_HasNoError()
     {
         var result = Score(20, _ => "current");
 
@@ -40,7 +40,7 @@ public class LinkScoreTests
     }
 
     [Test]
-    public void Result_FramesPlacedLate_HaveThatErrorOfClockAndTool()
+    public void Result_LateFrames_HasTheErrorOfClockAndTool()
     {
         var result = Score(20, _ => "current", clockErrorUs: 20_000, statedUs: i => i % 4 == 0 ? 20_001 : 19_999);
 
@@ -51,7 +51,7 @@ public class LinkScoreTests
     }
 
     [Test]
-    public void Result_NoStatedError_IsNotWithinIt()
+    public void Result_NoStatedError_IsNotWithinTheBound()
     {
         var result = Score(5, _ => "current", statedUs: _ => null);
 
@@ -72,7 +72,7 @@ public class LinkScoreTests
     }
 
     [Test]
-    public void Result_NeverCurrent_HasNothingToScore()
+    public void Result_NeverCurrent_HasNoScores()
     {
         var result = Score(5, _ => "unsynchronised");
 
@@ -81,7 +81,7 @@ public class LinkScoreTests
     }
 
     [Test]
-    public void Result_Stalls_AreScoredByTheWorst()
+    public void Result_Stalls_ScoresTheWorst()
     {
         // The link starts with the frames. It stalls from 8 to 9.5 s and from 16 to 17.5 s.
         var result = Score(
@@ -93,7 +93,7 @@ public class LinkScoreTests
     }
 
     [Test]
-    public void Result_StallThatIsNotShown_MissesTheLimit()
+    public void Result_StallNotShown_MissesTheLimit()
     {
         var result = Score(20, _ => "current", LinkProfile.Roaming);
 
@@ -102,7 +102,7 @@ public class LinkScoreTests
     }
 
     [Test]
-    public void Missed_RoamingThatNeverMetAStall_NamesBothLimits()
+    public void Missed_RoamingWithoutStall_NamesBothLimits()
     {
         var result = Score(5, _ => "current", LinkProfile.Roaming);
 
@@ -111,7 +111,7 @@ public class LinkScoreTests
     }
 
     [Test]
-    public void Median_MissingInHalfOfTheRuns_IsNone()
+    public void Median_MissingInHalfOfTheRuns_IsNull()
     {
         var good = Score(5, _ => "current");
         var never = Score(5, _ => "unsynchronised");

@@ -44,7 +44,7 @@ public class LoadMeasureTests
     }
 
     [Test]
-    public void Quantiles_OfHundredLatencies_AreTheirsToTenMicroseconds()
+    public void Quantiles_OfHundredLatencies_AreExactToTenMicroseconds()
     {
         var counts = new LatencyCounts();
         for (var i = 1; i <= 100; i++) counts.Add(i * 1_000_000L);
@@ -55,7 +55,7 @@ public class LoadMeasureTests
     }
 
     [Test]
-    public void Memory_ThatGrows_IsNotFlat()
+    public void Memory_Growing_IsNotFlat()
     {
         var (flat, growing) = (new MemoryWatch(), new MemoryWatch());
         for (var second = 0; second < 300; second++)

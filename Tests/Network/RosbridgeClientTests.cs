@@ -38,7 +38,7 @@ public class RosbridgeClientTests
         socket.SendAsync(Encoding.UTF8.GetBytes(text), type, end, CancellationToken.None);
 
     [Test]
-    public async Task Connect_SubscribesAndTakesMessages()
+    public async Task Connect_Server_SubscribesAndReceivesMessages()
     {
         var socket = await _server.AcceptAsync();
         var buffer = new byte[4096];
@@ -58,7 +58,7 @@ public class RosbridgeClientTests
         """;
 
     [Test]
-    public async Task Receive_JointStatus_IsTakenAndAMalformedOneIsCounted()
+    public async Task Receive_JointStatus_IsPassedOnAndAMalformedOneIsCounted()
     {
         var socket = await _server.AcceptAsync();
 
@@ -83,7 +83,7 @@ public class RosbridgeClientTests
     }
 
     [TestCaseSource(nameof(BadMessages))]
-    public async Task Receive_BadMessage_IsCountedAndTheNextOneIsTaken(string message, object reason)
+    public async Task Receive_InvalidMessage_IsCountedAndTheNextIsPassedOn(string message, object reason)
     {
         var socket = await _server.AcceptAsync();
 
@@ -108,7 +108,7 @@ public class RosbridgeClientTests
 
     [TestCase(64, true)]
     [TestCase(65, false)]
-    public async Task Receive_ManyFragments_UpToTheLimitAreTaken(int fragments, bool taken)
+    public async Task Receive_ManyFragments_AcceptsThemUpToTheLimit(int fragments, bool taken)
     {
         var socket = await _server.AcceptAsync();
         var perFragment = Good.Length / (fragments - 1);
@@ -123,7 +123,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Receive_LongFrameInSmallSegments_IsNotTakenForFragments()
+    public async Task Receive_LongFrameInSmallSegments_IsNotCountedAsFragments()
     {
         var stream = await _server.AcceptStreamAsync();
         var padded = Good.Replace("\"op\"", "\"padding\":\"" + new string('x', 60_000) + "\",\"op\"");
@@ -140,7 +140,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Receive_MessageThatNeverEnds_ClosesAndComesBack()
+    public async Task Receive_IncompleteMessage_ClosesAndReconnects()
     {
         var socket = await _server.AcceptAsync();
         await Send(socket, "{\"op\":", end: false);
@@ -154,7 +154,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Receive_NothingForSixSeconds_ClosesAndComesBack()
+    public async Task Receive_NothingForSixSeconds_ClosesAndReconnects()
     {
         var stream = await _server.AcceptStreamAsync();
 
@@ -168,7 +168,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Receive_ServerCloses_SaysSo()
+    public async Task Receive_ServerCloses_StatesItInTheStatus()
     {
         var socket = await _server.AcceptAsync();
 
@@ -191,7 +191,7 @@ public class RosbridgeClientTests
     [TestCase("HTTP/1.1 401 Unauthorized\r\nContent-Length: 0\r\n\r\n", "token")]
     [TestCase("HTTP/1.1 403 Forbidden\r\nContent-Length: 0\r\n\r\n", "origin")]
     [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 0\r\n\r\n", "200")]
-    public async Task Connect_Refused_SaysWhy(string answer, string named)
+    public async Task Connect_Refused_StatesTheReason(string answer, string named)
     {
         await _server.AnswerAsync(answer);
 
@@ -200,7 +200,7 @@ public class RosbridgeClientTests
 
     [TestCase("HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Accept: bm9uc2Vuc2U=\r\n\r\n")]
     [TestCase("SSH-2.0-OpenSSH_9.2\r\n\r\n")]
-    public async Task Connect_NoGatewayBehindThePort_KeepsTryingAndSaysWhy(string answer)
+    public async Task Connect_NotAGateway_RetriesAndStatesTheReason(string answer)
     {
         await _server.AnswerAsync(answer);
 
@@ -209,7 +209,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Connect_ServerThatAcceptsAndCloses_IsCalledEverMoreSlowly()
+    public async Task Connect_ServerAcceptsAndCloses_IncreasesTheRetryDelay()
     {
         for (var i = 0; i < 3; i++) (await _server.AcceptStreamAsync()).Close();
         var fourth = await _server.AcceptStreamAsync();
@@ -222,7 +222,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Diagnostics_ThatThrow_EndTheConnectionNotTheClient()
+    public async Task Diagnostics_Throws_EndsTheConnectionButNotTheClient()
     {
         _listener.FailDiagnostics = true;
         await _server.AcceptStreamAsync();
@@ -234,7 +234,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Connect_SubscribesToSetPointsAndTheDescriptionToo()
+    public async Task Connect_Server_SubscribesToSetPointsAndDescription()
     {
         var socket = await _server.AcceptAsync();
         var buffer = new byte[4096];
@@ -250,7 +250,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Receive_SetPoints_AreHandedOver()
+    public async Task Receive_SetPoints_ArePassedOn()
     {
         var socket = await _server.AcceptAsync();
 
@@ -262,7 +262,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Receive_DescriptionOfNearlyOneMebibyte_IsHandedOver()
+    public async Task Receive_DescriptionOfNearlyOneMebibyte_IsPassedOn()
     {
         var socket = await _server.AcceptAsync();
         var urdf = new string('x', ProtocolLimits.DescriptionBytes - 100);
@@ -287,7 +287,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Receive_DescriptionThatTakesItsTime_HoldsNoSampleUpAndIsFollowedByTheNewestOnly()
+    public async Task Receive_SlowDescriptionListener_DoesNotDelaySamplesAndGetsOnlyTheNewest()
     {
         using var going = new SemaphoreSlim(0);
         _listener.Describing = _ => going.Wait(Soon.Limit);
@@ -307,7 +307,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Receive_DescriptionThatTheListenerFailsOn_IsCountedAndTheNextIsTaken()
+    public async Task Receive_DescriptionListenerThrows_IsCountedAndTheNextIsPassedOn()
     {
         _listener.Describing = urdf => { if (urdf == "bad") throw new InvalidOperationException("no description today"); };
         var socket = await _server.AcceptAsync();
@@ -321,7 +321,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Connect_WithSomethingDisplayed_AdvertisesAndPublishesIt()
+    public async Task Connect_WithDisplayedJoints_AdvertisesAndPublishesThem()
     {
         _listener.Displays.Enqueue(new JointStateMessage(ControlTime.FromSeconds(5), ["a"], [0.5], frameId: "left door"));
         var socket = await _server.AcceptAsync();
@@ -331,11 +331,11 @@ public class RosbridgeClientTests
         Assert.That(RosbridgeReader.TryRead(await NextAsync(socket, "publish", RosTopics.Displayed), out var message, out _), Is.True);
         Assert.That(message.Displayed.FrameId, Is.EqualTo("left door"));
         Assert.That(message.Displayed.Positions, Is.EqualTo(new[] { 0.5 }));
-        Assert.That(message.JointState, Is.Null, "it is no sample of the robot");
+        Assert.That(message.JointState, Is.Null, "it is not a sample of the robot");
     }
 
     [Test]
-    public async Task Connect_WithDisplayedSwitchedOff_NeitherAdvertisesNorAsks()
+    public async Task Connect_PublishingDisplayedOff_NeitherAdvertisesNorRequestsThem()
     {
         using var server = new FakeWebSocketServer();
         var clock = new StopwatchHeadsetClock();
@@ -369,7 +369,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Dispose_WhileConnected_EndsAtOnce()
+    public async Task Dispose_WhileConnected_EndsImmediately()
     {
         await _server.AcceptAsync();
 
@@ -380,7 +380,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Dispose_ThreadIsStuck_DoesNotWaitForIt()
+    public async Task Dispose_ThreadIsBlocked_DoesNotWait()
     {
         await _server.AcceptAsync();
         var clock = new StuckClock();

@@ -20,7 +20,7 @@ public sealed class RtdeServerTests
     }
 
     [Test]
-    public async Task Requests_Version2_AreAnsweredAsTheGuideSays()
+    public async Task Requests_Version2_AreAnsweredLikeInTheGuide()
     {
         await StartAsync();
 
@@ -50,7 +50,7 @@ public sealed class RtdeServerTests
     }
 
     [Test]
-    public async Task Outputs_UnknownField_IsNotFoundAndNothingStarts()
+    public async Task Outputs_UnknownField_IsNotFoundAndStartIsRefused()
     {
         await StartAsync();
         await AskAsync("0005 56 0002");
@@ -64,7 +64,7 @@ public sealed class RtdeServerTests
     [TestCase("version-1", "0005 56 0002", "0004 56 00")]
     [TestCase("not-found", "000b 4f 61637475616c5f71", "000c 4f 4e4f545f464f554e44")]
     [TestCase("wrong-type", "000b 4f 61637475616c5f71", "000f 4f 564543544f5236494e543332")]
-    public async Task Fault_AtTheStart_IsShown(string fault, string request, string answer)
+    public async Task Fault_AtTheStart_IsReported(string fault, string request, string answer)
     {
         await StartAsync("--fault", fault);
 

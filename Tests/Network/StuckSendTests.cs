@@ -22,7 +22,7 @@ public class StuckSendTests
     [TestCase(ForTwoSeconds, false, false, "nothing heard for 6 s")]
     [TestCase(AtTheBeginning, true, false, "nothing could be sent for 6 s")]
     [TestCase(AtTheBeginning, true, true, "did not answer within 2 s")]
-    public async Task Send_ThatNeverComesBack_EndsTheConnectionAndAnotherIsMade(int taken, bool hears, bool asksTime, string reason)
+    public async Task Send_NeverReturns_EndsTheConnectionAndReconnects(int taken, bool hears, bool asksTime, string reason)
     {
         var clock = new StopwatchHeadsetClock();
         var exchanges = asksTime ? Exchanges(clock) : null;

@@ -55,7 +55,7 @@ public class AdaptiveAccuracyTests
     // For fast moves and ± 10 ms, 0.26 of the quadratic's error is also the result with clean stamps, so no stamp error remains.
     [TestCase(5, 0.46, 0.45)]
     [TestCase(10, 0.28, 0.25)]
-    public void StampsInError_AreTakenBackToTheBeat(double errorMs, double limit, double limitOfSwing)
+    public void StampErrors_OfAPeriodicSource_AreCorrected(double errorMs, double limit, double limitOfSwing)
     {
         var settings = Usual with { StampError = errorMs / 1000 };
 
@@ -65,20 +65,20 @@ public class AdaptiveAccuracyTests
     }
 
     [Test]
-    public void SamplingOffTheBeat_ToldOrUntold_IsBorne()
+    public void SamplingJitter_StampedOrNot_IsTolerated()
     {
-        Assert.That(OverQuadratic(s => Motions.FastMoves(s), Usual with { SamplingJitter = 0.005 }), Is.LessThan(0.80), "untold, " + Message);
-        Assert.That(OverQuadratic(s => Motions.FastMoves(s), Usual with { ToldJitter = 0.010 }), Is.LessThan(0.80), "told, " + Message);
+        Assert.That(OverQuadratic(s => Motions.FastMoves(s), Usual with { SamplingJitter = 0.005 }), Is.LessThan(0.80), "not stamped, " + Message);
+        Assert.That(OverQuadratic(s => Motions.FastMoves(s), Usual with { ToldJitter = 0.010 }), Is.LessThan(0.80), "stamped, " + Message);
     }
 
     [Test]
-    public void WirelessNetwork_WithLossAndReordering_IsBorne() => Assert.That(
+    public void WirelessNetwork_WithLossAndReordering_IsTolerated() => Assert.That(
         OverQuadratic(s => Motions.FastMoves(s), Usual with { Latency = 0.06, DelayMedian = 0.012, Loss = 0.01 }), Is.LessThan(0.70), Message);
 
     // A cycle takes three and a half to five seconds. The prediction uses it from the fourth cycle on at the latest.
     [TestCase(20, 100)]
     [TestCase(50, 100)]
-    public void RepeatingCycles_AreKnown(double samplingMs, double latencyMs)
+    public void RepeatingCycles_FromTheFourthCycle_ArePredicted(double samplingMs, double latencyMs)
     {
         var settings = At(samplingMs, latencyMs) with { WarmUp = 15 };
 
@@ -90,7 +90,7 @@ public class AdaptiveAccuracyTests
     [TestCase(20, 100)]
     [TestCase(50, 100)]
     [TestCase(100, 150)]
-    public void NothingRepeats_NothingIsLostToTheTemplate(double samplingMs, double latencyMs)
+    public void TemplateForecaster_NonRepeatingMotion_CostsNothing(double samplingMs, double latencyMs)
     {
         static JointPredictor WithoutTemplate() => Predictors.Adaptive(
             PredictionLimits.Unlimited, PredictionParts.All & ~PredictionParts.Repetition);
@@ -102,12 +102,12 @@ public class AdaptiveAccuracyTests
 
     [TestCase(false, 0.60)]
     [TestCase(true, 0.50)]
-    public void VelocityAndAccelerationTold_AreUsed(bool tellsAcceleration, double limit) => Assert.That(
+    public void VelocityAndAcceleration_Provided_AreUsed(bool tellsAcceleration, double limit) => Assert.That(
         OverQuadratic(s => Motions.FastMoves(s), Usual with { TellsVelocity = true, TellsAcceleration = tellsAcceleration }), Is.LessThan(limit), Message);
 
     [TestCase(50, 100, 0.45)]
     [TestCase(100, 150, 0.50)]
-    public void LimitsOfTheDriveKnown_TheProfileIsUsed(double samplingMs, double latencyMs, double limit)
+    public void DriveLimits_Known_ProfileIsUsed(double samplingMs, double latencyMs, double limit)
     {
         var limits = new PredictionLimits(
             horizonCap: double.PositiveInfinity, maximumGap: double.PositiveInfinity, velocity: 1000, acceleration: 5000, jerk: 50_000);
@@ -122,7 +122,7 @@ public class AdaptiveAccuracyTests
     [TestCase(20, 0.1)]
     [TestCase(50, 0.02)]
     [TestCase(50, 0.5)]
-    public void NoiseAtStandstill_AfterMotion_IsNotBlownUp(double samplingMs, double noise)
+    public void NoiseAtStandstill_AfterMotion_IsNotAmplified(double samplingMs, double noise)
     {
         var settings = At(samplingMs, 100) with { Noise = noise, WarmUp = 24 };
         static AxisMotion RestAfterMoves(int seed)

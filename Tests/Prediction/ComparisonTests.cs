@@ -12,7 +12,7 @@ public class ComparisonTests
     static IEnumerable<TestCaseData> All => Conditions.All.Select(condition => new TestCaseData(condition).SetArgDisplayNames(condition.Name));
 
     [TestCaseSource(nameof(All))]
-    public void Default_AmongOthers_ErrsLeast(Condition condition)
+    public void Default_ComparedWithOthers_HasTheSmallestError(Condition condition)
     {
         var ours = condition.Ratio(Candidates.Named(Predictors.Default), Seeds);
 

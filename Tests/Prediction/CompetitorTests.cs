@@ -28,14 +28,14 @@ public class CompetitorTests
     }
 
     [Test]
-    public void Parabola_DoubleExponential_IsBehind()
+    public void Parabola_DoubleExponential_HasTheErrorOfALine()
     {
         // A straight line through two samples, 100 ms ahead: a (h² + h T) / 2.
         Assert.That(ErrorOf("double-exponential", t => 900 * t * t), Is.EqualTo(900 * (Ahead * Ahead + Ahead * Interval)).Within(0.5));
     }
 
     [Test]
-    public void MathNet_SamplesOutOfOrder_IsTheQuadratic()
+    public void MathNet_SamplesOutOfOrder_EqualsTheQuadratic()
     {
         const int seed = 5;
         var random = new Random(seed);
@@ -59,7 +59,7 @@ public class CompetitorTests
     }
 
     [Test]
-    public void Kalman_NoiseAtRest_IsSmoothedTheMoreTheStifferItIs()
+    public void Kalman_NoiseAtRest_IsSmoothedMoreByAStifferFilter()
     {
         var (stiff, limp) = (NoiseLeft(Candidates.Kalman(1e3), Ahead), NoiseLeft(Candidates.Kalman(1e9), Ahead));
 

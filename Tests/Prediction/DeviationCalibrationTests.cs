@@ -22,7 +22,7 @@ public class DeviationCalibrationTests
         select new TestCaseData(condition.Item1, condition.Item2, motion.Of).SetName($"{{m}}({motion.Name},{condition.Item1},{condition.Item2})");
 
     [TestCaseSource(nameof(Cases))]
-    public void Errors_OfSimulatedMotions_AreAsLargeAsStated(double samplingMs, double latencyMs, Func<int, AxisMotion> motionOf)
+    public void Errors_OfSimulatedMotions_MatchTheStatedDeviation(double samplingMs, double latencyMs, Func<int, AxisMotion> motionOf)
     {
         var settings = new StudySettings { SamplingInterval = samplingMs / 1000, Latency = latencyMs / 1000 };
         double frames = 0, insideOne = 0, insideTwo = 0, squares = 0, variances = 0;

@@ -21,7 +21,7 @@ public class CertificatePinOfCertificateTests
 
     [TestCase("rsa")]
     [TestCase("ecdsa")]
-    public void Of_Certificate_IsTheHashOfDotNetsOwnExport(string algorithm)
+    public void Of_Certificate_EqualsTheHashOfDotNetsExport(string algorithm)
     {
         using var certificate = Sign(algorithm == "rsa" ? Rsa("cell 1") : EcDsa(new string('n', 60)));
         var expected = "sha256/" + Convert.ToBase64String(SHA256.HashData(certificate.PublicKey.ExportSubjectPublicKeyInfo()));
@@ -33,7 +33,7 @@ public class CertificatePinOfCertificateTests
     }
 
     [Test]
-    public void Matches_RenewedWithTheSameKey_StillHolds()
+    public void Matches_RenewedWithTheSameKey_IsTrue()
     {
         var request = EcDsa("a");
         using var first = Sign(request);

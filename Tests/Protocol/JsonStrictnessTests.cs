@@ -12,7 +12,7 @@ public class JsonStrictnessTests
     const string Alphabet = "{}[]\",:0123456789.eE+-\\/tfnu'* \t\u0001x";
 
     [Test]
-    public void TryRead_DamagedTexts_AreJsonExactlyWhereSystemTextJsonSaysSo()
+    public void TryRead_DamagedTexts_AgreesWithSystemTextJson()
     {
         var random = new Random(Seed);
         const string Whole = """{"op":"status","msg":"a\n\u00e9\"b","x":[1,-0.5e+3,{"k":null,"l":[true,false,[]]},{}],"level":"none"} """;

@@ -14,7 +14,7 @@ public class MessageVerdictsTests
         [.. File.ReadLines(Path.Combine(RepositoryFiles.Root, "Tests/Protocol/message-verdicts.tsv")).Select(line => line.Split('\t'))];
 
     [Test]
-    public void TryRead_ReferenceMessages_AreTakenAndRefusedAsBefore()
+    public void TryRead_ReferenceMessages_HasTheRecordedVerdicts()
     {
         // One reader for all messages, as on a connection: state kept from one message must not change the verdict on the next.
         var reader = new RosbridgeReader();

@@ -12,7 +12,7 @@ public class NumberAccuracyTests
     const int Seed = 41;
 
     [Test]
-    public void ToDouble_DoublesWrittenInFull_AreThoseDoubles()
+    public void ToDouble_DoublesInFullPrecision_RoundTrip()
     {
         var random = new Random(Seed);
         for (var i = 0; i < 200_000; i++)
@@ -28,7 +28,7 @@ public class NumberAccuracyTests
     }
 
     [Test]
-    public void ToDouble_AnyDigitsAndExponent_AreAsDotNetReadsThem()
+    public void ToDouble_AnyDigitsAndExponent_AgreesWithDotNet()
     {
         var random = new Random(Seed);
         for (var i = 0; i < 200_000; i++)
@@ -43,7 +43,7 @@ public class NumberAccuracyTests
 
     // Halfway between two neighbours the even one is correct. One digit more or less is tested as well.
     [Test]
-    public void ToDouble_HalfwayBetweenTwoDoubles_IsTheEvenOne()
+    public void ToDouble_HalfwayBetweenTwoDoubles_ReturnsTheEvenOne()
     {
         var random = new Random(Seed);
         for (var i = 0; i < 50_000; i++)
@@ -77,7 +77,7 @@ public class NumberAccuracyTests
     [TestCase("1e99999999999", double.PositiveInfinity)]
     [TestCase("9007199254740993", 9007199254740992.0)]
     [TestCase("18446744073709551615", 18446744073709551616.0)]
-    public void ToDouble_AtTheEdges_IsTheNearest(string text, double expected)
+    public void ToDouble_AtTheLimits_ReturnsTheNearest(string text, double expected)
     {
         Assert.That(BitConverter.DoubleToInt64Bits(Parse(text)), Is.EqualTo(BitConverter.DoubleToInt64Bits(expected)));
     }

@@ -32,7 +32,7 @@ public class RecommendVerbTests
         .Single(c => c.GetProperty("predictor").GetString() == predictor);
 
     [Test]
-    public async Task Json_OfAMotion_HasEveryPredictorAndOtherHistoriesTheBestFirst()
+    public async Task Json_OfAMotion_HasAllPredictorsAndHistoriesTheBestFirst()
     {
         using var file = new TemporaryFile(Motion(Math.Sin), ".csv.gz");
 
@@ -52,7 +52,7 @@ public class RecommendVerbTests
     }
 
     [Test]
-    public async Task Json_OfAHalf_IsWhatReplaySaysOfThatHalf()
+    public async Task Json_OfAHalf_EqualsTheReplayOfThatHalf()
     {
         // The swing is the same in both halves, so half of its travel takes half of its time.
         static double Swing(double t) => Math.Cos(Math.PI * t / 5);
@@ -81,7 +81,7 @@ public class RecommendVerbTests
     }
 
     [Test]
-    public async Task Table_OfAMotion_SaysWhatToUse()
+    public async Task Table_OfAMotion_NamesTheRecommendation()
     {
         using var file = new TemporaryFile(Motion(Math.Sin));
 
@@ -116,7 +116,7 @@ public class RecommendVerbTests
     }
 
     [TestCase("t,a\n0,1\n10,1\n20,1\n", "nothing moves")]
-    public async Task Note_OfARecordingThatSaysNothing_IsInTheTable(string text, string note)
+    public async Task Note_OfAnUnsuitableRecording_IsInTheTable(string text, string note)
     {
         using var file = new TemporaryFile(text);
 
@@ -129,7 +129,7 @@ public class RecommendVerbTests
     [TestCase("t,a\n0,1\n0.3,2\n", "too few rows to be halved")]
     [TestCase("t,a\n0,1\n0.1,2\n0.2,1\n0.3,2\n0.4,2\n", "are too short to score a frame")]
     [TestCase("t,a\n0,1\n0,2\n", ":3: field t")]
-    public async Task File_ThatCannotBeTried_IsOneLineAndExit2(string text, string expected)
+    public async Task File_Unusable_IsReportedInOneLineWithExit2(string text, string expected)
     {
         using var file = new TemporaryFile(text);
 
@@ -141,7 +141,7 @@ public class RecommendVerbTests
     }
 
     [TestCase("--grid", "--sampling-ms=20")]
-    public async Task Options_ThatContradict_AreRefused(params string[] options)
+    public async Task Options_Contradicting_AreRefused(params string[] options)
     {
         using var file = new TemporaryFile(Motion(Math.Sin));
 

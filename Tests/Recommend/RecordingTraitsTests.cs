@@ -15,7 +15,7 @@ public class RecordingTraitsTests
     }
 
     [Test]
-    public void Traits_OfACleanSwing_GiveNothingToSay()
+    public void Warnings_OfACleanSwing_AreEmpty()
     {
         var traits = Traits(Math.Sin);
 
@@ -33,13 +33,13 @@ public class RecordingTraitsTests
     }
 
     [Test]
-    public void Warnings_OfAStandstill_SaySo()
+    public void Warnings_OfAStandstill_ReportIt()
     {
         Assert.That(Traits(t => 1 + 1e-6 * Math.Sin(t)).Warnings().Single(), Does.StartWith("nothing moves"));
     }
 
     [Test]
-    public void Warnings_OfUnevenStamps_GiveTheirSpread()
+    public void Warnings_OfUnevenStamps_StateTheirSpread()
     {
         var random = new Random(Seed);
 
@@ -68,7 +68,7 @@ public class RecordingTraitsTests
     }
 
     [Test]
-    public void Halving_MotionThatEndsInARest_IsWhereHalfTheWayIsDone()
+    public void Halving_MotionEndsInARest_IsAtHalfTheDistance()
     {
         double[] ways = [.. Enumerable.Repeat(1.0, 40), .. Enumerable.Repeat(0.0, 40)];
 
@@ -77,7 +77,7 @@ public class RecordingTraitsTests
     }
 
     [Test]
-    public void Halving_JumpOrStandstill_LeavesEnoughOnEitherSide()
+    public void Halving_JumpOrStandstill_KeepsEnoughOnBothSides()
     {
         double[] jump = [1.0, .. Enumerable.Repeat(0.0, 99)];
 

@@ -16,7 +16,7 @@ public class VerdictTests
     static Verdict Of(params Trial[] others) => new(null, [Trial(Predictors.Default, 0.5, 0.4), Trial("hold", 1, 1), .. others]);
 
     [Test]
-    public void Recommended_NothingBetter_IsTheDefault()
+    public void Recommended_NoneBetter_IsTheDefault()
     {
         var verdict = Of(Trial("cubic", 0.6, 0.41));
 
@@ -48,7 +48,7 @@ public class VerdictTests
     }
 
     [Test]
-    public void Recommended_BetterByNextToNothing_IsTheDefault()
+    public void Recommended_MarginallyBetter_IsTheDefault()
     {
         var verdict = Of(Trial("linear", 0.495, 0.396));
 

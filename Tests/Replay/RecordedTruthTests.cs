@@ -27,7 +27,7 @@ public class RecordedTruthTests
 
     [TestCase(-0.001)]
     [TestCase(0.301)]
-    public void At_OutsideTheSamples_KnowsNothing(double t)
+    public void At_OutsideTheSamples_IsNull(double t)
     {
         Assert.That(At(Truth(t => t, 0, 0.1, 0.2, 0.3), t), Is.Null);
     }
@@ -35,13 +35,13 @@ public class RecordedTruthTests
     [TestCase(0)]
     [TestCase(0.3)]
     [TestCase(0.15)]
-    public void At_TheEndsAndBetween_IsTheMotion(double t)
+    public void At_EndsAndBetween_EqualsTheMotion(double t)
     {
         Assert.That(At(Truth(t => 2 * t, 0, 0.1, 0.2, 0.3), t), Is.EqualTo(2 * t).Within(1e-9));
     }
 
     [Test]
-    public void At_WithinALongPause_KnowsNothing_AndBesideItDoesNotLookAcross()
+    public void At_LongPause_IsNullWithinAndIgnoresTheOtherSide()
     {
         var truth = Truth(t => t < 0.5 ? t : 100, 0, 0.1, 0.2, 0.8, 0.9, 1.0);
 
@@ -51,7 +51,7 @@ public class RecordedTruthTests
     }
 
     [Test]
-    public void At_NoSample_KnowsNothing()
+    public void At_TooFewSamples_IsNull()
     {
         Assert.That(At(Truth(t => t), 0), Is.Null);
         Assert.That(At(Truth(t => t, 0), 0), Is.Null);

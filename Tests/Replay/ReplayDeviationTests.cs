@@ -51,7 +51,7 @@ public class ReplayDeviationTests
 
     [TestCase("adaptive")]
     [TestCase("quadratic")]
-    public async Task Json_PredictorWithoutDeviation_LeavesItOut(string predictor)
+    public async Task Json_PredictorWithoutDeviation_OmitsIt(string predictor)
     {
         var axes = await Axes(_motion, "--predictor", predictor);
 
@@ -79,7 +79,7 @@ public class ReplayDeviationTests
     }
 
     [Test]
-    public void Session_ThatFollowsAPlan_StatesDeviationsOfForecastsOnly()
+    public void Session_FollowsAPlan_StatesDeviationsOnlyOfForecasts()
     {
         VirtualRecording.To(_session, predictor: "gp", planLagMs: 0);
         var session = RecordedSession.Read(_session);
@@ -92,7 +92,7 @@ public class ReplayDeviationTests
     }
 
     [Test]
-    public void Summary_Deviations_CountTheirOwnFramesOnly()
+    public void Summary_Deviations_CountOnlyTheirFrames()
     {
         var errors = new AxisError();
         foreach (var (error, deviation) in new[] { (-0.5, 1.0), (1.5, 1), (2, 1), (-7, 2), (9, double.NaN) }) errors.Add(0, error, deviation);

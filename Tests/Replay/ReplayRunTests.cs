@@ -77,7 +77,7 @@ public class ReplayRunTests
     }
 
     [Test]
-    public void Run_DateStamps_LosesNoPrecision()
+    public void Run_DateStamps_KeepsThePrecision()
     {
         // Binary fractions, which a double represents exactly even at 1.7e9 s.
         var motion = new RecordedMotion(1700000000.25m, RecordedMotion.EvenTimes(5, 0.0078125m), Joints);
@@ -121,7 +121,7 @@ public class ReplayRunTests
     }
 
     [Test]
-    public void Run_NothingMoves_HasNoReduction()
+    public void Run_RobotAtRest_HasNoReduction()
     {
         var result = Replay(new RecordedMotion(0, RecordedMotion.EvenTimes(3, 0.1m), _ => 0.7), new ReplaySettings());
 
@@ -134,7 +134,7 @@ public class ReplayRunTests
     [TestCase(0.2, 0)]
     [TestCase(0, 0.4)]
     [TestCase(0.2, 0.4)]
-    public void Run_LateAndLostSamplesOfARamp_DoNotHurtTheLine(double jitter, double loss)
+    public void Run_LateAndLostSamplesOfARamp_ArePredictedExactlyByALine(double jitter, double loss)
     {
         // Each t_k is known exactly, so only the horizon changes.
         var result = Replay(Ramp(20), new ReplaySettings { Predictor = "linear", Jitter = jitter, Loss = loss });
@@ -144,7 +144,7 @@ public class ReplayRunTests
     }
 
     [Test]
-    public void Run_LostSamples_AgeTheHeldOneByGeometricNumbers()
+    public void Run_LostSamples_HeldAgeIsGeometric()
     {
         const double p = 0.3, interval = 0.05;
 
@@ -157,7 +157,7 @@ public class ReplayRunTests
     }
 
     [Test]
-    public void Run_StampsInErrorOnARamp_ErrAsTheLineMagnifiesThem()
+    public void Run_StampErrorsOnARamp_AreAmplifiedByTheGainOfTheLine()
     {
         const double halfWidth = 0.001;
 
@@ -168,7 +168,7 @@ public class ReplayRunTests
         var gain = new[] { 2, 7 / 3.0, 8 / 3.0 }.Average(x => (1 + x) * (1 + x) + x * x);
         var expected = halfWidth * Math.Sqrt(gain / 3);
         Assert.That(result.Rms, Is.EqualTo(expected).Within(0.03 * expected));
-        Assert.That(result.RmsHold, Is.EqualTo(exact.RmsHold), "holding knows no stamps");
+        Assert.That(result.RmsHold, Is.EqualTo(exact.RmsHold), "the held pose does not depend on the stamps");
     }
 
     [Test]
@@ -193,7 +193,7 @@ public class ReplayRunTests
     }
 
     [Test]
-    public void Run_SameSeed_IsTheSame_AnotherSeed_IsNot()
+    public void Run_Seed_DeterminesTheResult()
     {
         ReplaySettings Seeded(int seed) => new() { Jitter = 0.05, Loss = 0.1, StampError = 0.005, Seed = seed };
 
@@ -205,7 +205,7 @@ public class ReplayRunTests
 
     [TestCase("0.3", 1)]
     [TestCase("0.29", 0)]
-    public void Run_EndsAsSample4Arrives_ScoresThatFrameOnly(string duration, int frames)
+    public void Run_EndsWhenTheFourthSampleArrives_ScoresOnlyThatFrame(string duration, int frames)
     {
         var motion = Ramp(decimal.Parse(duration, System.Globalization.CultureInfo.InvariantCulture));
 
@@ -214,7 +214,7 @@ public class ReplayRunTests
     }
 
     [Test]
-    public void Run_MillisecondsAsTime_IsRefusedInsteadOfRunningForEver()
+    public void Run_MillisecondsAsTime_IsRefused()
     {
         var motion = new RecordedMotion(0, [0m, 4_000_000m, 20_000_000m], t => t);
 

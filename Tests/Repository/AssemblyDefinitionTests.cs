@@ -13,7 +13,7 @@ public sealed class AssemblyDefinitionTests
     static IEnumerable<string> Sources => RepositoryFiles.Under(RepositoryFiles.Package, ".cs");
 
     [TestCaseSource(nameof(Definitions))]
-    public void Definition_Name_IsThatOfItsFile(string path)
+    public void Definition_Name_MatchesItsFile(string path)
     {
         Assert.That(Json(path).GetProperty("name").GetString(), Is.EqualTo(Path.GetFileNameWithoutExtension(path)));
     }
@@ -57,7 +57,7 @@ public sealed class AssemblyDefinitionTests
     }
 
     [Test]
-    public void Core_Definition_KnowsNoEngine()
+    public void Core_Definition_HasNoEngineReferences()
     {
         Assert.That(Json(RepositoryFiles.Package + "/Runtime/Core/Nowpose.asmdef").GetProperty("noEngineReferences").GetBoolean());
     }
@@ -72,7 +72,7 @@ public sealed class AssemblyDefinitionTests
     }
 
     [Test]
-    public void Tests_Definition_ShipsInNoPlayer()
+    public void Tests_Definition_IsExcludedFromPlayers()
     {
         var tests = Json(RepositoryFiles.Package + "/Tests/Editor/Nowpose.Tests.asmdef");
 

@@ -6,7 +6,7 @@ namespace Nowpose.Headless.Tests.Repository;
 public sealed class BuildSettingsTests
 {
     [Test]
-    public void BuildSettings_Scene_IsTheOneOfItsGuid()
+    public void BuildSettings_Scene_MatchesItsGuid()
     {
         var settings = RepositoryFiles.Read("ProjectSettings/EditorBuildSettings.asset");
 

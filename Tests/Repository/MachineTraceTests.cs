@@ -14,7 +14,7 @@ public sealed partial class MachineTraceTests
     static readonly string[] Binaries = { ".png", ".gz", ".pfx", ".gif", ".dll" };
 
     [Test]
-    public void Files_All_NameNoMachinePath()
+    public void Files_All_ContainNoMachinePath()
     {
         var texts = RepositoryFiles.All.Where(f => !Binaries.Contains(Path.GetExtension(f)));
 

@@ -11,7 +11,7 @@ namespace Nowpose.Headless.Tests.Repository;
 public sealed partial class MonoTests
 {
     [Test]
-    public void Calls_InThePackage_DoTheSameUnderMono()
+    public void Calls_InThePackage_BehaveTheSameUnderMono()
     {
         var different = RepositoryFiles.Under(RepositoryFiles.Package, ".cs")
             .SelectMany(file => Different(RepositoryFiles.Read(file)).Select(call => file + ": " + call));
@@ -25,7 +25,7 @@ public sealed partial class MonoTests
     [TestCase("TimeSpan.FromSeconds(\n    2 + x)")]
     [TestCase("new TcpClient()")]
     [TestCase("new TcpClient { NoDelay = true }")]
-    public void Different_FractionOrVariableOrNoFamily_IsFound(string code) => Assert.That(Different(code), Is.Not.Empty);
+    public void Different_FractionOrVariableOrNoFamily_IsReported(string code) => Assert.That(Different(code), Is.Not.Empty);
 
     [TestCase("TimeSpan.FromMilliseconds(250)")]
     [TestCase("TimeSpan.FromSeconds(-2_000)")]
@@ -33,7 +33,7 @@ public sealed partial class MonoTests
     [TestCase("TimeSpan.FromTicks(ticks)")]
     [TestCase("new TcpClient(address.AddressFamily) { NoDelay = true }")]
     [TestCase("// TimeSpan.FromSeconds(x) rounds")]
-    public void Different_WholeNumberOrTicksOrFamily_IsNot(string code) => Assert.That(Different(code), Is.Empty);
+    public void Different_WholeNumberOrTicksOrFamily_IsNotReported(string code) => Assert.That(Different(code), Is.Empty);
 
     static IEnumerable<string> Different(string source) => OtherThanUnderNet().Matches(CSharpCode.Of(source)).Select(m => m.Value);
 

@@ -43,7 +43,7 @@ public sealed class OptionalAssembliesTests
     static IEnumerable<string> OptionalNames => Definitions.Where(d => d.IsOptional).Select(d => d.Name);
 
     [Test]
-    public void Assembly_AnySetOfOptionalPackages_FindsWhatItNames()
+    public void Assembly_AnySetOfOptionalPackages_ResolvesItsReferences()
     {
         var missing = new SortedSet<string>();
         foreach (var installed in Sets())
@@ -59,7 +59,7 @@ public sealed class OptionalAssembliesTests
     }
 
     [TestCaseSource(nameof(OptionalNames))]
-    public void OptionalAssembly_AllItsPackages_IsCompiledAndNotWithoutAnyOfThem(string name)
+    public void OptionalAssembly_Packages_IsCompiledOnlyWithAllOfThem(string name)
     {
         var definition = Definitions.Single(d => d.Name == name);
 
@@ -78,7 +78,7 @@ public sealed class OptionalAssembliesTests
     }
 
     [Test]
-    public void VersionDefines_OfOnePackage_SayTheSameEverywhere()
+    public void VersionDefines_OfOnePackage_AreConsistent()
     {
         var different = Definitions.SelectMany(d => d.VersionDefines).GroupBy(v => v.Define).Where(g => g.Distinct().Count() > 1);
 
@@ -87,7 +87,7 @@ public sealed class OptionalAssembliesTests
 
     // The plugin's own assembly exists only on these platforms, even if its package is installed.
     [Test]
-    public void Platforms_OfAssembliesOnMicrosoftsPlugin_AreThePlugins()
+    public void Platforms_OfAssembliesOnMicrosoftsPlugin_MatchThePlugin()
     {
         var onIt = Definitions.Where(d => d.References.Contains("Microsoft.MixedReality.OpenXR")).ToList();
 
@@ -110,7 +110,7 @@ public sealed class OptionalAssembliesTests
     [TestCase("Nowpose.ArFoundation")]
     [TestCase("Nowpose.OpenXR")]
     [TestCase("Nowpose.OpenXR.Anchoring")]
-    public void Project_OfADevicesAssembly_SeesWhatItsDefinitionNamesAndTheEngine(string project)
+    public void Project_OfADevicesAssembly_ReferencesItsDefinitionsAssembliesAndTheEngine(string project)
     {
         var text = XDocument.Parse(RepositoryFiles.Read("Headless/Package/" + project + ".csproj"));
         var definition = Definitions.Single(d => d.Name == project);

@@ -13,7 +13,7 @@ public sealed class PairingDocumentTests
         .TakeWhile(line => line != "```")];
 
     [Test]
-    public void Examples_AreRead()
+    public void Examples_OfTheDocument_AreValid()
     {
         Assert.That(CellCode.Parse(Examples[0]).Cell, Is.EqualTo("Press 3"));
         Assert.That(CellCode.Parse(Examples[1]).Pin, Is.Null);
@@ -23,7 +23,7 @@ public sealed class PairingDocumentTests
 
     [TestCase(0)]
     [TestCase(2)]
-    public void Examples_AreAsLargeAsSaid(int index)
+    public void Examples_OfTheDocument_HaveTheStatedSize(int index)
     {
         using var drawn = new QrCode(Examples[index]);
 
@@ -34,7 +34,7 @@ public sealed class PairingDocumentTests
     }
 
     [Test]
-    public void LongestCode_IsOfTheGreatestVersionThatAHoloLensFinds()
+    public void LongestCode_QrVersion_IsTheHoloLensMaximum()
     {
         using var drawn = new QrCode("nowpose:cell/1?" + new string('a', PairingCode.GreatestLength - 15));
         using var longer = new QrCode("nowpose:cell/1?" + new string('a', PairingCode.GreatestLength - 14));

@@ -27,7 +27,7 @@ public sealed partial class ReadOnlyPlantTests
     private static partial Regex RtdeRequest();
 
     [Test]
-    public void Rtde_Requests_AreThoseThatRead()
+    public void Rtde_Requests_AreReadOnly()
     {
         const string packages = Sources + "/rtde/packages.ts", connection = Sources + "/rtde/connection.ts";
         var sources = RepositoryFiles.Under(Sources + "/rtde", ".ts").ToArray();
@@ -41,7 +41,7 @@ public sealed partial class ReadOnlyPlantTests
     }
 
     [Test]
-    public void ControlSystems_AreReachedOnlyThroughWhatReads()
+    public void ControlSystems_Access_IsOnlyThroughReadOnlyClasses()
     {
         var reaching = RepositoryFiles.Under(Sources, ".ts")
             .Where(file => LibraryImport().Matches(RepositoryFiles.Read(file)).Any(import => ClientAsValue().IsMatch(import.Value)));
@@ -52,7 +52,7 @@ public sealed partial class ReadOnlyPlantTests
     }
 
     [Test]
-    public void Adapters_OfControlSystems_CallNothingThatWrites()
+    public void Adapters_OfControlSystems_CallNoWritingMethods()
     {
         var writing = RepositoryFiles.Under(Sources + "/opcua", ".ts").Concat(RepositoryFiles.Under(Sources + "/ads", ".ts"))
             .SelectMany(file => WritingCall().Matches(RepositoryFiles.Read(file)).Select(call => $"{file}: {call.Value}"));

@@ -29,7 +29,7 @@ public sealed partial class RoomTests
     static IEnumerable<string> Sources => RepositoryFiles.All.Where(file => file.EndsWith(".cs", StringComparison.Ordinal));
 
     [Test]
-    public void Namespace_IsThatOfTheFolder()
+    public void Namespace_OfEachFile_MatchesItsFolder()
     {
         var wrong = from file in Sources
             where !file.StartsWith(StandIn, StringComparison.Ordinal)
@@ -41,7 +41,7 @@ public sealed partial class RoomTests
     }
 
     [Test]
-    public void Namespace_HidesNoTypeOfUnity()
+    public void Namespace_OfEachFile_HidesNoTypeOfUnity()
     {
         var types = Directory.GetFiles(Path.Combine(RepositoryFiles.Root, "Tests/Unity/Engine/Api"), "*.txt").SelectMany(File.ReadLines)
             .Select(line => EngineType().Match(line)).Where(match => match.Success).Select(match => match.Groups[1].Value).ToHashSet();

@@ -22,7 +22,7 @@ public sealed partial class SecurityDocumentTests
         .SkipWhile(line => !line.StartsWith("| threat")).Skip(2).TakeWhile(line => line.StartsWith('|'));
 
     [Test]
-    public void Threats_EachNamesTestsThatExist()
+    public void Threats_EachRow_NamesExistingTests()
     {
         var known = RepositoryFiles.Under("Tests", ".cs").Concat(RepositoryFiles.Under(RepositoryFiles.Package + "/Tests", ".cs"))
             .SelectMany(file => TestMethod().Matches(RepositoryFiles.Read(file))).Select(match => match.Groups[1].Value)
@@ -56,6 +56,6 @@ public sealed partial class SecurityDocumentTests
     [TestCase("OPC UA")]
     [TestCase("ADS")]
     [TestCase("broker")]
-    public void Threats_OfTheList_AreThere(string words) =>
+    public void Threats_OfTheList_AreDocumented(string words) =>
         Assert.That(Rows.Any(row => row.Split('|')[1].Contains(words, StringComparison.OrdinalIgnoreCase)), Is.True);
 }

@@ -21,7 +21,7 @@ public sealed class VersionTests
     [TestCase(RepositoryFiles.Package + "/package.json", @"""changelogUrl"": ""[^""]+/blob/v([^/]+)/")]
     [TestCase(RepositoryFiles.Package + "/package.json", @"""licensesUrl"": ""[^""]+/blob/v([^/]+)/")]
     [TestCase(RepositoryFiles.Package + "/CHANGELOG.md", @"(?m)^## \[([^\]]+)\]")]
-    public void Version_EveryPlace_IsThePackages(string path, string pattern)
+    public void Version_EveryPlace_MatchesThePackage(string path, string pattern)
     {
         var match = Regex.Match(RepositoryFiles.Read(path), pattern);
 

@@ -83,7 +83,7 @@ public class RosDirectTests
 
     [TestCase(RosFlavour.Ros1)]
     [TestCase(RosFlavour.Ros2)]
-    public async Task Session_AtRosbridge_ShowsTheRobotWhereItWillBe(RosFlavour flavour)
+    public async Task Session_AtRosbridge_ShowsTheRobotAtItsPredictedPose(RosFlavour flavour)
     {
         Start(flavour);
         _graph.Publish(
@@ -117,7 +117,7 @@ public class RosDirectTests
     }
 
     [Test]
-    public async Task Connect_RosTime_OpensNoConnectionForTheClock()
+    public async Task Connect_RosTime_OpensNoSeparateClockConnection()
     {
         Start(RosFlavour.Ros2);
         using var syncPort = new TcpListener(IPAddress.Loopback, 0);
@@ -133,7 +133,7 @@ public class RosDirectTests
     [TestCase(20, 0)]
     [TestCase(0, 20)]
     [TestCase(10, 10)]
-    public async Task Clock_ServerTakesItsTimeOnOneSide_ErrsWithinItsBound(int beforeMs, int afterMs)
+    public async Task Clock_AsymmetricServerDelay_ErrorIsWithinItsBound(int beforeMs, int afterMs)
     {
         Start(RosFlavour.Ros2, before: TimeSpan.FromMilliseconds(beforeMs), after: TimeSpan.FromMilliseconds(afterMs));
 
@@ -147,7 +147,7 @@ public class RosDirectTests
     }
 
     [Test]
-    public async Task Clock_SimulatedTimeInSteps_SaysItsResolution()
+    public async Task Clock_SimulatedTimeInSteps_HasItsResolution()
     {
         var step = TimeSpan.FromMilliseconds(10);
         Start(RosFlavour.Ros2, resolution: step);
@@ -161,7 +161,7 @@ public class RosDirectTests
     }
 
     [Test]
-    public async Task Exchanges_SlowServer_AreNeverTwoInFlight()
+    public async Task Exchanges_SlowServer_AreOneAtATime()
     {
         Start(RosFlavour.Ros1, before: TimeSpan.FromMilliseconds(120));
 
@@ -171,7 +171,7 @@ public class RosDirectTests
     }
 
     [Test]
-    public async Task Exchanges_AnswersNobodyWaitsFor_AreCountedAndChangeNothing()
+    public async Task Exchanges_UnexpectedAnswers_AreCountedAndIgnored()
     {
         Start(RosFlavour.Ros2);
         await SynchronisedAsync();
@@ -188,7 +188,7 @@ public class RosDirectTests
 
     [TestCase(RosFlavour.Ros1)]
     [TestCase(RosFlavour.Ros2)]
-    public async Task Status_RosapiIsMissing_SaysWhatToStartAndGoesOnByItself(RosFlavour flavour)
+    public async Task Status_RosapiIsMissing_NamesTheRemedyAndRecovers(RosFlavour flavour)
     {
         Start(flavour, hasRosapi: false);
 
@@ -202,7 +202,7 @@ public class RosDirectTests
     }
 
     [Test]
-    public async Task Status_TimeIsZero_PointsToTheSimulatedClock()
+    public async Task Status_TimeIsZero_NamesTheSimulatedClock()
     {
         _control = new StopwatchControlClock(default) { Resolution = TimeSpan.FromDays(1) };
         _graph = new RosGraph(RosFlavour.Ros2, _control);
@@ -215,7 +215,7 @@ public class RosDirectTests
     }
 
     [Test]
-    public async Task Status_NoAnswerComes_EndsTheConnectionAndComesBack()
+    public async Task Status_NoAnswer_EndsTheConnectionAndReconnects()
     {
         Start(RosFlavour.Ros2);
         _rosbridge.IsMute = true;

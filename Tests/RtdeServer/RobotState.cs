@@ -1,6 +1,6 @@
 namespace Nowpose.RtdeServer;
 
-/// <summary>What the controller has of one control cycle.</summary>
+/// <summary>The controller's state in one control cycle.</summary>
 sealed class RobotState
 {
     /// <summary>Seconds since the controller was started.</summary>
@@ -18,7 +18,7 @@ sealed class RobotState
     public SafetyMode Safety = SafetyMode.Normal;
 }
 
-/// <summary>What the robot's program does.</summary>
+/// <summary>State of the robot's program, as numbered by RTDE.</summary>
 enum RuntimeState
 {
     Stopped = 1,

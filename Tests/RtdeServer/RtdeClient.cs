@@ -65,7 +65,7 @@ sealed class RtdeClient : IDisposable
         Send(package, isHalf: _server.Fault == Fault.HalfPackages);
     }
 
-    /// <summary>Sends what is no RTDE.</summary>
+    /// <summary>Sends bytes that are not an RTDE package.</summary>
     public void SendGarbage(ReadOnlySpan<byte> bytes)
     {
         if (_socket.Poll(0, SelectMode.SelectWrite)) Send(bytes);

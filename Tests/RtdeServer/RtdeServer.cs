@@ -30,7 +30,7 @@ sealed class RtdeServer
 
     public (uint Major, uint Minor, uint Bugfix, uint Build) Version { get; }
 
-    /// <summary>What the server does wrong now.</summary>
+    /// <summary>The fault that the server simulates at present.</summary>
     public Fault Fault { get; private set; }
 
     /// <summary>Any thread.</summary>
@@ -90,7 +90,7 @@ sealed class RtdeServer
         }
     }
 
-    // After a restart the numbers begin anew.
+    // After a restart the cycle numbers start again from zero.
     long NextAfter(long last, double length)
     {
         var current = (long)Math.Floor(_controller.Now / length);

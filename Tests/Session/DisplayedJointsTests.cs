@@ -21,7 +21,7 @@ public class DisplayedJointsTests
     public void TearDown() => _session.Dispose();
 
     [Test, Order(1)]
-    public void Displayed_WithoutTheClock_IsNothing()
+    public void Displayed_WithoutTheClock_IsNull()
     {
         _session.Listener.Received(Sample(HeadsetTime.FromSeconds(9)), HeadsetTime.FromSeconds(9));
 
@@ -31,7 +31,7 @@ public class DisplayedJointsTests
     }
 
     [Test, Order(2)]
-    public void Displayed_EachFrame_IsToldOnceWithItsMomentOfLight()
+    public void Displayed_EachFrame_IsReturnedOnceWithItsDisplayTime()
     {
         var now = HeadsetTime.FromSeconds(10);
         for (var i = 0; i < 60; i++) Frame(now += TimeSpan.FromMilliseconds(50));
@@ -48,7 +48,7 @@ public class DisplayedJointsTests
     }
 
     [Test, Order(3)]
-    public void Displayed_AskedForWhileFramesGoOn_CostsTheirThreadNothing()
+    public void Displayed_ReadDuringFrames_DoesNotAllocateOnTheirThread()
     {
         var now = HeadsetTime.FromSeconds(20);
         for (var i = 0; i < 200; i++) Frame(now += TimeSpan.FromMilliseconds(16));

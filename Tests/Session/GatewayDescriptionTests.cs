@@ -53,7 +53,7 @@ public class GatewayDescriptionTests
     }
 
     [Test]
-    public async Task Session_DescriptionIsNoRobot_IsCountedAndSamplesGoOn()
+    public async Task Session_InvalidDescription_IsCountedAndSamplesContinue()
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();

@@ -19,7 +19,7 @@ public class GatewayRestartTests
     [TestCase(0)]
     [TestCase(0.1)]
     [TestCase(-5000)]
-    public async Task Session_GatewayRestarts_ReconnectsAndSynchronisesAnew(double clockStepSeconds)
+    public async Task Session_GatewayRestarts_ReconnectsAndSynchronisesAgain(double clockStepSeconds)
     {
         var robot = RobotFiles.Load("youbot");
         var clock = StopwatchControlClock.FromUnixTime();

@@ -23,7 +23,7 @@ public class ReceiveAllocationTests
     [TestCase("quadratic", true, "")]
     [TestCase("quadratic", false, "gripper")]
     [TestCase("quadratic", false, "body first")]
-    public async Task Receive_SevenJointsAgainAndAgain_AllocatesAlmostNothing(string predictor, bool hasVelocities, string source)
+    public async Task Receive_SevenJointsRepeatedly_AllocatesAlmostNothing(string predictor, bool hasVelocities, string source)
     {
         var robot = RobotFiles.Load("youbot");
         var names = robot.MovingJoints.Select(joint => joint.Name).Take(7).ToArray();
@@ -56,7 +56,7 @@ public class ReceiveAllocationTests
     }
 
     [Test]
-    public async Task Receive_WithAHandlerThatKeepsMessages_LeavesThemAsTheyWere()
+    public async Task Receive_HandlerKeepsMessages_DoesNotReuseThem()
     {
         var robot = RobotFiles.Load("youbot");
         var names = robot.MovingJoints.Select(joint => joint.Name).Take(7).ToArray();

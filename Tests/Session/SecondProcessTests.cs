@@ -110,7 +110,7 @@ public class SecondProcessTests
     }
 
     [Test]
-    public async Task Client_ObserverThatPublishes_IsToldWhy()
+    public async Task Client_ObserverPublishes_ReceivesTheReason()
     {
         await StartAsync(CertificateFiles.Generate());
         using var client = Client(ObserverToken);
@@ -124,7 +124,7 @@ public class SecondProcessTests
     }
 
     [Test]
-    public async Task Client_SecondSourceForAJoint_IsToldWhich()
+    public async Task Client_SecondSourceForAJoint_ReceivesTheJointsName()
     {
         await StartAsync(CertificateFiles.Generate());
         using var client = Client(SourceToken);

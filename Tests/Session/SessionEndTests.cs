@@ -11,7 +11,7 @@ namespace Nowpose.Headless.Tests.Session;
 public class SessionEndTests
 {
     [Test]
-    public async Task Dispose_NetworkIsStuck_ReturnsAtOnceAndEndsLater()
+    public async Task Dispose_NetworkIsBlocked_ReturnsImmediatelyAndEndsLater()
     {
         var clock = new StuckClock();
         using var silent = new FakeSyncServer(_ => []);

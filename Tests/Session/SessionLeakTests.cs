@@ -16,7 +16,7 @@ public class SessionLeakTests
     readonly StopwatchHeadsetClock _clock = new();
 
     [Test]
-    public async Task Sessions_ConnectedAndLeftManyTimes_LeaveNoThreadAndNoConnection()
+    public async Task Sessions_ConnectedAndDisposedRepeatedly_LeaveNoThreadsOrConnections()
     {
         await using var gateway = await Gateways.StartAsync();
         await CycleAsync(gateway, 10);

@@ -53,7 +53,7 @@ public class SessionWaitsForNobodyTests
     static void AMoment() => Thread.Sleep(50);
 
     [Test]
-    public async Task Session_ServerAcceptsAndSaysNothing_WaitsForNothing()
+    public async Task Session_ServerAcceptsWithoutAnswer_DoesNotBlock()
     {
         using var release = new ManualResetEventSlim();
         using var sync = new FakeTcpServer(_ => release.Wait(Soon.Limit));
@@ -70,7 +70,7 @@ public class SessionWaitsForNobodyTests
     }
 
     [Test]
-    public async Task Session_ServerUpgradesAndSaysNothing_WaitsForNothing()
+    public async Task Session_ServerUpgradesWithoutMessages_DoesNotBlock()
     {
         using var release = new ManualResetEventSlim();
         using var sync = new FakeTcpServer(_ => release.Wait(Soon.Limit));
@@ -87,7 +87,7 @@ public class SessionWaitsForNobodyTests
     }
 
     [Test]
-    public void Session_HostDoesNotAnswer_WaitsForNothing()
+    public void Session_HostDoesNotAnswer_DoesNotBlock()
     {
         using var deaf = new DeafHost();
         using var session = Session("127.0.0.1", deaf.Port, deaf.Port);
@@ -96,7 +96,7 @@ public class SessionWaitsForNobodyTests
     }
 
     [Test]
-    public void Session_NameThatNobodyKnows_WaitsForNothing()
+    public void Session_UnknownHostName_DoesNotBlock()
     {
         using var session = Session("gateway.invalid", 47010, 47011);
 
@@ -104,7 +104,7 @@ public class SessionWaitsForNobodyTests
     }
 
     [Test]
-    public void Session_LinkThatNeverOpensNorCloses_WaitsForNothing()
+    public void Session_LinkNeverOpensNorCloses_DoesNotBlock()
     {
         using var release = new ManualResetEventSlim();
         using var sync = new FakeTcpServer(_ => release.Wait(Soon.Limit));
@@ -116,7 +116,7 @@ public class SessionWaitsForNobodyTests
     }
 
     [Test]
-    public async Task Clients_HostDoesNotAnswer_EndSoonAfterDispose()
+    public async Task Clients_HostDoesNotAnswer_EndShortlyAfterDispose()
     {
         using var deaf = new DeafHost();
         var clock = new StopwatchHeadsetClock();

@@ -42,7 +42,7 @@ public class MotionRecordingTests
     const string TwoJoints = "t,a,b\n10,0,1\n10.5,1,1\n12,4,-2\n";
 
     [Test]
-    public void Read_TwoJoints_KnowsNamesStartAndDuration()
+    public void Read_TwoJoints_HasNamesStartAndDuration()
     {
         var recording = MotionRecording.Read(Write(TwoJoints));
 
@@ -77,7 +77,7 @@ public class MotionRecordingTests
     }
 
     [Test]
-    public void Read_Gzip_IsTheSame()
+    public void Read_Gzip_ReadsTheSame()
     {
         var recording = MotionRecording.Read(Write(Packed(TwoJoints), "motion.csv.gz"));
 
@@ -85,7 +85,7 @@ public class MotionRecordingTests
     }
 
     [Test]
-    public void Read_CommaCulture_StillReadsPoints()
+    public void Read_CultureWithDecimalComma_ReadsDecimalPoints()
     {
         var before = CultureInfo.CurrentCulture;
         var comma = (CultureInfo)CultureInfo.InvariantCulture.Clone();
@@ -128,7 +128,7 @@ public class MotionRecordingTests
     [TestCase("0", "1e-40")]
     [TestCase("-1e40", "1e40")]
     [TestCase("1e-30", "1e300")]
-    public void Read_TimesNoDecimalHolds_AreReadAsDoubles(string first, string second)
+    public void Read_TimesBeyondDecimal_AreReadAsDoubles(string first, string second)
     {
         var duration = double.Parse(second, CultureInfo.InvariantCulture) - double.Parse(first, CultureInfo.InvariantCulture);
 
@@ -159,7 +159,7 @@ public class MotionRecordingTests
     [TestCase("t,a\n", "0 rows of data")]
     [TestCase("t,a\n0,1\n1,2\"3\n", ":3: a quotation mark")]
     [TestCase("t,a\n0,1\n1,\"2\n3,4\n", ":3: a quotation mark")]
-    public void Read_BadContent_IsOneLineThatSaysWhere(string content, string expected)
+    public void Read_InvalidContent_ThrowsInOneLineWithThePlace(string content, string expected)
     {
         AssertRefused(Write(content), expected);
     }
@@ -177,7 +177,7 @@ public class MotionRecordingTests
     public void Read_NotGzip_IsNamed() => AssertRefused(Write(TwoJoints, "motion.csv.gz"), "not a complete gzip file");
 
     [Test]
-    public void Read_GzipCutShort_IsRefused()
+    public void Read_TruncatedGzip_IsRefused()
     {
         var noise = new Random(1);
         var rows = string.Concat(Enumerable.Range(0, 2000).Select(i => FormattableString.Invariant($"{i},{noise.NextDouble()}\n")));

@@ -8,7 +8,7 @@ public class SessionFileManualTests
     static readonly string Page = RepositoryFiles.Read(RepositoryFiles.Package + "/Documentation~/session-file.md");
 
     [Test]
-    public void Page_NamesEveryKindAndEveryField()
+    public void Page_OfTheFormat_NamesEveryKindAndField()
     {
         var path = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N") + ".jsonl");
         try

@@ -24,7 +24,7 @@ public class SessionFileReaderTests
     }
 
     [Test]
-    public void Header_Fields_AreWhatWasInForce()
+    public void Header_Fields_AreRead()
     {
         using var file = new TemporaryFile(Header, ".jsonl");
 
@@ -37,7 +37,7 @@ public class SessionFileReaderTests
     }
 
     [Test]
-    public void Line_OfAnUnknownKindOrWithAnUnknownField_IsNoMistake()
+    public void Line_UnknownKindOrField_IsIgnored()
     {
         var lines = Read(Header + "\n{\"kind\":\"weather\",\"rain\":true}\n" + Sample.Replace("}", ",\"more\":1}") + "\n");
 
@@ -46,7 +46,7 @@ public class SessionFileReaderTests
     }
 
     [Test]
-    public void Line_ThatIsTorn_EndsTheFileOnlyWhereItIsTheLast()
+    public void Line_Truncated_EndsTheFileOnlyIfItIsTheLast()
     {
         Assert.That(Read(Header + "\n" + Sample + "\n" + Sample[..30]), Has.Count.EqualTo(1));
 
@@ -60,7 +60,7 @@ public class SessionFileReaderTests
     [TestCase("{\"kind\":\"session\"}", ":1: field 'format' is not 'nowpose-session'")]
     [TestCase("{\"kind\":\"session\",\"format\":\"nowpose-session\",\"version\":2}", ":1: field 'version': the file is of version 2")]
     [TestCase("{\"kind\":\"session\",\"format\":\"nowpose-session\",\"version\":1}", ":1: field 'robot' is missing")]
-    public void File_ThatIsNoSession_IsOneLineThatSaysSo(string text, string expected)
+    public void File_NotASession_ThrowsInOneLine(string text, string expected)
     {
         var fault = Assert.Throws<InputException>(() => Read(text));
 
@@ -73,7 +73,7 @@ public class SessionFileReaderTests
     [TestCase("\"upper\":2", "\"upper\":2,\"lower\":3", "field 'lower' 3 is above the upper limit 2")]
     [TestCase("\"upper\":2", "\"velocity\":0", "field 'velocity' 0 is no limit")]
     [TestCase("\"b\"", "\"a\"", "field 'joints' has joint 'a' twice")]
-    public void Header_ThatIsWrong_IsNamedWithItsField(string right, string wrong, string expected)
+    public void Header_Invalid_NamesTheField(string right, string wrong, string expected)
     {
         var fault = Assert.Throws<InputException>(() => Read(Header.Replace(right, wrong)));
 
@@ -88,7 +88,7 @@ public class SessionFileReaderTests
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":\"a\",\"position\":[1]}", "field 'names' is no array")]
     [TestCase("{\"kind\":\"frame\",\"start_ns\":1,\"joints\":7}", "field 'joints' is no array")]
     [TestCase("{\"kind\":\"sync\",\"t1_ns\":1,\"t2_ns\":99999999999999999999,\"t3_ns\":1,\"t4_ns\":1}", "field 't2_ns' 99999999999999999999 is not a whole number (64 bits)")]
-    public void Line_ThatIsWrong_IsNamedWithItsField(string line, string expected)
+    public void Line_Invalid_NamesTheField(string line, string expected)
     {
         var fault = Assert.Throws<InputException>(() => Read(Header + "\n" + Sample + "\n" + line + "\n" + Sample + "\n"));
 
@@ -96,7 +96,7 @@ public class SessionFileReaderTests
     }
 
     [Test]
-    public void Plan_Fields_AreTheMessage()
+    public void Plan_Fields_AreRead()
     {
         var line = (PlanLine)Read(Header + "\n" + Plan + "\n")[0];
 
@@ -115,7 +115,7 @@ public class SessionFileReaderTests
     [TestCase("[0.5,0.75]", "[0.5]", "field 'position' 1 numbers; there must be 2")]
     [TestCase("\"points\":[", "\"points\":[7,", "field 'points' 7 is no object")]
     [TestCase("\"points\"", "\"dots\"", "field 'points' is missing")]
-    public void Plan_ThatIsWrong_IsNamedWithItsField(string right, string wrong, string expected)
+    public void Plan_Invalid_NamesTheField(string right, string wrong, string expected)
     {
         var fault = Assert.Throws<InputException>(() => Read(Header + "\n" + Plan.Replace(right, wrong) + "\n" + Sample + "\n"));
 
@@ -127,7 +127,7 @@ public class SessionFileReaderTests
     [TestCase("a.csv", false)]
     [TestCase("a.json", false)]
     [TestCase(null, false)]
-    public void IsSession_GoesByTheName(string path, bool expected)
+    public void IsSession_Path_DependsOnTheName(string path, bool expected)
     {
         Assert.That(SessionFileReader.IsSession(path), Is.EqualTo(expected));
     }

@@ -47,7 +47,7 @@ public class SessionReplayTests
     }
 
     [TestCaseSource(nameof(Names))]
-    public void Replay_WithThePredictorThatRan_SaysWhatWasDisplayed(string predictor)
+    public void Replay_SamePredictor_EqualsTheDisplayedPositions(string predictor)
     {
         // Samples overtake each other, some are lost, and the control clock steps.
         VirtualRecording.To(_path, predictor: predictor, jitterMs: 120, loss: 0.05, stepAfter: 12, blendMs: 14);
@@ -61,7 +61,7 @@ public class SessionReplayTests
     // The step ends the plan, and the next plan comes within a quarter of a second.
     [TestCase("adaptive", 0)]
     [TestCase("quadratic", 60)]
-    public void Replay_OfASessionThatFollowedAPlan_SaysWhatWasDisplayed(string predictor, double lagMs)
+    public void Replay_SessionFollowedAPlan_EqualsTheDisplayedPositions(string predictor, double lagMs)
     {
         VirtualRecording.To(_path, predictor: predictor, jitterMs: 20, loss: 0.05, stepAfter: 12, blendMs: 14, planLagMs: lagMs, planUntil: 15);
         var kinds = new List<PredictionKind>();
@@ -76,7 +76,7 @@ public class SessionReplayTests
 
     [TestCase("hold", true)]
     [TestCase("quadratic", false)]
-    public void Replay_OfASessionThatDidNotWantThePlan_FollowsNone(string predictor, bool followPlan)
+    public void Replay_SessionIgnoredThePlan_FollowsNone(string predictor, bool followPlan)
     {
         VirtualRecording.To(_path, planLagMs: 0, prediction: new PredictionSettings(predictor, followPlan: followPlan));
         var kinds = new List<PredictionKind>();
@@ -89,7 +89,7 @@ public class SessionReplayTests
     }
 
     [Test]
-    public void Replay_WithLimitsOfTheRobotAndOfTheSettings_SaysWhatWasDisplayed()
+    public void Replay_LimitsOfRobotAndSettings_EqualsTheDisplayedPositions()
     {
         var prediction = new PredictionSettings("adaptive", speedShare: 0.9, accelerationLimit: 2.1, jerkLimit: 17);
         VirtualRecording.To(_path, seconds: 60, jitterMs: 20, loss: 0.02, stepAfter: 12, prediction: prediction);
@@ -109,7 +109,7 @@ public class SessionReplayTests
     }
 
     [Test]
-    public void Replay_WithAnotherPredictor_SaysSomethingElse()
+    public void Replay_AnotherPredictor_Differs()
     {
         VirtualRecording.To(_path, predictor: "quadratic", blendMs: 14);
 
@@ -118,7 +118,7 @@ public class SessionReplayTests
 
     [TestCase(1)]
     [TestCase(2)]
-    public async Task Reduction_BySamplesAsTruth_IsNearTheTrueOne(int seed)
+    public async Task Reduction_SamplesAsTruth_IsCloseToTheTrueReduction(int seed)
     {
         var recording = VirtualRecording.To(_path, seconds: 40, seed: seed, samplingMs: 20);
 
@@ -151,7 +151,7 @@ public class SessionReplayTests
     [TestCase("--fps=60")]
     [TestCase("--jitter-ms=0")]
     [TestCase("--loss=0")]
-    public async Task Option_ThatTheRecordingHasItself_IsRefused(string option)
+    public async Task Option_GivenByTheRecording_IsRefused(string option)
     {
         VirtualRecording.To(_path, seconds: 8);
 
@@ -166,7 +166,7 @@ public class SessionReplayTests
     [TestCase("--latency-error-ms=20")]
     [TestCase("--stamp-error-ms=10")]
     [TestCase("--blend-ms=40")]
-    public async Task Option_ThatARecordingDoesNotContradict_ChangesTheResult(string option)
+    public async Task Option_NotGivenByTheRecording_ChangesTheResult(string option)
     {
         VirtualRecording.To(_path, seconds: 10);
 
@@ -178,7 +178,7 @@ public class SessionReplayTests
     }
 
     [Test]
-    public async Task StampError_OfAnotherSeed_IsAnother()
+    public async Task StampError_AnotherSeed_Differs()
     {
         VirtualRecording.To(_path, seconds: 10);
 
@@ -191,7 +191,7 @@ public class SessionReplayTests
     }
 
     [Test]
-    public async Task Compressed_AndTorn_IsReadUpToTheTear()
+    public async Task Replay_CompressedAndTruncated_ReadsUpToTheEnd()
     {
         VirtualRecording.To(_path, seconds: 10);
         var text = File.ReadAllText(_path);
@@ -208,7 +208,7 @@ public class SessionReplayTests
     }
 
     [Test]
-    public void Samples_WithVelocitiesAndAccelerations_KeepThem()
+    public void Samples_WithVelocitiesAndAccelerations_RoundTrip()
     {
         VirtualRecording.To(_path, seconds: 1);
         var header = File.ReadLines(_path).First();
@@ -224,7 +224,7 @@ public class SessionReplayTests
 
     [TestCase("--estimator=default")]
     [TestCase("--json")]
-    public async Task Sync_OfASession_SaysWhatItSaysOfItsExchanges(string option)
+    public async Task Sync_OfASession_EqualsSyncOfItsExchanges(string option)
     {
         var recording = VirtualRecording.To(_path, stepAfter: 10);
         using var log = new TemporaryFile("t1_ns,t2_ns,t3_ns,t4_ns\n" + string.Join('\n', recording.Exchanges) + "\n");

@@ -42,7 +42,7 @@ public sealed class ShaderCompileTests
     }
 
     [Test]
-    public void Programs_All_AreTheShippedShadersAndAnExample()
+    public void Programs_All_CoverTheShippedShadersAndAnExample()
     {
         Assert.That(ShaderFiles.Shipped.Select(s => s.Name), Is.EquivalentTo(new[] { "Nowpose/Hologram", "Nowpose/Occluder", "Nowpose/Text" }));
         Assert.That(ShaderFiles.Examples, Is.Not.Empty);
@@ -66,7 +66,7 @@ public sealed class ShaderCompileTests
     [TestCase("Hologram", "NowposeOpacity(fade, hatch, fragment.metres)", "NowposeOpacity(fade, hatch)")]
     [TestCase("Occluder", "UNITY_VERTEX_OUTPUT_STEREO", "UNITY_VERTEX_OUTPUT_STEREOS")]
     [TestCase("Text", "half4(fragment.colour.rgb, fragment.colour.a * letter)", "half4(fragment.color)")]
-    public void Compile_FaultInASharedPass_IsFoundInBothPipelines(string name, string right, string wrong)
+    public void Compile_FaultInASharedPass_IsReportedForBothPipelines(string name, string right, string wrong)
     {
         Glslang.Require();
         var folder = RepositoryFiles.Package + "/Runtime/Shaders/";
@@ -82,7 +82,7 @@ public sealed class ShaderCompileTests
     }
 
     [Test]
-    public void Variants_OfBothPipelines_AreAllThatUnityCompiles()
+    public void Variants_OfBothPipelines_MatchUnitysCount()
     {
         var counts = ShaderFiles.Programs.Select(p => (p.SubShader.IsUniversal, p.Variants.Count)).Distinct();
 

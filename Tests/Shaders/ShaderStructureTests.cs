@@ -33,7 +33,7 @@ public sealed class ShaderStructureTests
     static IEnumerable<PassProgram> Programs => ShaderFiles.Programs;
 
     [TestCaseSource(nameof(Shipped))]
-    public void Shader_Name_IsThatOfItsFile(ShaderSource shader)
+    public void Shader_Name_MatchesItsFile(ShaderSource shader)
     {
         Assert.That(shader.Name, Is.EqualTo("Nowpose/" + Path.GetFileNameWithoutExtension(shader.Path)));
     }
@@ -84,7 +84,7 @@ public sealed class ShaderStructureTests
     }
 
     [TestCaseSource(nameof(Programs))]
-    public void Program_Stereo_ServesBothEyesAtOnce(PassProgram program)
+    public void Program_Stereo_SupportsSinglePassInstanced(PassProgram program)
     {
         string[] needed =
         [
@@ -99,7 +99,7 @@ public sealed class ShaderStructureTests
     }
 
     [Test]
-    public void Occluder_Passes_WriteDepthOnlyAndFirst()
+    public void Occluder_Passes_WriteOnlyDepthAndFirst()
     {
         var shader = ShaderLabReader.Read(RepositoryFiles.Read(Shaders + "Occluder.shader"), "Occluder.shader");
 
@@ -113,7 +113,7 @@ public sealed class ShaderStructureTests
 
     /// <summary>The font's own shader has ZTest Always and ZWrite Off: text shows through hands and arm, without depth for reprojection.</summary>
     [Test]
-    public void Text_Passes_AreHiddenByWhatIsBeforeAndWriteDepth()
+    public void Text_Passes_TestAndWriteDepth()
     {
         var shader = ShaderLabReader.Read(RepositoryFiles.Read(Shaders + "Text.shader"), "Text.shader");
 
@@ -152,7 +152,7 @@ public sealed class ShaderStructureTests
     }
 
     [Test]
-    public void NowposePose_Stripes_AreInTheObjectsSpaceAndACentimetreWide()
+    public void NowposePose_Stripes_AreInObjectSpaceAndACentimetreWide()
     {
         var include = RepositoryFiles.Read(Shaders + "NowposePose.hlsl");
 
@@ -165,7 +165,7 @@ public sealed class ShaderStructureTests
     /// part of millimetres scaled by 0.001 would be 10 m wide.
     /// </summary>
     [Test]
-    public void NowposeMetres_Position_IsScaledByTheLengthsOfTheObjectsAxes()
+    public void NowposeMetres_Position_IsScaledByTheObjectsAxes()
     {
         var include = RepositoryFiles.Read(Shaders + "NowposePose.hlsl");
 

@@ -12,7 +12,7 @@ public sealed class StandInTests
     static IEnumerable<string> StandIns => RepositoryFiles.All.Where(f => f.StartsWith(PassProgram.StandIns + "/", StringComparison.Ordinal));
 
     [Test]
-    public void StandIns_DeclaredNames_AreUnitys([Values("UnityCG.cginc", "Core.hlsl")] string include)
+    public void StandIns_DeclaredNames_ExistInUnity([Values("UnityCG.cginc", "Core.hlsl")] string include)
     {
         var declared = StandIns.SelectMany(f => UnityNames.DeclaredBy(RepositoryFiles.Read(f))).Distinct().ToList();
 
@@ -21,7 +21,7 @@ public sealed class StandInTests
     }
 
     [TestCaseSource(nameof(Programs))]
-    public void Program_NamesOfUnitys_AreInItsInclude(PassProgram program)
+    public void Program_NamesOfUnity_AreInItsInclude(PassProgram program)
     {
         Assert.That(program.UnityIncludes, Is.EqualTo(new[] { program.SubShader.IsUniversal ? "Core.hlsl" : "UnityCG.cginc" }));
         var used = UnityNames.UsedBy(program.OwnText).ToList();
@@ -43,7 +43,7 @@ public sealed class StandInTests
     /// <summary>A pattern in screen space differs between the eyes and slides over the part.</summary>
     [TestCase("float4 screen = ComputeScreenPos(position);", "ComputeScreenPos")]
     [TestCase("place.x *= _ScreenParams.x;", "_ScreenParams")]
-    public void UsedBy_ScreenSpace_IsNotAmongTheNames(string text, string name)
+    public void UsedBy_ScreenSpace_IsNotListed(string text, string name)
     {
         Assert.That(UnityNames.UsedBy(text), Is.EqualTo(new[] { name }));
         Assert.That(Known.Values.Where(names => names.Contains(name)), Is.Empty);

@@ -51,7 +51,7 @@ public sealed class CellActionsTests
         .Where(r => r.sharedMaterial != null && r.sharedMaterial.name == "Occluder");
 
     [Test]
-    public void ToggleConnected_TwoTimes_ConnectsAndLeaves()
+    public void ToggleConnected_Twice_ConnectsAndDisconnects()
     {
         _actions.ToggleConnected();
         var first = (_session.IsConnecting, _actions.IsConnecting);
@@ -81,7 +81,7 @@ public sealed class CellActionsTests
     }
 
     [Test]
-    public void SetOcclusion_Off_HidesTheOccludersAloneAndBringsThemBack()
+    public void SetOcclusion_OffAndOn_HidesAndRestoresOnlyTheOccluders()
     {
         var gripper = Find<Transform>("Palm").GetComponentInChildren<MeshRenderer>();
         Assert.That(Occluders, Is.Not.Empty);
@@ -99,7 +99,7 @@ public sealed class CellActionsTests
     }
 
     [Test]
-    public void SetOcclusion_OffBeforeTheRobotIsBuilt_HidesItThen()
+    public void SetOcclusion_OffBeforeTheRobotIsBuilt_HidesItsOccluders()
     {
         _cell.Dispose();
         _cell = new PlayedCell();
@@ -115,7 +115,7 @@ public sealed class CellActionsTests
     }
 
     [Test]
-    public void SetOcclusion_ComponentDisabled_GivesTheOccludersBack()
+    public void SetOcclusion_ComponentDisabled_RestoresTheOccluders()
     {
         _actions.SetOcclusion(false);
 
@@ -154,7 +154,7 @@ public sealed class CellActionsTests
     }
 
     [Test]
-    public void SetNudgeMs_OfASession_ShiftsTheMomentOfLight()
+    public void SetNudgeMs_OfASession_ShiftsTheDisplayTime()
     {
         var before = Light();
 
@@ -183,7 +183,7 @@ public sealed class CellActionsTests
     TimeSpan Light() => _session.Frame.DisplayTime.Value.SinceEpoch - _session.Frame.Start.SinceEpoch;
 
     [Test]
-    public void SetNudgeMs_SessionBeginsAnew_IsKept()
+    public void SetNudgeMs_SessionRestarts_IsKept()
     {
         _actions.SetNudgeMs(12);
         Run(0.1);
@@ -195,7 +195,7 @@ public sealed class CellActionsTests
     }
 
     [Test]
-    public void Changed_SomebodyElseDidIt_IsToldOnce()
+    public void Changed_ByAnotherScript_IsRaisedOnce()
     {
         Assert.That(_changes, Is.Zero);
 
@@ -206,7 +206,7 @@ public sealed class CellActionsTests
     }
 
     [Test]
-    public void Methods_OfTheActions_CanBeCalledByAnyEvent()
+    public void Methods_OfTheActions_AreCallableByUnityEvents()
     {
         var methods = typeof(CellActions).GetMethods(BindingFlags.Public | BindingFlags.Instance | BindingFlags.DeclaredOnly)
             .Where(m => !m.IsSpecialName);
@@ -221,7 +221,7 @@ public sealed class CellActionsTests
     }
 
     [Test]
-    public void Act_NothingToActOn_SaysWhatIsMissingAndGoesOn()
+    public void Act_MissingComponents_LogsThemAndContinues()
     {
         var lone = new GameObject("Buttons").AddComponent<CellActions>();
 

@@ -64,7 +64,7 @@ public class FrameAllocationTests
         Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
         Assert.That(_session.Statistics.Samples - before, Is.GreaterThan(300));
         Assert.That(_session.Statistics.RenderTimeSource, Is.EqualTo(KindOf(means)));
-        Assert.That(_session.Statistics.RenderTime, Is.Not.Null, "what is measured is told to the session");
+        Assert.That(_session.Statistics.RenderTime, Is.Not.Null, "the measured time reaches the session");
         Assert.That(_shown, Is.EqualTo(MeasuredFrames * (rewrites ? 2 : 1)).Within(4));
         Assert.That(_session.GetComponentInChildren<Ghost>(true).GapMetres, ghost ? Is.GreaterThan(0) : Is.Null);
         Assert.That(texts.Sum(t => t.TextChanges) - changes, Is.GreaterThan(30), "the panel's numbers change");

@@ -15,7 +15,7 @@ public sealed class PackageManifestTests
     [TestCase("version", "0.1.0")]
     [TestCase("unity", "2021.3")]
     [TestCase("license", "MIT")]
-    public void Package_Field_IsAsPublished(string field, string value)
+    public void Package_Field_HasThePublishedValue(string field, string value)
     {
         Assert.That(Manifest.GetProperty(field).GetString(), Is.EqualTo(value));
     }
@@ -23,7 +23,7 @@ public sealed class PackageManifestTests
     [TestCase("documentationUrl", "/Documentation~/index.md")]
     [TestCase("changelogUrl", "/CHANGELOG.md")]
     [TestCase("licensesUrl", "/LICENSE.md")]
-    public void Package_Address_IsThatOfAFile(string field, string file)
+    public void Package_Address_IsOfAnExistingFile(string field, string file)
     {
         var address = Manifest.GetProperty(field).GetString();
 
@@ -32,7 +32,7 @@ public sealed class PackageManifestTests
     }
 
     [Test]
-    public void Package_Dependencies_AreTheseAndNoOthers()
+    public void Package_Dependencies_AreExactlyThese()
     {
         var others = Dependencies(Manifest).Where(d => !d.Key.StartsWith(ModulePrefix, StringComparison.Ordinal));
 
@@ -82,7 +82,7 @@ public sealed class PackageManifestTests
     }
 
     [Test]
-    public void Project_Testables_ShowThePackagesTests()
+    public void Project_Testables_ContainThePackage()
     {
         Assert.That(Project.GetProperty("testables").EnumerateArray().Select(t => t.GetString()), Does.Contain("com.nowpose.mril"));
     }

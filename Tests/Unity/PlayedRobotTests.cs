@@ -56,7 +56,7 @@ public class PlayedRobotTests
     }
 
     [Test]
-    public void Rig_EachFrame_StandsAsTheFrameSays()
+    public void Rig_EachFrame_HasThePoseOfTheFrame()
     {
         _session.transform.SetPositionAndRotation(new Vector3(1, 0, 2), Quaternion.Euler(0, 30, 0));
         _session.gameObject.SetActive(true);
@@ -74,7 +74,7 @@ public class PlayedRobotTests
     }
 
     [Test]
-    public void Rig_SessionNamed_FollowsThatOne()
+    public void Rig_SessionAssigned_FollowsIt()
     {
         var other = _cell.Play("ur5");
         _rig.With("_session", other);
@@ -86,7 +86,7 @@ public class PlayedRobotTests
     }
 
     [Test]
-    public void Rig_DescriptionArrives_Appears()
+    public void Rig_DescriptionArrives_IsBuilt()
     {
         _session.RobotAsset = null;
         Play(0.5);
@@ -100,7 +100,7 @@ public class PlayedRobotTests
     }
 
     [Test]
-    public void Rig_AnotherRobot_TakesTheOldOneAway()
+    public void Rig_AnotherRobot_RemovesTheOld()
     {
         Play();
         var objects = _cell.Player.ObjectCount;
@@ -130,7 +130,7 @@ public class PlayedRobotTests
     }
 
     [Test]
-    public void Rig_Disabled_StaysAsItIs()
+    public void Rig_Disabled_KeepsItsPose()
     {
         Play();
         _rig.enabled = false;
@@ -145,7 +145,7 @@ public class PlayedRobotTests
     }
 
     [Test]
-    public void Rig_LinkMissing_IsSaidOnceAndTheRestGoesOn()
+    public void Rig_LinkMissing_IsLoggedOnceAndTheRestContinues()
     {
         // The root link alone counts as a hierarchy.
         Below<FrameProbe>("arm_link_0", _rig.transform);
@@ -161,7 +161,7 @@ public class PlayedRobotTests
     }
 
     [Test]
-    public void Rig_LinkDestroyed_IsSaidOnceAndTheRestGoesOn()
+    public void Rig_LinkDestroyed_IsLoggedOnceAndTheRestContinues()
     {
         var ghost = NewGhost();
         Play();
@@ -176,7 +176,7 @@ public class PlayedRobotTests
     }
 
     [Test]
-    public void Gripper_FingerDestroyed_TheOtherGoesOn()
+    public void Gripper_FingerDestroyed_TheOtherStillMoves()
     {
         var gripper = Below<VirtualGripper>("Virtual Gripper", _rig.transform);
         var lost = Below<FrameProbe>("Left", gripper.transform).transform;
@@ -193,7 +193,7 @@ public class PlayedRobotTests
     }
 
     [Test]
-    public void Rig_NoSession_SaysSoUnlessAScriptMovesIt()
+    public void Rig_NoSession_IsLoggedUnlessAScriptMovesIt()
     {
         var alone = new GameObject("Alone").AddComponent<RobotRig>();
         var moved = new GameObject("Moved").AddComponent<RobotRig>().With("_armMaterial", new Material((Shader)null));
@@ -207,7 +207,7 @@ public class PlayedRobotTests
     }
 
     [Test]
-    public void Rig_BuiltWithoutMaterials_SaysSoOnce()
+    public void Rig_BuiltWithoutMaterials_IsLoggedOnce()
     {
         var rig = new GameObject("Plain").AddComponent<RobotRig>();
 
@@ -219,7 +219,7 @@ public class PlayedRobotTests
     }
 
     [Test]
-    public void Rig_BuiltWithoutMaterials_IsDrawnByThePackagesShaderAndLeavesNoMaterialBehind()
+    public void Rig_BuiltWithoutMaterials_UsesThePackagesShaderWithoutLeakingMaterials()
     {
         var shader = new AssetLibrary(RepositoryFiles.Root).Load<Material>(RepositoryFiles.Package + "/Runtime/Materials/Hologram.mat").shader;
         var rig = new GameObject("Plain").AddComponent<RobotRig>();
@@ -234,7 +234,7 @@ public class PlayedRobotTests
     }
 
     [Test]
-    public void Gripper_EnabledBeforeTheRig_IsNotAFrameBehind()
+    public void Gripper_EnabledBeforeTheRig_HasNoDelay()
     {
         _rig.enabled = false;
         var gripper = Below<VirtualGripper>("Virtual Gripper", _rig.transform);
@@ -272,7 +272,7 @@ public class PlayedRobotTests
     }
 
     [Test]
-    public void Gripper_NoRigAbove_SaysWhatToDo()
+    public void Gripper_NoRigAbove_NamesTheRemedy()
     {
         var gripper = new GameObject("Lost Gripper").AddComponent<VirtualGripper>();
 
@@ -285,7 +285,7 @@ public class PlayedRobotTests
     }
 
     [Test]
-    public void Gripper_RobotWithoutItsJoints_SaysSoOnceWithoutAWarning()
+    public void Gripper_RobotWithoutItsJoints_IsLoggedOnceWithoutAWarning()
     {
         var gripper = Below<VirtualGripper>("Virtual Gripper", _rig.transform);
         var finger = Below<FrameProbe>("Finger", gripper.transform).transform;
@@ -301,7 +301,7 @@ public class PlayedRobotTests
     }
 
     [Test]
-    public void Gripper_FlangeUnknown_SaysSoOnce()
+    public void Gripper_FlangeUnknown_IsLoggedOnce()
     {
         Below<VirtualGripper>("Virtual Gripper", _rig.transform).With("_flangeLink", "hand");
 
@@ -311,7 +311,7 @@ public class PlayedRobotTests
     }
 
     [Test]
-    public void Ghost_Shown_StandsWhereTheSamplesAre()
+    public void Ghost_Shown_HasThePoseOfTheSamples()
     {
         var ghost = NewGhost();
         Assert.That(ghost.GapMetres, Is.Null);
@@ -340,7 +340,7 @@ public class PlayedRobotTests
     }
 
     [Test]
-    public void Ghost_NoRigBeside_SaysSo()
+    public void Ghost_NoRigBeside_IsLogged()
     {
         var ghost = new GameObject("Lone Ghost").AddComponent<Ghost>();
 

@@ -12,7 +12,7 @@ public sealed class CalibrationPageTests
         """;
 
     [Test]
-    public void Render_Data_GoesIntoThePageAndNothingOutsideIsAsked()
+    public void Render_Data_IsInThePageWithoutExternalRequests()
     {
         if (!CalibrationPage.HasPlots) Assert.Ignore("Node.js was missing when this was built: the page has no plots");
 
@@ -23,7 +23,7 @@ public sealed class CalibrationPageTests
     }
 
     [Test]
-    public void Plain_Data_HasResultWarningFactsAndNumbers()
+    public void Render_WithoutScript_HasResultWarningFactsAndNumbers()
     {
         using var data = JsonDocument.Parse(Data);
 

@@ -12,7 +12,7 @@ public sealed class FiguresPageTests
     }
 
     [Test]
-    public void Render_Data_GoesIntoThePageOfFigures()
+    public void Render_Data_IsInThePage()
     {
         var page = FiguresPage.Render("{\"title\":\"a < b\",\"figures\":[]}");
 
@@ -21,7 +21,7 @@ public sealed class FiguresPageTests
     }
 
     [Test]
-    public void Render_AnyData_RefersToNothingOutside()
+    public void Render_AnyData_HasNoExternalReferences()
     {
         var page = FiguresPage.Render("{}");
 

@@ -7,7 +7,7 @@ namespace Nowpose.Headless.Tests.Web;
 public sealed class PlainReportTests
 {
     [Test]
-    public void Render_Tables_AreThereWithoutAScript()
+    public void Render_WithoutScript_HasTables()
     {
         var page = Render("""
             {"title": "A run", "subtitle": "20 s",
@@ -23,7 +23,7 @@ public sealed class PlainReportTests
 
     [TestCase("{}")]
     [TestCase("{\"summary\": null, \"facts\": [], \"settings\": null}")]
-    public void Render_SectionMissing_SaysNotMeasured(string json)
+    public void Render_SectionMissing_StatesNotMeasured(string json)
     {
         var page = Render(json);
 
@@ -47,7 +47,7 @@ public sealed class PlainReportTests
     }
 
     [Test]
-    public void Render_NoNode_SaysHowToGetPlots()
+    public void Render_BuiltWithoutNode_NamesTheRemedy()
     {
         Assert.That(Render("{}"), Does.Contain("Install Node.js 20 or newer"));
     }

@@ -16,7 +16,7 @@ public sealed class ReportPageTests
     }
 
     [Test]
-    public void Render_AnyData_ComesBackFromThePage()
+    public void Render_AnyData_RoundTrips()
     {
         const string Json = "{\"title\":\"a < b & c > d\",\"settings\":[[\"ü\",1.5],[\"n\",null]],\"error\":{\"t\":[0,0.1]}}";
 
@@ -47,7 +47,7 @@ public sealed class ReportPageTests
     }
 
     [Test]
-    public void Render_AnyData_RefersToNothingOutside()
+    public void Render_AnyData_HasNoExternalReferences()
     {
         var page = ReportPage.Render("{}");
 

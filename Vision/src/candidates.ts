@@ -4,13 +4,13 @@ import { isPlausible, type Point, type Quad } from './geometry';
 type Mat = InstanceType<typeof cv.Mat>;
 
 /** Minimum side of a code, px: cells of 7 px. */
-export const leastSide = 56;
+export const minSide = 56;
 
 /** Size of the blocks in which edges are searched, px; a finer position is not needed. */
 const block = 4;
-/** Maximum distance of edges that belong together, in blocks: two cells, for codes of all sizes. */
+/** Maximum distance between edges of one code, in blocks: two cells, for codes of all sizes. */
 const gaps = [4, 6, 8, 11, 15];
-/** Maximum width, in gaps, of connected edges that are only an edge or a cable of the scene. */
+/** Connected edges up to this width, in gaps, are an edge or a cable of the scene, not a code. */
 const narrow = 1.3;
 /** Minimum steps of light at edges, of 255: from weak holograms in front of a bright scene up to LEDs in bright surroundings. */
 const edges = [6, 10, 16, 26];
@@ -35,7 +35,7 @@ export function candidatesIn(light: Mat): Quad[] {
   return quads;
 }
 
-/** Gets the change of light between neighbouring pixels, as the mean of each block; 255 is white. It is independent of the background. */
+/** Returns the mean change of light between adjacent pixels in each block; 255 is white. It does not depend on the background. */
 function stepsIn(light: Mat): Mat {
   const bytes = new cv.Mat(), small = new cv.Mat(), near = square(3);
   light.convertTo(bytes, cv.CV_8U, 255);
@@ -62,7 +62,7 @@ function quadsIn(binary: Mat): Quad[] {
 
 function quadsOf(contour: Mat): Quad[] {
   const { width, height } = cv.boundingRect(contour), size = Math.max(width, height);
-  if (size * block < 0.8 * leastSide || Math.min(width, height) < 0.4 * size) return [];
+  if (size * block < 0.8 * minSide || Math.min(width, height) < 0.4 * size) return [];
   const hull = new cv.Mat(), corners = new cv.Mat();
   try {
     cv.convexHull(contour, hull, false, true);
@@ -75,7 +75,7 @@ function quadsOf(contour: Mat): Quad[] {
       break;
     }
     quads.push(clockwise(cv.RotatedRect.points(cv.minAreaRect(hull)).map((p: { x: number; y: number }) => inPicture(p.x, p.y))));
-    return quads.filter(quad => isPlausible(quad, 0.7 * leastSide));
+    return quads.filter(quad => isPlausible(quad, 0.7 * minSide));
   } finally {
     hull.delete();
     corners.delete();

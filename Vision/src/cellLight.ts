@@ -5,21 +5,21 @@ import { Cell, cellAt, eachEdge, type Kind, type Pattern } from './pattern';
 
 /** Samples along one side of a cell. */
 const samples = 8;
-/** Where filled cells are looked at: in these samples from an edge between two, on either side, and in these along it. */
+/** Samples of filled cells: their distances from the edge between two cells, on either side, and their positions along it. */
 const filled = { across: [1, 2], along: [1, 2, 3, 4, 5, 6] };
-/** And where LEDs are, which leave gaps. */
+/** Samples of LEDs, which leave gaps. */
 const dots = { across: [4], along: [3, 4] };
 
 /**
- * The light of each cell without the scene behind it, 1 is white.
+ * Estimates the light of each cell without the scene behind it; 1 is white.
  *
- * Where cells touch, light steps by the difference of both, along all of their edge; an edge of the scene crosses it, and is seen by few
- * samples. So the steps are explained by the cells' light and a scene that bends like a parabola, with the least sum of absolute rests:
- * what few samples see does not count, however bright it is.
+ * Between adjacent cells, light steps by their difference along the whole edge. An edge of the scene crosses it and affects few samples.
+ * The model of the steps is therefore the cells' light plus a quadratic scene, fitted with the minimum sum of absolute residuals:
+ * outliers in few samples do not count, however bright they are.
  */
 export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Kind): number[] {
   const { side } = pattern, cell = cellAt(pattern, kind);
-  // The code's light first, then that of the cells of pairs, then the scene's slope.
+  // Order of the unknowns: the code's light, the light of the cells of pairs, the five coefficients of the scene.
   const unknowns = new Map<number, number>(pattern.pairs.flatMap(left => [left, left + 1]).map((each, i) => [each, 1 + i]));
   const slope = 1 + unknowns.size, count = slope + 5;
   const unknownAt = (row: number, column: number) =>
@@ -36,7 +36,7 @@ export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Ki
       const onEdge = edge / samples / side - 0.5, beside = (start + at + 0.5) / samples / side - 0.5;
       if (before !== after && after !== null) equations.term(after, 1);
       if (before !== after && before !== null) equations.term(before, -1);
-      // Of b x + c y + d x² + e xy + f y².
+      // Difference of the scene's b x + c y + d x² + e xy + f y² across the edge.
       equations.term(isBeside ? slope : slope + 1, apart);
       equations.term(isBeside ? slope + 2 : slope + 4, 2 * onEdge * apart);
       equations.term(slope + 3, beside * apart);
@@ -50,7 +50,7 @@ export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Ki
   });
 }
 
-/** Light in the code's own rows and columns of samples, from one cell before it to one behind it. */
+/** Samples light along the code's rows and columns, from one cell before the code to one behind it. */
 function samplesOf(picture: Light, quad: Quad, side: number): (row: number, column: number) => number {
   const seen = homography(quad), length = (side + 2) * samples, light = new Float32Array(length * length);
   const along = (sample: number) => ((sample + 0.5) / samples - 1) / side;

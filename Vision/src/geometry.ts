@@ -1,9 +1,9 @@
 export type Point = [x: number, y: number];
 
-/** Corners of a code in the picture, px: top left, top right, bottom right, bottom left of the code as it is read. */
+/** Corners of a code in the picture, px: top left, top right, bottom right, bottom left of the upright code. */
 export type Quad = [Point, Point, Point, Point];
 
-/** Takes u, v to x = (a u + b v + c) / (g u + h v + 1), y = (d u + e v + f) / (g u + h v + 1). */
+/** Maps u, v to x = (a u + b v + c) / (g u + h v + 1), y = (d u + e v + f) / (g u + h v + 1). */
 export interface Homography {
   a: number;
   b: number;
@@ -15,7 +15,7 @@ export interface Homography {
   h: number;
 }
 
-/** From the unit square to a quad by perspective (Heckbert 1989): u runs along the code's top edge, v along its left one. */
+/** Returns the perspective map of the unit square to a quad (Heckbert 1989). u runs along the code's top edge, v along its left edge. */
 export function homography([p0, p1, p2, p3]: Quad): Homography {
   const sx = p0[0] - p1[0] + p2[0] - p3[0], sy = p0[1] - p1[1] + p2[1] - p3[1];
   const dx1 = p1[0] - p2[0], dy1 = p1[1] - p2[1], dx2 = p3[0] - p2[0], dy2 = p3[1] - p2[1];
@@ -41,13 +41,13 @@ export const scaled = (q: Quad, factor: number): Quad => q.map(p => [p[0] * fact
 
 export const shiftedBy = (q: Quad, dx: number, dy: number): Quad => q.map(p => [p[0] + dx, p[1] + dy]) as Quad;
 
-/** About its centre. */
+/** Scales a quad about its centre. */
 export function grownBy(q: Quad, factor: number): Quad {
   const [x, y] = centreOf(q);
   return q.map(p => [x + (p[0] - x) * factor, y + (p[1] - y) * factor]) as Quad;
 }
 
-/** Whether it is a convex, clockwise (y down) quad whose sides do not differ more than a code seen aslant has them. */
+/** Whether the quad is convex and clockwise (y down), and its sides differ at most as much as those of a code seen at an angle. */
 export function isPlausible(q: Quad, least: number): boolean {
   const sides = q.map((p, i) => distance(p, q[(i + 1) & 3]));
   if (Math.min(...sides) < least || Math.max(...sides) > 2.5 * Math.min(...sides)) return false;

@@ -4,22 +4,22 @@ import { cv } from './opencv';
 type Mat = InstanceType<typeof cv.Mat>;
 
 const rounds = 15;
-/** What is off by no more than this, in medians of what all are off by, is noise. */
+/** Residuals up to this multiple of their median are noise and have equal weight. */
 const noise = 1.5;
-/** Holds an unknown of which nothing is seen; too little to be noticed in others. */
+/** Regularisation for unknowns without a measurement. Too small to affect the others. */
 const held = 1e-6;
 
-/** Sums of unknowns times factors that are to be equal to what was measured. Kept flat: there are a thousand of them, many times over. */
+/** Linear equations: sums of unknowns times factors, and the measured value of each. In flat arrays, because there are thousands. */
 export class Equations {
   readonly #measured: number[] = [];
-  /** Of each equation, where its terms start. */
+  /** Index of each equation's first term. */
   readonly #starts: number[] = [0];
   readonly #unknowns: number[] = [];
   readonly #factors: number[] = [];
 
   get count(): number { return this.#measured.length; }
 
-  /** Adds a term to the equation that is ended next. */
+  /** Adds a term to the equation that the next call of `end` completes. */
   term(unknown: number, factor: number): void {
     this.#unknowns.push(unknown);
     this.#factors.push(factor);
@@ -30,16 +30,16 @@ export class Equations {
     this.#starts.push(this.#unknowns.length);
   }
 
-  /** How far each is off. */
-  setRests(values: Float64Array, rests: Float64Array): void {
-    for (let i = 0; i < rests.length; i++) {
-      let rest = this.#measured[i];
-      for (let at = this.#starts[i]; at < this.#starts[i + 1]; at++) rest -= this.#factors[at] * values[this.#unknowns[at]];
-      rests[i] = Math.abs(rest);
+  /** Sets the absolute residual of each equation. */
+  setResiduals(values: Float64Array, residuals: Float64Array): void {
+    for (let i = 0; i < residuals.length; i++) {
+      let residual = this.#measured[i];
+      for (let at = this.#starts[i]; at < this.#starts[i + 1]; at++) residual -= this.#factors[at] * values[this.#unknowns[at]];
+      residuals[i] = Math.abs(residual);
     }
   }
 
-  /** The normal equations, AᵀWA and AᵀWy. */
+  /** Sets the normal equations, AᵀWA and AᵀWy. */
   setNormal(weights: Float64Array, squares: Float64Array, products: Float64Array): void {
     const count = products.length;
     squares.fill(0);
@@ -57,14 +57,14 @@ export class Equations {
 /** Finds the unknowns with the minimum sum of absolute residuals, by iteratively reweighted least squares. */
 export function leastAbsolute(equations: Equations, count: number): Float64Array {
   const [normal, right, found] = [count, 1, 1].map(columns => new cv.Mat(count, columns, cv.CV_64FC1)) as [Mat, Mat, Mat];
-  const weights = new Float64Array(equations.count).fill(1), rests = new Float64Array(equations.count);
+  const weights = new Float64Array(equations.count).fill(1), residuals = new Float64Array(equations.count);
   try {
     for (let round = 0; round < rounds; round++) {
       equations.setNormal(weights, normal.data64F, right.data64F);
       cv.solve(normal, right, found, cv.DECOMP_CHOLESKY);
-      equations.setRests(found.data64F, rests);
-      const least = Math.max(held, noise * medianOf(rests.slice(), rests.length));
-      for (let i = 0; i < weights.length; i++) weights[i] = 1 / Math.max(rests[i], least);
+      equations.setResiduals(found.data64F, residuals);
+      const least = Math.max(held, noise * medianOf(residuals.slice(), residuals.length));
+      for (let i = 0; i < weights.length; i++) weights[i] = 1 / Math.max(residuals[i], least);
     }
     return found.data64F.slice();
   } finally {

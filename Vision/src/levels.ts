@@ -7,13 +7,13 @@ export interface Grey {
   data: Uint8Array;
 }
 
-/** What a byte of a picture means as light, 0 to 1: cameras write sRGB. */
+/** Converts a byte of a picture to linear light, 0 to 1. Cameras write sRGB. */
 export const lightOfByte = Float32Array.from({ length: 256 }, (_, v) => {
   const s = v / 255;
   return s <= 0.04045 ? s / 12.92 : ((s + 0.055) / 1.055) ** 2.4;
 });
 
-/** A picture as light, 0 to 1 per pixel, row by row: what is smoothed must be this, or edges move towards what is bright. */
+/** A picture in linear light, 0 to 1 per pixel, row by row. Smoothing needs linear light; otherwise edges move towards bright areas. */
 export interface Light {
   width: number;
   height: number;
@@ -26,7 +26,7 @@ export function lightOf({ width, height, data }: Grey): Light {
   return { width, height, data: light };
 }
 
-/** Light at a point between the middles of pixels; NaN outside of the picture. */
+/** Light at a point, interpolated between the centres of pixels; NaN outside of the picture. */
 function lightAt({ width, height, data }: Light, x: number, y: number): number {
   const column = Math.floor(x - 0.5), row = Math.floor(y - 0.5);
   if (!(column >= 0 && row >= 0 && column < width - 1 && row < height - 1)) return NaN;
@@ -36,7 +36,7 @@ function lightAt({ width, height, data }: Light, x: number, y: number): number {
   return above * (1 - down) + below * down;
 }
 
-/** Light at a point of the unit square that a homography takes into the picture. */
+/** Light at a point of the unit square that a homography maps to the picture. */
 export function lightThrough(picture: Light, { a, b, c, d, e, f, g, h }: Homography, u: number, v: number): number {
   const w = 1 / (g * u + h * v + 1);
   return lightAt(picture, (a * u + b * v + c) * w, (d * u + e * v + f) * w);

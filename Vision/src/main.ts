@@ -1,4 +1,4 @@
-// What the command line starts: a request per line of standard input, an answer per line of standard output, in that order.
+// Worker process of the command line. It reads one request per line from standard input and writes one answer per line, in that order.
 import './interrupts';
 import { createInterface } from 'node:readline';
 import { Finder, type Found } from './finder';
@@ -9,15 +9,15 @@ import { readPicture, writePicture } from './pictureFile';
 import { take, type Shot } from './render/camera';
 import { type Box, type Place, Tracker } from './track';
 
-/** Exactly one of the first four: a file's path, grey bytes in Base64, or a picture to be made; the pattern comes first of all. */
+/** Has exactly one of: the pattern, a file's path, grey bytes in Base64, or a picture to render. The first request is the pattern. */
 interface Request {
   pattern?: Pattern;
   file?: string;
   grey?: { width: number; height: number; data: string };
   shot?: Shot;
-  /** Where a picture that is made goes; without it, it is searched at once. */
+  /** File to which the rendered picture is written. Without it, the picture is searched for codes. */
   to?: string;
-  /** Instead of searching for codes: patches are followed, from the picture on that brings boxes. */
+  /** Follows patches instead of searching for codes. The first picture gives their boxes. */
   track?: { boxes?: Box[] };
 }
 

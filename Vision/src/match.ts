@@ -3,20 +3,20 @@ import { lightThrough, type Light } from './levels';
 import { medianOf } from './median';
 import { Expected, outer, stepsOf, type Pattern } from './pattern';
 
-/** How well a quad agrees with a kind of code whose top left corner is its first. */
+/** Agreement of a quad with a kind of code whose top left corner is the quad's first. */
 export interface Agreement {
-  /** How much brighter a lit cell is than a dark one, linear, 1 is white. */
+  /** Light of a lit cell minus that of a dark one, linear, 1 is white. */
   light: number;
-  /** Share of the steps from cell to cell that are as they should be, −1 to 1. */
+  /** Share of the steps from cell to cell that are as expected, −1 to 1. */
   share: number;
 }
 
-/** Of the outer edge, how far its steps reach. */
+/** Distance from the outer edge at which light is sampled, in lengths of a step. */
 const outerReach = 0.5;
 
 /**
- * Tells how well a picture agrees with codes, by the steps of light from cell to cell. A step is at most as good as the light of the
- * code, and that is their median: edges of the scene spoil the few steps that they cross and no others.
+ * Computes the agreement of a picture with codes from the steps of light between cells. A step counts at most as much as the code's
+ * light, which is the median of the steps. Edges of the scene therefore affect only the few steps that they cross.
  */
 export class Matcher {
   readonly kinds: string[];
@@ -43,8 +43,8 @@ export class Matcher {
   }
 
   /**
-   * @param reach How far from a cell's edge its light is looked at, in cells: 0.5 is its middle.
-   * @param given Light of the code where it is known; so kinds and turns of the same quad can be compared.
+   * @param reach Distance from a cell's edge at which its light is sampled, in cells: 0.5 is its middle.
+   * @param given Light of the code where it is known, so that kinds and orientations of the same quad can be compared.
    */
   agreement(picture: Light, quad: Quad, kind: number, reach: number, given?: number): Agreement {
     const { points, expected, most } = this.#kinds[kind], steps = this.#steps;
@@ -74,7 +74,7 @@ export class Matcher {
     return { light, share: sum / light / count };
   }
 
-  /** Steps of light; none where a sample lies outside of the picture. */
+  /** Sets the steps of light; 0 where a sample lies outside of the picture. */
   #sample(picture: Light, quad: Quad, points: Float64Array, reach: number): void {
     const seen = homography(quad), steps = this.#steps;
     for (let i = 0, at = 0; at < points.length; i++, at += 4) {
@@ -84,7 +84,7 @@ export class Matcher {
   }
 }
 
-/** Points and directions of the outer edge's steps, inwards. */
+/** Returns points and directions of the steps across the outer edge, inwards. */
 function outerOf(side: number): Float64Array {
   const edge = outer.inwards / side, step = outer.length / side;
   return Float64Array.from(Array.from({ length: side }, (_, i) => (i + 0.5) / side).flatMap(along =>

@@ -1,4 +1,4 @@
-/** The upper median of the first values, which change their places: Hoare's selection sorts no more of them than it needs. */
+/** Returns the upper median of the first `count` values by Hoare's selection. Changes their order. */
 export function medianOf(values: Float64Array, count: number): number {
   const middle = count >> 1;
   for (let first = 0, last = count - 1; first < last;) {

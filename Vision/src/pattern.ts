@@ -1,8 +1,8 @@
-/** What a code looks like. The command line hands it over, so that there is one specification. */
+/** Layout of a code. The command line sends it, so that it is specified in one place. */
 export interface Pattern {
   /** Cells along one side. */
   side: number;
-  /** Of each pair, the left cell's index; its right neighbour belongs to it. Of a pair, one cell is lit. */
+  /** Index of each pair's left cell; the right cell is its neighbour. Exactly one cell of a pair is lit. */
   pairs: number[];
   /** Cells of the ring around the pairs. */
   ring: number[];
@@ -11,30 +11,30 @@ export interface Pattern {
 
 /** A kind of code. */
 export interface Kind {
-  /** Of the ring's cells, which are lit. */
+  /** For each cell of the ring, whether it is lit. */
   lit: boolean[];
   /** Whether a lit cell is lit up to its edges; LEDs leave gaps. */
   isFilled: boolean;
 }
 
-/** What cells are, as far as it is known before a code is read. */
+/** Role of a cell, which is known before a code is read: dark, lit, or left or right in a pair. */
 export enum Cell { Dark, Lit, Left, Right }
 
-/** Expected step from a cell to its neighbour, independent of the code's value: 0, the code's light, or that light up or down. */
+/** Expected step of light from a cell to its neighbour, for any value of the code: 0, the code's light, or that light up or down. */
 export enum Expected { Level, Rise, Pair }
 
-/** Cells that touch, of which it is known how their light differs. Lengths in sides of the code. */
+/** Expected step of light between two adjacent cells. Lengths are in sides of the code. */
 export interface Step {
-  /** Middle between where they are looked at, right and down from the top left corner. */
+  /** Midpoint of the two samples, right and down from the top left corner. */
   x: number;
   y: number;
-  /** From where one is looked at to where the other is, at most; towards the brighter one. */
+  /** Maximum distance between the two samples, towards the brighter cell. */
   dx: number;
   dy: number;
   expected: Expected;
 }
 
-/** What each cell of a code is; around it all is dark. */
+/** Returns the role of each cell of a code. Cells outside the code are dark. */
 export function cellAt({ side, pairs, ring }: Pattern, { lit }: Kind): (row: number, column: number) => Cell {
   const cells = new Array<Cell>(side * side);
   ring.forEach((cell, i) => { cells[cell] = lit[i] ? Cell.Lit : Cell.Dark; });
@@ -42,7 +42,7 @@ export function cellAt({ side, pairs, ring }: Pattern, { lit }: Kind): (row: num
   return (row, column) => row < 0 || column < 0 || row >= side || column >= side ? Cell.Dark : cells[row * side + column];
 }
 
-/** All edges between neighbours, and those between the ring and what is around it: `visit` gets a cell and the one right of it, or below. */
+/** Calls `visit` for each edge between adjacent cells, including the code's outer edge: with a cell and its right or lower neighbour. */
 export function eachEdge(side: number, visit: (row: number, column: number, nextRow: number, nextColumn: number) => void): void {
   for (let line = 0; line <= side; line++)
     for (let at = 0; at < side; at++) {
@@ -52,14 +52,14 @@ export function eachEdge(side: number, visit: (row: number, column: number, next
 }
 
 /**
- * Around LEDs is a housing that may be no wider than half a gap between them, before a scene that may be brighter than they are. So of
- * steps from outside of a code, the outer light is looked at this near to the edge where the inner one is looked at in a cell's middle.
+ * Distance in cells from a code's edge at which light outside of it is sampled; inside, it is sampled in a cell's middle, at 0.5. The
+ * housing around LEDs may be as narrow as half a gap between them, and the scene behind it may be brighter than the LEDs.
  */
 const outside = 0.3;
-/** For this purpose, a step is moved inwards by this distance and shortened to this length. */
+/** Shift inwards and length of a step across the outer edge, in cells, that result from this distance. */
 export const outer = { inwards: (0.5 - outside) / 2, length: 0.5 + outside };
 
-/** The steps of a kind of code that are known. */
+/** Returns the expected steps of a kind of code. */
 export function stepsOf(pattern: Pattern, kind: Kind): Step[] {
   const { side } = pattern, steps: Step[] = [], at = cellAt(pattern, kind);
   eachEdge(side, (row, column, nextRow, nextColumn) => {

@@ -7,14 +7,17 @@ import { PNG } from 'pngjs';
 import type { Grey } from './levels';
 import { checkSize, isJpeg, isPng } from './pictureSize';
 
-// The codecs know a browser's class, which Node lacks.
+// The codecs need a class of browsers that Node lacks.
 (globalThis as { ImageData?: unknown }).ImageData ??= class {
   constructor(readonly data: Uint8ClampedArray, readonly width: number, readonly height: number) { }
 };
 
 let isDecoding = false, isEncoding = false;
 
-/** A PNG or JPEG file in grey. Throws with what is wrong with it. Turned as the sensor saw it: its rows are then rows of the exposure. */
+/**
+ * Reads a PNG or JPEG file as grey levels. Throws an error that names the defect. Ignores the orientation that the file states, so that
+ * rows of the picture are rows of the exposure.
+ */
 export async function readPicture(path: string): Promise<Grey> {
   const bytes = readFileSync(path);
   if (bytes.length === 0) throw new Error('the file is empty');
@@ -23,14 +26,14 @@ export async function readPicture(path: string): Promise<Grey> {
   try {
     return greyOf(isPng(bytes) ? PNG.sync.read(bytes) : await readJpeg(bytes));
   } catch {
-    // What decoders throw says nothing to who has the file, and need not be an error with words.
+    // Decoders' errors do not help a user, and may have no message.
     throw new Error('the picture is damaged or cut off');
   }
 }
 
 async function readJpeg(bytes: Buffer): Promise<ImageData> {
   if (!isDecoding) await initDecoder(new WebAssembly.Module(decoder));
-  // One that has thrown is not used again.
+  // A decoder that has thrown is not used again.
   isDecoding = false;
   const picture = await decodeJpeg(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length) as ArrayBuffer);
   isDecoding = true;
@@ -58,7 +61,7 @@ function writePng(path: string, { width, height, data }: Grey): void {
   writeFileSync(path, PNG.sync.write(png, { colorType: 0, inputColorType: 0, deflateLevel: 1, filterType: 1 }));
 }
 
-/** Rec. 601 luma: what the picture's own JPEG coding took for brightness. */
+/** Converts to Rec. 601 luma, the brightness that JPEG encodes. */
 function greyOf({ width, height, data }: { width: number; height: number; data: Uint8Array | Uint8ClampedArray }): Grey {
   const grey = new Uint8Array(width * height);
   for (let i = 0, j = 0; i < grey.length; i++, j += 4) grey[i] = (77 * data[j] + 150 * data[j + 1] + 29 * data[j + 2]) >> 8;

@@ -1,10 +1,10 @@
-/** Maximum size, as of phone cameras: a decoded picture needs four bytes per pixel, and there are several workers. */
-const mostMegapixels = 110;
+/** Maximum size: that of phone cameras. A decoded picture needs four bytes per pixel, and there are several workers. */
+const maxMegapixels = 110;
 
-/** Throws if a PNG or JPEG file is too large according to its header, or ends before its size. */
+/** Throws if a PNG or JPEG file is too large according to its header, or is truncated. */
 export function checkSize(bytes: Buffer): void {
   const [width, height] = isPng(bytes) ? pngSize(bytes) : jpegSize(bytes);
-  if (width * height > mostMegapixels * 1e6) throw new Error(`${width}x${height} pixels are too many; at most ${mostMegapixels} megapixels are read`);
+  if (width * height > maxMegapixels * 1e6) throw new Error(`${width}x${height} pixels are too many; at most ${maxMegapixels} megapixels are read`);
 }
 
 export const isPng = (bytes: Buffer) => bytes.subarray(0, 4).equals(Buffer.from([0x89, 0x50, 0x4e, 0x47]));
@@ -12,19 +12,19 @@ export const isPng = (bytes: Buffer) => bytes.subarray(0, 4).equals(Buffer.from(
 export const isJpeg = (bytes: Buffer) => bytes[0] === 0xff && bytes[1] === 0xd8;
 
 function pngSize(bytes: Buffer): [number, number] {
-  // Signature, then length and name of the first chunk.
+  // The size follows the signature and the length and name of the first chunk.
   if (bytes.length < 24) throw cutOff();
   return [bytes.readUInt32BE(16), bytes.readUInt32BE(20)];
 }
 
-/** What the frame says. Decoders make up what is missing of a file, so its end is looked for, too. */
+/** Returns the size that the frame states. Also requires the end of the image, because decoders invent missing data. */
 function jpegSize(bytes: Buffer): [number, number] {
   const frame = segment(bytes, isFrame), scan = segment(bytes, marker => marker === startOfScan);
   if (bytes.indexOf(endOfImage, scan) < 0) throw cutOff();
   return [bytes.readUInt16BE(frame + 7), bytes.readUInt16BE(frame + 5)];
 }
 
-/** Where the first segment of a kind starts: from one marker to the next. What an embedded picture has lies within a segment. */
+/** Returns the start of the first segment of a kind. Moves from marker to marker, because embedded pictures lie within segments. */
 function segment(bytes: Buffer, isWanted: (marker: number) => boolean): number {
   for (let at = 2; at + 9 <= bytes.length;) {
     const marker = bytes[at + 1];
@@ -36,7 +36,7 @@ function segment(bytes: Buffer, isWanted: (marker: number) => boolean): number {
   throw cutOff();
 }
 
-/** C4, C8 and CC among them are tables. */
+/** C4, C8 and CC are in the range of frame markers but do not mark frames. */
 const isFrame = (marker: number) => marker >= 0xc0 && marker <= 0xcf && marker % 4 !== 0 || marker === 0xc0;
 
 const startOfScan = 0xda, endOfImage = Buffer.from([0xff, 0xd9]);

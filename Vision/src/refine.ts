@@ -2,47 +2,50 @@ import { centreOf, distance, grownBy, isPlausible, shiftedBy, sizeOf, turned, ty
 import type { Light } from './levels';
 import type { Agreement, Matcher } from './match';
 
-/** A quad taken for a code: its first corner is the code's top left one. */
+/** A quad that is assumed to be a code. Its first corner is the code's top left one. */
 export interface Fit extends Agreement {
   quad: Quad;
   kind: number;
 }
 
-/** Where a code may lie about a candidate: its size, and how far away, in cells. */
+/** Starting points around a candidate: factors of its size, and shifts in cells. */
 const sizes = [0.8, 0.9, 1, 1.1, 1.2], shifts = [-1, 0, 1];
-/** Of these the best are followed. */
+/** Number of the best starting points that are refined. */
 const followed = 2;
 
-/** Steps of the corners, in cells, by the outer edge alone. */
+/** Step sizes of the corners in cells, for the fit by the outer edge alone. */
 const outerSteps = [0.5, 0.25];
-/** The same by all steps of light, from a row more or less to what no longer matters, and how far from cells' edges light is looked at. */
+/**
+ * Step sizes of the corners for the fit by all steps of light, from one row down to a negligible size, each with the distance from the
+ * cells' edges at which light is sampled. All in cells.
+ */
 const steps = [[1, 0.4], [0.5, 0.35], [0.25, 0.3], [0.12, 0.25], [0.06, 0.2]];
 
-/** In the middle of cells. What lies farther from their edges is seen from farther off, but before structured scenes spoilt more often. */
+/** The middle of cells. A larger distance finds codes from farther off, but structured scenes disturb it more often. */
 const middle = 0.5;
-/** Of codes that are in place: for telling which way up they are. */
+/** Sampling distance for codes whose position is known, to determine kind and orientation. */
 const inPlace = 0.3;
 
-/** Farther than this a corner is not moved, in cells: it would be looking for another code. */
-const farthest = 2.4;
+/** Maximum distance in cells by which a corner is moved. Beyond it, the search would move to another code. */
+const maxDistance = 2.4;
 
-/** Of the steps of light, by how much more must agree with one kind and turn than with any other: kinds differ in 0.08 of them. */
-const leastLead = 0.02;
+/** Minimum lead of the best kind and orientation in the share of agreeing steps. Kinds differ in 0.08 of the steps. */
+const minLead = 0.02;
 
-/** Moves a quad's corners to where a code of some kind fits best. For pictures that are smooth at the size of a cell. */
+/** Moves a quad's corners to the best fit of any kind of code. Expects a picture that is smooth at the size of a cell. */
 export class Refiner {
   readonly #matcher: Matcher;
   readonly #isFilled: boolean[];
   readonly #picture: Light;
 
-  /** @param isFilled Of each kind, whether cells are lit up to their edges. Where they are not, light is looked at in their middle. */
+  /** @param isFilled For each kind, whether cells are lit up to their edges. If not, light is sampled in their middle. */
   constructor(matcher: Matcher, isFilled: boolean[], picture: Light) {
     this.#matcher = matcher;
     this.#isFilled = isFilled;
     this.#picture = picture;
   }
 
-  /** What a candidate might be, by its outer edge: the best first. */
+  /** Returns the best fits of a candidate by its outer edge, the best first. */
   guesses(candidate: Quad): Fit[] {
     const cell = sizeOf(candidate) / this.#matcher.side;
     const outer = (quad: Quad) => ({ quad, ...this.#matcher.outerAgreement(this.#picture, quad) });
@@ -53,17 +56,17 @@ export class Refiner {
       .sort(byScore);
   }
 
-  /** @param fit The assumed code. Its kind and orientation change only if the found position requires it. */
+  /** @param fit The assumed code. Its kind and orientation change only if another one agrees better at the refined position. */
   refine(fit: Fit): Fit {
     const found = this.#refined(fit, steps), best = this.#alternatives(found.quad, middle)[0];
     const isSame = best.kind === found.kind && best.quad[0] === found.quad[0];
     return isSame ? found : this.#refined(best, steps.slice(-3));
   }
 
-  /** Whether it can be nothing else, or the same another way up. */
+  /** Whether no other kind and no other orientation agrees almost as well. */
   isClear(fit: Fit): boolean {
     const [first, second] = this.#alternatives(fit.quad, this.#reach(fit.kind, inPlace));
-    return first.kind === fit.kind && first.quad[0] === fit.quad[0] && first.share - second.share > leastLead;
+    return first.kind === fit.kind && first.quad[0] === fit.quad[0] && first.share - second.share > minLead;
   }
 
   #refined(fit: Fit, stepsToTake: number[][]): Fit {
@@ -71,12 +74,12 @@ export class Refiner {
     let best = fit;
     for (const [step, reach] of stepsToTake) {
       const at = (quad: Quad) => ({ quad, kind, ...this.#matcher.agreement(this.#picture, quad, kind, this.#reach(kind, reach)) });
-      best = climb(at(best.quad), step * cell, 3, at, quad => quad.every((p, i) => distance(p, fit.quad[i]) <= farthest * cell));
+      best = climb(at(best.quad), step * cell, 3, at, quad => quad.every((p, i) => distance(p, fit.quad[i]) <= maxDistance * cell));
     }
     return isPlausible(best.quad, 5 * this.#matcher.side) ? best : fit;
   }
 
-  /** As each kind and turn, the best first. */
+  /** Returns the quad as each kind in each orientation, the best first. */
   #alternatives(quad: Quad, reach: number): Fit[] {
     const { light } = this.#matcher.outerAgreement(this.#picture, quad);
     return [0, 1, 2, 3].flatMap(turns => this.#isFilled.map((_, kind) => {
@@ -122,7 +125,7 @@ const rotated = (sign: number): Move => (quad, by) => {
 };
 
 const edged = (side: number, sign: number): Move => (quad, by) => {
-  // Both of a side's corners, away from the opposite side or towards it.
+  // Moves both corners of a side away from the opposite side or towards it.
   const next = (side + 1) & 3, across = [(side + 3) & 3, (side + 2) & 3];
   return quad.map((p, i) => {
     if (i !== side && i !== next) return p;

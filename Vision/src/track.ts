@@ -2,7 +2,7 @@ import type { Mat } from '@techstark/opencv-js';
 import type { Grey } from './levels';
 import { cv } from './opencv';
 
-/** Pixels from the top left corner of the picture. */
+/** A patch in pixels from the top left corner of the picture. */
 export interface Box {
   x: number;
   y: number;
@@ -10,7 +10,7 @@ export interface Box {
   height: number;
 }
 
-/** Where the middle of a patch is, and how well it matches: 1 is exactly. */
+/** Position of a patch's centre in px, and its correlation: 1 is an exact match. */
 export interface Place {
   x: number;
   y: number;
@@ -18,11 +18,11 @@ export interface Place {
 }
 
 /** Search range around the last position, as a share of the patch's size, and its minimum in px. */
-const REACH = 0.75, LEAST_REACH = 24;
+const REACH = 0.75, MIN_REACH = 24;
 
 /**
- * Follows patches of the first picture through the next ones by normalised cross-correlation, finer than a pixel. The patches are
- * always those of the first picture, so that errors do not add up.
+ * Follows patches of the first picture through the next ones by normalised cross-correlation, with a resolution below a pixel. The
+ * patches are always those of the first picture, so that errors do not add up.
  */
 export class Tracker {
   private readonly patches: { template: Mat; left: number; top: number }[];
@@ -43,7 +43,7 @@ export class Tracker {
     try {
       return this.patches.map(patch => {
         const { cols: width, rows: height } = patch.template;
-        const reachX = Math.max(LEAST_REACH, Math.round(REACH * width)), reachY = Math.max(LEAST_REACH, Math.round(REACH * height));
+        const reachX = Math.max(MIN_REACH, Math.round(REACH * width)), reachY = Math.max(MIN_REACH, Math.round(REACH * height));
         const left = Math.max(0, Math.round(patch.left) - reachX), top = Math.max(0, Math.round(patch.top) - reachY);
         const right = Math.min(grey.width, Math.round(patch.left) + width + reachX), bottom = Math.min(grey.height, Math.round(patch.top) + height + reachY);
         const around = picture.roi(new cv.Rect(left, top, right - left, bottom - top));
@@ -71,7 +71,7 @@ function matOf({ width, height, data }: Grey): Mat {
   return mat;
 }
 
-/** The greatest score, and its place between pixels by a parabola along each axis. */
+/** Returns the maximum score and its position, interpolated between pixels by a parabola along each axis. */
 function peak(scores: Mat): { best: number; x: number; y: number } {
   const { cols, rows, data32F: data } = scores;
   let at = 0;

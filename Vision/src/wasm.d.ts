@@ -1,4 +1,4 @@
-/** The bundler puts the bytes in. */
+/** Content of the file, which the bundler inserts. */
 declare module '*.wasm' {
   const bytes: Uint8Array<ArrayBuffer>;
   export default bytes;

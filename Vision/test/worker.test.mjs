@@ -1,4 +1,4 @@
-// The bundled worker as the command line uses it: a pattern, then pictures that it renders and reads.
+// Runs the bundled worker like the command line: sends a pattern, then pictures that the worker renders and reads.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { dirname, join } from 'node:path';
@@ -44,7 +44,7 @@ async function ask(...requests) {
   return text.trim().split('\n').slice(1).map(line => JSON.parse(line));
 }
 
-test('both codes are found, whichever way up, and their cells read', async () => {
+test('finds both codes in any orientation and reads their cells', async () => {
   const [{ codes }] = await ask({ shot: shot([control, headset]) });
 
   assert.deepEqual(codes.map(code => code.kind).sort(), ['Control', 'Headset']);
@@ -55,7 +55,7 @@ test('both codes are found, whichever way up, and their cells read', async () =>
   }
 });
 
-test('a weak hologram is found before scenes with edges as bright as itself, and its cells are read', async () => {
+test('finds and reads a weak hologram in front of scenes with equally bright edges', async () => {
   const weak = { ...headset, light: 0.25 };
   const answers = await ask(...Array.from({ length: 12 }, (_, scene) => ({ shot: { ...shot([weak]), scene, sceneLight: 0.9 } })));
 
@@ -66,7 +66,7 @@ test('a weak hologram is found before scenes with edges as bright as itself, and
   assert.ok(read.length >= 11, `${read.length} of ${answers.length}`);
 });
 
-test('LEDs in a narrow housing are found before what is brighter than they are, and read', async () => {
+test('finds and reads LEDs in a narrow housing in front of a brighter board', async () => {
   const leds = { ...control, corners: square(400, 360, 76, 0.2), light: 0.3 };
   const board = { corners: square(400, 360, 220, 0.2), lit: Array(64).fill(1), light: 0.8, dot: 0, panel: null };
 
@@ -79,7 +79,7 @@ test('LEDs in a narrow housing are found before what is brighter than they are, 
   assert.equal(read.length, answers.length);
 });
 
-test('an interrupt, which reaches all programs of a terminal, does not end it', async () => {
+test('continues after an interrupt signal', async () => {
   const child = spawn('node', [worker], { stdio: ['pipe', 'pipe', 'inherit'] });
   const answers = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
   child.stdin.write(JSON.stringify({ pattern }) + '\n');
@@ -91,13 +91,13 @@ test('an interrupt, which reaches all programs of a terminal, does not end it', 
   assert.deepEqual(JSON.parse((await answers.next()).value).codes, []);
 });
 
-test('a picture without codes has none', async () => {
+test('finds no codes in a picture without codes', async () => {
   const [{ codes }] = await ask({ shot: shot([]) });
 
   assert.deepEqual(codes, []);
 });
 
-test('what cannot be read is an answer, and the next picture is looked at', async () => {
+test('answers a missing file with an error and reads the next picture', async () => {
   const [missing, next] = await ask({ file: '/nowhere/a.png' }, { shot: shot([control, headset]) });
 
   assert.match(missing.error, /no such file/);

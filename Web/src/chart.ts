@@ -6,7 +6,7 @@ const KEYS = 'Arrow keys move the cursor, plus and minus zoom, 0 resets.';
 const charts: Chart[] = [];
 
 export interface ChartOptions {
-  /** Says in words what the plot shows. */
+  /** Description of the plot for screen readers. */
   description: string;
   height: number;
   xLabel: string;
@@ -15,7 +15,7 @@ export interface ChartOptions {
   data: uPlot.AlignedData;
   bands?: uPlot.Band[];
   scales?: uPlot.Scales;
-  /** Zooms both axes; the vertical one follows the data otherwise. */
+  /** Whether both axes zoom. Otherwise, the vertical one follows the data. */
   zoomY?: boolean;
   draw?: (u: uPlot) => void;
   /** Called when the cursor moves; with null when it leaves. */
@@ -44,7 +44,7 @@ export class Chart {
     this.setRange(this.full.x, this.full.y);
   }
 
-  /** Puts the cursor on a place of the horizontal axis; takes it away where that is not shown. */
+  /** Moves the cursor to a position of the horizontal axis. Removes it if the position is not shown. */
   pointAt(x: number): void {
     const left = this.plot.valToPos(x, 'x'), isShown = left >= 0 && left <= this.plot.over.clientWidth;
     this.plot.setCursor(isShown ? { left, top: this.plot.over.clientHeight / 2 } : { left: -10, top: -10 });
@@ -158,7 +158,7 @@ function tick(value: number): string {
 const redrawAll = () => charts.forEach(c => c.plot.redraw(false));
 onColoursChanged(redrawAll);
 
-// A canvas does not follow the narrower page and the light colours of a print by itself.
+// A canvas does not adapt to the narrower page and the light colours of a print without help.
 function print(printing: boolean): void {
   document.documentElement.classList.toggle('printing', printing);
   charts.forEach(c => c.fit());

@@ -1,7 +1,7 @@
 type Attributes = Record<string, string | number | boolean | null | undefined>;
 type Child = Node | string | null | undefined;
 
-/** Text goes in as text, never as markup: names in the data are a user's. */
+/** Creates an element. Text is never interpreted as markup, because names in the data come from users. */
 export function el<K extends keyof HTMLElementTagNameMap>(
   tag: K,
   attributes: Attributes = {},
@@ -19,7 +19,7 @@ export function el<K extends keyof HTMLElementTagNameMap>(
 export function svg(tag: string, attributes: Attributes, ...children: Node[]): SVGElement {
   const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
   for (const [name, value] of Object.entries(attributes)) {
-    // The page's content security policy refuses the attribute, and allows the property.
+    // The page's content security policy forbids the attribute and allows the property.
     if (name === 'style') element.style.cssText = String(value);
     else element.setAttribute(name, String(value));
   }

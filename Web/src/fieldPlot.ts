@@ -15,12 +15,12 @@ export interface Path {
   shown: boolean;
 }
 
-/** Latency against speed with curves of equal error e = v·L, and where the run was with and without compensation. */
+/** Plots the run's operating points, latency against speed, with and without compensation, over curves of equal error e = v·L. */
 export function fieldPlot(field: FieldData, description: string): { chart: Chart; legend: Legend } {
   return operatingPlot(pathsOf(field), field.iso_mm ?? [], description);
 }
 
-/** Paths of operating points over curves of equal error, mm. */
+/** Plots operating points over curves of equal error, mm. */
 export function operatingPlot(paths: Path[], isoMm: number[], description: string): { chart: Chart; legend: Legend } {
   const { latency, speed } = extents(paths);
 
@@ -37,7 +37,7 @@ export function operatingPlot(paths: Path[], isoMm: number[], description: strin
     height: 340,
     xLabel: 'latency (ms)',
     yLabel: 'speed (mm/s)',
-    // Everything is painted by hand: uPlot keeps one value per x, and two samples may share a latency.
+    // The points are painted here, because uPlot allows one value per x and two samples may have the same latency.
     series: [{}, { show: false }],
     data: [[0, latency], [0, speed]],
     scales: { x: { time: false, min: 0, max: latency }, y: { auto: false, min: 0, max: speed } },
@@ -55,8 +55,8 @@ export function pathsOf(field: FieldData): Path[] {
 }
 
 /**
- * Where the robot hardly moves, a latency found from its error can be anything: the plot is as wide as 95 of 100 points of
- * the first path need, which is the uncompensated one where there is one.
+ * Returns the initial extents of the plot. At low speed, a latency computed from the error is arbitrary, so the width covers 95 % of
+ * the points of the first path, which is the uncompensated one if there is one.
  */
 function extents(paths: Path[]): { latency: number; speed: number } {
   return {
@@ -69,7 +69,7 @@ function quantile(values: number[], share: number): number {
   return Float64Array.from(values).sort()[Math.ceil(share * values.length) - 1];
 }
 
-/** How many points lie outside what is shown at first. */
+/** Returns the number of points outside the initial extents. */
 export function beyond(field: FieldData): number {
   const paths = pathsOf(field), { latency, speed } = extents(paths);
   return paths.reduce((sum, { points }) =>
@@ -107,14 +107,14 @@ function paintCurve(u: uPlot, error: number): void {
   ctx.setLineDash([]);
 }
 
-/** Uncompensated points are hollow squares, compensated ones filled: they differ in shape as well as in colour. */
+/** Paints uncompensated points as hollow squares and compensated ones as filled ones, so that they differ in shape, too. */
 function paintPoints(u: uPlot, path: Path): void {
   const { ctx, bbox } = u;
   const { latency_ms, speed } = path.points;
-  // A handful can be larger than thousands.
+  // Few points are drawn larger.
   const isFew = latency_ms.length < FEW, size = (isFew ? 7 : 4) * devicePixelRatio;
   const squares = new Path2D();
-  // One square a pixel: an hour's points lie in thousands on each other.
+  // At most one square per pixel, because thousands of an hour's points coincide.
   const stride = Math.ceil(bbox.width) + 1, taken = new Uint8Array(stride * (Math.ceil(bbox.height) + 1));
   for (let i = 0; i < latency_ms.length; i++) {
     const x = Math.round(u.valToPos(latency_ms[i], 'x', true) - bbox.left);
@@ -135,7 +135,7 @@ function paintPoints(u: uPlot, path: Path): void {
   ctx.globalAlpha = 1;
 }
 
-/** On the diagonal of what is shown, which every curve crosses once, each at a place of its own. */
+/** Paints the label of a curve of equal error where it crosses the plot's diagonal. Each curve crosses it once, at a different point. */
 function paintLabel(u: uPlot, error: number): void {
   const { ctx, bbox } = u, ratio = devicePixelRatio;
   const on = (scale: 'x' | 'y', t: number) => u.scales[scale].min! + t * (u.scales[scale].max! - u.scales[scale].min!);

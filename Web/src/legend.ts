@@ -4,11 +4,11 @@ import type { Look } from './traces';
 export interface LegendEntry {
   label: string;
   look: Look;
-  /** Absent where the entry only explains and cannot be switched off. */
+  /** Absent if the trace cannot be switched off. */
   toggle?: (shown: boolean) => void;
 }
 
-/** Names each trace, switches it on and off, and shows its value at the cursor. */
+/** Legend of a plot: names each trace, switches it on and off, and shows its value at the cursor. */
 export class Legend {
   readonly element: HTMLElement;
   private readonly values: HTMLElement[];

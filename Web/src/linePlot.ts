@@ -17,7 +17,7 @@ export interface Mark {
   x: number;
 }
 
-/** A stretch of the horizontal axis. */
+/** A range of the horizontal axis. */
 export type Span = [from: number, to: number];
 
 export interface LinePlotOptions {
@@ -26,23 +26,23 @@ export interface LinePlotOptions {
   yLabel: string;
   unit: string;
   traces: Trace[];
-  /** What runs to the right; time in seconds where it is not said. */
+  /** Quantity of the horizontal axis; time in seconds if absent. */
   x?: Quantity;
   /** Named vertical lines. */
   marks?: Mark[];
   /** Ranges shaded from top to bottom. */
   spans?: Span[];
-  /** Fills between a trace and its mirror. */
+  /** Colour of the area between a trace and its mirror. */
   band?: Ink;
-  /** The vertical axis begins at 0. */
+  /** Whether the vertical axis begins at 0. */
   fromZero?: boolean;
-  /** Shared with other plots over the same time. */
+  /** Playhead shared with other plots over the same time. */
   playhead?: Playhead;
   /** Length of the vertical axis in each direction, even if data exceed it. */
   yExtent?: number;
 }
 
-/** Signals over time or another quantity. Each has values of its own to the right; the cursor shows each one's value there. */
+/** Plots signals over time or another quantity. Each signal has its own points; the cursor shows the value of each. */
 export function linePlot(options: LinePlotOptions): { chart: Chart; legend: Legend } {
   const { traces, unit } = options;
   const data = uPlot.join(traces.map(t => [t.t, t.v] as uPlot.AlignedData));
@@ -123,7 +123,7 @@ function paintMarks(u: uPlot, marks: Mark[]): void {
     ctx.moveTo(at, bbox.top);
     ctx.lineTo(at, bbox.top + bbox.height);
     ctx.stroke();
-    // Left of its line if there is space: the interesting data are on the right of a limit.
+    // The label is left of its line if there is space, because the interesting data are on the right of a limit.
     const gap = 5 * ratio, fits = at - gap - ctx.measureText(label).width >= bbox.left;
     ctx.textAlign = fits ? 'right' : 'left';
     ctx.fillText(label, fits ? at - gap : at + gap, bbox.top + 14 * ratio);
@@ -189,7 +189,7 @@ function bandsOf(traces: Trace[], ink: Ink): uPlot.Band[] {
   return [{ series: [upper + 1, upper + 2], fill: () => colour(ink) as unknown as CanvasRenderingContext2D['fillStyle'] }];
 }
 
-/** The value held at a time: the newest at or before it for a stepped trace, the nearest otherwise. */
+/** Returns a trace's value at a time: for a stepped trace the newest at or before it, otherwise the nearest. */
 function valueAt(trace: Trace, time: number): number | null {
   const { t, v } = trace;
   let low = 0, high = t.length - 1;

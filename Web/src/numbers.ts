@@ -2,7 +2,7 @@ import type { Value } from './data';
 
 const MINUS = '\u2212';
 
-/** Three significant digits, as many as a measurement of this sort carries; integers keep all theirs. */
+/** Formats a number with three significant digits, which is the precision of these measurements. Integers keep all digits. */
 export function format(value: Value | undefined, unit = ''): string {
   if (value == null || !Number.isFinite(value)) return '–';
   const size = Math.abs(value);
@@ -20,7 +20,7 @@ export interface Statistics {
   p95: number;
 }
 
-/** Of the numbers among the values; p95 is of their magnitudes. Null where there is none. */
+/** Computes the statistics of the numbers among the values; p95 is that of their magnitudes. Null if there are no numbers. */
 export function statistics(values: ArrayLike<Value>): Statistics | null {
   const numbers = Array.from(values).filter((v): v is number => v != null && Number.isFinite(v));
   if (numbers.length === 0) return null;

@@ -15,7 +15,7 @@ const LEGEND: Record<Part, { label: string; look: Look }> = {
   hold: { label: 'uncompensated', look: { ink: '--hold', width: 2, dash: [], mark: 'filled' } },
 };
 
-/** The session once more: the robot as it was, as it was displayed and as it would have been without compensation. */
+/** Plays the session: the true robot, the displayed one, and the one that would have been displayed without compensation. */
 export class Playback {
   readonly element: HTMLElement;
   private readonly view = new RobotView('The robot of this session as it was, as it was displayed, and without compensation, at one moment.');
@@ -98,7 +98,7 @@ export class Playback {
   }
 }
 
-/** Of the newest instant at or before a time; the first where there is none. */
+/** Returns the index of the newest instant at or before a time, or 0 if there is none. */
 function indexAt(t: number[], time: number): number {
   let low = 0, high = t.length - 1;
   while (low < high) {

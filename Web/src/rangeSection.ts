@@ -11,8 +11,8 @@ export function rangeSection(range: RangeData, playhead?: Playhead): HTMLElement
   const options: FigureOptions = {
     id: 'range',
     title: 'Constant-latency range',
-    claim: 'While frames are rendered within the limit, the visualisation latency stays as calibrated; beyond, frames miss the display’s refresh, '
-      + 'and the runtime says so (shaded).',
+    claim: 'While frames are rendered within the limit, the visualisation latency stays as calibrated. Beyond it, frames miss the display’s '
+      + 'refresh, which the headset reports (shaded).',
     source: 'Fig. 10',
   };
   const render = trace('render time', LOOKS.compensated, range.t, range.render_ms);

@@ -30,7 +30,7 @@ export function jointSection(joint: JointData | null | undefined, playhead?: Pla
   const options: FigureOptions = {
     id: 'joint',
     title: joint?.name ? `Joint position: ${joint.name}` : 'Joint position',
-    claim: 'What arrives is late and stepped; the prediction follows the ground truth and strays where the acceleration changes.',
+    claim: 'Samples arrive late and in steps; the prediction follows the ground truth and deviates where the acceleration changes.',
     source: 'Fig. 16',
   };
   const signal = (label: string, look: Trace['look'], s: Signal | null | undefined) => trace(label, look, s?.t, s?.v);
@@ -68,7 +68,8 @@ export function clockSection(clock: ClockData | null | undefined, playhead?: Pla
   const options: FigureOptions = {
     id: 'clock',
     title: 'Clock synchronisation',
-    claim: 'The headset learns the offset between its clock and the control clock over the network, and how wrong it may be; the paper reports less than 1 ms.',
+    claim: 'The headset estimates the offset between its clock and the control clock over the network, with an error bound; '
+      + 'the paper reports less than 1 ms.',
     source: 'Fig. 8',
   };
   const negative = clock?.bound_us?.map(b => (b == null ? null : -b));
@@ -80,7 +81,7 @@ export function clockSection(clock: ClockData | null | undefined, playhead?: Pla
   ].flat();
   if (offset.length + error.length === 0) return notMeasured(options);
   const extent = errorExtent(clock!);
-  const widest = greatestSize(error.flatMap(t => t.v));
+  const widest = maxMagnitude(error.flatMap(t => t.v));
   const note = widest > extent ? ` The error is shown up to ${format(extent, 'µs')}; it or its bound reaches ${format(widest, 'µs')}.` : '';
   const plots = [];
   if (offset.length > 0) plots.push(linePlot({
@@ -94,15 +95,15 @@ export function clockSection(clock: ClockData | null | undefined, playhead?: Pla
 }
 
 /**
- * The bound, and the error of the first exchanges, are many times the error of a clock that has settled, and would leave
- * that one a flat line. At least the millisecond the paper reports.
+ * Returns the extent of the clock error's axis, at least the 1 ms that the paper reports. It is that of the settled clock, because the
+ * bound and the error of the first exchanges are many times larger and would make the settled error a flat line.
  */
 function errorExtent({ t, error_us: error }: ClockData): number {
   const settled = t[0] + Math.min(10, (t[t.length - 1] - t[0]) / 2);
-  return Math.max(1000, 1.5 * greatestSize(error?.filter((_, i) => t[i] >= settled) ?? []));
+  return Math.max(1000, 1.5 * maxMagnitude(error?.filter((_, i) => t[i] >= settled) ?? []));
 }
 
-function greatestSize(values: Value[]): number {
+function maxMagnitude(values: Value[]): number {
   return values.reduce<number>((greatest, v) => Math.max(greatest, Math.abs(v ?? 0)), 0);
 }
 

@@ -2,7 +2,7 @@ import type { Fact, SummaryRow } from './data';
 import { el } from './dom';
 import { format, type Statistics } from './numbers';
 
-/** Scrolls by itself where it is wider than the window, with the keyboard too. */
+/** Wraps a table so that it scrolls if it is wider than the window, also with the keyboard. */
 export function scrollable(caption: string, table: HTMLTableElement): HTMLElement {
   return el('div', { class: 'table', role: 'region', 'aria-label': caption, tabindex: 0 }, table);
 }
@@ -30,7 +30,7 @@ function change(row: SummaryRow): string {
   return reduction == null ? '–' : `${reduction > 0 ? '\u2212' : '+'}${format(Math.abs(100 * reduction), '%')}`;
 }
 
-/** 1 − compensated / uncompensated; null where either is missing. */
+/** Returns 1 − compensated / uncompensated; null if either is missing. */
 export function reductionOf(row: SummaryRow): number | null {
   const { uncompensated, compensated } = row;
   return uncompensated == null || compensated == null || uncompensated === 0 ? null : 1 - compensated / uncompensated;

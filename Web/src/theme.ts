@@ -1,4 +1,4 @@
-/** Colours come from the style sheet, so that page and canvas follow the same light, dark and print rules. */
+/** Names of the style sheet's colours. Page and canvas thus follow the same rules for light, dark and print. */
 export type Ink =
   | '--ink' | '--muted' | '--grid' | '--surface'
   | '--hold' | '--compensated' | '--truth' | '--band' | '--alarm'

@@ -1,14 +1,14 @@
 import type { Ink } from './theme';
 
 /**
- * The look of a signal, the same on every plot. Traces differ in lightness, width and dash, so that they can be distinguished without
+ * Style of a signal, the same on every plot. Traces differ in lightness, width and dash, so that they can be distinguished without
  * colour vision and on a grey print.
  */
 export interface Look {
   ink: Ink;
   width: number;
   dash: number[];
-  /** Drawn as squares instead of a line. */
+  /** Draws squares instead of a line. */
   mark?: 'hollow' | 'filled';
 }
 
@@ -26,14 +26,14 @@ export interface Trace {
   look: Look;
   t: number[];
   v: (number | null)[];
-  /** Holds each value until the next, with a point where it was taken. */
+  /** Holds each value until the next, with a point at its time. */
   stepped?: boolean;
   /** Marks each point. */
   marked?: boolean;
-  /** Points only, no line between them. */
+  /** Draws points without a line between them. */
   scattered?: boolean;
   /** Half length of a bar across each point. */
   deviation?: (number | null)[];
-  /** Draws with this trace and is shown and hidden with it: the other edge of a band. */
+  /** The other edge of the previous trace's band. It is shown and hidden with that trace. */
   mirror?: boolean;
 }

@@ -1,4 +1,4 @@
-// The page in Chromium, loaded from a file, with a record of all errors.
+// Opens a page in Chromium from a file and records all errors.
 import { accessSync, constants, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { delimiter, join } from 'node:path';
@@ -12,7 +12,7 @@ export const NO_WEBGL = ['--disable-gpu', '--disable-3d-apis'];
 
 const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync'];
-// The headless shell comes first: the full browser starts window processes for each page, although no window is visible.
+// The headless shell is preferred: the full browser starts window processes for each page, although no window is visible.
 const NAMES = ['chromium-headless-shell', 'chromium', 'chromium-browser', 'google-chrome', 'chrome'];
 const read = name => readFileSync(new URL(`../dist/${name}.html`, import.meta.url), 'utf8');
 

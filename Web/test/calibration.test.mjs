@@ -31,8 +31,8 @@ const inked = (page, plot, ink) => page.locator('.plot canvas').nth(plot).evalua
   return { tallest, columns };
 }, ink);
 
-describe('the page of a calibration', () => {
-  it('opens without a complaint or a request, with the outcome first', async () => {
+describe('the calibration page', () => {
+  it('opens without an error or a request, with the result first', async () => {
     const page = await browser.open(calibration());
 
     assert.deepEqual(page.complaints, []);
@@ -41,13 +41,13 @@ describe('the page of a calibration', () => {
     assert.deepEqual(await texts(page, 'table.facts tbody td'), ['40.00 ms', 'HoloLens 2']);
   });
 
-  it('shows what to know before trusting it', async () => {
+  it('shows its warnings', async () => {
     const page = await browser.open(calibration({ warnings: ['limit not reached: sweep on'] }));
 
     assert.deepEqual(await texts(page, '.warning'), ['limit not reached: sweep on']);
   });
 
-  it('draws a bar of the deviation across each mean that has one', async () => {
+  it('draws an error bar at each mean with a deviation', async () => {
     const bars = await inked(await browser.open(calibration()), 0, '--adaptive');
     const none = calibration();
     none.sections[0].plots[0].traces[0].deviation = null;
@@ -74,7 +74,7 @@ describe('the page of a calibration', () => {
     assert.deepEqual(await texts(page, 'details tbody td'), ['40', '41', '–']);
   });
 
-  it('has its plots in the colours of their signals in the dark, too', async () => {
+  it('draws plots in the colours of their signals in the dark scheme', async () => {
     const page = await browser.open(calibration(), { colorScheme: 'dark' });
 
     assert.ok(await hasInk(page, 0, '--adaptive'));

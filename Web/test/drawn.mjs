@@ -1,6 +1,6 @@
 const LIMIT_MS = 20_000;
 
-/** Takes pictures of a page until one is as expected, because a slow machine draws late. Returns the last picture if none is. */
+/** Takes pictures until one is as expected, because slow machines draw late. Returns the last one if none is. */
 export async function drawn(look, isExpected) {
   for (const end = performance.now() + LIMIT_MS; ;) {
     const seen = await look();

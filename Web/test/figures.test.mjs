@@ -13,8 +13,8 @@ after(() => browser.stop());
 
 const texts = (page, selector) => page.locator(selector).allInnerTexts();
 
-describe('the page of figures', () => {
-  it('opens without a complaint or a request', async () => {
+describe('the figures page', () => {
+  it('opens without an error or a request', async () => {
     const page = await browser.open(figures());
 
     assert.deepEqual(page.complaints, []);
@@ -29,7 +29,7 @@ describe('the page of figures', () => {
     assert.deepEqual(links, [['Fig. 4', true], ['Fig. 8', true], ['Fig. 13a', true], ['Fig. 16', true], ['Fig. 17', true]]);
   });
 
-  it('puts the claim of the paper beside what is measured, and says which criteria are met in words', async () => {
+  it('shows the paper\'s claim beside the measurement, with the met criteria in words', async () => {
     const page = await browser.open(figures());
 
     const words = await texts(page, '#fig-13a .words');
@@ -39,7 +39,7 @@ describe('the page of figures', () => {
     assert.deepEqual(signs, ['met:', 'not met:']);
   });
 
-  it('draws the plots in the colours of their signals, with units on the axes and numbers in words', async () => {
+  it('draws plots in the colours of their signals, with units on the axes and a description', async () => {
     const page = await browser.open(figures());
 
     assert.equal(await page.locator('.plot').count(), PLOTS);
@@ -90,7 +90,7 @@ describe('the page of figures', () => {
     assert.ok(drawings.every(d => d[2] > 150));
   });
 
-  it('has the data of each figure in a table with a caption, and a dash where there is none', async () => {
+  it('has the data of each figure in a table with a caption, and a dash for missing values', async () => {
     const page = await browser.open(figures());
 
     await page.locator('#fig-13a summary').click();
@@ -102,7 +102,7 @@ describe('the page of figures', () => {
     assert.equal(faults, 0);
   });
 
-  it('names each of its regions and gives no id twice', async () => {
+  it('names each region and has unique ids', async () => {
     const page = await browser.open(figures());
 
     const [unnamed, ids] = await page.evaluate(() => [
@@ -112,7 +112,7 @@ describe('the page of figures', () => {
     assert.equal(new Set(ids).size, ids.length);
   });
 
-  it('says which figures an interrupted run did not compute', async () => {
+  it('lists the figures that an interrupted run did not compute', async () => {
     const page = await browser.open({ ...figures(), missing: ['12', '18'] });
 
     assert.deepEqual(await texts(page, '.missing'), ['Not computed, the run was interrupted: Fig. 12, Fig. 18.']);
@@ -149,7 +149,7 @@ describe('any window and any text', () => {
     });
   }
 
-  it('keeps ours, the paper\u2019s and the uncompensated apart without hue, and all off the page', async () => {
+  it('distinguishes our, the paper\u2019s and the uncompensated signals by lightness, from each other and the page', async () => {
     for (const colorScheme of ['light', 'dark']) {
       const page = await browser.open(figures(), { colorScheme });
       const [adaptive, gp, quadratic, cubic, linear, surface] = await luminance(
@@ -161,7 +161,7 @@ describe('any window and any text', () => {
     }
   });
 
-  it('writes verdicts so that they can be read', async () => {
+  it('shows verdicts with sufficient contrast', async () => {
     for (const colorScheme of ['light', 'dark']) {
       const page = await browser.open(figures(), { colorScheme });
       const [met, partly, unmet, surface] = await luminance(page, ['--met', '--partly', '--unmet', '--surface']);
@@ -169,7 +169,7 @@ describe('any window and any text', () => {
     }
   });
 
-  it('prints light, with plots as wide as the page', async () => {
+  it('prints in the light scheme, with plots as wide as the page', async () => {
     const page = await browser.open(figures(), { colorScheme: 'dark' });
 
     await page.evaluate(() => dispatchEvent(new Event('beforeprint')));

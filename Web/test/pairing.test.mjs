@@ -54,13 +54,13 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
   const port = () => new URL(facts.pair).port;
   const shown = () => readElement(page.locator('#token svg'));
 
-  it('shows the code that the gateway takes, for five minutes', async () => {
+  it('shows a code that the gateway accepts for five minutes', async () => {
     const text = await shown();
     assert.match(text, /^nowpose:token\/1\?t=[\w-]{22}&x=\d+$/);
     const { text: current, left_s: left } = await (await fetch(`${facts.pair}/code`, body({}))).json();
     assert.equal(text, current);
     assert.ok(left > 200 && left <= 300, `${left} s`);
-    assert.match(await page.textContent('#left'), /worth something for [45]:\d\d/);
+    assert.match(await page.textContent('#left'), /valid for [45]:\d\d/);
     assert.equal(await page.textContent('#key'), 'no encryption', 'as the headset asks of a gateway without TLS');
   });
 
@@ -85,7 +85,7 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
     assert.notEqual(await shown(), text);
   });
 
-  it('draws the marker of what is filled in', async () => {
+  it('draws the marker from the form\'s fields', async () => {
     assert.equal(await page.inputValue('#name'), 'Press 3');
     assert.equal(await page.inputValue('#host'), 'localhost');
     const offsets = page.locator('[data-offset]');
@@ -99,7 +99,7 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
     assert.equal(text, `nowpose:cell/1?n=Press%203&h=localhost&s=${sync}&w=${port()}&o=0.25,-0.1,0,0,0,90&m=0.12`);
   });
 
-  it('says what cannot be used, and draws nothing of it', async () => {
+  it('names an invalid field and draws no marker', async () => {
     await page.fill('#host', '10.0.0');
     await page.waitForFunction(() => document.querySelector('#fault').textContent.includes('is no host'));
     assert.ok(await page.locator('#print').isHidden());
@@ -107,7 +107,7 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
     await page.waitForSelector('#print', { state: 'visible' });
   });
 
-  it('prints the marker in true size, and never the secret code', async () => {
+  it('prints the marker in true size, without the secret code', async () => {
     await page.fill('#size', '80');
     await page.waitForFunction(() => document.querySelector('#caption').textContent.includes('80 mm'));
     await page.click('form button');
@@ -124,7 +124,7 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
     }
   });
 
-  it('needs nothing from elsewhere and complains of nothing', async () => {
+  it('loads nothing from other servers and logs no error', async () => {
     const html = readFileSync(path('../dist/pairing.html'), 'utf8');
     assert.doesNotMatch(html.split('<script>')[0], /(src|href)="(?!data:)/);
     assert.match(html, /Copyright \(c\) 2009 Kazuhiko Arase/);
@@ -138,7 +138,7 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
     assert.ok(Number(valueOf(text, 'valid_s')) > 200);
   });
 
-  it('makes a code that a reader reads, on a terminal and in true size', async () => {
+  it('makes a readable code, on a terminal and in true size', async () => {
     const pin = 'sha256/AAECAwQFBgcICQoLDA0ODxAREhMUFRYXGBkaGxwdHh8=';
     const args = ['cell', '--cell', 'Prüfzelle 3', '--host', '192.168.10.20', '--pin', pin, '--offset', '0.25,-0.1,0,0,0,90', '--size-mm', '100'];
     const expected = 'nowpose:cell/1?n=Pr%C3%BCfzelle%203&h=192.168.10.20&p=AAECAwQFBgcICQoLDA0ODxAREhMUFRYXGBkaGxwdHh8&o=0.25,-0.1,0,0,0,90&m=0.1';

@@ -11,7 +11,7 @@ const urdf = readFileSync(new URL('../../Packages/com.nowpose.mril/Runtime/Robot
 const names = [1, 2, 3, 4, 5].map(i => `arm_joint_${i}`);
 const SECONDS = 8;
 
-/** The robot swings about its base. It is displayed 0.01 rad off, and without compensation 0.1 rad off. */
+/** The robot swings about its base. The error is 0.01 rad as displayed, and 0.1 rad without compensation. */
 function withPlayback(change = {}) {
   const t = Array.from({ length: SECONDS * 30 + 1 }, (_, i) => i / 30);
   const at = beside => t.map(time => [2.9 + 0.8 * Math.sin(time) + beside, 2, -1.5, 1.7, 2.9]);
@@ -27,7 +27,7 @@ const time = async page => Number.parseFloat(await page.textContent('#playback .
 const cursors = page => page.evaluate(() => ['error', 'joint', 'clock'].map(id => document.querySelector(`#${id} .position`).textContent));
 
 describe('the playback of a report', () => {
-  it('says how far the tool was drawn from where it was', async () => {
+  it('shows the distance between the displayed and the true tool', async () => {
     const page = await browser.open(withPlayback());
 
     // The tool is 0.4809 m from the rotation axis (from the command line's kinematics).
@@ -38,7 +38,7 @@ describe('the playback of a report', () => {
     await page.context().close();
   });
 
-  it('draws all three robots, and hides what is switched off', async () => {
+  it('draws all three robots and hides those switched off', async () => {
     const page = await browser.open(withPlayback({ hold: withPlayback().playback.truth.map(joints => [joints[0] + 1, ...joints.slice(1)]) }));
     const stage = page.locator('#playback .stage');
     const all = await picture(page, stage);
@@ -49,11 +49,11 @@ describe('the playback of a report', () => {
 
     assert.ok(all.blue > 500 && all.orange > 500, JSON.stringify(all));
     assert.ok(without.orange < all.orange / 10, JSON.stringify(without));
-    assert.match(await words(page), /without compensation [\d.]+/, 'what is hidden is told all the same');
+    assert.match(await words(page), /without compensation [\d.]+/, 'the distance of a hidden robot is shown');
     await page.context().close();
   });
 
-  it('plays, pauses, ends, and plots go with it', async () => {
+  it('plays, pauses and ends together with the plots', async () => {
     const page = await browser.open(withPlayback());
 
     await page.locator('#playback .play').focus();
@@ -73,7 +73,7 @@ describe('the playback of a report', () => {
     await page.context().close();
   });
 
-  it('is scrubbed with the keyboard, and read out', async () => {
+  it('moves with the keyboard and announces its time', async () => {
     const page = await browser.open(withPlayback());
     const slider = page.locator('#playback input[type=range]');
 
@@ -86,7 +86,7 @@ describe('the playback of a report', () => {
     await page.context().close();
   });
 
-  it('goes where a plot is pointed at', async () => {
+  it('moves to the time at a plot\'s cursor', async () => {
     const page = await browser.open(withPlayback());
     const over = page.locator('#joint .u-over');
     await over.scrollIntoViewIfNeeded();
@@ -100,7 +100,7 @@ describe('the playback of a report', () => {
     await page.context().close();
   });
 
-  it('is missed in one sentence without WebGL, and everything else works', async () => {
+  it('shows one message without WebGL, and everything else works', async () => {
     const plain = await Browser.start('report', NO_WEBGL);
     try {
       const page = await plain.open(withPlayback());
@@ -114,7 +114,7 @@ describe('the playback of a report', () => {
     }
   });
 
-  it('with a description that is none says so, and everything else works', async () => {
+  it('reports an invalid robot description, and everything else works', async () => {
     const page = await browser.open(withPlayback({ urdf: '</script><script>alert(1)</script>' }));
 
     assert.match(await page.textContent('#playback .missing'), /no URDF/);
@@ -123,7 +123,7 @@ describe('the playback of a report', () => {
     await page.context().close();
   });
 
-  it('fits windows of both kinds, light and dark', async () => {
+  it('fits wide and narrow windows, light and dark', async () => {
     for (const [viewport, colorScheme] of [[{ width: 1280, height: 720 }, 'light'], [{ width: 390, height: 844 }, 'dark']]) {
       const page = await browser.open(withPlayback(), { viewport, colorScheme });
       const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
@@ -134,7 +134,7 @@ describe('the playback of a report', () => {
     }
   });
 
-  it('carries the licences of what draws it', () => {
+  it('contains the licences of its libraries', () => {
     const html = readFileSync(new URL('../dist/report.html', import.meta.url), 'utf8');
     for (const author of ['three.js authors', 'California Institute of Technology', 'Apache License', 'Leon Sorokin']) assert.ok(html.includes(author), author);
     assert.ok(html.length < 900_000, `${html.length} bytes`);

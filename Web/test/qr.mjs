@@ -1,4 +1,4 @@
-// Reads drawn codes with another library than those that draw them.
+// Reads codes with a library other than those that draw them.
 import jsQR from 'jsqr';
 import { drawn } from './drawn.mjs';
 

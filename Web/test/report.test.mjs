@@ -41,7 +41,7 @@ const heightOf = (page, index, ink) => page.evaluate(([index, ink]) => {
   return 1 - rows[rows.length >> 1] / over.height;
 }, [index, ink]);
 
-/** Share of the render time plot's column, at a time in s within the 10 s shown, that has the alarm's shade. */
+/** Share of the render time plot's column, at a time within the 10 s shown, that has the alarm's shade. */
 const shadedShare = (page, time) => page.evaluate(time => {
   const plot = document.querySelector('#range .plot'), canvas = plot.querySelector('canvas');
   const over = plot.querySelector('.u-over').getBoundingClientRect(), left = over.left - canvas.getBoundingClientRect().left;
@@ -54,7 +54,7 @@ const shadedShare = (page, time) => page.evaluate(time => {
 const shot = (page, index) => page.evaluate(i => document.querySelectorAll('.plot canvas')[i].toDataURL(), index);
 
 describe('a complete report', () => {
-  it('opens without a complaint or a request', async () => {
+  it('opens without an error or a request', async () => {
     const page = await browser.open(report());
 
     assert.deepEqual(page.complaints, []);
@@ -81,7 +81,7 @@ describe('a complete report', () => {
     }
   });
 
-  it('says so when compensation made it worse', async () => {
+  it('reports an increased error', async () => {
     const page = await browser.open({ summary: [{ label: 'RMS', unit: 'mm', uncompensated: 4, compensated: 5 }] });
 
     assert.match(plain(await text(page, '.headline'))[0], /^25 %\s+more tool error/);
@@ -120,7 +120,7 @@ describe('a complete report', () => {
     }
   });
 
-  it('tells each plot and its claim in words, with the paper as source', async () => {
+  it('describes each plot and its claim in words, with the paper as source', async () => {
     const page = await browser.open(report());
 
     const words = await page.evaluate(() => [...document.querySelectorAll('.plot')].map(p => p.getAttribute('aria-label')));
@@ -137,18 +137,18 @@ describe('a report of a run with a load', () => {
   const isLoaded = s => s >= 4 && s < 7;
   const range = { t, render_ms: t.map(s => (isLoaded(s) ? 17 : 4)), visu_ms: t.map(s => (isLoaded(s) ? 57 : 40)), limit_ms: 15, alarms: [[4.1, 7.5]] };
 
-  it('shows both plots with the limit, shades the alarm and says when it was', async () => {
+  it('shows both plots with the limit, shades the alarm and states its time', async () => {
     const page = await browser.open({ ...report(), range });
 
     assert.deepEqual(page.complaints, []);
     assert.equal(await page.locator('#range .plot canvas').count(), 2);
     const words = await page.locator('#range .plot').first().getAttribute('aria-label');
     assert.match(words, /render time: 4 to 17.ms.*limit: 15 to 15.ms.*Alarm from 4\.10 to 7\.50.s\./);
-    assert.ok(await shadedShare(page, 5.5) > 0.5, 'in the alarm');
-    assert.ok(await shadedShare(page, 2) < 0.1, 'before it, but for the limit');
+    assert.ok(await shadedShare(page, 5.5) > 0.5, 'during the alarm');
+    assert.ok(await shadedShare(page, 2) < 0.1, 'before the alarm, only the line of the limit');
   });
 
-  it('says that there was no alarm where there was none', async () => {
+  it('states that there was no alarm', async () => {
     const page = await browser.open({ ...report(), range: { ...range, alarms: [] } });
 
     assert.match(await page.locator('#range .plot').first().getAttribute('aria-label'), /No alarm\./);
@@ -163,7 +163,7 @@ describe('the range of a plot', () => {
   });
 
   for (const [first, error, bound, height] of [[150, 150, 6000, 0.575], [-5000, 150, 6000, 0.575], [0, 3000, 9000, 0.833]]) {
-    it(`is the settled clock error's (${first}, then ${error} µs within ${bound} µs)`, async () => {
+    it(`covers the settled clock error (${first}, then ${error} µs within ${bound} µs)`, async () => {
       const page = await browser.open({ clock: clock(first, error, bound) });
 
       assert.ok(Math.abs(await heightOf(page, 1, '--compensated') - height) < 0.02, `at ${await heightOf(page, 1, '--compensated')}`);
@@ -171,7 +171,7 @@ describe('the range of a plot', () => {
     });
   }
 
-  it('is where the uncompensated operating points lie', async () => {
+  it('covers the uncompensated operating points', async () => {
     const points = Array.from({ length: 100 }, (_, i) => i);
     const speed = points.map(i => 10 + 3 * i);
     const hold = { latency_ms: points.map(i => (i < 96 ? 100 + i : 2100)), speed };
@@ -297,7 +297,7 @@ describe('using a plot', () => {
     assert.equal(reached.size, wanted);
   });
 
-  it('draws no more of an hour of 60 frames a second than its width can show, and each step of what arrived', async () => {
+  it('draws an hour of 60 frames a second at the resolution of its width, with each step of the samples', async () => {
     const data = report({ seconds: 3600 }), page = await browser.open(data);
     const arrived = data.joint.received.t.length;
 
@@ -320,7 +320,7 @@ describe('using a plot', () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it('draws no two operating points at one place', async () => {
+  it('draws at most one operating point per pixel and path', async () => {
     const page = await browser.open(report({ seconds: 600 }));
 
     const squares = await page.evaluate(async () => {
@@ -338,12 +338,12 @@ describe('using a plot', () => {
   });
 });
 
-describe('what was not measured', () => {
+describe('missing measurements', () => {
   for (const [name, data] of [['absent', {}], ['null', { settings: null, summary: null, facts: null, error: null, joint: null,
     field: null, clock: null, latency: null }], ['empty', { settings: [], summary: [], facts: [], error: { t: [], hold: [], compensated: [] },
     joint: { name: 'a', unit: 'rad', truth: null, received: { t: [], v: [] } }, field: { hold: null, compensated: null, iso_mm: [] },
     clock: { t: [], offset_us: [], error_us: [], bound_us: [] }, latency: { bin_ms: [], count: [] } }]]) {
-    it(`is said in each section (${name})`, async () => {
+    it(`are stated in each section (${name})`, async () => {
       const page = await browser.open(data);
 
       assert.deepEqual(page.complaints, []);
@@ -354,7 +354,7 @@ describe('what was not measured', () => {
     });
   }
 
-  it('leaves out a signal and draws the others', async () => {
+  it('of one signal do not affect the others', async () => {
     const data = report();
     data.joint.predicted = null;
     data.field.compensated = null;
@@ -366,7 +366,7 @@ describe('what was not measured', () => {
     assert.deepEqual(await text(page, '#field .key'), ['uncompensated', 'equal error']);
   });
 
-  it('draws gaps where single values are missing', async () => {
+  it('of single values are drawn as gaps', async () => {
     const data = report();
     data.error.compensated = data.error.compensated.map((v, i) => (i % 7 ? v : null));
     data.clock.error_us = data.clock.error_us.map(() => null);
@@ -436,7 +436,7 @@ describe('any window and any text', () => {
     assert.ok(await hasInk(page, 2, '--hold'));
   });
 
-  it('keeps signals apart without hue', async () => {
+  it('distinguishes signals by lightness', async () => {
     for (const colorScheme of ['light', 'dark']) {
       const page = await browser.open(report(), { colorScheme });
       const [hold, compensated, truth, surface] = await luminance(page, ['--hold', '--compensated', '--truth', '--surface']);
@@ -446,7 +446,7 @@ describe('any window and any text', () => {
     }
   });
 
-  it('prints light, with plots as wide as the page', async () => {
+  it('prints in the light scheme, with plots as wide as the page', async () => {
     const page = await browser.open(report(), { colorScheme: 'dark' });
 
     await page.evaluate(() => dispatchEvent(new Event('beforeprint')));

@@ -10,8 +10,8 @@ const { JointTracks } = await import(`data:text/javascript;base64,${Buffer.from(
 
 const at = pose => Object.fromEntries(pose.names.map((name, i) => [name, pose.positions[i]]));
 
-describe('joints that are published in sets that overlap', () => {
-  it('have their newest values, whichever set carried them', () => {
+describe('joints published in overlapping sets', () => {
+  it('have their newest values from any of the sets', () => {
     const tracks = new JointTracks(5);
     tracks.add(0.4, ['a', 'b'], [0.4, 4]);
     tracks.add(0.5, ['a'], [0.5]);
@@ -22,20 +22,20 @@ describe('joints that are published in sets that overlap', () => {
     assert.equal(tracks.last, 4);
   });
 
-  it('are each between their own neighbours', () => {
+  it('are interpolated between their own samples', () => {
     const tracks = new JointTracks(5);
     tracks.add(1, ['a', 'b'], [1, 1]);
     tracks.add(2, ['b'], [5]);
     tracks.add(3, ['b', 'a'], [9, 3]);
 
     assert.deepEqual(at(tracks.at(2)), { a: 2, b: 5 });
-    assert.deepEqual(at(tracks.at(9)), { a: 3, b: 9 }, 'what has not spoken since stays where it was');
+    assert.deepEqual(at(tracks.at(9)), { a: 3, b: 9 }, 'a joint without a newer sample keeps its position');
     assert.equal(tracks.at(0.5), null);
   });
 
-  it('are known in whatever order and company they come', () => {
+  it('are known for sets in any order', () => {
     const tracks = new JointTracks(5), joints = ['a', 'b', 'c', 'd', 'e'];
-    // More sets than the tracks distinguish: all 120 orders.
+    // All 120 orders.
     const orders = rest => (rest.length === 0 ? [[]]
       : rest.flatMap(one => orders(rest.filter(other => other !== one)).map(order => [one, ...order])));
     orders(joints).forEach((names, i) => tracks.add(i, names, names.map(name => i + joints.indexOf(name) / 10)));
@@ -43,7 +43,7 @@ describe('joints that are published in sets that overlap', () => {
     assert.deepEqual(at(tracks.at(119)), { a: 119, b: 119.1, c: 119.2, d: 119.3, e: 119.4 });
   });
 
-  it('of which ever new ones come stay bounded, and those that speak stay known', () => {
+  it('are limited in number, and a joint with new samples is kept', () => {
     const tracks = new JointTracks(5);
     for (let i = 0; i < 5000; i++) tracks.add(i / 100, ['honest', `made up ${i}`], [i, i]);
 
@@ -52,7 +52,7 @@ describe('joints that are published in sets that overlap', () => {
     assert.equal(pose.honest, 4999);
   });
 
-  it('are left alone by what is no number', () => {
+  it('ignore missing positions', () => {
     const tracks = new JointTracks(5);
     tracks.add(1, ['a', 'b'], [1, 1]);
     tracks.add(2, ['a', 'b'], [2]);

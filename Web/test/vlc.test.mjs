@@ -1,4 +1,4 @@
-// The page with the control clock's code, served by the real gateway if it was built, and by a stand-in with a known clock.
+// The page with the control clock's code, served by the real gateway if it has been built, and by a stand-in with a known clock.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
@@ -72,7 +72,7 @@ const sight = page => page.evaluate(async () => {
     times.push({ t1, t4, t2, t3 });
   }
   const canvas = document.getElementById('code');
-  // On a busy machine the page may have to wait for another quick exchange.
+  // On a busy machine the page may need another quick exchange.
   for (let frame = 0; ; frame++) {
     const at = await new Promise(requestAnimationFrame);
     if (document.body.dataset.state !== 'synchronised' && frame < 600) continue;
@@ -95,7 +95,7 @@ const codes = Array.from({ length: PERIOD }, (_, value) => text(controlCells(val
 /** Time shown by the code minus the clock's time at the frame's start, ms, and the error bound of the quickest exchange. */
 function errorOf({ at, cells, times }) {
   const value = valueOf(cells);
-  assert.notEqual(value, null, 'the cells are no code');
+  assert.notEqual(value, null, 'the cells are not a code');
   const { t1, t2, t3, t4 } = times.reduce((a, b) => (b.t4 - b.t1 < a.t4 - a.t1 ? b : a));
   const base = BigInt(t2), processing = Number(BigInt(t3) - base) / 1e6;
   const expected = Number(base % BigInt(PERIOD * 1e6)) / 1e6 + processing / 2 + at - (t1 + t4) / 2;
@@ -106,7 +106,7 @@ function errorOf({ at, cells, times }) {
 /** Asserts an error within the sum of three parts: half a millisecond of rounding, the bound of the exchanges, and the page's tolerance. */
 function assertRight(seen) {
   const { error, bound } = errorOf(seen);
-  assert.ok(Math.abs(error) < 0.5 + bound + 3, `${error.toFixed(2)} ms off, known to ${bound.toFixed(2)} ms`);
+  assert.ok(Math.abs(error) < 0.5 + bound + 3, `error ${error.toFixed(2)} ms, bound ${bound.toFixed(2)} ms`);
 }
 
 const synchronised = page => page.waitForSelector('body[data-state="synchronised"]', { timeout: 60_000 });
@@ -114,7 +114,7 @@ const unsynchronised = (page, why) => page.waitForFunction(
   why => document.body.dataset.state === 'not synchronised' && document.getElementById('code').hidden
     && document.getElementById('doubt').textContent.includes(why), why, { timeout: 60_000 });
 
-describe('what the code is made of', () => {
+describe('the code and its clock', () => {
   it('draws the codes of the vector file', () => {
     const file = path('../../Packages/com.nowpose.mril/Documentation~/led-matrix/timestamp-codes.csv');
     const [, ...lines] = readFileSync(file, 'utf8').trim().split('\n');
@@ -137,30 +137,30 @@ describe('what the code is made of', () => {
     return [Number(ns - 5_000_000_000_000n) / 1e6, boundMs].map(ms => Math.round(ms * 1000) / 1000);
   };
 
-  it('takes the middle of a round trip', () => {
+  it('assumes the middle of the round trip', () => {
     assert.deepEqual(shown(clockWith(0, exchange), 102), [102, 1]);
   });
 
-  it('adds half the step of a control clock that counts in steps, and allows for it', () => {
+  it('adds half the resolution of the control clock to its time and to the bound', () => {
     assert.deepEqual(shown(clockWith(0, { ...exchange, resolutionNs: 20_000_000 }), 102), [112, 11]);
   });
 
-  it('adds no more than the exchanges leave open, whose steps differ', () => {
+  it('intersects exchanges whose resolutions differ', () => {
     const late = { t1: 200, t4: 202, t2: 5_000_200_000_000n, t3: 5_000_200_000_000n, resolutionNs: 20_000_000 };
 
     const [ms, boundMs] = shown(clockWith(0, { ...exchange, resolutionNs: 20_000_000 }, late), 202);
 
-    // The offset is between 1 ms less (former exchange) and 20 ms more (latter). Since the former the clock may have drifted by 0.05 ms.
+    // The offset is between −1 ms (first exchange) and 20 ms (second). Since the first, skew may have added 0.05 ms.
     assert.ok(Math.abs(ms - 211.5) < 0.06 && Math.abs(boundMs - 10.5) < 0.06, `${ms} ± ${boundMs} ms`);
   });
 
   for (const grainMs of [0.1, 1]) {
-    it(`allows for its own clock's steps of ${grainMs} ms`, () => {
+    it(`adds its own clock's resolution of ${grainMs} ms to the bound`, () => {
       assert.deepEqual(shown(clockWith(grainMs, exchange), 102), [102, 1 + grainMs]);
     });
   }
 
-  it('is right about a clock that is cut to whole milliseconds, and keeps all its exchanges', () => {
+  it('estimates a clock with a resolution of 1 ms and keeps all exchanges', () => {
     const clock = new ControlClock(1), truth = 5_000_000;
     let count = 0;
     for (let ms = 0.37; ms < 5000; ms += 61.7, count++) {
@@ -172,10 +172,10 @@ describe('what the code is made of', () => {
     const error = Number(ns) / 1e6 - truth - 5000;
 
     assert.equal(clock.count, count);
-    assert.ok(Math.abs(error) <= boundMs && boundMs < 2, `${error} ms off, known to ${boundMs} ms`);
+    assert.ok(Math.abs(error) <= boundMs && boundMs < 2, `error ${error} ms, bound ${boundMs} ms`);
   });
 
-  it('begins anew when the control clock steps', () => {
+  it('discards earlier exchanges when the control clock steps', () => {
     const clock = clockWith(0.1, exchange), later = { ...exchange, t1: 200, t4: 202 };
 
     const hasStepped = clock.add({ ...later, t2: exchange.t2 + 120_000_000n, t3: exchange.t3 + 120_000_000n });
@@ -193,7 +193,7 @@ describe('what the code is made of', () => {
     };
   };
   for (const [stepMs, grainMs] of [[0.005, 0.1], [0.1, 0.1], [1, 1], [16, 16]]) {
-    it(`finds steps of ${stepMs} ms in a clock`, () => {
+    it(`measures a clock's resolution of ${stepMs} ms`, () => {
       assert.ok(Math.abs(grainOf(cut(stepMs)) - grainMs) < 1e-9);
     });
   }
@@ -226,10 +226,10 @@ describe('the page of the control clock\'s code', () => {
     assert.deepEqual(page.faults, []);
     await page.waitForFunction(() => /L_monitor ≈ \d+ ± \d+ ms/.test(document.getElementById('facts').textContent));
     assert.match(await page.locator('#time').textContent(), /^C1 17\d{8}\.\d{3} s$/);
-    assert.match(await page.locator('#facts').textContent(), /known to ± \d\.\d ms.*L_monitor/);
+    assert.match(await page.locator('#facts').textContent(), /error bound ± \d\.\d ms.*L_monitor/);
   });
 
-  it('shows no code while the gateway is gone, and a right one when it is back with another time', async () => {
+  it('shows no code while the gateway is down, and the new time after its restart', async () => {
     const page = await open(await (gateway = new StandIn()).start());
     await synchronised(page);
 
@@ -242,14 +242,14 @@ describe('the page of the control clock\'s code', () => {
     assertRight(await sight(page));
   });
 
-  it('shows no code of a control clock that is not synchronised itself', async () => {
+  it('shows no code while the control clock is not synchronised', async () => {
     gateway = Object.assign(new StandIn(), { isSynchronised: false });
     const page = await open(await gateway.start());
 
     await unsynchronised(page, 'the control clock itself');
   });
 
-  it('asks for the token that the gateway wants, and keeps it out of address and storage', async () => {
+  it('asks for the gateway\'s token and does not keep it in address or storage', async () => {
     gateway = Object.assign(new StandIn(), { token: 'sesame' });
     const page = await open(await gateway.start());
     await unsynchronised(page, 'asks for a token');
@@ -271,7 +271,7 @@ describe('the page of the control clock\'s code', () => {
     assert.ok(!kept.includes('sesame') && !(await page.content()).includes('sesame'));
   });
 
-  it('fills the screen on F, large and readable, on any window', async () => {
+  it('fills the screen on F with a readable code in any window', async () => {
     const page = await open(await (gateway = new StandIn()).start(), { viewport: { width: 500, height: 900 } });
     await synchronised(page);
 

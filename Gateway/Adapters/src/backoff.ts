@@ -1,4 +1,4 @@
-const FIRST_MS = 200, LONGEST_MS = 1500, VARIATION = 0.2;
+const FIRST_MS = 200, MAX_MS = 1500, VARIATION = 0.2;
 
 /** Delays between connection attempts: 0.2 s doubling to 1.5 s, ±20 % so that many clients do not connect at the same time. */
 export class Backoff {
@@ -8,7 +8,7 @@ export class Backoff {
 
   next(): number {
     const wait = this.#next;
-    this.#next = Math.min(2 * wait, LONGEST_MS);
+    this.#next = Math.min(2 * wait, MAX_MS);
     return wait * (1 + VARIATION * (2 * this.random() - 1));
   }
 

@@ -1,5 +1,5 @@
 /** Rate limit per subject, whose state may change as often as its values arrive. */
-const MOST_LINES = 10, PERIOD_MS = 60_000;
+const MAX_LINES = 10, PERIOD_MS = 60_000;
 
 /** Logs to standard error, one line per change of state, without secrets. */
 export class Log {
@@ -40,13 +40,13 @@ export class Log {
     const lately = this.#lately.get(subject) ?? { lines: 0, newest: '' };
     if (lately.lines === 0) this.later(PERIOD_MS, () => this.#sumUp(subject));
     this.#lately.set(subject, { lines: lately.lines + 1, newest: text });
-    if (lately.lines < MOST_LINES) this.line(text);
+    if (lately.lines < MAX_LINES) this.line(text);
   }
 
   #sumUp(subject: string): void {
     const { lines, newest } = this.#lately.get(subject)!;
     this.#lately.delete(subject);
-    if (lines > MOST_LINES) this.line(`${newest} (the newest of ${lines - MOST_LINES} more lines within ${PERIOD_MS / 1000} s)`);
+    if (lines > MAX_LINES) this.line(`${newest} (the newest of ${lines - MAX_LINES} more lines within ${PERIOD_MS / 1000} s)`);
   }
 
   /** Returns one line of printable characters without secrets, for any text of a peer. */

@@ -38,11 +38,11 @@ export async function runPlant(configuration: Configuration): Promise<number> {
   if (robot !== null) gateway.publishKept(ROBOT_DESCRIPTION, description(robot));
 
   const link = gateway.run(ending.signal);
-  const told = setInterval(tell, DIAGNOSTICS_MS), checks = setInterval(() => output.checkSilence(), SILENCE_CHECK_MS);
+  const reports = setInterval(tell, DIAGNOSTICS_MS), checks = setInterval(() => output.checkSilence(), SILENCE_CHECK_MS);
   try {
     await run({ configuration, gateway, clock, output, status, log, stopping: ending.signal });
   } finally {
-    clearInterval(told);
+    clearInterval(reports);
     clearInterval(checks);
     clearTimeout(changed ?? undefined);
     ending.now();

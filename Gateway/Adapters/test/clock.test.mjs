@@ -15,19 +15,19 @@ const eight = step => Array.from({ length: 9 }, (_, i) => T + BigInt(7 * i * i +
 
 describe('resolution', () => {
   for (const step of [1n, 100n, 1000n, MS, 10n * MS, 1000n * MS]) {
-    it(`Times_InStepsOf${step}ns_TellIt`, () => assert.equal(told(eight(step)).value, step));
+    it(`Resolution_TimesInStepsOf${step}ns_IsTheStep`, () => assert.equal(told(eight(step)).value, step));
   }
 
-  it('Times_TooFew_TellNothing', () => assert.equal(told(eight(MS).slice(0, 7)).value, 0n));
+  it('Resolution_TooFewTimes_IsUnknown', () => assert.equal(told(eight(MS).slice(0, 7)).value, 0n));
 
-  it('Clock_ThatStandsBetweenUpdates_IsAsCoarseAsItStood', () => {
+  it('Resolution_ClockStandsBetweenUpdates_IsTheStandstill', () => {
     const times = eight(100n).flatMap(time => [time, time, time]);
 
     // The third reading was requested two intervals after the first, which had arrived 1 µs after its request.
     assert.equal(told(times, 50n * MS).value, 100n * MS - 1000n);
   });
 
-  it('Clock_ThatOnceStood_IsAsFineAsBeforeAfterAMinute', () => {
+  it('Resolution_ClockStoodOnce_IsFineAgainAfterAMinute', () => {
     const resolution = new Resolution();
     let now = 0n;
     const observe = time => {
@@ -49,7 +49,7 @@ describe('resolution', () => {
 describe('times', () => {
   it('FileTime_Of1970_IsZero', () => assert.equal(ofFileTime(116444736000000000n), 0n));
 
-  it('FileTime_WithHundredNanoseconds_KeepsThem', () =>
+  it('FileTime_HundredNanoseconds_AreKept', () =>
     assert.deepEqual(toRosTime(ofFileTime(116444736000000000n + 12_345_678_901n)), { sec: 1234, nanosec: 567890100 }));
 });
 
@@ -60,7 +60,7 @@ describe('plant clock', () => {
   };
   const never = new AbortController().signal;
 
-  it('Clock_ThatWasNeverThere_IsNotOffered', async () => {
+  it('Clock_NeverRead_IsNotOffered', async () => {
     const gateway = link(), clock = new PlantClock(gateway, 'cell');
 
     await assert.rejects(clock.attach(async () => { throw new Error('no such service'); }, never), /no such service/);
@@ -70,7 +70,7 @@ describe('plant clock', () => {
     assert.deepEqual([gateway.services.size, clock.isSettled], [0, true]);
   });
 
-  it('Asked_PlantAway_SaysWhy', async () => {
+  it('Request_PlantDisconnected_ReturnsTheReason', async () => {
     const gateway = link(), clock = new PlantClock(gateway, 'cell', MS);
     await clock.attach(async () => ({ received: T, sent: T }), never);
 
@@ -80,7 +80,7 @@ describe('plant clock', () => {
     assert.ok(clock.isSettled);
   });
 
-  it('Clock_DetachedWhileItIsMeasured_IsNeitherReadNorOffered', async () => {
+  it('Clock_DetachedWhileMeasured_IsNeitherReadNorOffered', async () => {
     const gateway = link(), clock = new PlantClock(gateway, 'cell');
     let time = T;
     const attached = clock.attach(async () => {
@@ -95,7 +95,7 @@ describe('plant clock', () => {
     await assert.rejects(clock.read(), /not connected/);
   });
 
-  it('Asked_WithPlant_TellsTimesAndResolution', async () => {
+  it('Request_PlantConnected_ReturnsTimesAndResolution', async () => {
     const gateway = link(), clock = new PlantClock(gateway, 'cell');
     let time = T;
     await clock.attach(async () => {
@@ -109,14 +109,14 @@ describe('plant clock', () => {
     assert.deepEqual(rest, { resolution_ns: 1_000_000, error_bound_ns: 0, synchronised: true });
   });
 
-  it('Resolution_Configured_IsTaken', async () => {
+  it('Resolution_Configured_IsUsed', async () => {
     const gateway = link(), clock = new PlantClock(gateway, 'cell', 5n * MS);
     await clock.attach(async () => ({ received: T, sent: T }), never);
 
     assert.equal((await clock.read()).resolution, 5n * MS);
   });
 
-  it('Clock_PausedAndResumed_IsNotToldMeanwhileAndIsAsFineAsBefore', async () => {
+  it('Clock_PausedAndResumed_IsUnavailableDuringThePauseAndKeepsItsResolution', async () => {
     let now = 0n, time = T, isPaused = false;
     const gateway = link(), clock = new PlantClock(gateway, 'cell', null, () => now);
     const pass = length => {
@@ -140,13 +140,13 @@ describe('plant clock', () => {
     isPaused = false;
     const after = await asked();
 
-    assert.ok(answered > 0 && answered <= 7, `${answered} answers of a clock that stands`);
+    assert.ok(answered > 0 && answered <= 7, `${answered} answers of a stopped clock`);
     assert.equal(before.resolution_ns, 1_000_000);
     assert.equal(after.resolution_ns, 1_000_000);
   });
 
   // 15.625 ms is the resolution of Windows' clock. A gateway that is synchronised reads once a second and never sees the clock stand still.
-  it('Clock_ThatStandsAndIsAskedSeldom_StaysAsCoarseAsItIs', async () => {
+  it('Resolution_CoarseClockReadRarely_StaysCoarse', async () => {
     let now = 0n;
     const gateway = link(), clock = new PlantClock(gateway, 'cell', null, () => now), step = 15_625_000n;
     await clock.attach(async () => {
@@ -165,7 +165,7 @@ describe('plant clock', () => {
   });
 
   for (const [step, expected] of [[1000n * MS, [1000n * MS]], [10n * MS, []]])
-    it(`Clock_InStepsOf${step / MS}ms_${expected.length > 0 ? 'IsToldToBeCoarse' : 'IsNoNews'}`, async () => {
+    it(`Clock_InStepsOf${step / MS}ms_${expected.length > 0 ? 'IsReportedAsCoarse' : 'IsNotReported'}`, async () => {
       let now = 0n;
       const told = new Set(), clock = new PlantClock(link(), 'cell', null, () => now, coarse => told.add(coarse));
       const read = async () => {

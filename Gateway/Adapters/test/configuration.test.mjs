@@ -33,7 +33,7 @@ function linesOf(from, to) {
 }
 
 describe('configuration', () => {
-  it('Check_GoodFile_NamesEndpointAndJoints', async t => {
+  it('Check_ValidFile_NamesEndpointAndJoints', async t => {
     const path = temporaryFile('plant.yaml', GOOD);
 
     const { status, out } = await check(t, path);
@@ -88,7 +88,7 @@ describe('configuration', () => {
     ['DecelerationOfZero', 'unit: deg', 'unit: deg\n    max_deceleration: 0', /^line 10: joints\[0\]\.max_deceleration: value 0; allowed is a number above 0/],
     ['NoRobotFile', 'plant:', 'robot: none.urdf\nplant:', /^line 3: robot: value "none\.urdf"; the file cannot be read/],
   ]) {
-    it(`Check_${name}_NamesLineAndCure`, () => {
+    it(`Check_${name}_NamesLineAndRemedy`, () => {
       const lines = linesOf(from, to);
 
       assert.equal(lines.filter(line => expected.test(line)).length, 1, lines.join('\n'));
@@ -96,7 +96,7 @@ describe('configuration', () => {
     });
   }
 
-  it('Joint_Silence_WinsOverThePlants', () => {
+  it('Joint_Silence_OverridesThatOfThePlant', () => {
     const joints = `joints:
   - { joint: a, node: i=1, unit: mm, silence: rest, max_deceleration: 2 }
   - { joint: b, node: i=2 }
@@ -108,20 +108,20 @@ describe('configuration', () => {
     assert.deepEqual(read, [[null, 2, true], [3000, 15, false]]);
   });
 
-  it('Silence_NotConfigured_IsRestForChangesAndFaultForPeriodicSources', () => {
+  it('Silence_NotConfigured_MeansRestForChangesAndFaultForPeriodicSources', () => {
     const silenceOf = text => readConfiguration(temporaryFile('plant.yaml', text), {}, {}).plant.silence;
 
     assert.equal(silenceOf(GOOD), 'rest');
     assert.deepEqual(silenceOf('plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\n'), { fault_after_s: 1 });
   });
 
-  it('Check_Tab_IsTheOnlyThingThatIsTold', () => {
+  it('Check_Tab_IsTheOnlyReportedError', () => {
     const lines = linesOf('  endpoint', '\tendpoint');
 
     assert.deepEqual(lines, ['line 5: a tab stands before the entry; YAML allows blanks only, replace it']);
   });
 
-  it('Check_NoPlant_TellsWhatElseIsNotKnown', () => {
+  it('Check_NoPlant_ReportsOtherUnknownEntries', () => {
     const lines = linesOf(/plant:\n.*\n.*\n/, 'endpont: plc\n');
 
     assert.equal(lines.length, 2, lines.join('\n'));
@@ -129,12 +129,12 @@ describe('configuration', () => {
     assert.match(lines[1], /^line 3: endpont: not known here; allowed are gateway, plant, joints, robot/);
   });
 
-  it('Check_AddressesOfEverySort_AreNoFault', () => {
+  it('Check_AddressesOfAllForms_AreValid', () => {
     for (const address of ['plc', 'plc:1/path', '[fe80::1]', '[fe80::1%eth0]:4840', '[::1]:65535', '10.0.0.1:4840/a/b'])
       assert.deepEqual(wrongIn(temporaryFile('plant.yaml', GOOD.replace('plc.example:4840', address))), [], address);
   });
 
-  it('Check_JointThatTheRobotLacks_NamesLineAndTheNearest', () => {
+  it('Check_JointUnknownToTheRobot_NamesLineAndNearestName', () => {
     const path = temporaryFile('plant.yaml', `${GOOD.replace('joint: arm_joint_2', 'joint: arm_jiont_2')}robot: arm.urdf\n`);
     const joints = ['<joint type="revolute" name="arm_joint_1">', "<joint\n name = 'arm_joint_2'>", '<!-- <joint name="arm_jiont_2"/> -->'];
     writeFileSync(join(dirname(path), 'arm.urdf'), `<robot name="arm">${joints.join('</joint>')}</robot>`);
@@ -147,13 +147,13 @@ describe('configuration', () => {
     assert.deepEqual(wrongIn(path), []);
   });
 
-  it('Check_SeveralWrongEntries_ToldAtOnceInOrder', () => {
+  it('Check_SeveralInvalidEntries_AreReportedTogetherInOrder', () => {
     const lines = linesOf(/unit: deg[^]*/, 'unit: feet\n  - joint: ""\n    node: 3\n    offset: much\n  - {}\n');
 
     assert.deepEqual(lines.map(line => Number(/line (\d+)/.exec(line)[1])), [9, 10, 11, 12, 13, 13]);
   });
 
-  it('Check_WrongFile_EndsWithStatusTwo', async t => {
+  it('Check_InvalidFile_EndsWithStatusTwo', async t => {
     const path = temporaryFile('plant.yaml', GOOD.replace('unit: deg', 'unit: feet'));
 
     const { status, lines } = await check(t, path);
@@ -162,14 +162,14 @@ describe('configuration', () => {
     assert.deepEqual(lines, wrongIn(path));
   });
 
-  it('Check_MissingFile_SaysSo', async t => {
+  it('Check_MissingFile_IsReported', async t => {
     const { status, lines } = await check(t, 'nowhere.yaml');
 
     assert.equal(status, 2);
     assert.match(lines[0], /^nowhere\.yaml, line 1: cannot be read \(ENOENT\)/);
   });
 
-  it('Check_TokenFileForEverybody_IsRefusedWithoutTellingIt', { skip: process.platform === 'win32' }, () => {
+  it('Check_TokenFileReadableByAll_IsRefusedWithoutShowingTheToken', { skip: process.platform === 'win32' }, () => {
     const path = temporaryFile('plant.yaml', GOOD.replace('plant:', '  token_file: token\nplant:'));
     writeFileSync(join(dirname(path), 'token'), 'hush-hush\n');
     chmodSync(join(dirname(path), 'token'), 0o644);
@@ -189,7 +189,7 @@ describe('configuration', () => {
     assert.doesNotMatch(lines.join('\n'), /hush-hush/);
   });
 
-  it('Check_ByteOrderMark_IsNoFault', () => {
+  it('Check_ByteOrderMark_IsValid', () => {
     assert.deepEqual(wrongIn(temporaryFile('plant.yaml', `\uFEFF${GOOD}`)), []);
   });
 });

@@ -14,7 +14,7 @@ const folder = join(adapters, 'examples');
 const names = readdirSync(folder, { recursive: true }).filter(f => /\.ya?ml$/.test(f) && statSync(join(folder, f)).isFile());
 
 for (const name of names)
-  it(`Example_${name}_IsGood`, async t => {
+  it(`Example_${name}_IsValid`, async t => {
     const { status, out, lines } = await check(t, join(folder, name));
 
     assert.equal(status, 0, lines.join('\n'));

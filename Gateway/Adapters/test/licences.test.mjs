@@ -7,13 +7,13 @@ import { adapters } from './program.mjs';
 
 const text = readFileSync(join(adapters, 'dist', 'adapter-licences.txt'), 'utf8');
 
-it('Licences_OfEveryPackage_AreNamed', () => {
+it('Licences_AllPackages_AreNamed', () => {
   assert.match(text, /^node-opcua-client [\d.]+, MIT$/m);
   assert.doesNotMatch(text, /, undefined$|no text with it/m);
 });
 
 for (const [name, holder] of [['precond', 'Mathieu Turcotte'], ['assert-plus', 'Mark Cavage']])
-  it(`Licence_Of${name}_IsWhatItStatesElsewhere`, () => {
+  it(`Licence_TextMissingInPackage${name}_IsIncluded`, () => {
     const stated = `The MIT License \\(MIT\\)\\nCopyright .* ${holder}\\s+Permission is hereby granted`;
 
     assert.match(text, new RegExp(`^${name} [\\d.]+, MIT\\n\\n${stated}`, 'm'));

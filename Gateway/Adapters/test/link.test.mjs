@@ -1,4 +1,4 @@
-// The adapter and a gateway, without a plant.
+// The connection of an adapter to a gateway, without a plant.
 import assert from 'node:assert/strict';
 import { createHash, X509Certificate } from 'node:crypto';
 import { writeFileSync } from 'node:fs';
@@ -39,7 +39,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     assert.doesNotMatch(run.err, new RegExp(TOKEN));
   });
 
-  it('Pin_OfAnotherKey_IsToldNothingButTls', async t => {
+  it('Pin_OfAnotherKey_EndsAfterTheTlsHandshake', async t => {
     const bridge = await RosbridgeDouble.start(t, { tls: tls() });
     const other = `sha256/${'A'.repeat(43)}=`;
     const run = await adapter(t, bridge.url, { env: { NOWPOSE_TOKEN: TOKEN, NOWPOSE_PIN: other } });
@@ -49,7 +49,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     assert.equal(bridge.headers.length, 0);
   });
 
-  it('Certificate_NobodyVouchesFor_IsRefusedWithoutPin', async t => {
+  it('Certificate_UntrustedWithoutPin_IsRefused', async t => {
     const bridge = await RosbridgeDouble.start(t, { tls: tls() });
     const run = await adapter(t, bridge.url, { env: { NOWPOSE_TOKEN: TOKEN } });
 
@@ -59,7 +59,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     assert.equal(bridge.headers.length, 0);
   });
 
-  it('Token_Unknown_IsToldOnce', async t => {
+  it('Token_Unknown_IsLoggedOnce', async t => {
     const bridge = await RosbridgeDouble.start(t, { token: 'another' });
     const run = await adapter(t, bridge.url, { env: { NOWPOSE_TOKEN: TOKEN } });
     await run.said('401, the token is missing or not known there');
@@ -69,7 +69,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     assert.equal(run.err.match(/401, the token/g).length, 1);
   });
 
-  it('Robot_OfTheConfiguration_IsDescribedToEveryGateway', async t => {
+  it('Robot_OfTheConfiguration_IsPublishedAfterEachConnection', async t => {
     const port = await freePort(), first = await RosbridgeDouble.start(t, { port });
     const path = temporaryFile('plant.yaml', configuration(first.url, 'opc.tcp://127.0.0.1:9', [], JOINTS) + 'robot: arm.urdf\n');
     writeFileSync(join(dirname(path), 'arm.urdf'), '<robot name="arm"><joint name="a"/></robot>');
@@ -83,7 +83,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     assert.equal(second.published('/robot_description')[0].data, '<robot name="arm"><joint name="a"/></robot>');
   });
 
-  it('Child_WhoseParentIsGone_Ends', async t => {
+  it('Child_ParentEnded_Ends', async t => {
     const bridge = await RosbridgeDouble.start(t);
     const run = await adapter(t, bridge.url, { env: { NOWPOSE_SUPERVISED: '1' }, stdin: 'pipe' });
     await until(() => bridge.heard.length > 0, 'a message');
@@ -104,7 +104,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     });
   }
 
-  it('Offer_NobodyAsksAfter_IsMadeAgain', async t => {
+  it('Offer_WithoutRequests_IsRepeated', async t => {
     const bridge = await RosbridgeDouble.start(t), ending = new AbortController();
     const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}));
     link.offer('/nowpose/plant_time/cell', 'nowpose/PlantTime', async () => ({ synchronised: true }));
@@ -121,7 +121,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     await running;
   });
 
-  it('Status_OfAnEarlierConnection_IsToldOnTheNext', async t => {
+  it('Status_OfAnEarlierConnection_IsLoggedAgainOnTheNext', async t => {
     const bridge = await RosbridgeDouble.start(t), run = await adapter(t, bridge.url);
     const refuse = async count => {
       await until(() => bridge.clients.length > 0, 'the link');
@@ -136,7 +136,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     await refuse(2);
   });
 
-  it('Status_OfAClockThatIsStillMeasured_IsNoAlarm', async t => {
+  it('Status_ClockStillMeasured_IsLoggedAsMeasuring', async t => {
     const bridge = await RosbridgeDouble.start(t), run = await adapter(t, bridge.url);
     await until(() => bridge.clients.length > 0, 'the link');
 
@@ -149,7 +149,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     assert.doesNotMatch(run.err, /Unsynchronised/);
   });
 
-  it('Statuses_ManyTimesTheSame_AreToldOnce', async t => {
+  it('Status_Repeated_IsLoggedOnce', async t => {
     const bridge = await RosbridgeDouble.start(t), run = await adapter(t, bridge.url);
     await until(() => bridge.heard.length > 0, 'a message');
 
@@ -160,7 +160,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     assert.deepEqual(run.err.match(/says: .*/g), ['says: this', 'says: that', 'says: {"toString":1}']);
   });
 
-  it('Message_ThatBreaksItsListener_IsCountedAndTheNextIsHeard', async t => {
+  it('Message_ListenerThrows_IsCountedAndTheNextIsProcessed', async t => {
     const bridge = await RosbridgeDouble.start(t), heard = [], problems = [], ending = new AbortController();
     const events = { malformed: (topic, problem) => problems.push([topic, problem]) };
     const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}), 'gateway', events);
@@ -177,7 +177,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     await running;
   });
 
-  it('Arguments_Wrong_TellTheUsage', async t => {
+  it('Arguments_Invalid_ShowTheUsage', async t => {
     const run = start(t, ['--chek', 'plant.yaml']);
 
     assert.equal(await run.ended, 2);
@@ -186,7 +186,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
 });
 
 describe('queue', () => {
-  it('Messages_TooMany_LoseTheOldest', () => {
+  it('Queue_Full_DropsTheOldest', () => {
     const queue = new SendQueue(), sent = [];
     for (let i = 0; i < 100; i++) queue.add(String(i));
 
@@ -195,7 +195,7 @@ describe('queue', () => {
     assert.deepEqual([queue.dropped, sent[0], sent.at(-1), sent.length], [36, 36, 99, 64]);
   });
 
-  it('Socket_ThatIsFull_GetsNothing', () => {
+  it('Socket_Full_GetsNoMessages', () => {
     const queue = new SendQueue(), sent = [];
     queue.add('x');
 
@@ -214,7 +214,7 @@ describe('log', () => {
     assert.deepEqual(lines, ['[plant/x] to opc.tcp://***@plc with *** [31mfaked line\n']);
   });
 
-  it('Subject_ThatChangesAllTheTime_HasTenLinesAndOneThatCountsTheRest', () => {
+  it('Subject_ChangingContinuously_HasTenLinesAndOneThatCountsTheRest', () => {
     const lines = [], waits = [], log = new Log('x', [], line => lines.push(line), (ms, then) => waits.push({ ms, then }));
     const flood = () => {
       for (let i = 0; i < 500; i++) {
@@ -236,7 +236,7 @@ describe('log', () => {
 });
 
 describe('backoff', () => {
-  it('Waits_Doubling_EndAtOneAndAHalfSeconds', () => {
+  it('Delays_Doubling_EndAtOneAndAHalfSeconds', () => {
     const backoff = new Backoff(() => 0.5);
 
     assert.deepEqual([1, 2, 3, 4, 5].map(() => backoff.next()), [200, 400, 800, 1500, 1500]);
@@ -244,7 +244,7 @@ describe('backoff', () => {
     assert.equal(backoff.next(), 200);
   });
 
-  it('Waits_Varied_StayWithinAFifth', () => {
+  it('Delays_Varied_StayWithinAFifth', () => {
     assert.ok(Math.abs(new Backoff(() => 0).next() - 160) < 1e-9 && Math.abs(new Backoff(() => 1).next() - 240) < 1e-9);
   });
 });

@@ -35,7 +35,7 @@ function bridge() {
 }
 
 describe('reported joints', () => {
-  it('Rest_ThatIsReported_StaysWithAndWithoutSamples', () => {
+  it('Rest_Reported_StaysWithAndWithoutSamples', () => {
     const { hear, sample, pass, stateOf } = bridge();
     sample('a');
 
@@ -47,7 +47,7 @@ describe('reported joints', () => {
     assert.deepEqual([repeated, stateOf('a')], ['rest', 'rest']);
   });
 
-  it('Fault_NoLongerReported_EndsWithASampleOnly', () => {
+  it('Fault_NoLongerReported_EndsOnlyWithASample', () => {
     const { hear, sample, pass, stateOf } = bridge();
     sample('a');
     pass(5000);
@@ -62,7 +62,7 @@ describe('reported joints', () => {
     assert.deepEqual([before, waited, stateOf('a')], ['fault', 'fault', 'live']);
   });
 
-  it('Rest_NoLongerReportedAndNoSample_IsFault', () => {
+  it('Rest_NoLongerReportedWithoutSample_IsFault', () => {
     const { hear, sample, pass, stateOf } = bridge();
     sample('a');
     hear({ a: 'rest 0.000 no change is reported' });
@@ -74,7 +74,7 @@ describe('reported joints', () => {
     assert.equal(stateOf('a'), 'fault');
   });
 
-  it('Motion_ThatBeginsBeforeTheReportOfRestEnds_IsLiveAtOnce', () => {
+  it('Motion_BeginsBeforeTheReportOfRestEnds_IsLiveImmediately', () => {
     const { hear, sample, pass, stateOf } = bridge();
     sample('a');
     hear({ a: 'rest 0.000 no change is reported' });
@@ -86,7 +86,7 @@ describe('reported joints', () => {
     assert.equal(stateOf('a'), 'live');
   });
 
-  it('Joint_ThatNeverSentAnythingAndIsNotReportedAnyMore_IsNotExpected', () => {
+  it('Joint_WithoutSamplesNoLongerReported_IsNotExpected', () => {
     const { hear, reported, status, stateOf } = bridge();
     hear({ a: 'missing 0.000 no such node', b: 'missing 0.000 no such node' });
 
@@ -101,7 +101,7 @@ describe('reported joints', () => {
     assert.deepEqual([first, stateOf('b')], [['none', 'missing'], 'none']);
   });
 
-  it('Report_BeforeTheOtherGatewayIsKnownToBeThere_CountsFromThenOn', () => {
+  it('Report_BeforeTheOtherGatewayIsPresent_AppliesOnceItIs', () => {
     const { hear, reported, stateOf } = bridge();
     reported.leave();
 
@@ -112,22 +112,22 @@ describe('reported joints', () => {
     assert.deepEqual([before, stateOf('a')], ['none', 'missing']);
   });
 
-  it('Report_SaidAgain_KeepsSinceAndIsLoggedOnce', () => {
+  it('Report_Repeated_KeepsItsBeginAndIsLoggedOnce', () => {
     const { hear, status, time, lines } = bridge();
     time.ms = 20_000;
-    hear({ a: 'refused 8.000 value NaN is no position' });
+    hear({ a: 'refused 8.000 value NaN is not a position' });
     const first = status.values()['joint/a'];
 
     time.ms = 21_300;
-    hear({ a: 'refused 8.200 value NaN is no position' });
+    hear({ a: 'refused 8.200 value NaN is not a position' });
 
-    assert.equal(first, `refused ${START / 1000 + 8}.000 value NaN is no position`);
+    assert.equal(first, `refused ${START / 1000 + 8}.000 value NaN is not a position`);
     assert.equal(status.values()['joint/a'], first);
     assert.equal(lines.filter(line => line.includes('a refused')).length, 1);
   });
 
   for (const [name, value] of [['State', 'broken 1.000 why'], ['Since', 'fault soon why'], ['Huge', `fault 1e99 why`], ['Number', 7], ['Empty', '']])
-    it(`Report_Wrong${name}_IsRefusedAsAWholeWithOneLine`, () => {
+    it(`Report_Invalid${name}_IsRefusedCompletelyWithOneLine`, () => {
       const { hear, status, lines, stateOf } = bridge();
 
       hear({ a: 'missing 0.000 no such node', b: value });
@@ -137,7 +137,7 @@ describe('reported joints', () => {
       assert.equal(lines.filter(line => line.includes('joint status refused (malformed): the entry')).length, 1);
     });
 
-  it('Report_OfTooManyJoints_IsRefused', () => {
+  it('Report_TooManyJoints_IsRefused', () => {
     const { hear, status } = bridge();
 
     hear(Object.fromEntries([...Array(257).keys()].map(i => [`joint ${i}`, 'missing 0.000 no such node'])));

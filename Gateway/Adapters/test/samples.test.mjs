@@ -15,7 +15,7 @@ describe('grouping', () => {
     assert.deepEqual(groups.map(g => [g.stamp, g.samples.map(s => s.joint)]), [[T, [0, 1]]]);
   });
 
-  it('Samples_WithinTolerance_GetTheirMiddle', () => {
+  it('Samples_WithinTolerance_GetTheMiddleOfTheirStamps', () => {
     const groups = grouped([0n, 300n, 500n, 501n].map((stamp, joint) => ({ joint, position: 0, stamp: T + stamp })), 500n);
 
     assert.deepEqual(groups.map(g => [g.stamp - T, g.samples.map(s => s.joint)]), [[250n, [0, 1, 2]], [501n, [3]]]);
@@ -29,7 +29,7 @@ describe('grouping', () => {
     assert.deepEqual(groups.map(g => g.samples.map(s => s.position)), [[0, 0], [1, 1], [2, 2]]);
   });
 
-  it('Joint_TwiceWithinTolerance_IsNeverTwiceInAMessage', () => {
+  it('Joint_TwiceWithinTolerance_IsInTwoGroups', () => {
     const groups = grouped([{ joint: 0, position: 1, stamp: T }, { joint: 0, position: 2, stamp: T + 1n }], MS);
 
     assert.deepEqual(groups.map(g => g.samples.length), [1, 1]);
@@ -47,14 +47,14 @@ describe('stamps', () => {
     ['JustAllowedBehind', T - 10n * S, T, null],
     ['ClockUnknown', T, null, null],
   ]) {
-    it(`Stamp_${name}_IsJudged`, () => {
+    it(`Stamp_${name}_${reason === null ? 'IsAccepted' : 'IsRefused'}`, () => {
       const refusal = new StampRule(1, 10n * S).judge(0, stamp, now);
 
       assert.equal(refusal?.reason ?? null, reason);
     });
   }
 
-  it('Stamp_OfTheValueBefore_IsRefusedForThisJointOnly', () => {
+  it('Stamp_NotNewer_IsRefusedForThisJointOnly', () => {
     const rule = new StampRule(2, 10n * S);
     rule.judge(0, T, T);
 
@@ -64,7 +64,7 @@ describe('stamps', () => {
     assert.equal(rule.judge(0, T + 1n, T), null);
   });
 
-  it('Stamp_AfterTheClockWasSetBack_IsTakenAgain', () => {
+  it('Stamp_AfterTheClockWasSetBack_IsAccepted', () => {
     const rule = new StampRule(1, 10n * S), before = T - 3600n * S;
     rule.judge(0, T, T);
 
@@ -109,7 +109,7 @@ describe('joint output', () => {
     });
   }
 
-  it('Refusals_OfOneReason_AreLoggedOnceUntilItIsGoodAgain', () => {
+  it('Refusals_OfOneReason_AreLoggedOnceUntilAValidValue', () => {
     const { out, lines, clock } = output([joint('a')]);
 
     for (let i = 1n; i < 6n; i++) out.publish([{ joint: 0, value: NaN, stamp: T + i }]);
@@ -121,7 +121,7 @@ describe('joint output', () => {
     assert.deepEqual(lines.map(line => /not-finite|good again|stamp-old/.exec(line)?.[0]), ['not-finite', 'good again', 'stamp-old']);
   });
 
-  it('Values_OfAClockThatIsNotOfferedYet_AreCountedAndKeptBack', () => {
+  it('Values_ClockNotOfferedYet_AreCountedAndNotPublished', () => {
     const { out, sent, status, lines, clock } = output([joint('a')]);
 
     clock.isSettled = false;
@@ -134,12 +134,12 @@ describe('joint output', () => {
     assert.deepEqual(lines, []);
   });
 
-  describe('of a plant that tells changes alone', () => {
+  describe('of a plant that sends only changes', () => {
     const HOUR = 3600n * S;
     const passed = sent => sent.map(({ msg: { header: { stamp }, name, position } }) =>
       [BigInt(stamp.sec) * S + BigInt(stamp.nanosec) - T, name.join(), position.join()]);
 
-    it('Joint_ThatStands_IsToldAgainAtTimesUpToWhichItIsKnown', () => {
+    it('Joint_AtRest_IsRepeatedUpToTheKnownTime', () => {
       const { out, sent, clock } = output([joint('a'), joint('b')]);
       clock.now = T + S;
       out.publish([{ joint: 0, value: 1, stamp: T }, { joint: 1, value: 2, stamp: T }]);
@@ -154,7 +154,7 @@ describe('joint output', () => {
       assert.deepEqual(passed(sent).at(-1), [205n * MS, 'b', '3']);
     });
 
-    it('Value_OfLongAgo_IsShownOnceItTurnsOutToStand', () => {
+    it('Value_FirstWithOldStamp_IsPublishedOnceAtRest', () => {
       const { out, sent, status, clock } = output([joint('a')]);
       out.publish([{ joint: 0, value: 7, stamp: T - HOUR, isFirst: true }]);
       out.hold(T + 50n * MS, 0n);
@@ -167,7 +167,7 @@ describe('joint output', () => {
       assert.equal(status.values().refused, '0');
     });
 
-    it('Value_OfAnotherClock_IsNeverTakenForOneThatStands', () => {
+    it('Value_StampedByAnotherClock_IsNeverAssumedAtRest', () => {
       const { out, sent, status, clock } = output([joint('a')]);
       for (let i = 0n; i < 5n; i++) {
         clock.now = T + i * 10n * MS;
@@ -180,7 +180,7 @@ describe('joint output', () => {
       assert.deepEqual([sent.length, status.values()['refused/stamp-old']], [0, '4']);
     });
 
-    it('Joint_ThatWasRefused_IsNotToldAgain', () => {
+    it('Joint_Refused_IsNotRepeated', () => {
       const { out, sent, clock } = output([joint('a'), joint('b')]);
       out.publish([{ joint: 0, value: 1, stamp: T }, { joint: 1, value: 1, stamp: T }, { joint: 0, value: NaN, stamp: T + 1n }]);
       clock.now = T + S;
@@ -193,7 +193,7 @@ describe('joint output', () => {
     });
   });
 
-  it('Refused_OneJoint_HoldsNoOtherUp', () => {
+  it('Joint_Refused_DoesNotDelayOthers', () => {
     const { out, sent } = output([joint('a'), joint('b')]);
 
     out.publish([{ joint: 0, value: NaN, stamp: T }, { joint: 1, value: 1, stamp: T }]);

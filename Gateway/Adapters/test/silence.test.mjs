@@ -37,7 +37,7 @@ function moveAndStop(cell, seconds, hold = true) {
 }
 
 describe('silence', () => {
-  it('Motion_CutByItsSource_IsFaultAndNotRepeated', () => {
+  it('Motion_Interrupted_IsFaultAndNotRepeated', () => {
     const cell = plant();
 
     moveAndStop(cell, 1);
@@ -51,7 +51,7 @@ describe('silence', () => {
     assert.equal(cell.lines.filter(line => line.includes('a fault')).length, 1);
   });
 
-  it('Motion_CutThenAnotherConnection_IsFaultUntilANewerSample', () => {
+  it('Motion_InterruptedThenReconnected_IsFaultUntilANewerSample', () => {
     const cell = plant();
     moveAndStop(cell, 1);
     const since = cell.status.values()['joint/a'].split(' ')[1];
@@ -68,7 +68,7 @@ describe('silence', () => {
   });
 
   for (const [maxDeceleration, limit] of [[undefined, '12.0 rad/s² that is assumed for it; set max_deceleration if it can brake harder'], [20, '20.0 rad/s² of max_deceleration']]) {
-    it(`Motion_CutWith${maxDeceleration === undefined ? 'out' : ''}MaxDeceleration_NamesTheLimitAndWhereItComesFrom`, () => {
+    it(`Motion_InterruptedWith${maxDeceleration === undefined ? 'out' : ''}MaxDeceleration_NamesTheLimitAndItsSource`, () => {
       const cell = plant([{ joint: 'a', maxDeceleration }, { joint: 'b' }]);
 
       moveAndStop(cell, 1);
@@ -77,7 +77,7 @@ describe('silence', () => {
     });
   }
 
-  it('Motion_SampledSeldom_IsNeitherRepeatedNorEndedBetweenItsSamples', () => {
+  it('Motion_SampledRarely_IsNeitherRepeatedNorEndedBetweenSamples', () => {
     const cell = plant([{ joint: 'a' }]);
     const samples = [];
 
@@ -92,7 +92,7 @@ describe('silence', () => {
     assert.equal(cell.sent.length, samples.length);
   });
 
-  it('Motion_GoesOn_IsLiveAtOnce', () => {
+  it('Motion_Continues_IsLiveImmediately', () => {
     const cell = plant();
     moveAndStop(cell, 1);
 
@@ -102,7 +102,7 @@ describe('silence', () => {
     assert.ok(cell.lines.some(line => line.includes('a is live again')));
   });
 
-  it('Motion_CutWithinItsConfiguredDeceleration_IsRest', () => {
+  it('Motion_InterruptedWithinItsConfiguredDeceleration_IsRest', () => {
     const cell = plant([{ joint: 'a', maxDeceleration: 200 }, { joint: 'b' }]);
 
     moveAndStop(cell, 2);
@@ -126,7 +126,7 @@ describe('silence', () => {
     return cell;
   }
 
-  it('Motion_CutBelowTheFloorWhileAnotherJointGoesOn_IsFault', () => {
+  it('Motion_InterruptedBelowTheFloorWhileAnotherJointMoves_IsFault', () => {
     const cell = swing([0]);
 
     assert.deepEqual([cell.stateOf('a'), cell.stateOf('b')], ['fault', 'live']);
@@ -136,7 +136,7 @@ describe('silence', () => {
     assert.match(cell.status.values()['joint/a'], /to stop there needs 1\d\.\d rad\/s², more than the 1\.\d rad\/s² that its samples show; set max_deceleration if it can brake harder$/);
   });
 
-  it('Motion_CutBelowTheFloorBeforeAnyDeceleration_IsUncertainRestAlsoWhileAnotherJointGoesOn', () => {
+  it('Motion_InterruptedBelowTheFloorBeforeAnyDeceleration_IsUncertainRestAlsoWhileAnotherJointMoves', () => {
     const cell = plant();
     for (; cell.time.ms < 3000; cell.time.ms += 50) {
       // 0.4 rad/s from 0.5 s on: a stop there within 50 ms needs up to 8 rad/s².
@@ -150,7 +150,7 @@ describe('silence', () => {
     assert.match(cell.status.values()['joint/a'], /the stop itself was not observed/);
   });
 
-  it('Motion_OfAllJointsCutBelowTheFloor_IsUncertainRest', () => {
+  it('Motion_OfAllJointsInterruptedBelowTheFloor_IsUncertainRest', () => {
     const cell = swing([0, 1]);
 
     assert.deepEqual([cell.stateOf('a'), cell.stateOf('b'), cell.status.level], ['rest', 'rest', 1]);
@@ -183,7 +183,7 @@ describe('silence', () => {
     assert.equal(cell.sent.filter(({ name }) => name.includes('a')).length, count);
   });
 
-  it('Silence_ThatNothingConfirms_IsFault', () => {
+  it('Silence_Unconfirmed_IsFault', () => {
     const cell = plant([{ joint: 'a', maxDeceleration: 200 }, { joint: 'b' }]);
 
     moveAndStop(cell, 1.9, false);
@@ -192,7 +192,7 @@ describe('silence', () => {
 
     assert.deepEqual([before, cell.stateOf('a')], ['live', 'fault']);
     cell.output.hold(cell.clock.now - 10n * MS, 30n * MS);
-    assert.equal(cell.stateOf('a'), 'rest', 'confirmed again');
+    assert.equal(cell.stateOf('a'), 'rest', 'after another confirmation');
   });
 
   it('Joint_NeverReceived_IsMissingWithTheReason', () => {
@@ -201,12 +201,12 @@ describe('silence', () => {
     cell.value(0, NaN);
     cell.output.lose(1, 'plant.yaml, line 3: no such node');
 
-    assert.match(cell.status.values()['joint/a'], /^missing \d+\.\d{3} value NaN is no position$/);
+    assert.match(cell.status.values()['joint/a'], /^missing \d+\.\d{3} value NaN is not a position$/);
     assert.match(cell.status.values()['joint/b'], /^missing \d+\.\d{3} plant\.yaml, line 3: no such node$/);
     assert.equal(cell.status.level, 2);
   });
 
-  it('Value_RefusedThenGood_IsRefusedThenLive', () => {
+  it('Value_InvalidThenValid_IsRefusedThenLive', () => {
     const cell = plant();
     cell.value(0, 1);
     cell.value(1, 1);
@@ -221,7 +221,7 @@ describe('silence', () => {
     assert.deepEqual([cell.stateOf('a'), cell.status.level], ['live', 0]);
   });
 
-  it('Batch_GoodValueBeforeARefusal_EndsRefused', () => {
+  it('Batch_ValidValueBeforeAnInvalidOne_EndsRefused', () => {
     const cell = plant();
 
     cell.output.publish([{ joint: 0, value: 1, stamp: T - MS }, { joint: 0, value: null, stamp: null, refusal: { reason: 'node-gone', text: 'gone' }, isLost: true }]);
@@ -229,7 +229,7 @@ describe('silence', () => {
     assert.equal(cell.stateOf('a'), 'fault');
   });
 
-  it('Plant_ConnectingThenAway_HasLevelOneThenTwo', () => {
+  it('Plant_ConnectingThenDisconnected_HasLevelOneThenTwo', () => {
     const status = new AdapterStatus('opcua', new Log('plant/test', [], () => {}));
     status.joints.expect('a');
     const levels = [status.level];
@@ -249,7 +249,7 @@ describe('silence', () => {
       { level: 2, name: 'plant/p', message: 'waiting: the connection was lost', hardware_id: 'plant/p', values: [{ key: 'k', value: 'v' }] });
   });
 
-  it('Values_ManyJoints_TroublesComeFirst', () => {
+  it('Values_ManyJoints_FaultyOnesComeFirst', () => {
     const { status, value } = plant([{ joint: 'a' }, { joint: 'b' }, { joint: 'c' }]);
     value(0, 1);
     value(2, 1);
@@ -276,7 +276,7 @@ describe('silence', () => {
   /** Stops gently at 1 s and sends nothing at rest. */
   const stops = s => (s > 1 ? null : 0.1 * Math.sin(s * Math.PI / 2)), swings = s => 0.1 * Math.sin(2 * s);
 
-  it('Source_ThatCannotConfirm_SilentJointIsAtRestButNotForSure', async () => {
+  it('Source_CannotConfirm_SilentJointIsAtUncertainRest', async () => {
     const { status, stateOf } = await passive({ x: stops, y: swings }, 3);
 
     assert.deepEqual([stateOf('x'), stateOf('y'), status.level], ['rest', 'live', 1]);
@@ -284,27 +284,27 @@ describe('silence', () => {
     assert.match(status.message, /^x may not be at rest: nothing confirms/);
   });
 
-  it('Source_ThatCannotConfirmAndIsSilentAsAWhole_SaysSo', async () => {
+  it('Source_CannotConfirmAndIsCompletelySilent_IsReported', async () => {
     const { status, stateOf } = await passive({ x: stops, y: stops }, 3);
 
     assert.deepEqual([stateOf('x'), stateOf('y'), status.level], ['rest', 'rest', 1]);
     for (const joint of ['x', 'y']) assert.match(status.values()[`uncertain/${joint}`], /^no joint of its source sends anything, .*; set silence/);
   });
 
-  it('Source_ThatCannotConfirm_MotionAfterRestIsLiveAndCertain', async () => {
+  it('Source_CannotConfirm_MotionAfterRestIsLiveAndCertain', async () => {
     const { status, stateOf } = await passive({ x: s => (s > 1 && s < 4 ? null : 0.1 * Math.sin(Math.min(s, 1) * Math.PI / 2)) }, 4.5);
 
     assert.deepEqual([stateOf('x'), status.level, status.values()['uncertain/x']], ['live', 0, undefined]);
   });
 
-  it('Source_ThatCannotConfirm_MotionCutIsFault', async () => {
+  it('Source_CannotConfirm_InterruptedMotionIsFault', async () => {
     const { status, stateOf } = await passive({ x: s => (s > 1 ? null : s * s), y: swings }, 3);
 
     assert.deepEqual([stateOf('x'), stateOf('y'), status.level], ['fault', 'live', 2]);
     assert.match(status.values()['joint/x'], /its data ended in mid-motion/);
   });
 
-  it('Source_ThatCannotConfirm_MotionOfAnotherJointLaterDoesNotMakeAnEarlierStopAFault', async () => {
+  it('Source_CannotConfirm_LaterMotionOfAnotherJointDoesNotTurnAnEarlierStopIntoAFault', async () => {
     // Both joints brake from 0.5 rad/s within one interval, after an earlier gentle stop.
     const hard = s => (s < 2 ? 0.1 * Math.sin(s * Math.PI / 2) ** 2 : s < 3 ? 0.5 * (s - 2) : null);
     const { stateOf } = await passive({ x: hard, y: s => (s < 3 ? hard(s) : s < 10 ? null : 0.5 * (s - 10)) }, 14);
@@ -312,13 +312,13 @@ describe('silence', () => {
     assert.deepEqual([stateOf('x'), stateOf('y')], ['rest', 'live']);
   });
 
-  it('Source_WithALimitOfSilence_IsCertainUntilThen', async () => {
+  it('Source_WithALimitOfSilence_RestIsCertainUntilTheLimit', async () => {
     const { status, stateOf } = await passive({ x: stops, y: swings }, 4, 5000);
 
     assert.deepEqual([stateOf('x'), status.level, status.values()['uncertain/x']], ['rest', 0, undefined]);
   });
 
-  it('Source_ThatSendsEachJointPeriodically_SilenceIsFault', () => {
+  it('Source_SendsEachJointPeriodically_SilenceIsFault', () => {
     const { output, stateOf, time } = plant([], { faultAfterMs: 1000 });
     output.silence.unconfirmedMs = null;
     output.silence.heard('x');

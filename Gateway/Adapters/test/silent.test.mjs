@@ -1,4 +1,4 @@
-// Nodes and symbols that a source sends nothing about, in virtual time: one case for each way in which servers treat a deleted node.
+// Silent nodes and symbols in virtual time: one case for each way in which servers treat a deleted node.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { DataType, DataValue, StatusCodes, Variant } from 'node-opcua-client';
@@ -39,7 +39,7 @@ function server(answers = [good(1), good(2)]) {
 }
 
 describe('silent nodes', () => {
-  it('Node_HeardOfLately_IsNotRead', async () => {
+  it('Node_RecentlyNotified_IsNotRead', async () => {
     const cell = server();
     cell.now = 300;
     cell.hear(1, good(2));
@@ -53,7 +53,7 @@ describe('silent nodes', () => {
     assert.deepEqual(cell.asked[1], ['1']);
   });
 
-  it('Node_UnknownToARead_IsLostOnceAndMonitoredAgainWhenItIsBack', async () => {
+  it('Node_UnknownInARead_IsLostOnceAndMonitoredAgainOnceRestored', async () => {
     const cell = server();
     cell.answers[0] = bad(StatusCodes.BadNodeIdUnknown);
 
@@ -66,7 +66,7 @@ describe('silent nodes', () => {
     assert.deepEqual(cell.renewed, [0]);
   });
 
-  it('Node_GoneByNotification_IsMonitoredAgainWhenItIsBack', async () => {
+  it('Node_LostByNotification_IsMonitoredAgainOnceRestored', async () => {
     const cell = server();
     cell.hear(0, bad(StatusCodes.BadNodeIdInvalid));
 
@@ -78,7 +78,7 @@ describe('silent nodes', () => {
     assert.deepEqual(cell.renewed, [0]);
   });
 
-  it('Node_BackButNotMonitored_IsTriedAgain', async () => {
+  it('Node_RestoredButNotMonitored_IsRetried', async () => {
     const cell = server();
     cell.hear(0, bad(StatusCodes.BadNodeIdUnknown));
     cell.refusal = 'BadTooManyMonitoredItems';
@@ -100,7 +100,7 @@ describe('silent nodes', () => {
     assert.deepEqual([first, renewed, cell.renewed], [[1], [], [0]]);
   });
 
-  it('Value_NotifiedWhileItWasRead_IsNotTakenForSilence', async () => {
+  it('Value_NotifiedDuringTheRead_IsNotSilent', async () => {
     const cell = server();
     const readAll = cell.nodes.session.readAll;
     cell.nodes.session.readAll = ids => {
@@ -113,7 +113,7 @@ describe('silent nodes', () => {
     assert.deepEqual(cell.renewed, []);
   });
 
-  it('Status_BadInAReadOnly_IsRefusedOnceThenMonitoredAgain', async () => {
+  it('Status_BadOnlyInARead_IsRefusedOnceThenMonitoredAgain', async () => {
     const cell = server();
     cell.answers[0] = bad(StatusCodes.BadSensorFailure);
 
@@ -223,7 +223,7 @@ describe('silent symbols', () => {
     assert.equal(cell.agoMs, 80);
   });
 
-  it('Symbol_ThatHasChangedButIsNotNotifiedYet_IsNotSubscribedToAgain', async () => {
+  it('Symbol_ChangedButNotNotifiedYet_IsNotSubscribedAgain', async () => {
     const cell = plc();
     cell.now += 100;
     cell.values[0] = 7;
@@ -238,7 +238,7 @@ describe('silent symbols', () => {
     assert.deepEqual([renewed, cell.confirmed], [[], [[1], [1], [0, 1]]]);
   });
 
-  it('Symbol_GoneThenBack_IsLostThenSubscribedToAgain', async () => {
+  it('Symbol_RemovedThenRestored_IsLostThenSubscribedAgain', async () => {
     const cell = plc();
     cell.values[0] = null;
 
@@ -249,7 +249,7 @@ describe('silent symbols', () => {
     assert.deepEqual([cell.lost, cell.renewed, cell.confirmed], [[[0, 'gone']], [0], [[1], [1]]]);
   });
 
-  it('Symbol_ChangedWithoutNotification_IsSubscribedToAgain', async () => {
+  it('Symbol_ChangedWithoutNotification_IsSubscribedAgain', async () => {
     const cell = plc();
     cell.values[0] = 7;
 
@@ -259,7 +259,7 @@ describe('silent symbols', () => {
     assert.deepEqual([cell.renewed, cell.confirmed], [[0], [[1], [1]]]);
   });
 
-  it('Symbol_OfPeriodicNotifications_IsNeverConfirmedByAnEqualValue', async () => {
+  it('Symbol_PeriodicNotifications_IsNeverConfirmedByAnEqualValue', async () => {
     const cell = plc(false);
 
     await cell.look();

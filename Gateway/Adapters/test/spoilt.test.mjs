@@ -42,7 +42,7 @@ function spoilt(text, random) {
   return lines.join('\n');
 }
 
-it('Configuration_SpoiltInThousandsOfWays_IsGoodOrNamesItsLines', { timeout: 120_000 }, async t => {
+it('Configuration_RandomlyDamaged_IsValidOrNamesItsLines', { timeout: 120_000 }, async t => {
   const random = seeded(SEED), path = temporaryFile('plant.yaml', ''), warnings = [];
   const warn = warning => warnings.push(warning.message);
   process.on('warning', warn);

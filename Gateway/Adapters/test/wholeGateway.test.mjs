@@ -1,4 +1,4 @@
-// Adapters behind the real gateway, which selects the clock that headsets get.
+// Adapters with the real gateway, which selects the clock of the headsets.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import WebSocket from 'ws';
@@ -11,7 +11,7 @@ import { temporaryFile } from './temporary.mjs';
 const plant = (robot, more = '') =>
   temporaryFile('ros.yaml', `plant:\n  kind: ros\n  name: robot\n  endpoint: ${robot.url}\n  topics: { robot_description: false }\n${more}`);
 
-/** Subscribes like a headset and returns the messages it receives. */
+/** Subscribes like a headset and returns the received messages. */
 async function listen(t, address) {
   const socket = new WebSocket(address), heard = [];
   t.after(() => socket.terminate());
@@ -37,7 +37,7 @@ async function passed(robot, heard) {
 
 describe('clock of a gateway', { concurrency: 2, skip: program ? false : 'the gateway is not built: dotnet build Gateway' }, () => {
   for (const [name, more, options] of [['ClockFalse', '  clock: false\n', {}], ['WithoutRosapi', '', { now: null }]])
-    it(`Ros_${name}_PassesPositionsOnTheGatewaysOwnClock`, async t => {
+    it(`Ros_${name}_ForwardsPositionsOnTheGatewaysOwnClock`, async t => {
       const robot = await Robot.start(t, options), heard = await listen(t, await start(t, ['--plant', plant(robot, more)]));
 
       const [said, arrived] = await passed(robot, heard);
@@ -45,7 +45,7 @@ describe('clock of a gateway', { concurrency: 2, skip: program ? false : 'the ga
       assert.equal(arrived, said);
     });
 
-  it('Bridge_ToABrokerBesideAPlant_LeavesTheClockToThePlant', async t => {
+  it('Bridge_ToABrokerBesideAPlant_UsesTheClockOfThePlant', async t => {
     const robot = await Robot.start(t, { aheadMs: 600_000 });
     // The broker is missing: the test needs only an adapter that offers no clock.
     const bridge = temporaryFile('publish.yaml',

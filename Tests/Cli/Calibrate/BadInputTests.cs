@@ -68,7 +68,7 @@ public sealed class BadInputTests : CalibrationFolder
 
     // The reference for the other tests: without their changes the pictures are accepted.
     [Test]
-    public async Task Pictures_WithNothingWrong_MakeAProfile()
+    public async Task Pictures_Valid_WriteAProfile()
     {
         var run = await CliRun.OfAsync("calibrate", "vlc", Picture("a.png"), Picture("b.png"), "--out", Out);
 
@@ -77,7 +77,7 @@ public sealed class BadInputTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Picture_WithoutACode_SaysSo() => await RefusedWith("wall.png: no code found", "vlc", Picture("wall.png", WithoutCodes));
+    public async Task Picture_WithoutACode_IsReported() => await RefusedWith("wall.png: no code found", "vlc", Picture("wall.png", WithoutCodes));
 
     [Test]
     public async Task Pictures_AllWithoutACode_AreCounted() => await RefusedWith(
@@ -99,7 +99,7 @@ public sealed class BadInputTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Folder_Empty_IsNamed() =>
+    public async Task Folder_Empty_IsReported() =>
         await RefusedWith("nothing: there are no pictures in it", "vlc", Directory.CreateDirectory(Path.Combine(Folder, "nothing")).FullName);
 
     string ProfileOfAnother(string device)
@@ -142,6 +142,6 @@ public sealed class BadInputTests : CalibrationFolder
 
     [TestCase("0")]
     [TestCase("NaN")]
-    public async Task Range_RenderTimesThatAreNone_NameFileLineAndField(string renderMs) => await RefusedWith(
+    public async Task Range_InvalidRenderTimes_NameFileLineAndField(string renderMs) => await RefusedWith(
         "pairs.csv:2: render_ms: ", "range", Write("pairs.csv", ["render_ms,visu_ms", .. Enumerable.Repeat(renderMs + ",40", 30)]));
 }

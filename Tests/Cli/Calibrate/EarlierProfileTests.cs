@@ -24,7 +24,7 @@ public sealed class EarlierProfileTests : CalibrationFolder
         earlier.WithWarnings(new CalibrationPageData("", "", []) { Warnings = ["other"] }).Warnings;
 
     [Test]
-    public void Read_SweepOfOneApiAndPicturesOfAnother_WarnsAndTakesTheOptions()
+    public void Read_SweepAndOptionsDiffer_WarnsAndUsesTheOptions()
     {
         var earlier = EarlierProfile.Read(null, Vulkan, new DisplayConditions("HoloLens 2", 60, "Direct3D11"));
 
@@ -50,7 +50,7 @@ public sealed class EarlierProfileTests : CalibrationFolder
     }
 
     [Test]
-    public void With_OtherLVisu_KeepsConditionsLimitAndHeadMotion()
+    public void With_AnotherLVisu_KeepsConditionsLimitAndHeadMotion()
     {
         var earlier = EarlierProfile.Read(Saved(new DisplayConditions("HoloLens 2", renderPipeline: "built-in")), Vulkan);
 
@@ -63,7 +63,7 @@ public sealed class EarlierProfileTests : CalibrationFolder
     }
 
     [Test]
-    public void SweepTable_ConditionsOfTheLog_AreThoseAboveItAndOfItsRows()
+    public void SweepTable_ConditionsOfTheLog_ComeFromHeaderAndRows()
     {
         var path = Write("sweep.csv", ["# graphics_api: Vulkan", "# reprojection: depth", SweepLog.Header, "5,0,4,display_gpu_time,HoloLens 2,60"]);
 

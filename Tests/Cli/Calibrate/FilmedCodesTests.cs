@@ -67,7 +67,7 @@ public class FilmedCodesTests : VideoFolder
     }
 
     [Test]
-    public async Task Vlc_VideoOfASweep_IsJoinedWithItsLog()
+    public async Task Vlc_VideoOfASweep_JoinsItsLog()
     {
         var run = await CliRun.OfAsync("calibrate", "vlc", _video, "--sweep", _sweep, "--json", "--out", Out);
 
@@ -88,7 +88,7 @@ public class FilmedCodesTests : VideoFolder
     }
 
     [Test]
-    public async Task Vlc_VideoWithoutFfmpeg_SaysWhatToInstallAndTheLastGoodProfileStays()
+    public async Task Vlc_VideoWithoutFfmpeg_NamesTheRemedyAndKeepsTheFormerProfile()
     {
         File.WriteAllText(Path.Combine(Directory.CreateDirectory(Out).FullName, "profile.json"), "good");
         UninstallFfmpeg();
@@ -99,7 +99,7 @@ public class FilmedCodesTests : VideoFolder
     }
 
     [Test]
-    public async Task Vlc_VideoThatFfmpegCannotRead_SaysWhy()
+    public async Task Vlc_VideoUnreadableByFfmpeg_StatesTheReason()
     {
         Script("ffmpeg", "echo 'moov atom not found' >&2; exit 1");
 
@@ -107,7 +107,7 @@ public class FilmedCodesTests : VideoFolder
     }
 
     [Test]
-    public async Task Vlc_VideoThatIsTorn_IsReadUpToThereAndSaysSo()
+    public async Task Vlc_TruncatedVideo_ReadsTheWholePicturesAndReportsIt()
     {
         const int Whole = 10;
         Script("ffmpeg", $"head -c {Whole * Width * Height + 1000} '{FramesPath}'; echo 'partial file' >&2; exit 1");
@@ -120,6 +120,6 @@ public class FilmedCodesTests : VideoFolder
     }
 
     [Test]
-    public async Task Vlc_VideoWithPicturesBesideIt_IsToBeEvaluatedByItself() =>
+    public async Task Vlc_VideoAndPictures_IsRefused() =>
         Assert.That(await RefusalOf("vlc", _video, Write("a.jpg", [])), Does.Contain("sweep.mp4: a video is evaluated by itself"));
 }

@@ -44,7 +44,7 @@ public class FilmedJogTests : VideoFolder
         sign * 90 * Math.Exp(-(x * x + y * y) / 120) * Math.Cos(x / 4 + sign * y / 5);
 
     [Test]
-    public async Task Sine_Video_FollowsBothPatchesAndFindsTheLag()
+    public async Task Sine_Video_TracksBothPatchesAndMeasuresTheLag()
     {
         var video = Video();
 
@@ -56,7 +56,7 @@ public class FilmedJogTests : VideoFolder
     }
 
     [Test]
-    public async Task Sine_FfmpegBefore51_IsAskedTheOldWay()
+    public async Task Sine_FfmpegBefore51_UsesTheOldOption()
     {
         var video = Video();
         Script(
@@ -71,7 +71,7 @@ public class FilmedJogTests : VideoFolder
     }
 
     [Test]
-    public async Task Sine_VideoWithBoxesThatAreWrong_SaysWhich()
+    public async Task Sine_VideoWithInvalidBoxes_NamesThem()
     {
         var video = Video();
 
@@ -82,7 +82,7 @@ public class FilmedJogTests : VideoFolder
     }
 
     [Test]
-    public async Task Sine_PatchThatGoesAway_NamesThePictureAndThePatch()
+    public async Task Sine_PatchDisappears_NamesPictureAndPatch()
     {
         var video = Video();
         using (var raw = File.OpenWrite(FramesPath))
@@ -99,7 +99,7 @@ public class FilmedJogTests : VideoFolder
     }
 
     [Test]
-    public async Task Sine_VideoWithoutFfmpeg_SaysWhatToInstall()
+    public async Task Sine_VideoWithoutFfmpeg_NamesTheRemedy()
     {
         var video = Video();
         UninstallFfmpeg();

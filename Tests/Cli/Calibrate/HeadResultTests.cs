@@ -11,7 +11,7 @@ public sealed class HeadResultTests
 
     // With late-stage reprojection a few ms remain; without it, all of L_visu. A runtime that predicts too far gives a negative latency.
     [Test]
-    public void HeadResult_AnyLatencyAndLVisu_FindsEachByItself(
+    public void HeadResult_AnyLatencyAndLVisu_EstimatesThemSeparately(
         [Values(-3, 0, 2, 5, 20, 40)] double latencyMs, [Values(25, 40, 60)] double visuMs, [Values(1, 2)] int seed)
     {
         var result = ResultOf(new SwungPictures { LatencyMs = latencyMs, VisuMs = visuMs, Seed = seed });
@@ -22,7 +22,7 @@ public sealed class HeadResultTests
     }
 
     [Test]
-    public void HeadResult_TwoHundredRecordings_CoversTheTruthInNineteenOfTwenty()
+    public void HeadResult_TwoHundredRecordings_UncertaintyCoversTheTruthIn95Percent()
     {
         var covered = Enumerable.Range(0, 200).Count(seed =>
         {
@@ -34,7 +34,7 @@ public sealed class HeadResultTests
     }
 
     [Test]
-    public void HeadResult_RollingShutterOtherDistanceAndDistortion_AreNotTakenForLatency()
+    public void HeadResult_RollingShutterDistanceAndDistortion_DoNotAffectTheLatency()
     {
         var result = ResultOf(new SwungPictures { LatencyMs = 12, LaterMs = 6, Scale = 1.1, Distortion = 1e-4 });
 
@@ -42,7 +42,7 @@ public sealed class HeadResultTests
     }
 
     [Test]
-    public void HeadResult_PicturesRejectedMisreadAndOfLateFrames_AreLeftOut()
+    public void HeadResult_RejectedMisreadAndLatePictures_AreExcluded()
     {
         var pictures = new SwungPictures { LatencyMs = 12 }.Take().ToArray();
         for (var i = 0; i < pictures.Length; i += 12) pictures[i] = PictureResult.Not(pictures[i].File, "undecided");
@@ -59,7 +59,7 @@ public sealed class HeadResultTests
 
     // A hologram that follows the head, as with Body Follow enabled.
     [Test]
-    public void HeadResult_HologramThatFollowsTheHead_IsRefused()
+    public void HeadResult_HologramFollowsTheHead_IsRefused()
     {
         Assert.That(() => ResultOf(new SwungPictures { Scale = 0 }),
             Throws.TypeOf<InputException>().With.Message.Contains("it must stay beside it in the room: disable Body Follow"));

@@ -28,7 +28,7 @@ public sealed class HeadVerbTests : CalibrationFolder
 
     // With late-stage reprojection. HeadResultTests cover other latencies with simulated readings.
     [Test]
-    public async Task Head_RenderedPictures_FindsLatencyAndLVisuSeparatelyAndKeepsTheStillLVisu()
+    public async Task Head_RenderedPictures_EstimatesLatencyAndLVisuAndKeepsTheFormerLVisu()
     {
         var pictures = await TakenAsync("moving", "--pictures", "120", "--head-latency-ms", "2");
 

@@ -12,14 +12,14 @@ public sealed class HeadsetCodeTests
         Read(pair => shareOfFirst * CodeWords.SignOf(first, pair) + (1 - shareOfFirst) * CodeWords.SignOf(second, pair));
 
     [Test]
-    public void Reading_OneFrame_IsItsTime([Values(0, 1, 32_767, 32_768, 65_535, 12_345)] int value)
+    public void Reading_OneFrame_ReturnsItsTime([Values(0, 1, 32_767, 32_768, 65_535, 12_345)] int value)
     {
         Assert.That(Read(pair => CodeWords.SignOf(value, pair)).Ms, Is.EqualTo(value));
     }
 
     [TestCase(0.75)]
     [TestCase(0.25)]
-    public void Reading_TwoFramesInOneExposure_IsTheBrighterOnes(double shareOfFirst)
+    public void Reading_TwoFramesInOneExposure_ReturnsTheBrighter(double shareOfFirst)
     {
         for (var value = 5; value < TimestampCode.PeriodMs; value += 499)
         {
@@ -30,7 +30,7 @@ public sealed class HeadsetCodeTests
     }
 
     [Test]
-    public void Reading_TwoFramesAlike_IsRefused()
+    public void Reading_TwoEquallyBrightFrames_IsRefused()
     {
         for (var value = 5; value < TimestampCode.PeriodMs; value += 499)
             Assert.That(ReadBoth(value, value + 17, 0.52).Fault, Is.Not.Null, $"{value} ms");

@@ -19,7 +19,7 @@ public sealed class MovingPicturesTests
     }
 
     [Test]
-    public void Rejected_SomeTakenInMotion_AreRejectedWithTheReasonAndTheStillOnesStay()
+    public void Rejected_SomeTakenInMotion_AreRejectedWithAReasonAndStillOnesKept()
     {
         var rejected = MovingPictures.Rejected([.. Still(100), .. Moving(40)]);
 
@@ -29,7 +29,7 @@ public sealed class MovingPicturesTests
     }
 
     [Test]
-    public void Rejected_CameraPutElsewhere_KeepsAll()
+    public void Rejected_CameraMovedOnce_KeepsAll()
     {
         PictureResult Elsewhere(PictureResult picture) => picture with { Places = picture.Places with { Control = (300, 200) } };
 
@@ -39,7 +39,7 @@ public sealed class MovingPicturesTests
     }
 
     [Test]
-    public void Rejected_MostTakenInMotion_IsRefusedAndNamesWhatTheyAreFor()
+    public void Rejected_MostTakenInMotion_ThrowsAndNamesTheSuitableVerb()
     {
         Assert.That(() => MovingPictures.Rejected([.. Still(40), .. Moving(100)]),
             Throws.TypeOf<InputException>().With.Message.Contains("of 140 pictures were taken while the headset or the camera moved")

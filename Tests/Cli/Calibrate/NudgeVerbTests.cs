@@ -8,7 +8,7 @@ namespace Nowpose.Headless.Tests.Cli.Calibrate;
 public class NudgeVerbTests : CalibrationFolder
 {
     [Test]
-    public async Task Nudge_OffsetsOfTwoDirections_GiveHalfTheirDifferenceOverTheSpeed()
+    public async Task Nudge_OffsetsInBothDirections_CorrectByHalfTheirDifferenceOverTheSpeed()
     {
         // True 46 ms, stated 40 ms: 6 ms at 250 mm/s are 1.5 mm. The base is 0.4 mm too far back.
         var run = await CliRun.OfAsync(
@@ -26,7 +26,7 @@ public class NudgeVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Nudge_WithoutOptions_TellsHowItIsDone()
+    public async Task Nudge_WithoutOptions_PrintsInstructions()
     {
         var run = await CliRun.OfAsync("calibrate", "nudge");
 
@@ -35,7 +35,7 @@ public class NudgeVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Nudge_ProfileThatIsThereHasALimit_StaysAndTheNewOneIsWrittenBesideIt()
+    public async Task Nudge_ExistingProfileHasALimit_WritesTheNewOneBesideIt()
     {
         LatencyProfileFile.Save(ProfilePath, new LatencyProfile(
             40, 1, "HoloLens 2", 60, DateTime.UnixEpoch, CalibrationMethod.VisibleLight, 9, 15.1, RenderTimeSourceKind.GpuCompletion));
@@ -59,7 +59,7 @@ public class NudgeVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Nudge_WhatIsThereIsNoProfile_IsReplaced()
+    public async Task Nudge_ExistingFileIsInvalid_IsReplaced()
     {
         Directory.CreateDirectory(Out);
         await File.WriteAllTextAsync(ProfilePath, "{");
@@ -76,6 +76,6 @@ public class NudgeVerbTests : CalibrationFolder
     [TestCase("--speed-mm-s 250 --forward-mm 2000 --backward-mm -2", "nudge: offset: 2000 mm is out of range")]
     [TestCase("--speed-mm-s 250 --forward-mm two --backward-mm -2", "--forward-mm")]
     [TestCase("--speed-mm-s 10 --forward-mm -20 --backward-mm 20", "visualisation latency: -1960 ms is out of range")]
-    public async Task Nudge_BadMarks_SaysWhatIsWrong(string options, string named) =>
+    public async Task Nudge_InvalidMarks_StatesTheReason(string options, string named) =>
         Assert.That(await RefusalOf(["nudge", .. options.Split(' ')]), Does.Contain(named));
 }

@@ -6,7 +6,7 @@ namespace Nowpose.Headless.Tests.Cli.Calibrate;
 public sealed class PictureFilesTests : CalibrationFolder
 {
     [Test]
-    public void Folder_OfNumberedPictures_IsInTheOrderOfTheNumbers()
+    public void Folder_OfNumberedPictures_IsInNumericOrder()
     {
         string[] expected =
             ["a.png", "frame1.png", "frame2.png", "frame9.png", "frame10.png", "frame0011.png", "frame60.png", "img_2_10.png", "img_10_2.png"];
@@ -16,7 +16,7 @@ public sealed class PictureFilesTests : CalibrationFolder
     }
 
     [Test]
-    public void Names_WithZerosInFrontOrDigitsWithoutEnd_HaveAnOrder()
+    public void Names_WithLeadingZerosOrManyDigits_HaveAnOrder()
     {
         var order = new NumberedNames();
         var names = new[] { "p1", "p01", "p001", "p2", "p" + new string('9', 40), "p1" + new string('0', 40), "p", "" };

@@ -14,7 +14,7 @@ public sealed class PictureReaderTests
     [TestCase(10_000, 10_040, 40)]
     [TestCase(65_520, 24, 40)]
     [TestCase(24, 65_534, -26)]
-    public void Picture_OfBothCodes_SaysTheirDifference(int headset, int control, double expected)
+    public void Picture_OfBothCodes_HasTheirDifference(int headset, int control, double expected)
     {
         var result = Read(new PictureReader(0, 0), CodeLevels.Run(control, 1), CodeLevels.Of(CodeKind.Headset, headset));
 
@@ -24,7 +24,7 @@ public sealed class PictureReaderTests
 
     [TestCase(0, 501, "codes more than 500 ms apart")]
     [TestCase(1000, 900, "headset code more than 50 ms ahead of the control code: is what shows that one late (--control-delay-ms)?")]
-    public void Picture_OfCodesThatCannotBelongTogether_IsRejected(int headset, int control, string fault)
+    public void Picture_OfContradictingCodes_IsRejected(int headset, int control, string fault)
     {
         var result = Read(new PictureReader(0, 0), CodeLevels.Run(control, 1), CodeLevels.Of(CodeKind.Headset, headset));
 
@@ -32,7 +32,7 @@ public sealed class PictureReaderTests
     }
 
     [Test]
-    public void Picture_ByARollingShutter_IsCorrectedByTheDifferenceInHeight()
+    public void Picture_OfARollingShutter_IsCorrectedByTheDifferenceInHeight()
     {
         var headset = CodeLevels.Of(CodeKind.Headset, _ => 1, top: 480) with { Levels = CodeLevels.Of(CodeKind.Headset, 10_000).Levels };
 
@@ -53,7 +53,7 @@ public sealed class PictureReaderTests
     [TestCase(1)]
     [TestCase(2.3)]
     [TestCase(5)]
-    public void Picture_OfLedsThatSwitchLate_HasTheirDelayAdded(double exposureMs)
+    public void Picture_OfLedsWithDelay_HasTheirDelayAdded(double exposureMs)
     {
         for (var start = 10_020.2; start < 10_040; start += 0.7)
         {
@@ -66,7 +66,7 @@ public sealed class PictureReaderTests
     [TestCase(4)]
     [TestCase(7)]
     [TestCase(17)]
-    public void Picture_OfAMonitorBetweenTwoFrames_IsReadAsOneOfThemOrNotAtAll(int step)
+    public void Picture_OfAMonitorBetweenTwoFrames_ReturnsOneOfThemOrIsRejected(int step)
     {
         var read = 0;
         for (var value = 10_020; value < 10_060; value++)
@@ -88,7 +88,7 @@ public sealed class PictureReaderTests
     }
 
     [Test]
-    public void Picture_WithoutACode_SaysWhichIsMissing()
+    public void Picture_WithoutACode_NamesTheMissingOne()
     {
         var reader = new PictureReader(0, 0);
 

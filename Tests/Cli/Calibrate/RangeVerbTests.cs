@@ -25,7 +25,7 @@ public class RangeVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Range_SweepOverTheLimit_GivesProfileAndPageAndJson()
+    public async Task Range_SweepOverTheLimit_WritesProfilePageAndJson()
     {
         var file = Write("pairs.csv", Sweep(7, 2));
 
@@ -48,7 +48,7 @@ public class RangeVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Range_SweepBelowTheLimit_SaysThatItWasNotReached()
+    public async Task Range_SweepBelowTheLimit_ReportsThatItWasNotReached()
     {
         var file = Write("pairs.csv", Sweep(8, 1));
 
@@ -62,7 +62,7 @@ public class RangeVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Range_RenderTimeThatDoesNotMoveWithTheLoad_SaysThatTheSourceCannotSeeLoad()
+    public async Task Range_RenderTimeIndependentOfTheLoad_IsRefused()
     {
         var blind = Sweep(7, 2).Select((line, i) => i == 0 ? line : string.Join(',', line.Split(',') is var fields ? [fields[0], fields[1], "3.1", fields[3]] : []));
 
@@ -71,7 +71,7 @@ public class RangeVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Range_FewLoads_SaysHowFarTheLimitIsOpen()
+    public async Task Range_FewLoads_StatesTheRangeOfTheLimit()
     {
         var coarse = Sweep(7, 2).Where((line, i) => i == 0 || int.Parse(line.Split(',')[1], CultureInfo.InvariantCulture) % 500_000 == 0);
 
@@ -90,7 +90,7 @@ public class RangeVerbTests : CalibrationFolder
     [TestCase("render_ms,visu_ms", "no rows")]
     [TestCase("render_ms,visu_ms\n5,40\n6,40", "2 are too few")]
     [TestCase("", ":1: no column render_ms")]
-    public async Task Range_BadTable_NamesFileLineAndField(string text, string named)
+    public async Task Range_InvalidTable_NamesFileLineAndField(string text, string named)
     {
         var file = Write("pairs.csv", [text]);
 
@@ -98,7 +98,7 @@ public class RangeVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Range_BadTable_LeavesTheLastGoodProfile()
+    public async Task Range_InvalidTable_KeepsTheFormerProfile()
     {
         await CliRun.OfAsync("calibrate", "range", Write("good.csv", Sweep(9, 2)), "--out", Out);
         var before = await File.ReadAllBytesAsync(ProfilePath);
@@ -112,7 +112,7 @@ public class RangeVerbTests : CalibrationFolder
     [TestCase("NaN", "NaN ms")]
     [TestCase("-4.2", "-4.2 ms")]
     [TestCase("1001", "1001 ms")]
-    public async Task Range_OneRenderTimeThatIsNone_IsNamedAndTheLastGoodProfileStays(string renderMs, string named)
+    public async Task Range_OneInvalidRenderTime_IsNamedAndTheFormerProfileKept(string renderMs, string named)
     {
         var good = Sweep(9, 2).ToArray();
         await CliRun.OfAsync("calibrate", "range", Write("good.csv", good), "--out", Out);
@@ -128,6 +128,6 @@ public class RangeVerbTests : CalibrationFolder
 
     [TestCase("--source", "guess", "--source: 'guess' is not known")]
     [TestCase("--display-hz", "-1", "--display-hz: -1 Hz is out of range")]
-    public async Task Range_BadOption_NamesWhatIsAllowed(string option, string value, string named) =>
+    public async Task Range_InvalidOption_StatesTheAllowedValues(string option, string value, string named) =>
         Assert.That(await RefusalOf("range", Write("pairs.csv", Sweep(1, 1)), option, value), Does.Contain(named));
 }

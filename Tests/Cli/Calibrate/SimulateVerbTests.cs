@@ -7,7 +7,7 @@ public sealed class SimulateVerbTests
 {
     [TestCase("--readout-ms=0", "--seed=11")]
     [TestCase("--readout-ms=15", "--seed=1")]
-    public async Task Check_SpoiledPicturesAmongThem_MeetsTheLimits(string readout, string seed)
+    public async Task Check_SomeUnreadablePictures_MeetsTheLimits(string readout, string seed)
     {
         var run = await CliRun.OfAsync("calibrate", "simulate", "--check", "--pictures", "12", "--spoiled", "0.1", readout, seed);
 
@@ -17,7 +17,7 @@ public sealed class SimulateVerbTests
 
     /// <summary>Thirty places with different scenes, sizes, lights, LEDs and squares. Detects a change that loses one place in ten.</summary>
     [Test]
-    public void Check_ManyPlaces_ReadsNineInTenAndNoneWrong()
+    public void Check_ManyPlaces_ReadsNinetyPercentWithoutMisreadings()
     {
         var check = SimulationCheck.Run(new SimulationSettings { Pictures = 30, PicturesPerPlace = 1, Seed = 1 }, CancellationToken.None);
 
@@ -30,7 +30,7 @@ public sealed class SimulateVerbTests
     }
 
     [Test]
-    public async Task Out_WithPicturesThatAreNotItsOwn_LeavesThem()
+    public async Task Out_FolderWithOtherPictures_KeepsThem()
     {
         var folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
         var taken = Path.Combine(Directory.CreateDirectory(Path.Combine(folder, "pictures")).FullName, "picture-00007.jpg");

@@ -47,7 +47,7 @@ public class SineVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Sine_AnyJogSlowEnough_IsWithinThreeMilliseconds()
+    public async Task Sine_AnySlowJog_IsWithinThreeMilliseconds()
     {
         for (var seed = 1; seed <= 24; seed++)
         {
@@ -68,7 +68,7 @@ public class SineVerbTests : CalibrationFolder
     [TestCase(50, 8.3)]
     [TestCase(41.667, 4.2)]
     [TestCase(47, 0)]
-    public async Task Sine_GhostThatStepsInTimeWithThePictures_SaysByHowMuchItMayBeOff(double samplingMs, double mayBeOff)
+    public async Task Sine_GhostInStepWithThePictures_StatesTheUncertainty(double samplingMs, double mayBeOff)
     {
         for (var seed = 1; seed <= 8; seed++)
         {
@@ -88,7 +88,7 @@ public class SineVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Sine_OfTheGhost_TakesOffWhatItsSamplesAreLate()
+    public async Task Sine_OfTheGhost_SubtractsTheDelayOfItsSamples()
     {
         // 60 ms on the way, up to 47 ms until the next sample replaces it, and 40 ms in the display.
         var result = await Measured(new Jog(100) { SamplingMs = 47, Seconds = 12 }, "--app-ms", "60", "--sampling-ms", "47");
@@ -100,7 +100,7 @@ public class SineVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Sine_OfTheGripper_AddsWhatLagsStillToWhatItWasTold()
+    public async Task Sine_OfTheGripper_AddsTheRemainingLagToTheUsedLVisu()
     {
         var result = await Measured(new Jog(12), "--told-ms", "30");
 
@@ -124,7 +124,7 @@ public class SineVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Sine_WithoutKnowingWhatIsLVisu_GivesTheTotalAndNoProfile()
+    public async Task Sine_WithoutAppOrToldMs_ReportsTheTotalWithoutAProfile()
     {
         var result = await Measured(new Jog(120));
 
@@ -134,7 +134,7 @@ public class SineVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Sine_ControlsPositionsOnTheCamerasClock_AreAsGood()
+    public async Task Sine_ControlPositionsOnTheCamerasClock_GiveTheSameResult()
     {
         var both = new Jog(90).Lines().Skip(1).Select(line => line.Split(',')).ToArray();
         var control = Write("control.csv", both.Select(row => $"{row[0]},{row[1]},0").Prepend("t,axis_1,axis_2"));
@@ -146,7 +146,7 @@ public class SineVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Sine_OneCountingBackwards_NeedsToBeTold()
+    public async Task Sine_InvertedPosition_RequiresTheOption()
     {
         var jog = new Jog(90) { Scale = -1 };
 
@@ -155,17 +155,17 @@ public class SineVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Sine_JogTooFast_SaysThatTheLagIsAmbiguous() =>
+    public async Task Sine_JogTooFast_IsAmbiguous() =>
         Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(90) { Period = 0.3 }.Lines())), Does.Contain("repeats after 0.30 s").And.Contain("slower"));
 
     [TestCase("t_s,a,b\n0,1,2\n1,1,2", "at least 60")]
     [TestCase("t_s,a,b,c\n0,1,2,3\n1,2,3,4", "--columns ROBOT,HOLOGRAM")]
     [TestCase("t_s,a,b\n0,1,2\n1,NaN,2", ":3: field 'a': 'NaN' is not a finite number")]
-    public async Task Sine_BadRecording_SaysWhatIsNeeded(string text, string named) =>
+    public async Task Sine_InvalidRecording_StatesTheRequirement(string text, string named) =>
         Assert.That(await RefusalOf("sine", Write("jog.csv", [text])), Does.Contain(named));
 
     [Test]
-    public async Task Sine_RobotAtRest_SaysSo()
+    public async Task Sine_RobotAtRest_IsReported()
     {
         var rest = Enumerable.Range(0, 600).Select(i => string.Create(CultureInfo.InvariantCulture, $"{i / Fps:0.####},640,{i % 7}"));
 
@@ -173,6 +173,6 @@ public class SineVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Sine_BothWaysAtOnce_Exclude() =>
+    public async Task Sine_BothMethods_AreExclusive() =>
         Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(90).Lines()), "--app-ms", "60", "--told-ms", "40"), Does.Contain("exclude each other"));
 }

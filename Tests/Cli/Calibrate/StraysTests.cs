@@ -9,7 +9,7 @@ public sealed class StraysTests
         [.. Enumerable.Range(0, count).Select(i => new PictureResult("p" + i, 0, i, 40 + i % 3, null)), .. strays.Select(visu => new PictureResult("stray", 0, 0, visu, null))];
 
     [Test]
-    public void Rejected_OneFarFromTheOthers_IsRejectedAndSaysWhy()
+    public void Rejected_OneOutlier_IsRejectedWithTheReason()
     {
         var checkedOnes = Strays.Rejected([PictureResult.Not("blurred", "no code found"), .. Series(30, 426)]);
 
@@ -19,9 +19,9 @@ public sealed class StraysTests
     }
 
     [Test]
-    public void Rejected_FramesThatQueuedUp_Stay() =>
+    public void Rejected_QueuedFrames_AreKept() =>
         Assert.That(Strays.Rejected(Series(30, 90, 140, 220)).All(picture => picture.IsRead), Is.True);
 
     [Test]
-    public void Rejected_TooFewToSay_AllStay() => Assert.That(Strays.Rejected(Series(8, 426)).All(picture => picture.IsRead), Is.True);
+    public void Rejected_TooFewPictures_AreKept() => Assert.That(Strays.Rejected(Series(8, 426)).All(picture => picture.IsRead), Is.True);
 }

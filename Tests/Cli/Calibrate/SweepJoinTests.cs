@@ -21,7 +21,7 @@ public sealed class SweepJoinTests
     static PictureResult PictureOf(int row) => new("p" + row, 0, TimestampCode.ValueOf(Rows[row].FrameStart), 40, null);
 
     [Test]
-    public void Join_SweepOfSeveralPeriods_FollowsThePictures()
+    public void Join_SweepOfSeveralPeriods_AssignsThePictures()
     {
         int[] rows = [3, 900, 3_500, 6_000, 9_990, 13_000, 16_001, 19_999];
 
@@ -40,7 +40,7 @@ public sealed class SweepJoinTests
     }
 
     [Test]
-    public void Join_PictureThatIsNotReadOrNotOfTheSweep_IsLeftOut()
+    public void Join_PictureUnreadOrNotOfTheSweep_IsExcluded()
     {
         var before = new PictureResult("before", 0, TimestampCode.ValueOf(Rows[0].FrameStart - TimeSpan.FromMilliseconds(5)), 40, null);
 
@@ -51,7 +51,7 @@ public sealed class SweepJoinTests
     }
 
     [Test]
-    public void Join_CameraThatBeginsInAnyPeriod_FindsItsFrames([Values(0, 4_100, 8_300, 12_500)] int first)
+    public void Join_CameraStartsInAnyPeriod_FindsItsFrames([Values(0, 4_100, 8_300, 12_500)] int first)
     {
         int[] rows = [.. Enumerable.Range(0, 60).Select(i => first + 40 * i)];
 
@@ -61,7 +61,7 @@ public sealed class SweepJoinTests
     }
 
     [Test]
-    public void Join_CameraThatBeginsTenSecondsEarly_LeavesThoseOut()
+    public void Join_CameraStartsTenSecondsEarly_ExcludesThosePictures()
     {
         for (var seed = 1; seed <= 20; seed++)
         {
@@ -79,7 +79,7 @@ public sealed class SweepJoinTests
     }
 
     [Test]
-    public void Join_MisreadCodesAndFramesThatWereNotLogged_LeadNoOtherAstray()
+    public void Join_MisreadCodesAndUnloggedFrames_DoNotAffectOthers()
     {
         for (var seed = 1; seed <= 20; seed++)
         {

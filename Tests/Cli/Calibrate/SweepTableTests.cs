@@ -12,7 +12,7 @@ public sealed class SweepTableTests : CalibrationFolder
         + string.Concat(deviceAndRate.Select((each, i) => $"{1_000_000_000 + i * 16_666_667},0,5.5,display_gpu_time,{each}\n"));
 
     [Test]
-    public void Read_CompressedLog_IsTheSame()
+    public void Read_CompressedLog_ReadsTheSame()
     {
         var path = Path.Combine(Folder, "sweep.csv.gz");
         using (var text = new StreamWriter(new GZipStream(File.Create(path), CompressionLevel.Fastest)))
@@ -22,7 +22,7 @@ public sealed class SweepTableTests : CalibrationFolder
     }
 
     [Test]
-    public void Read_NameThatPromisesGzip_IsOneLine()
+    public void Read_UncompressedFileNamedGz_ThrowsInOneLine()
     {
         var path = Path.Combine(Folder, "sweep.csv.gz");
         File.WriteAllText(path, Log("HoloLens 2,60"));
@@ -31,12 +31,12 @@ public sealed class SweepTableTests : CalibrationFolder
     }
 
     [Test]
-    public void DisplayHz_ToldSomeFramesAfterTheStart_IsKnown()
+    public void DisplayHz_ReportedAfterSomeFrames_IsKnown()
     {
         var rows = SweepTable.Read(Write("sweep.csv", [Log("HoloLens 2,", "HoloLens 2,", "HoloLens 2,60")]));
 
         Assert.That((SweepTable.Device(rows), SweepTable.DisplayHz(rows)), Is.EqualTo(("HoloLens 2", 60)));
-        Assert.That(SweepTable.DisplayHz([rows[0]]), Is.Zero, "nobody says it");
+        Assert.That(SweepTable.DisplayHz([rows[0]]), Is.Zero, "no row gives the rate");
     }
 
     [TestCase("HoloLens 2,60", "Quest 3,60", "frames of 'HoloLens 2' and of 'Quest 3'; a sweep is of one headset")]

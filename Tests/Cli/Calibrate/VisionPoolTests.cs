@@ -42,7 +42,7 @@ public sealed class VisionPoolTests
     static IEnumerable<PictureRequest> Files(params string[] names) => names.Select(PictureRequest.File);
 
     [Test]
-    public void Look_PictureThatEndsAWorker_IsRejectedAndTheOthersAreSeen()
+    public void Look_PictureEndsAWorker_IsRejectedAndOthersAreRead()
     {
         var seen = Look(Files("a.png", "deadly.png", "b.png", "deadly.png", "deadly.png", "c.png"));
 
@@ -51,7 +51,7 @@ public sealed class VisionPoolTests
     }
 
     [Test]
-    public void Look_WorkerThatEndsWhenItIsStarted_IsAFaultWithWhatItSaid()
+    public void Look_WorkerEndsAtStart_ThrowsWithItsOutput()
     {
         var script = Path.ChangeExtension(_script, ".once.mjs");
         File.WriteAllText(script, "console.error('no memory'); process.exit(7);");
@@ -71,13 +71,13 @@ public sealed class VisionPoolTests
     }
 
     [Test]
-    public void Look_WorkerThatEndsAtEveryPicture_IsAFault()
+    public void Look_WorkerEndsAtEveryPicture_Throws()
     {
         Assert.That(() => Look(Files("deadly1.png", "deadly2.png", "deadly3.png", "deadly4.png")), Throws.InstanceOf<InvalidOperationException>());
     }
 
     [Test]
-    public void Look_FaultAfterItWasCancelled_LeavesWhatWasSeen()
+    public void Look_FaultAfterCancellation_ReturnsTheReadPictures()
     {
         using var cancellation = new CancellationTokenSource();
         IEnumerable<PictureRequest> Interrupted()

@@ -39,7 +39,7 @@ public sealed class VlcEvaluationTests
     static DisplayConditions Conditions(IReadOnlyList<SweepRow> sweep) => new(SweepTable.Device(sweep), SweepTable.DisplayHz(sweep));
 
     [Test]
-    public void Sweep_WhoseSourceSeesLoad_GivesLVisuAndTheLimit()
+    public void Sweep_SourceSeesLoad_HasLVisuAndLimit()
     {
         var (rows, result) = Sweep(ms => ms);
 
@@ -53,7 +53,7 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Sweep_WhoseSourceCannotSeeLoad_GivesTheSameLVisuWithoutALimit()
+    public void Sweep_SourceCannotSeeLoad_HasTheSameLVisuWithoutLimit()
     {
         var (rows, result) = Sweep(_ => 2);
 
@@ -68,7 +68,7 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Sweep_WhoseSourceChangesForAWhile_HasTheLimitOfTheOneThatMeasuredMost()
+    public void Sweep_SourceChangesTemporarily_HasTheLimitOfTheMostFrequent()
     {
         var (rows, result) = Sweep(ms => ms);
         var mixed = rows.Select((row, i) => i % 10 != 0 ? row : new SweepRow(
@@ -84,7 +84,7 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Device_ThatNobodySaid_IsNotInvented()
+    public void Device_NotGiven_IsEmpty()
     {
         var (rows, result) = Sweep(ms => ms, device: "", displayHz: double.NaN);
 
@@ -99,7 +99,7 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Pictures_WithoutASweep_LeaveOutFramesThatWaited()
+    public void Pictures_WithoutASweep_ExcludeLateFrames()
     {
         PictureResult[] pictures = [.. Enumerable.Range(0, 50).Select(i => new PictureResult("p" + i, 0, i, i % 10 == 9 ? 56.7 : 40 + i % 3 - 1, null))];
 
@@ -122,7 +122,7 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Pictures_OfSeveralLoadsWithoutTheirSweep_AreDoubted()
+    public void Pictures_OfSeveralLoadsWithoutSweep_CauseAWarning()
     {
         var (_, result) = Sweep(ms => ms);
 
@@ -133,7 +133,7 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Pictures_ThatScatterOverAll_MakeNoProfile()
+    public void Pictures_ScatteringWidely_HaveNoProfile()
     {
         var random = new Random(2);
         PictureResult[] pictures = [.. Enumerable.Range(0, 100).Select(i => new PictureResult("p" + i, 0, i, 20 + 60 * random.NextDouble(), null))];
@@ -145,7 +145,7 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Picture_Alone_MakesNoProfile()
+    public void Picture_Single_HasNoProfile()
     {
         var evaluation = Evaluate(new VlcResult([new PictureResult("p", 0, 0, 40, null)]), null);
 

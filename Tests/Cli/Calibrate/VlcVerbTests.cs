@@ -63,7 +63,7 @@ public sealed class VlcVerbTests
     }
 
     [Test]
-    public async Task Picture_ThatIsNone_IsOneLineAndTheLastGoodProfileStays()
+    public async Task Picture_NotAPicture_IsReportedInOneLineAndTheFormerProfileKept()
     {
         Directory.CreateDirectory(In("out"));
         File.WriteAllText(In("out/profile.json"), "good");
@@ -80,7 +80,7 @@ public sealed class VlcVerbTests
     [TestCase("0", "0 ms")]
     [TestCase("NaN", "NaN ms")]
     [TestCase("1001", "1001 ms")]
-    public async Task Sweep_OneRenderTimeThatIsNone_IsNamedAndTheLastGoodProfileStays(string renderMs, string named)
+    public async Task Sweep_OneInvalidRenderTime_IsNamedAndTheFormerProfileKept(string renderMs, string named)
     {
         Directory.CreateDirectory(In("out"));
         File.WriteAllText(In("out/profile.json"), "good");
@@ -97,7 +97,7 @@ public sealed class VlcVerbTests
 
     [TestCase(new byte[] { 0xff, 0xd8, 0xff }, "the file is cut off")]
     [TestCase(new byte[] { 0x89, 0x50 }, "neither a PNG nor a JPEG")]
-    public async Task Picture_OfAFewBytes_SaysWhatIsWrong(byte[] bytes, string expected)
+    public async Task Picture_OfAFewBytes_StatesTheReason(byte[] bytes, string expected)
     {
         File.WriteAllBytes(In("short.jpg"), bytes);
 
@@ -105,7 +105,7 @@ public sealed class VlcVerbTests
     }
 
     [Test]
-    public async Task Picture_CutOffOrDamaged_SaysSo()
+    public async Task Picture_TruncatedOrDamaged_IsReported()
     {
         var whole = File.ReadAllBytes(In("pictures/picture-00001.jpg"));
         var tables = whole.AsSpan().IndexOf([(byte)0xff, (byte)0xc4]);
@@ -124,7 +124,7 @@ public sealed class VlcVerbTests
     }
 
     [Test]
-    public async Task Picture_OfTooManyPixels_IsRejectedByNameAndTheOthersAreRead()
+    public async Task Picture_OfTooManyPixels_IsRejectedAndOthersAreRead()
     {
         var huge = new byte[64];
         byte[] start = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0, 0, 0, 13, .. "IHDR"u8, 0, 0, 0x75, 0x30, 0, 0, 0x75, 0x30, 1];
@@ -139,7 +139,7 @@ public sealed class VlcVerbTests
     }
 
     [Test]
-    public async Task Pictures_OfSeveralSizes_AreRefusedByNameAndTheLastGoodProfileStays()
+    public async Task Pictures_OfSeveralSizes_AreRefusedAndTheFormerProfileKept()
     {
         Directory.CreateDirectory(In("out"));
         File.WriteAllText(In("out/profile.json"), "good");
@@ -161,7 +161,7 @@ public sealed class VlcVerbTests
     [TestCase("empty", "no pictures in it")]
     [TestCase("sweep.csv", "neither a picture")]
     [TestCase("broken.png", "broken.png: unreadable")]
-    public async Task Arguments_WithoutPictures_AreOneLineThatNamesThem(string name, string expected)
+    public async Task Arguments_WithoutPictures_AreReportedInOneLine(string name, string expected)
     {
         Directory.CreateDirectory(In("empty"));
         File.WriteAllBytes(In("broken.png"), [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0, 0]);

@@ -10,7 +10,7 @@ public class CriterionTests
     [TestCase(new[] { true, false, true }, "holds partly")]
     [TestCase(new[] { false, true }, "holds partly")]
     [TestCase(new[] { false, false }, "does not hold")]
-    public void Judge_Criteria_AllSomeOrNoneDecide(bool[] met, string verdict)
+    public void Judge_Criteria_DependsOnHowManyAreMet(bool[] met, string verdict)
     {
         var criteria = met.Select(isMet => new Criterion("it is so", isMet, "1")).ToArray();
 

@@ -30,7 +30,7 @@ public class FigureTableTests
 
     [TestCase(double.NaN)]
     [TestCase(double.PositiveInfinity)]
-    public void Add_NotFinite_IsRefusedByName(double value)
+    public void Add_NotFinite_ThrowsWithTheName(double value)
     {
         var table = new FigureTable(new FigureColumn("time", "ms"), new FigureColumn("hold", "mm"));
 

@@ -19,7 +19,7 @@ public partial class FiguresVerbTests
     public void RemoveFolder() => Directory.Delete(_folder, recursive: true);
 
     [Test]
-    public void Run_Whole_WritesEachFigureAndThePage()
+    public void Run_Completed_WritesEachFigureAndThePage()
     {
         var status = FiguresVerb.Run(Least, _folder, pictures: null, CancellationToken.None);
 
@@ -38,7 +38,7 @@ public partial class FiguresVerbTests
     }
 
     [Test]
-    public void Run_Twice_GivesTheSameNumbers()
+    public void Run_Twice_WritesTheSameNumbers()
     {
         FiguresVerb.Run(Least, _folder, pictures: null, CancellationToken.None);
         var first = FigureSet.Numbers.Select(n => File.ReadAllText(Path.Combine(_folder, $"figure-{n}.csv"))).ToArray();
@@ -67,7 +67,7 @@ public partial class FiguresVerbTests
     }
 
     [Test]
-    public void Run_Interrupted_WritesWhatThereIsAndExits130()
+    public void Run_Interrupted_WritesFinishedFiguresAndExits130()
     {
         File.WriteAllText(Path.Combine(_folder, "figure-4.csv"), "of an earlier run");
         using var cancelled = new CancellationTokenSource();
@@ -83,7 +83,7 @@ public partial class FiguresVerbTests
     [TestCase("--out", "/dev/null/x", "--out: /dev/null/x: cannot be written to")]
     [TestCase("--pictures", "/dev/null/x", "--pictures: /dev/null/x: cannot be written to")]
     [TestCase("--phases", "3", "'--phases' is not known")]
-    public async Task Figures_BadOption_IsOneLineAndExit2(string option, string value, string named)
+    public async Task Figures_InvalidOption_IsOneLineAndExit2(string option, string value, string named)
     {
         var arguments = option == "--out" ? new[] { "figures", option, value } : ["figures", "--out", _folder, option, value];
 

@@ -22,7 +22,7 @@ public class SweepClaimsTests
     [TestCase(new double[] { 9, 9, 20 }, "holds")]
     [TestCase(new double[] { 4, 9, 20 }, "holds partly")]
     [TestCase(new double[] { 4, 6, 7 }, "does not hold")]
-    public void Figure13a_Cubic_TurnsTheVerdict(double[] cubic, string verdict)
+    public void Figure13a_CubicBetter_ChangesTheVerdict(double[] cubic, string verdict)
     {
         var criteria = Figure13.A.Criteria(Polynomials(Intervals, [8, 8, 11], [5, 7, 9], cubic));
 
@@ -30,7 +30,7 @@ public class SweepClaimsTests
     }
 
     [Test]
-    public void Figure13a_CubicBetterWhenFast_IsSaid()
+    public void Figure13a_CubicBetterAtShortIntervals_IsStated()
     {
         var criteria = Figure13.A.Criteria(Polynomials(Intervals, [8, 8, 11], [5, 7, 9], [4, 9, 20]));
 
@@ -40,7 +40,7 @@ public class SweepClaimsTests
 
     [TestCase(new double[] { 8, 8, 8 }, "holds")]
     [TestCase(new double[] { 8, 8, 4 }, "does not hold")]
-    public void Figure13b_LineBestSomewhere_TurnsTheVerdict(double[] linear, string verdict)
+    public void Figure13b_LineBestSomewhere_ChangesTheVerdict(double[] linear, string verdict)
     {
         var criteria = Figure13.B.Criteria(Polynomials([0, 100, 250], linear, [5, 5, 5], [4, 6, 9]));
 
@@ -60,7 +60,7 @@ public class SweepClaimsTests
     [TestCase(new double[] { 5, 8, 14 }, new double[] { 5, 20, 40 }, "holds")]
     [TestCase(new double[] { 5, 6, 14 }, new double[] { 5, 20, 40 }, "holds partly")]
     [TestCase(new double[] { 5, 6, 6 }, new double[] { 5, 6, 6 }, "does not hold")]
-    public void Figure13d_StampErrors_TurnTheVerdict(double[] quadratic, double[] cubic, string verdict)
+    public void Figure13d_StampErrors_ChangeTheVerdict(double[] quadratic, double[] cubic, string verdict)
     {
         var criteria = Figure13.D.Criteria(Polynomials([0, 5, 10], [8, 8, 9], quadratic, cubic));
 
@@ -80,7 +80,7 @@ public class SweepClaimsTests
     [TestCase(new double[] { 5, 20 }, new double[] { 6, 10 }, new double[] { 7, 9 }, "holds")]
     [TestCase(new double[] { 5, 20 }, new double[] { 6, 8 }, new double[] { 7, 9 }, "holds partly")]
     [TestCase(new double[] { 5, 8 }, new double[] { 6, 9 }, new double[] { 7, 10 }, "does not hold")]
-    public void Figure14d_StampErrors_TurnTheVerdict(double[] h2, double[] h3, double[] h4, string verdict)
+    public void Figure14d_StampErrors_ChangeTheVerdict(double[] h2, double[] h3, double[] h4, string verdict)
     {
         var criteria = Figure14.D.Criteria(Histories([0, 10], h2, h3, h4));
 

@@ -13,20 +13,20 @@ public class SweepDataTests
     });
 
     [Test]
-    public void Ratio_Predictor_IsOverHold()
+    public void Ratio_Predictor_IsRelativeToHold()
     {
         Assert.That(Data.Ratio("a", 2), Is.EqualTo(0.2).Within(1e-12));
         Assert.That(Data.Growth("a", 0, 20), Is.EqualTo(8).Within(1e-12));
     }
 
     [Test]
-    public void Best_EachValue_IsTheLeastError()
+    public void Best_EachValue_HasTheSmallestError()
     {
         Assert.That(Enumerable.Range(0, 3).Select(i => Data.Best(i, "a", "b")), Is.EqualTo(new[] { "a", "a", "b" }));
     }
 
     [Test]
-    public void Crossover_LinesThatMeet_IsInterpolated()
+    public void Crossover_CrossingLines_IsInterpolated()
     {
         // a − b is −1 at 10 and 5 at 20.
         Assert.That(Data.Crossover("b", "a"), Is.EqualTo(10 + 10.0 / 6).Within(1e-12));
@@ -43,7 +43,7 @@ public class SweepDataTests
     [TestCase(new double[0], "none")]
     [TestCase(new[] { 7.5 }, "7.5 ms")]
     [TestCase(new[] { 10.0, 20, 30 }, "10, 20 and 30 ms")]
-    public void List_Values_ReadAsASentenceDoes(double[] values, string words)
+    public void List_Values_ReadsLikeASentence(double[] values, string words)
     {
         Assert.That(SweepData.List(values), Is.EqualTo(words));
     }

@@ -38,7 +38,7 @@ public class SweepStudyTests
     [TestCase("13c", 50, .604, .709, .784)]
     [TestCase("13d", 2, .379, .290, .487)]
     [TestCase("13d", 5, .391, .431, 1.07)]
-    public void Figure13_Ratios_AreThoseOfAnIndependentSimulation(string number, double at, double linear, double quadratic, double cubic)
+    public void Figure13_Ratios_MatchAnIndependentSimulation(string number, double at, double linear, double quadratic, double cubic)
     {
         Assert.That(Ratio(number, at, "linear"), Is.EqualTo(linear).Within(Tolerance), Seed);
         Assert.That(Ratio(number, at, "quadratic"), Is.EqualTo(quadratic).Within(Tolerance), Seed);
@@ -54,7 +54,7 @@ public class SweepStudyTests
     [TestCase("14c", 20, .487, .567)]
     [TestCase("14d", 5, .378, .424)]
     [TestCase("14d", 10, .499, .475)]
-    public void Figure14_Ratios_AreThoseOfAnIndependentSimulation(string number, double at, double h3, double h4)
+    public void Figure14_Ratios_MatchAnIndependentSimulation(string number, double at, double h3, double h4)
     {
         Assert.That(Ratio(number, at, "quadratic-h3"), Is.EqualTo(h3).Within(Tolerance), Seed);
         Assert.That(Ratio(number, at, "quadratic-h4"), Is.EqualTo(h4).Within(Tolerance), Seed);
@@ -68,7 +68,7 @@ public class SweepStudyTests
     [TestCase("14b", "holds")]
     [TestCase("14c", "holds")]
     [TestCase("14d", "holds")]
-    public void Verdict_Figure_IsWhatTheNumbersSay(string number, string verdict)
+    public void Verdict_Figure_FollowsFromTheNumbers(string number, string verdict)
     {
         Assert.That(Figures[number].Verdict.Words(), Is.EqualTo(verdict), Seed);
     }

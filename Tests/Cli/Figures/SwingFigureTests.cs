@@ -19,7 +19,7 @@ public class SwingFigureTests
     }
 
     [Test]
-    public void Swing_Speed_IsTheDerivativeOfTheWay()
+    public void Swing_Speed_IsTheDerivativeOfTheDistance()
     {
         var swing = s_runs.Swing;
         foreach (var t in new[] { 0.05, 0.2, 0.6, 1.1, 1.35 })
@@ -30,7 +30,7 @@ public class SwingFigureTests
     }
 
     [Test]
-    public void Swing_Moves_FollowEachOtherWithoutAJump([Values] bool isCold)
+    public void Swing_Moves_AreContinuous([Values] bool isCold)
     {
         var motion = new YoubotSwing(isCold).Motion;
         for (var t = 0.0; t < motion.Seconds; t += 0.001)
@@ -68,7 +68,7 @@ public class SwingFigureTests
     }
 
     [Test]
-    public void Figure17_Drawings_AreThreeMomentsOfEachPredictor()
+    public void Figure17_Drawings_ShowThreeTimesOfEachPredictor()
     {
         var figure = Figure17.Of(s_runs);
 
@@ -82,7 +82,7 @@ public class SwingFigureTests
     }
 
     [Test]
-    public void Figure17_GapsDrawn_AreThoseOfTheTable()
+    public void Figure17_DrawnGaps_MatchTheTable()
     {
         var figure = Figure17.Of(s_runs);
 
@@ -94,7 +94,7 @@ public class SwingFigureTests
     [TestCase(0.2, 126, 10, "holds")]
     [TestCase(0.3, 126, 10, "holds partly")]
     [TestCase(0.3, 126, 60, "does not hold")]
-    public void Figure18_Numbers_TurnTheVerdict(double ratio, double heldMs, double predictedMs, string verdict)
+    public void Figure18_Numbers_ChangeTheVerdict(double ratio, double heldMs, double predictedMs, string verdict)
     {
         Assert.That(Criterion.Judge(Figure18.Criteria(ratio, heldMs, predictedMs)).Words(), Is.EqualTo(verdict));
     }
@@ -102,7 +102,7 @@ public class SwingFigureTests
     [TestCase(0.95, 2, 9, "holds")]
     [TestCase(0.95, 9, 9, "holds partly")]
     [TestCase(0.8, 9, 9, "does not hold")]
-    public void Figure16_Numbers_TurnTheVerdict(double nearer, double steady, double curved, string verdict)
+    public void Figure16_Numbers_ChangeTheVerdict(double nearer, double steady, double curved, string verdict)
     {
         Assert.That(Criterion.Judge(Figure16.Criteria(nearer, steady, curved)).Words(), Is.EqualTo(verdict));
     }

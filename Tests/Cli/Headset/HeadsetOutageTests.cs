@@ -20,7 +20,7 @@ public class HeadsetOutageTests
     [TestCase(0.6)]
     [TestCase(0.9)]
     [TestCase(3.5)]
-    public void Total_SamplesStop_IsAsWithoutTheSilence(double silence)
+    public void Total_SamplesStop_EqualsThatWithoutSilence(double silence)
     {
         var undisturbed = Play(0).Stretches.Total;
 
@@ -36,7 +36,7 @@ public class HeadsetOutageTests
     [TestCase(0.6, 1)]
     [TestCase(0.9, 1)]
     [TestCase(3.5, 1)]
-    public void Result_SamplesStop_EachListedOutageSeparatesStretches(double silence, int count)
+    public void Result_SamplesStop_SeparatesStretchesAtListedOutages(double silence, int count)
     {
         var (stretches, outages) = Play(silence);
 

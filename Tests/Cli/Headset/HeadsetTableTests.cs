@@ -29,10 +29,10 @@ public class HeadsetTableTests
     [TestCase(0.04, " 0.0 ppm")]
     [TestCase(-0.06, " -0.1 ppm")]
     [TestCase(45.04, " +45.0 ppm")]
-    public void Print_Skew_HasOneSign(double ppm, string expected) => Assert.That(Printed(Result(ppm)), Does.Contain(expected));
+    public void Print_Skew_HasASign(double ppm, string expected) => Assert.That(Printed(Result(ppm)), Does.Contain(expected));
 
     [Test]
-    public void Print_CoarseClock_ShowsItsEstimatedErrorAndTheProvenOne() =>
+    public void Print_CoarseClock_ShowsEstimatedErrorAndBound() =>
         Assert.That(Printed(Result()), Does.Match(@"clock +coarse, ± 3120 µs \(proven ± 14500 µs\)"));
 
     [Test]
@@ -48,7 +48,7 @@ public class HeadsetTableTests
     }
 
     [Test]
-    public void Print_FramesThatWereNotCurrent_AreSaidToBeNotScored()
+    public void Print_FramesNotCurrent_AreReportedAsNotScored()
     {
         Assert.That(Printed(Result()), Does.Match(@"tool, not scored +frames that were not current: 4\.60 s"));
         var pose = Result().Pose with { NotCurrentS = 0 };

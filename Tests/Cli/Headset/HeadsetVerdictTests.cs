@@ -34,8 +34,8 @@ public class HeadsetVerdictTests
     [TestCase(3, 1, 0, true, TestName = "FailureOf_ShortRunThatSynchronisedInTime_IsNone")]
     [TestCase(2, 4, 3.9, true)]
     [TestCase(2, 4, 4.1, false)]
-    [TestCase(12, 8, 0, false, TestName = "FailureOf_CurrentOnlyTowardsTheEnd_IsAFailure")]
-    public void FailureOf_ShareOfTheRun_DecidesByHalf(double before, double current, double after, bool isGood)
+    [TestCase(12, 8, 0, false, TestName = "FailureOf_CurrentOnlyTowardsTheEnd_IsReported")]
+    public void FailureOf_CurrentShare_HasAThresholdOfHalf(double before, double current, double after, bool isGood)
     {
         var pose = Pose((before, PoseState.Unsynchronised), (current, PoseState.Current), (after, PoseState.Held));
 
@@ -55,7 +55,7 @@ public class HeadsetVerdictTests
     }
 
     [Test]
-    public void FailureOf_JointThatIsBackAtTheEnd_IsNamedByTheLongestOutage()
+    public void FailureOf_JointLiveAgainAtTheEnd_NamesTheLongestOutage()
     {
         var pose = Pose((2, PoseState.Unsynchronised), (1, PoseState.Current), (6, PoseState.Held), (1, PoseState.Held), (2, PoseState.Current));
         HeadsetResult.OutageResult[] outages =
@@ -69,7 +69,7 @@ public class HeadsetVerdictTests
     }
 
     [Test]
-    public void FailureOf_JointAtRest_IsNone() => Assert.That(
+    public void FailureOf_JointAtRest_IsNull() => Assert.That(
         HeadsetVerdict.FailureOf(
             Pose((2, PoseState.Unsynchronised), (8, PoseState.Current)),
             Statistics(100, new JointStatus("a3", JointDataState.Rest, null, null, "")), true, []),
@@ -77,6 +77,6 @@ public class HeadsetVerdictTests
 
     [TestCase(false, 100, "the clock was never synchronised: ")]
     [TestCase(true, 0, "no joint positions arrived: ")]
-    public void FailureOf_NoClockOrNoSamples_SaysSo(bool wasTimeTrusted, long samples, string expected) => Assert.That(
+    public void FailureOf_NoClockOrNoSamples_StatesIt(bool wasTimeTrusted, long samples, string expected) => Assert.That(
         HeadsetVerdict.FailureOf(Pose((10, PoseState.Incomplete)), Statistics(samples), wasTimeTrusted, []), Does.StartWith(expected));
 }

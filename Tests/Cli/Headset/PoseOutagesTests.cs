@@ -40,7 +40,7 @@ public class PoseOutagesTests
     }
 
     [Test]
-    public void Add_ReasonComesLater_IsReportedAsWell()
+    public void Add_LaterReason_IsReported()
     {
         Play(5, true);
         Play(1, false);
@@ -67,7 +67,7 @@ public class PoseOutagesTests
 
     [TestCase(0.3)]
     [TestCase(0.45)]
-    public void Add_ShortGap_IsNoOutage(double seconds)
+    public void Add_ShortGap_IsIgnored(double seconds)
     {
         Play(5, true);
         Play(seconds, false, "joint a3: no data", "a3");
@@ -79,7 +79,7 @@ public class PoseOutagesTests
 
     [TestCase(2.5, 0)]
     [TestCase(4, 1)]
-    public void Add_Start_IsReportedWhenItTakesLong(double seconds, int lines)
+    public void Add_SlowStart_IsReported(double seconds, int lines)
     {
         Play(seconds, false);
 

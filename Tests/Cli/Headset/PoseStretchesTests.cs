@@ -38,7 +38,7 @@ public class PoseStretchesTests
     public void Result_PoseNeverCurrent_HasNoStretch() => Assert.That(_stretches.Result(), Is.Empty);
 
     [Test]
-    public void Result_ShortGap_IsOneStretchThatCountsIt()
+    public void Result_ShortGap_IsPartOfOneStretch()
     {
         Play(6, PoseState.Current);
         Play(0.4, PoseState.Held);
@@ -53,7 +53,7 @@ public class PoseStretchesTests
     }
 
     [Test]
-    public void Result_Outage_ReportsBeforeAndAfterApart()
+    public void Result_Outage_SeparatesBeforeAndAfter()
     {
         Play(5, PoseState.Current, errorMm: 1);
         Play(3, PoseState.Held, errorMm: 200);
@@ -73,7 +73,7 @@ public class PoseStretchesTests
     [TestCase(0.45, 1)]
     [TestCase(0.6, 2)]
     [TestCase(0.9, 2)]
-    public void Result_GapOfAnyLength_SeparatesStretchesWhereAnOutageIsListed(double seconds, int count)
+    public void Result_GapWithListedOutage_SeparatesStretches(double seconds, int count)
     {
         Play(5, PoseState.Current);
         Play(seconds, PoseState.Held);
@@ -85,7 +85,7 @@ public class PoseStretchesTests
 
     [TestCase(0.4)]
     [TestCase(3)]
-    public void Total_FramesThatWereNotCurrent_AreNotScored(double seconds)
+    public void Total_FramesNotCurrent_AreNotScored(double seconds)
     {
         Play(4, PoseState.Current, errorMm: 1);
         Play(seconds, PoseState.Held, errorMm: 200);
@@ -101,7 +101,7 @@ public class PoseStretchesTests
     public void Total_PoseNeverCurrent_IsUnknown() => Assert.That(_stretches.Total, Is.Null);
 
     [Test]
-    public void AddError_OfAFrameBeforeTheOutage_CountsToTheStretchBefore()
+    public void AddError_FrameBeforeTheOutage_BelongsToTheEarlierStretch()
     {
         Play(5, PoseState.Current, errorMm: 1);
         Play(3, PoseState.Held);

@@ -36,7 +36,7 @@ public class AdapterProcessTests
 
     [TestCase(false)]
     [TestCase(true)]
-    public async Task Start_PlantAway_TheAdapterIsASourceAndTellsItsState(bool hasTokens)
+    public async Task Start_PlantAway_AdapterIsASourceAndReportsItsState(bool hasTokens)
     {
         await using var gateway = await Gateways.StartAsync(
             Gateways.Options() with { Tokens = hasTokens ? Gateways.Tokens : Nowpose.Gateway.Security.TokenList.None });
@@ -51,7 +51,7 @@ public class AdapterProcessTests
     }
 
     [Test]
-    public async Task Run_AdapterKilled_IsStartedAgainAndIsAnEvent()
+    public async Task Run_AdapterKilled_IsRestartedWithAnEvent()
     {
         await using var gateway = await Gateways.StartAsync();
         var lines = new System.Collections.Concurrent.ConcurrentQueue<string>();
@@ -72,7 +72,7 @@ public class AdapterProcessTests
     }
 
     [Test]
-    public async Task Run_AdapterCannotStart_IsOneEventForAllTries()
+    public async Task Run_AdapterCannotStart_RaisesOneEventForAllAttempts()
     {
         await using var gateway = await Gateways.StartAsync();
         var lines = new System.Collections.Concurrent.ConcurrentQueue<string>();
@@ -86,7 +86,7 @@ public class AdapterProcessTests
     }
 
     [Test]
-    public async Task Start_LinesOfAnAdapter_GoIntoTheGatewaysLog()
+    public async Task Start_LinesOfAnAdapter_AreInTheGatewaysLog()
     {
         var lines = new System.Collections.Concurrent.ConcurrentQueue<string>();
         await using var gateway = await GatewayServer.StartAsync(
@@ -94,7 +94,7 @@ public class AdapterProcessTests
 
         await using var adapters = AdapterProcesses.Start([Plant(_folder.Path)], gateway);
 
-        await Soon.BecomesAsync(() => lines.Any(line => line.Contains("its adapter ended", StringComparison.Ordinal)), "its end is told");
+        await Soon.BecomesAsync(() => lines.Any(line => line.Contains("its adapter ended", StringComparison.Ordinal)), "its end is logged");
         for (var i = 0; i < 100; i++) gateway.Log("the same");
         Assert.That(lines.Count(line => line == "the same"), Is.EqualTo(QuietLog.LinesAMinute), "that log bounds them");
     }
@@ -113,7 +113,7 @@ public class AdapterProcessTests
     }
 
     [Test]
-    public async Task Serve_GatewayKilled_ItsAdapterEndsByItself()
+    public async Task Serve_GatewayKilled_ItsAdapterEnds()
     {
         var gateway = new PeerProcess("Nowpose.Gateway.dll", "serve", "--plant", Write(Good), "--sync-port", "0", "--ws-port", "0");
         await gateway.PrintsAsync("state serving");
@@ -128,7 +128,7 @@ public class AdapterProcessTests
     }
 
     [Test]
-    public void Check_FilesWithWrongEntries_TellsEveryLineOfAll()
+    public void Check_FilesWithInvalidEntries_ReportsEveryLine()
     {
         var first = Write(Good.Replace("kind: opcua", "kind: opcua\n  sampling_msec: 10"), "first.yaml");
         var second = Write(Good.Replace("node:", "nod:"), "second.yaml");

@@ -17,7 +17,7 @@ public class PlantEndToEndTests
 
     [TestCase("opcua")]
     [TestCase("ads")]
-    public async Task Headset_PlantOnAClockOfItsOwn_ShowsTheRobotWhereItIs(string kind)
+    public async Task Headset_PlantWithItsOwnClock_ShowsTheRobotAtItsTruePose(string kind)
     {
         using var folder = new TemporaryFolder();
         using var plant = await MovingPlant.StartAsync(kind);
@@ -29,7 +29,7 @@ public class PlantEndToEndTests
     }
 
     [Test]
-    public async Task Headset_UniversalRobotOverRtde_ShowsTheRobotWhereItIs()
+    public async Task Headset_UniversalRobotOverRtde_ShowsTheRobotAtItsTruePose()
     {
         using var folder = new TemporaryFolder();
         var robot = RobotFiles.Load("ur5e");

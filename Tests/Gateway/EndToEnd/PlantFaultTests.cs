@@ -51,7 +51,7 @@ public class PlantFaultTests
     [TestCase("stop", "fault", "ended in mid-motion")]
     [TestCase("bad", "refused", "BadSensorFailure")]
     [TestCase("nan", "refused", "NaN")]
-    public async Task Joint_FaultAtTheServer_IsNamedEverywhereUntilItsRepair(string fault, string state, string reason)
+    public async Task Joint_FaultAtTheServer_IsReportedInAllPlacesUntilItsRepair(string fault, string state, string reason)
     {
         using var before = StartHeadset();
         await GoodEverywhereAsync(DateTimeOffset.UtcNow);
@@ -94,7 +94,7 @@ public class PlantFaultTests
     }
 
     [Test]
-    public async Task Robot_RestsAndMovesOn_IsGoodEverywhereAllTheTime()
+    public async Task Robot_RestsAndMovesAgain_HasNoFaultAnywhere()
     {
         using var headset = StartHeadset();
         await GoodEverywhereAsync(DateTimeOffset.UtcNow);

@@ -21,22 +21,22 @@ sealed class PlantScore(IPlantTruth plant, RobotModel robot, TimeSpan visualisat
     public double HoldRms => Root(_held);
     public double Reduction => 1 - Rms / HoldRms;
 
-    /// <summary>Of the frames that were played, those that were current.</summary>
+    /// <summary>Share of the played frames whose pose was current.</summary>
     public double CurrentShare => (double)_shown.Count / _played;
 
-    /// <summary>P95 of what the headset believes of the plant's clock, less the truth; ms.</summary>
+    /// <summary>P95 of the absolute error of the headset's estimate of the plant's clock; ms.</summary>
     public double ClockErrorMs => P95(_clock);
 
-    /// <summary>P95 of how far off the headset says that it may be; ms. Grows with what the machine is busy with.</summary>
+    /// <summary>P95 of the error bound that the headset states for this estimate; ms. Grows with the machine's load.</summary>
     public double ClockBoundMs => P95(_bound);
 
     /// <summary>Share of the frames in which the clock's true error was within the stated bound.</summary>
     public double BoundHolds => _clock.Zip(_bound).Count(pair => pair.First <= pair.Second) / (double)_clock.Count;
 
-    /// <summary>P95 of the moment to which was predicted, less the true one; ms.</summary>
+    /// <summary>P95 of the absolute error of the display time for which a pose was predicted; ms.</summary>
     public double LightErrorMs => P95(_light);
 
-    /// <summary>Plays frames for so long, on this thread, and scores those that are current.</summary>
+    /// <summary>Plays frames for this length of time on the calling thread, and scores those whose pose is current.</summary>
     public void Play(CompensationSession session, IHeadsetClock clock, TimeSpan length)
     {
         var start = Stopwatch.GetTimestamp();

@@ -22,7 +22,7 @@ public class AccessFaultTests
     public void TearDown() => Directory.Delete(_folder, true);
 
     [Test]
-    public async Task Certificate_ThatExpires_IsToldOnBothSidesAndRecoveredFromByARenewedOne()
+    public async Task Certificate_Expires_IsReportedOnBothSidesUntilRenewed()
     {
         var path = Path.Combine(_folder, "gateway.pem");
         using var key = ECDsa.Create(ECCurve.NamedCurves.nistP256);
@@ -38,7 +38,7 @@ public class AccessFaultTests
 
         // Written only now: on a loaded machine, connecting and synchronising may take longer than the 10 s of this certificate.
         CertificatesOfOneKey.Write(path, key, DateTimeOffset.UtcNow.AddSeconds(10));
-        await Soon.BecomesAsync(() => _log.Any(line => line.Contains("certificate: expired on")), "told by the gateway: " + string.Join('\n', _log));
+        await Soon.BecomesAsync(() => _log.Any(line => line.Contains("certificate: expired on")), "logged by gateway: " + string.Join('\n', _log));
         Assert.That(await ReadinessAsync(gateway), Is.EqualTo(503));
         // Only an existing connection continues: a new connection is shown the expired certificate.
         await headset.BecomesAsync(() => headset.IsConnected && headset.State == PoseState.Current, "who is connected goes on");
@@ -46,7 +46,7 @@ public class AccessFaultTests
         sync.Interrupt();
         positions.Interrupt();
         await headset.BecomesAsync(
-            () => headset.State != PoseState.Current && headset.Links.Split("certificate: expired on").Length == 3, "told by the headset, twice");
+            () => headset.State != PoseState.Current && headset.Links.Split("certificate: expired on").Length == 3, "shown by the headset, twice");
         CertificatesOfOneKey.Write(path, key, days: 100);
         var took = await headset.BecomesAsync(PoseState.Current);
 
@@ -55,7 +55,7 @@ public class AccessFaultTests
     }
 
     [Test]
-    public async Task Token_RevokedAndGivenBack_IsToldAndRecoveredFrom()
+    public async Task Token_RevokedAndRestored_IsReportedAndTheHeadsetRecovers()
     {
         var path = Path.Combine(_folder, "tokens.txt");
         File.WriteAllText(path, "observer a\nobserver b\n");

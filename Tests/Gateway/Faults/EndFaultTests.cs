@@ -12,7 +12,7 @@ public class EndFaultTests
     static readonly string[] Joints = ["arm_joint_1", "arm_joint_2", "arm_joint_3", "arm_joint_4", "arm_joint_5"];
 
     [Test]
-    public async Task Gateway_Killed_IsShownAndTheNextOneServesTheSameHeadset()
+    public async Task Gateway_Killed_IsShownAndItsSuccessorServesTheHeadset()
     {
         using var first = await SimulateAsync(0, 0);
         var (sync, positions) = (int.Parse(first.ValueOf("sync").Split(':')[1]), new Uri(first.ValueOf("websocket")).Port);
@@ -28,7 +28,7 @@ public class EndFaultTests
     }
 
     [Test]
-    public async Task Plant_Killed_IsHeldAndGoesOnWithTheNextSource()
+    public async Task Plant_Killed_PoseIsHeldUntilTheNextSource()
     {
         var clock = new StopwatchControlClock(Gateways.Start);
         await using var gateway = await Gateways.StartAsync(clock: clock);
@@ -59,7 +59,7 @@ public class EndFaultTests
 
     [TestCase(1.0)]
     [TestCase(-1.0)]
-    public async Task Clock_SteppedByASecond_IsNoticedAndFollowed(double seconds)
+    public async Task Clock_SteppedByASecond_IsDetectedAndFollowed(double seconds)
     {
         var clock = new SteppingClock();
         await using var gateway = await Gateways.StartAsync(clock: clock);

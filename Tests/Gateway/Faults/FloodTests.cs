@@ -19,7 +19,7 @@ public class FloodTests
     static readonly IPAddress Attacker = IPAddress.Parse("127.0.0.2");
 
     [Test]
-    public async Task Connects_10000InARow_LeaveNothingBehindAndTheHeadsetCurrent()
+    public async Task Connects_10000InARow_LeakNothingAndTheHeadsetStaysCurrent()
     {
         var clock = new StopwatchControlClock(Gateways.Start);
         await using var gateway = await Gateways.StartAsync(clock: clock);
@@ -40,7 +40,7 @@ public class FloodTests
 
     [TestCase(true)]
     [TestCase(false)]
-    public async Task Slowloris_500AtOnce_AreEndedAndDelayNobody(bool asksForTokens)
+    public async Task Slowloris_500Connections_AreClosedWithoutDelayingOthers(bool asksForTokens)
     {
         var options = Gateways.Options() with { TokenTimeout = TimeSpan.FromSeconds(3) };
         if (asksForTokens) options = options with { Tokens = Gateways.Tokens };

@@ -16,7 +16,7 @@ public class LineFileTests
     }
 
     [Test]
-    public void Records_OfAGoodDisk_AreAllButTheRecordingsOwn()
+    public void Records_Written_ExcludeTheRecordersOwnLines()
     {
         using var file = Written(new SmallDisk(1000), "{\"kind\":\"session\"}", "{\"kind\":\"sample\"}", "{\"kind\":\"lost\"}", "{\"kind\":\"sync\"}", "{\"kind\":\"end\"}");
 
@@ -29,7 +29,7 @@ public class LineFileTests
     [TestCase(9, 0)]
     [TestCase(10, 1)]
     [TestCase(25, 2)]
-    public void Flush_DiskFullInTheMiddle_KeepsTheWholeLinesAndSaysHowMany(int bytes, int whole)
+    public void Flush_DiskFull_KeepsWholeLinesAndCountsThem(int bytes, int whole)
     {
         var disk = new SmallDisk(bytes);
         var file = Written(disk, "123456789", "123456789", "123456789");
@@ -43,7 +43,7 @@ public class LineFileTests
     }
 
     [Test]
-    public void Write_LineLongerThanTheBuffer_IsWrittenAfterThoseBefore()
+    public void Write_LineLongerThanTheBuffer_KeepsTheOrder()
     {
         var disk = new SmallDisk(1_000_000);
         using var file = Written(disk, "first", new string('x', 200_000), "last");
@@ -54,7 +54,7 @@ public class LineFileTests
     }
 
     [Test]
-    public void Create_FileThatIsThere_IsNotReplaced()
+    public void Create_ExistingFile_IsNotReplaced()
     {
         var path = Path.Combine(TestContext.CurrentContext.WorkDirectory, Guid.NewGuid().ToString("N"));
         try

@@ -90,7 +90,7 @@ public class RecorderTests
     }
 
     [Test]
-    public async Task Describe_WhileAFileIsBegun_DoesNotWaitForIt()
+    public async Task Describe_WhileAFileIsCreated_DoesNotWait()
     {
         using var isBeginning = new ManualResetEventSlim();
         using var mayGoOn = new ManualResetEventSlim();
@@ -116,7 +116,7 @@ public class RecorderTests
     }
 
     [Test]
-    public async Task Record_WithoutADescription_IsReplayedByTheJointsThatCame()
+    public async Task Record_WithoutADescription_IsReplayedWithTheReceivedJoints()
     {
         await using var recorder = Open();
         recorder.SwitchOn();
@@ -131,7 +131,7 @@ public class RecorderTests
     }
 
     [Test]
-    public async Task Record_AllThatPasses_StandsInTheFileInItsOrder()
+    public async Task Record_AllMessages_AreInTheFileInOrder()
     {
         await using var recorder = Open();
         recorder.SwitchOn();
@@ -173,7 +173,7 @@ public class RecorderTests
     }
 
     [Test]
-    public async Task Record_AnotherRobot_BeginsAnotherFileAndLosesNothing()
+    public async Task Record_AnotherRobot_StartsAnotherFileWithoutLoss()
     {
         _source.TryDescribe(RobotFiles.LoadText("youbot"));
         await using var recorder = Open();
@@ -193,7 +193,7 @@ public class RecorderTests
     }
 
     [Test]
-    public async Task SwitchOn_Twice_MakesTwoFilesAndReplacesNone()
+    public async Task SwitchOn_Twice_CreatesTwoFiles()
     {
         await using var recorder = Open();
         for (var i = 0; i < 2; i++)
@@ -208,7 +208,7 @@ public class RecorderTests
     }
 
     [Test]
-    public async Task Record_DiskFull_SaysSoAndHowMuchIsMissingAndGoesOnWhenThereIsRoom()
+    public async Task Record_DiskFull_ReportsTheLossAndContinuesWithSpace()
     {
         const int Published = 500;
         var disks = new Queue<SmallDisk>([new SmallDisk(20_000), new SmallDisk(10_000_000)]);
@@ -238,7 +238,7 @@ public class RecorderTests
     }
 
     [Test]
-    public async Task Record_FolderGone_SaysSoAndGoesOnWhenItIsBack()
+    public async Task Record_FolderMissing_IsReportedAndContinuesOnceRestored()
     {
         await using var recorder = Open();
         Directory.Delete(_folder);
@@ -256,7 +256,7 @@ public class RecorderTests
     }
 
     [Test]
-    public async Task Record_DiskThatHangs_DelaysNobodyAndCountsWhatIsLost()
+    public async Task Record_DiskHangs_DelaysNoMessagesAndCountsTheLoss()
     {
         using var goOn = new ManualResetEventSlim();
         await using var recorder = Open(path =>
@@ -274,7 +274,7 @@ public class RecorderTests
         await recorder.SwitchOffAsync().Bounded();
 
         Assert.That(lost, Is.GreaterThan(10_000));
-        Assert.That(took, Is.LessThan(TimeSpan.FromSeconds(5)), "nobody waited");
+        Assert.That(took, Is.LessThan(TimeSpan.FromSeconds(5)), "writers are not blocked");
         var lines = Lines(recorder.Path);
         Assert.That(Count(lines, "sample") + lines.Where(line => line.GetProperty("kind").GetString() == "lost").Sum(line => line.GetProperty("count").GetInt64()),
             Is.InRange(20_000, 20_100));
@@ -282,7 +282,7 @@ public class RecorderTests
     }
 
     [Test]
-    public async Task Record_ThreeFilesWithinASecondOnASlowDisk_HaveNamesOfTheirOwn()
+    public async Task Record_ThreeFilesWithinASecondOnASlowDisk_HaveUniqueNames()
     {
         using var goOn = new ManualResetEventSlim();
         await using var recorder = Open(path =>
@@ -308,7 +308,7 @@ public class RecorderTests
     }
 
     [Test]
-    public async Task Record_BeyondTheGreatestSize_BeginsAnotherFileAndLosesNothing()
+    public async Task Record_BeyondTheMaximumSize_StartsAnotherFileWithoutLoss()
     {
         await using var recorder = Open(greatestBytes: 20_000);
         recorder.SwitchOn();
@@ -326,7 +326,7 @@ public class RecorderTests
     }
 
     [Test]
-    public async Task Record_DiskFailsBeyondTheGreatestSize_AsksForAnotherFileNoMore()
+    public async Task Record_DiskFailsBeyondTheMaximumSize_RequestsNoFurtherFile()
     {
         var time = new CountedTime();
         using var goOn = new ManualResetEventSlim();
@@ -353,7 +353,7 @@ public class RecorderTests
     }
 
     [Test]
-    public async Task SwitchOn_SoonAfterADiskFailed_EndsTheFileBefore()
+    public async Task SwitchOn_AfterADiskFailure_EndsTheFormerFile()
     {
         var first = new SmallDisk(10_000_000);
         var files = 0;
@@ -394,7 +394,7 @@ public class RecorderTests
     }
 
     [Test]
-    public void SwitchOn_WithoutAFolder_SaysWhatIsMissing()
+    public void SwitchOn_WithoutAFolder_NamesTheOption()
     {
         var recorder = new Recorder(new GatewayOptions(), _hub, _clock, _plant, _drops, _ => { });
 

@@ -58,7 +58,7 @@ public class RecordingsTests
         JsonDocument.Parse((await GetAsync(gateway, "/operations/state")).Text).RootElement;
 
     [Test]
-    public async Task List_OfAFolder_HasNameAndSizeOfItsRecordingsOnly()
+    public async Task List_OfAFolder_HasOnlyRecordingsWithNameAndSize()
     {
         File.WriteAllText(Path.Combine(_folder, "press-20261120T120000Z.jsonl"), "12345\n");
         await using var gateway = await StartAsync();
@@ -74,7 +74,7 @@ public class RecordingsTests
     [TestCase(Gateways.ObserverToken, HttpStatusCode.Forbidden)]
     [TestCase(Gateways.SourceToken, HttpStatusCode.Forbidden)]
     [TestCase(Gateways.OperatorToken, HttpStatusCode.OK)]
-    public async Task Recordings_WithTokens_AreForOperators(string token, HttpStatusCode expected)
+    public async Task Recordings_WithTokens_RequireAnOperator(string token, HttpStatusCode expected)
     {
         File.WriteAllText(Path.Combine(_folder, "a.jsonl"), "{}\n");
         await using var gateway = await StartAsync(hasTokens: true);
@@ -94,7 +94,7 @@ public class RecordingsTests
     [TestCase("a.jsonl/")]
     [TestCase("none.jsonl")]
     [TestCase("a.jsonl%0a")]
-    public async Task Download_NameThatIsNoRecordingOfTheFolder_IsNotFound(string name)
+    public async Task Download_NotARecordingOfTheFolder_IsNotFound(string name)
     {
         File.WriteAllText(Path.Combine(_folder, "a.jsonl"), "{}\n");
         if (!OperatingSystem.IsWindows()) File.CreateSymbolicLink(Path.Combine(_folder, "link.jsonl"), Path.Combine(_outer, "tokens.jsonl"));
@@ -106,7 +106,7 @@ public class RecordingsTests
     }
 
     [Test]
-    public async Task Download_RecordingThatIsBeingWritten_IsWholeLinesSoFar()
+    public async Task Download_RecordingInProgress_ReturnsWholeLines()
     {
         await using var gateway = await StartAsync();
         gateway.Recorder.SwitchOn();
@@ -119,7 +119,7 @@ public class RecordingsTests
     }
 
     [Test]
-    public async Task Deleted_WhileItIsWritten_IsAProblemAndTheRecordingIsOver()
+    public async Task Deleted_WhileWritten_IsAProblemAndEndsTheRecording()
     {
         await using var gateway = await StartAsync();
         gateway.Recorder.SwitchOn();
@@ -139,7 +139,7 @@ public class RecordingsTests
     }
 
     [Test]
-    public async Task Deleted_AfterItWasEnded_IsAnEventAndSaid()
+    public async Task Deleted_AfterItsEnd_RaisesAnEvent()
     {
         await using var gateway = await StartAsync();
         gateway.Recorder.SwitchOn();
@@ -158,7 +158,7 @@ public class RecordingsTests
     }
 
     [Test]
-    public async Task Look_EventCannotBeNoted_IsLogged()
+    public async Task Look_EventCannotBeAdded_IsLogged()
     {
         await using var gateway = await StartAsync();
         var path = Path.Combine(_folder, "a.jsonl");

@@ -26,7 +26,7 @@ public class AdapterRoleTests
 
     [TestCase("192.0.2.7", Role.Observer)]
     [TestCase("127.0.0.1", Role.Source)]
-    public void RoleOf_WithoutTokens_GoesByTheAddressAndTheAdaptersToken(string address, Role others)
+    public void RoleOf_WithoutTokens_DependsOnAddressAndAdapterToken(string address, Role others)
     {
         Assert.That(RoleOf(WithoutTokens, WithoutTokens.AdapterToken, address), Is.EqualTo(Role.Source));
         Assert.That(RoleOf(WithoutTokens, null, address), Is.EqualTo(others));
@@ -34,7 +34,7 @@ public class AdapterRoleTests
     }
 
     [Test]
-    public void RoleOf_WithTokens_TakesTheAdaptersTooAndNoOther()
+    public void RoleOf_WithTokens_AlsoAcceptsTheAdapterToken()
     {
         var options = WithoutTokens with { Tokens = Gateways.Tokens };
 

@@ -23,10 +23,10 @@ public class AnswerReaderTests
     static readonly GatewayOptions Options = Gateways.Options() with { AnswerBytesPerSecond = 100_000_000 };
 
     [Test]
-    public Task Answer_ThatNobodyReads_Ends() => AskAndReadNothingAsync();
+    public Task Answer_NotRead_IsAborted() => AskAndReadNothingAsync();
 
     [Test]
-    public async Task WebSocket_ThatIsNotReadForAsLong_GoesOn()
+    public async Task WebSocket_NotReadForTheSameTime_StaysOpen()
     {
         await using var gateway = await Gateways.StartAsync(Options with { PongTimeout = TimeSpan.FromMinutes(5) });
         using var client = await RawRosbridgeClient.ConnectAsync(gateway, options => options.SetBuffer(1024, 1024));

@@ -25,7 +25,7 @@ public class CertificateRenewalTests
     public void TearDown() => Directory.Delete(_folder, true);
 
     [Test]
-    public async Task File_RenewedWithTheSameKey_IsShownWithoutARestart()
+    public async Task File_RenewedWithTheSameKey_IsUsedWithoutARestart()
     {
         using var key = ECDsa.Create(ECCurve.NamedCurves.nistP256);
         CertificatesOfOneKey.Write(CertificatePath, key, days: 10);
@@ -40,7 +40,7 @@ public class CertificateRenewalTests
     }
 
     [Test]
-    public async Task File_OfAnotherKey_IsNotTakenAndTold()
+    public async Task File_OfAnotherKey_IsIgnoredAndLogged()
     {
         using var key = ECDsa.Create(ECCurve.NamedCurves.nistP256);
         using var other = ECDsa.Create(ECCurve.NamedCurves.nistP256);
@@ -56,7 +56,7 @@ public class CertificateRenewalTests
     [TestCase(100, 90, null)]
     [TestCase(20, 10, "expires on")]
     [TestCase(20, 21, "expired on")]
-    public void Expiry_Near_IsToldOnceAndSoIsTheRenewal(int lastsDays, int atDays, string expected)
+    public void Expiry_Near_IsLoggedOnceLikeTheRenewal(int lastsDays, int atDays, string expected)
     {
         var notice = new ExpiryNotice(_log.Enqueue);
         var start = new DateTime(2026, 11, 20);

@@ -22,7 +22,7 @@ public class FollowedFileTests
     /// <summary>An editor truncates the file and then writes it. What was read in between is neither used nor reported.</summary>
     [TestCase("")]
     [TestCase("half a ", "the file ends too early")]
-    public void File_WrittenDuringTheReading_IsReadAgain(string meanwhile, string fault = null)
+    public void File_WrittenDuringRead_IsReadAgain(string meanwhile, string fault = null)
     {
         var isBeingWritten = false;
         var file = new FollowedFile<string>([_path], (out string part) =>

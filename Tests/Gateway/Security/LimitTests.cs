@@ -23,7 +23,7 @@ public class LimitTests
     };
 
     [Test]
-    public async Task Messages_BeyondTheRate_AreDroppedUnparsedAndTheConnectionGoesOn()
+    public async Task Messages_BeyondTheRate_AreDroppedUnparsedAndTheConnectionStaysOpen()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { SourceMessagesPerSecond = 5 });
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -40,7 +40,7 @@ public class LimitTests
     }
 
     [Test]
-    public async Task Messages_OfASourceAt2000Hz_AreAllTaken()
+    public async Task Messages_OfASourceAt2000Hz_AreAllAccepted()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -53,7 +53,7 @@ public class LimitTests
     }
 
     [Test]
-    public async Task Message_LongOfAnObserver_IsNotEvenKept()
+    public async Task Message_LongFromAnObserver_IsNotStored()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var client = await RawRosbridgeClient.ConnectAsync(
@@ -66,7 +66,7 @@ public class LimitTests
     }
 
     [Test]
-    public async Task Message_LongOfASourceOnAnotherTopic_IsNotDecoded()
+    public async Task Message_LongFromASourceOnAnotherTopic_IsNotDecoded()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -110,7 +110,7 @@ public class LimitTests
     }
 
     [Test]
-    public async Task Refusals_ByTheThousand_WriteAFewLines()
+    public async Task Refusals_Thousands_WriteFewLogLines()
     {
         var log = new ConcurrentQueue<string>();
         var gateway = await GatewayServer.StartAsync(
@@ -130,7 +130,7 @@ public class LimitTests
     }
 
     [Test]
-    public async Task PendingConnections_OfOneAddress_LeavePlacesForOthers()
+    public async Task PendingConnections_OfOneAddress_DoNotBlockOthers()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens with { MaxPendingConnections = 3 });
         var silent = new List<RawSyncClient>();

@@ -25,7 +25,7 @@ public class PendingConnectionsTests
     }
 
     [Test]
-    public void Enter_ManyThatSayNothing_EvictNoneThatCompletedItsHandshake()
+    public void Enter_ManySilentConnections_EvictNoneWithCompletedHandshake()
     {
         var evicted = new List<string>();
         var pending = new PendingConnections(2);
@@ -52,7 +52,7 @@ public class PendingConnectionsTests
     }
 
     [Test]
-    public void Enter_FullInAll_EvictsTheOldestThatSaidNothing()
+    public void Enter_TotalLimitReached_EvictsTheOldestSilentOne()
     {
         var evicted = new List<string>();
         var pending = new PendingConnections(10, maxInAll: 2);
@@ -69,7 +69,7 @@ public class PendingConnectionsTests
 
     [TestCase(false)]
     [TestCase(true)]
-    public async Task Headset_BehindAnAddressFullOfHalfOpenClients_GetsIn(bool isOtherAddress)
+    public async Task Headset_AddressFullOfHalfOpenClients_Connects(bool isOtherAddress)
     {
         // The limit in total is equal to the limit per address.
         var options = Gateways.Options() with { Tokens = Gateways.Tokens, MaxPendingConnections = 8, MaxConnections = 8, TokenTimeout = TimeSpan.FromMinutes(5) };

@@ -8,7 +8,7 @@ public class PrecautionTests
     [TestCase("600", false)]
     [TestCase("640", true)]
     [TestCase("644", true)]
-    public async Task TokensFile_OthersMayRead_IsWarnedOf(string mode, bool expected)
+    public async Task TokensFile_ReadableByOthers_CausesAWarning(string mode, bool expected)
     {
         if (OperatingSystem.IsWindows()) Assert.Ignore("files have no such modes on Windows");
         var path = Path.GetTempFileName();
@@ -34,7 +34,7 @@ public class PrecautionTests
     [TestCase("root's, of the own group", "644", true)]
     [TestCase("root's, of another group", "640", true)]
     [TestCase("handed over", "440", false)]
-    public void TokensFile_OfSomebodyElse_IsWarnedOfWhereMoreThanTheOwnGroupMayRead(string whose, string mode, bool expected)
+    public void TokensFile_OfAnotherOwner_CausesAWarningIfReadableBeyondTheOwnGroup(string whose, string mode, bool expected)
     {
         if (!OperatingSystem.IsLinux() || !Environment.IsPrivilegedProcess) Assert.Ignore("only root can give files away, on Linux");
         using var folder = new TemporaryFolder();
@@ -57,7 +57,7 @@ public class PrecautionTests
     }
 
     [Test]
-    public async Task Root_WithoutNeed_IsWarnedOf()
+    public async Task Root_WithoutNeed_CausesAWarning()
     {
         await using var gateway = await Gateways.StartAsync();
 

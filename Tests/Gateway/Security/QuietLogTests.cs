@@ -20,7 +20,7 @@ public class QuietLogTests
     public void TearDown() => _log.Dispose();
 
     [Test]
-    public void Lines_Same_AreSaidAFewTimesAndThenCounted()
+    public void Lines_Repeated_AreLoggedAFewTimesAndThenCounted()
     {
         for (var i = 0; i < 1000; i++) _log.Write("refused");
         var atOnce = _lines.Count;
@@ -32,7 +32,7 @@ public class QuietLogTests
     }
 
     [Test]
-    public void Lines_AllDifferent_AreBoundedTogether()
+    public void Lines_AllDifferent_AreLimitedTogether()
     {
         for (var i = 0; i < 1000; i++) _log.Write("refused " + i);
 
@@ -40,7 +40,7 @@ public class QuietLogTests
     }
 
     [Test]
-    public void Lines_InEachMinute_BeginAnew()
+    public void Lines_InEachMinute_HaveTheirOwnLimit()
     {
         for (var minute = 0; minute < 3; minute++)
         {
@@ -52,7 +52,7 @@ public class QuietLogTests
     }
 
     [Test]
-    public void Dispose_WithLinesHeldBack_SaysHowMany()
+    public void Dispose_WithSuppressedLines_LogsTheirCount()
     {
         for (var i = 0; i < 12; i++) _log.Write("closed");
 

@@ -30,7 +30,7 @@ public class RevocationTests
     public void TearDown() => Directory.Delete(_folder, true);
 
     [Test]
-    public async Task Token_Removed_EndsBothItsConnectionsAndNoOthers()
+    public async Task Token_Removed_EndsOnlyItsTwoConnections()
     {
         await using var gateway = await StartAsync("observer gone-token", "observer kept-token");
         using var gone = await ConnectAsync(gateway, "gone-token");
@@ -56,11 +56,11 @@ public class RevocationTests
 
     /// <summary>Checks the sum of the waits by design. The delays of a busy machine are not part of the promise.</summary>
     [Test]
-    public void Token_Removed_IsWaitedForNoLongerThanTwoSeconds() =>
+    public void Token_Removed_TakesEffectWithinTwoSeconds() =>
         Assert.That(TokenList.Settles + AccessWatch.Interval + ProtocolLimits.GoodbyeTimeout, Is.LessThan(TimeSpan.FromSeconds(2)));
 
     [Test]
-    public async Task Token_RemovedOfAClientThatReadsNothing_EndsItAllTheSame()
+    public async Task Token_RemovedOfAClientThatDoesNotRead_EndsItsConnection()
     {
         await using var gateway = await StartAsync("source gone-token", "observer other");
         using var gone = await ConnectAsync(gateway, "gone-token");
@@ -76,7 +76,7 @@ public class RevocationTests
     }
 
     [Test]
-    public async Task Token_RemovedOfASource_IsHeardNoMore()
+    public async Task Token_RemovedOfASource_ItsMessagesAreIgnored()
     {
         await using var gateway = await StartAsync("source gone-token", "observer other");
         using var observer = await ConnectAsync(gateway, "other");
@@ -102,7 +102,7 @@ public class RevocationTests
     }
 
     [Test]
-    public async Task Token_ThatBecomesAnotherRole_ComesInAnewAsThat()
+    public async Task Token_WithChangedRole_ReconnectsWithTheNewRole()
     {
         await using var gateway = await StartAsync("source changing");
         using var before = await ConnectAsync(gateway, "changing");
@@ -127,12 +127,12 @@ public class RevocationTests
     }
 
     [Test]
-    public async Task Tokens_AllRemoved_LetInNobody()
+    public async Task Tokens_AllRemoved_RefuseAllClients()
     {
         await using var gateway = await StartAsync("observer only");
         using var client = await ConnectAsync(gateway, "only");
 
-        Write("# nobody at the moment");
+        Write("# no tokens at the moment");
 
         Assert.That((await client.Socket.ReceiveAsync(new byte[100], default).Bounded()).CloseStatusDescription, Is.EqualTo("Token"));
         Assert.That(await RefusalAsync(gateway, "only"), Is.EqualTo(HttpStatusCode.Unauthorized));
@@ -140,7 +140,7 @@ public class RevocationTests
 
     [TestCase("observer kept\nadmin wrong-secret\n", "line 2")]
     [TestCase(null, "cannot be read")]
-    public async Task File_ThatCannotBeUsed_LeavesTheLastListAndIsToldOnce(string text, string part)
+    public async Task File_Invalid_KeepsTheLastListAndIsLoggedOnce(string text, string part)
     {
         await using var gateway = await StartAsync("observer kept", "observer also-kept");
         using var client = await ConnectAsync(gateway, "also-kept");

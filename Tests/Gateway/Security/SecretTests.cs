@@ -28,7 +28,7 @@ public class SecretTests
     public void TearDown() => Directory.Delete(_folder, true);
 
     [Test]
-    public async Task Secrets_ThroughAllPaths_AreInNoLogNoAnswerAndNoFile()
+    public async Task Secrets_OnAllPaths_AreInNoLogNoAnswerAndNoFile()
     {
         File.WriteAllText(TokensPath, $"source {Secret}-right\nobserver {Secret}-other\noperator {Secret}-operator\n");
         var headsets = new HeadsetList(PairingPath, log: _log.Enqueue);

@@ -18,7 +18,7 @@ public sealed class SecurityHeaderTests : IDisposable
     [TestCase("/operations")]
     [TestCase("/vlc")]
     [TestCase("/pair")]
-    public async Task Page_Served_RunsTheScriptItWasBuiltWithAndNoOther(string path)
+    public async Task Page_Served_AllowsOnlyTheScriptItWasBuiltWith(string path)
     {
         if (OperationsPage.Html == null) Assert.Ignore("built without Node.js");
         using var folder = new TemporaryFolder();
@@ -41,7 +41,7 @@ public sealed class SecurityHeaderTests : IDisposable
     [TestCase("/healthz", HttpStatusCode.OK)]
     [TestCase("/metrics", HttpStatusCode.Unauthorized)]
     [TestCase("/nowhere", HttpStatusCode.Unauthorized)]
-    public async Task Answer_OfAnyKind_IsTakenForNothingElseAndFramedByNobody(string path, HttpStatusCode status)
+    public async Task Answer_OfAnyKind_ForbidsSniffingAndFraming(string path, HttpStatusCode status)
     {
         if (OperationsPage.Html == null) Assert.Ignore("built without Node.js");
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
@@ -56,7 +56,7 @@ public sealed class SecurityHeaderTests : IDisposable
     }
 
     [Test]
-    public void Pages_OpenedFromDisk_AllowTheScriptThatTheyWereBuiltWith()
+    public void Pages_OpenedFromDisk_AllowOnlyTheScriptTheyWereBuiltWith()
     {
         if (!ReportPage.HasPlots) Assert.Ignore("built without Node.js");
 

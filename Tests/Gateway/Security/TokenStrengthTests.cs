@@ -13,11 +13,11 @@ public class TokenStrengthTests
     [TestCase("0123456789ABCDEF0123456789ABCDE", 124)]
     [TestCase("aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", 0)]
     [TestCase("Tr0ub4dor&3", 11 * 6.5546)]
-    public void BitsOf_Token_IsItsLengthTimesTheBitsOfItsAlphabet(string token, double bits) =>
+    public void BitsOf_Token_EqualsItsLengthTimesTheBitsOfItsAlphabet(string token, double bits) =>
         Assert.That(TokenStrength.BitsOf(token), Is.EqualTo(bits).Within(0.01));
 
     [Test]
-    public void BitsOf_RandomTokensOf128BitsInHexadecimal_AreNeverWarnedOf()
+    public void BitsOf_RandomHexadecimal128BitTokens_AreSufficient()
     {
         var random = new Random(7);
         var bytes = new byte[16];
@@ -30,7 +30,7 @@ public class TokenStrengthTests
     }
 
     [Test]
-    public void Tokens_TheGatewayMakesItself_AreStrong()
+    public void Tokens_CreatedByTheGateway_AreStrong()
     {
         using var folder = new TemporaryFolder();
         var list = new Nowpose.Gateway.Pairing.HeadsetList(Path.Combine(folder.Path, "headsets.txt"));
@@ -41,7 +41,7 @@ public class TokenStrengthTests
     }
 
     [Test]
-    public async Task TokensFile_WithAWeakToken_IsWarnedOfByItsLine()
+    public async Task TokensFile_WithAWeakToken_CausesAWarningWithItsLine()
     {
         using var folder = new TemporaryFolder();
         var path = Path.Combine(folder.Path, "tokens.txt");

@@ -21,7 +21,7 @@ public class WrongTokenTests
     static readonly GatewayOptions Slow = WithTokens with { WrongTokenDelay = TimeSpan.FromMinutes(10), TokenTimeout = TimeSpan.FromMinutes(10) };
 
     [Test]
-    public async Task Http_ManyWrongBearers_AreRefusedForAWhile()
+    public async Task Http_ManyWrongBearers_BlockTheAddress()
     {
         var time = new SteppedTime();
         await using var gateway = await Gateways.StartAsync(WithTokens with { WrongTokenDelay = TimeSpan.Zero, Time = time });
@@ -52,7 +52,7 @@ public class WrongTokenTests
     }
 
     [Test]
-    public void Count_OfABlockedAddress_AnswersLeaveOneByOneAndThoseOfOthersAtOnce()
+    public void Count_BlockedAddress_DelaysItsAnswersOneByOneButNotThoseOfOthers()
     {
         var time = new SteppedTime();
         var wrong = new WrongTokens(time);
@@ -71,7 +71,7 @@ public class WrongTokenTests
     }
 
     [Test]
-    public void Count_OfMoreAddressesThanThereIsRoomFor_ForgetsThoseThatTriedNothingForLongest()
+    public void Count_TooManyAddresses_ForgetsTheLongestInactive()
     {
         var wrong = new WrongTokens(new SteppedTime());
         var (silent, trying, newest) = (IPAddress.Parse("10.0.0.1"), IPAddress.Parse("10.0.0.2"), IPAddress.Parse("10.0.0.3"));
@@ -95,7 +95,7 @@ public class WrongTokenTests
     }
 
     [Test]
-    public async Task Http_WrongBearersOfManyConnectionsAtOnce_AreAnsweredOneByOne()
+    public async Task Http_WrongBearersOnParallelConnections_AreAnsweredOneByOne()
     {
         var time = new RecordedDelays();
         await using var gateway = await Gateways.StartAsync(Slow with { Time = time });
@@ -119,7 +119,7 @@ public class WrongTokenTests
 
     [TestCase("/operations/login", "{\"token\":\"guess\"}")]
     [TestCase("/pair", "{\"token\":\"guess\",\"name\":\"a\"}")]
-    public async Task Form_ManyWrongRequestsBegunAtOnce_NoMoreAreAnsweredThanOfThoseInARow(string path, string body)
+    public async Task Form_ManyWrongParallelRequests_AreLimitedLikeSequentialOnes(string path, string body)
     {
         const int Requests = PairingLimits.WrongCodesPerMinute + 3;
         await using var gateway = await PairingGateway.StartAsync(isSecure: false, Gateways.Tokens);
@@ -135,7 +135,7 @@ public class WrongTokenTests
     }
 
     [Test]
-    public async Task Http_WithoutAToken_IsNoGuess()
+    public async Task Http_WithoutAToken_IsNotCounted()
     {
         await using var gateway = await Gateways.StartAsync(Slow);
 
@@ -144,7 +144,7 @@ public class WrongTokenTests
     }
 
     [Test]
-    public async Task Sync_ManyWrongTokens_AreAnsweredLateAndAKnownOneAtOnce()
+    public async Task Sync_ManyWrongTokens_AreDelayedAndAValidOneIsNot()
     {
         await using var gateway = await Gateways.StartAsync(Slow);
         for (var i = 0; i < PairingLimits.WrongCodesPerMinute; i++)
@@ -166,7 +166,7 @@ public class WrongTokenTests
     }
 
     [Test]
-    public async Task Guesses_OnOnePort_SlowTheOther()
+    public async Task Guesses_OnOnePort_DelayTheOther()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens with { WrongTokenDelay = TimeSpan.Zero });
         for (var i = 0; i < PairingLimits.WrongCodesPerMinute; i++)

@@ -80,7 +80,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Markers_None_LeaveItWhereItIsPut()
+    public void Markers_None_KeepThePlacedPose()
     {
         _markers.Markers.Clear();
         _session.gameObject.SetActive(true);
@@ -97,7 +97,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Words_SourceThatCannotSee_SayWhy()
+    public void Words_SourceWithProblem_StateTheReason()
     {
         _markers.Problem = "no AR Session is in the scene";
         _markers.IsBlind = true;
@@ -112,7 +112,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Locked_DeviceDoesNotKeepItOrMovesIt_IsSaidOnceAndShown()
+    public void Locked_DeviceDoesNotKeepOrMovesIt_IsLoggedOnceAndShown()
     {
         var device = _session.gameObject.AddComponent<FakeSpatialAnchors>();
         PlayLocked();
@@ -135,7 +135,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Use_AfterFieldsThatCannotBeUsed_SaysNoMoreThatTheyCannot()
+    public void Use_AfterInvalidFields_ClearsTheProblem()
     {
         Play(new AnchorMarker("", Vector3.zero, Vector3.zero));
         Assert.That(_anchor.Words, Does.StartWith("marker"));
@@ -147,7 +147,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Markers_InView_LockItWhereTheRobotIs()
+    public void Markers_InView_LockTheBaseAtTheRobot()
     {
         PlayOne();
         var states = new List<BaseAnchorState>();
@@ -166,7 +166,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Markers_SeenObliquely_AreIgnoredAndItSaysSo()
+    public void Markers_SeenObliquely_AreIgnoredWithTheReason()
     {
         PlayOne();
         var pose = UnityPoses.ToWorld(Base);
@@ -195,7 +195,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Relock_BaseElsewhere_GlidesThere()
+    public void Relock_BaseMoved_EasesToTheNewPose()
     {
         PlayLocked();
         var there = Base * RigidTransform.FromXyzRpy(0.1, 0, 0, 0, 0, 0);
@@ -217,7 +217,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Place_Locked_IsThereAtOnceAndStays()
+    public void Place_Locked_MovesImmediatelyAndStays()
     {
         PlayLocked();
 
@@ -229,7 +229,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Device_HoldsPlaces_IsGivenTheLockAndFollowed()
+    public void Device_HoldsAnchors_ReceivesTheLockAndIsFollowed()
     {
         var device = new GameObject("Anchors").AddComponent<FakeSpatialAnchors>();
         device.transform.SetParent(_session.transform);
@@ -250,7 +250,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Device_KeptIt_IsRestoredUntilAMarkerConfirms()
+    public void Device_KeptTheBase_IsRestoredUntilAMarkerConfirms()
     {
         var device = _session.gameObject.AddComponent<FakeSpatialAnchors>();
         (device.KeptAs, device.Pose) = ("cell 7", Base);
@@ -268,7 +268,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Look_WhileItIsNotCertain_IsStripedWithWords()
+    public void Look_BaseUncertain_IsStripedWithWords()
     {
         _markers.IsBlind = true;
         PlayOne();
@@ -288,7 +288,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Panel_OfTheCell_TellsOfTheBase()
+    public void Panel_OfTheCell_ShowsTheBase()
     {
         PlayLocked();
         var texts = _session.GetComponentInChildren<StatusPanel>().GetComponentsInChildren<TextMesh>();
@@ -306,14 +306,14 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Hand_MovesAMarker_TheBaseGoesAlongAndIsLockedWhereItIsPut()
+    public void Hand_MovesAMarker_BaseFollowsAndLocksAtTheRelease()
     {
         _markers.Markers.Clear();
         var hand = new GameObject("Hand").AddComponent<HandPlacedMarker>();
         hand.transform.SetParent(_session.transform);
         _session.gameObject.SetActive(true);
         _cell.Run(5, _session);
-        Assert.That(_anchor.State, Is.EqualTo(BaseAnchorState.Placed), "nobody has moved it");
+        Assert.That(_anchor.State, Is.EqualTo(BaseAnchorState.Placed), "it has not been moved");
 
         hand.BeginMove();
         hand.transform.SetPositionAndRotation(new Vector3(0.4f, 1, 2), Quaternion.Euler(0, 30, 0));
@@ -329,7 +329,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Hand_RestsAtTheBase_ToBeTakenFromThere()
+    public void Hand_NotHeld_IsAtTheMarkersPlace()
     {
         var hand = new GameObject("Hand").AddComponent<HandPlacedMarker>().With("_payload", "a");
         hand.transform.SetParent(_session.transform);
@@ -347,7 +347,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Source_ComesOrGoes_IsFoundAndForgotten()
+    public void Source_AddedOrRemoved_IsUsedOrReleased()
     {
         UnityEngine.Object.DestroyImmediate(_markers);
         PlayOne();
@@ -367,7 +367,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Fields_ThatCannotBeUsed_AreSaidOnce()
+    public void Fields_Invalid_AreLoggedOnce()
     {
         Play(new AnchorMarker("a", Vector3.zero, Vector3.zero, sizeMetres: 9));
         _cell.Run(1, _session);
@@ -381,7 +381,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Rows_OfTheInspector_TellOfLockDeviceAndMarkers()
+    public void Rows_OfTheInspector_ShowLockDeviceAndMarkers()
     {
         _session.gameObject.AddComponent<FakeSpatialAnchors>();
         PlayLocked();

@@ -58,7 +58,7 @@ public sealed class AssetLibraryTests
     public void TearDown() => _project.Dispose();
 
     [Test]
-    public void Load_Prefab_HasHierarchyNamesAndPlaces()
+    public void Load_Prefab_HasHierarchyNamesAndTransforms()
     {
         var arm = Load("");
 
@@ -71,7 +71,7 @@ public sealed class AssetLibraryTests
     }
 
     [Test]
-    public void Load_Prefab_IsNoObjectOfTheSceneAndCannotBeDestroyedByMistake()
+    public void Load_Prefab_IsNotASceneObjectAndCannotBeDestroyed()
     {
         using var player = new Nowpose.UnityPlayer.Player();
         var before = player.ObjectCount;
@@ -143,7 +143,7 @@ public sealed class AssetLibraryTests
     }
 
     [Test]
-    public void Load_FieldsLeftOut_KeepTheirDefaults()
+    public void Load_FieldsOmitted_KeepTheirDefaults()
     {
         var probe = Probe("");
 
@@ -158,7 +158,7 @@ public sealed class AssetLibraryTests
     }
 
     [Test]
-    public void Load_PersistentCalls_AreMadeWhenTheEventIsRaised()
+    public void Load_PersistentCalls_RunWhenTheEventIsRaised()
     {
         const string Call = """
                   - m_Target: {fileID: 3}
@@ -186,7 +186,7 @@ public sealed class AssetLibraryTests
     }
 
     [Test]
-    public void Load_AssetsThatReferToEachOther_AreTheSameObjects()
+    public void Load_AssetsReferringToEachOther_AreTheSameObjects()
     {
         _project.AddYaml("Assets/A.asset", 4, Scriptable("A", "  _next: {fileID: 11400000, guid: " + GuidOf(5) + ", type: 2}\n"))
             .AddYaml("Assets/B.asset", 5, Scriptable("B", "  _next: {fileID: 11400000, guid: " + GuidOf(4) + ", type: 2}\n"));
@@ -267,7 +267,7 @@ public sealed class AssetLibraryTests
     [TestCase("  thing: {fileID: 77, guid: 00000000000000000000000000000003, type: 3}", "LoaderProbe.thing: Assets/Arm.prefab has no object 77")]
     [TestCase("  material: {fileID: 99, guid: 0000000000000000f000000000000000, type: 0}", "LoaderProbe.material: nothing built in")]
     [TestCase("  m_Name: x", "LoaderProbe.m_Name: the stand-in knows only")]
-    public void Load_BrokenField_IsRefusedWithFileIdAndField(string fields, string expected)
+    public void Load_InvalidField_IsRefusedWithFileIdAndField(string fields, string expected)
     {
         Assert.That(() => Probe(fields), Refused(expected));
     }
@@ -290,7 +290,7 @@ public sealed class AssetLibraryTests
     [TestCase("!u!4 &12\nTransform", "!u!33 &12\nMeshFilter", "a GameObject has one Transform, its first component")]
     [TestCase("!u!114 &3\nMonoBehaviour", "!u!999 &3\nWobble", "&3 Wobble: the stand-in knows no class Wobble")]
     [TestCase("m_Layer: 5", "m_Lair: 5", "&1 GameObject: GameObject has no serialised field m_Lair")]
-    public void Load_BrokenHierarchy_IsRefused(string good, string bad, string expected)
+    public void Load_InvalidHierarchy_IsRefused(string good, string bad, string expected)
     {
         var text = Arm.Replace("PROBE\n", "", StringComparison.Ordinal);
         Assert.That(text, Does.Contain(good), "the test breaks nothing");

@@ -12,7 +12,7 @@ public sealed class ManualPicturesTests
     static readonly XNamespace Svg = "http://www.w3.org/2000/svg";
 
     [Test]
-    public void Appearance_OfAHeldPose_IsStripedAndFainterAndHasWords()
+    public void Appearance_OfAHeldPose_IsStripedAndFaintAndHasWords()
     {
         var parts = XDocument.Parse(ManualPictures.Appearance(RepositoryFiles.Root)).Root.Elements(Svg + "svg").ToList();
 
@@ -28,7 +28,7 @@ public sealed class ManualPicturesTests
         .Select(path => double.Parse(path.Attribute("fill-opacity").Value, CultureInfo.InvariantCulture)).Distinct().Order()];
 
     [Test]
-    public void Panel_Drawn_HasEachRowAndTheMessageAboveThem()
+    public void Panel_Drawn_HasAllRowsBelowTheMessage()
     {
         var texts = XDocument.Parse(ManualPictures.Panel(RepositoryFiles.Root)).Root.Elements(Svg + "text").ToList();
 
@@ -40,7 +40,7 @@ public sealed class ManualPicturesTests
     }
 
     [Test]
-    public void Stripes_OfThePictures_AreThoseOfTheShader()
+    public void Stripes_OfThePictures_MatchTheShader()
     {
         var shader = RepositoryFiles.Under(RepositoryFiles.Package + "/Runtime/Shaders", ".hlsl").Select(RepositoryFiles.Read)
             .SingleOrDefault(text => text.Contains("#define NOWPOSE_STRIPE_METRES", StringComparison.Ordinal));

@@ -58,7 +58,7 @@ public sealed class PackageAssetsTests
     public void SetUp() => _library = new AssetLibrary(RepositoryFiles.Root);
 
     [Test]
-    public void Assets_All_AreWhatTheToolBuilds()
+    public void Assets_All_MatchTheToolsOutput()
     {
         // Objects that the tool creates stay in this scene.
         using var scene = new World(isPlaying: false, _ => { }).Enter();
@@ -103,7 +103,7 @@ public sealed class PackageAssetsTests
     static string PathOf(Transform at) => (at.parent == null ? "" : PathOf(at.parent)) + "/" + at.name;
 
     [TestCaseSource(nameof(Hierarchies))]
-    public void Hierarchy_DisplayedRig_CanBeToldFromOneThatIsNotCurrent(string path)
+    public void Hierarchy_DisplayedRig_LooksDifferentWhenNotCurrent(string path)
     {
         var roots = Path.GetExtension(path) == ".unity" ? _library.LoadScene(path).Roots : new[] { _library.Load<GameObject>(path) };
         // The rig with the simulation's true pose is not a displayed pose.
@@ -125,7 +125,7 @@ public sealed class PackageAssetsTests
     [TestCase("UR5e.asset", "ur5e.urdf")]
     [TestCase("UR10e.asset", "ur10e.urdf")]
     [TestCase("UR16e.asset", "ur16e.urdf")]
-    public void RobotDescription_Text_IsThatOfTheUrdf(string asset, string urdf)
+    public void RobotDescription_Text_EqualsTheUrdf(string asset, string urdf)
     {
         var description = _library.Load<RobotDescriptionAsset>(Runtime + "Robots/" + asset);
 
@@ -144,7 +144,7 @@ public sealed class PackageAssetsTests
     [TestCase("Nowpose Robot Cell", "Ghost")]
     [TestCase("Nowpose Robot Cell UR5", "Robot")]
     [TestCase("Nowpose Robot Cell UR5", "Ghost")]
-    public void Rig_AsSaved_StandsWhereForwardKinematicsPutsJointsAtZero(string cell, string rigName)
+    public void Rig_AsSaved_MatchesForwardKinematicsWithJointsAtZero(string cell, string rigName)
     {
         var (rig, model) = Rig(cell, rigName);
         var expected = new ForwardPoses(model).At(new double[model.MovingJoints.Count]);
@@ -160,7 +160,7 @@ public sealed class PackageAssetsTests
     [TestCase("Nowpose Robot Cell", "Ghost", 12)]
     [TestCase("Nowpose Robot Cell UR5", "Robot", 13)]
     [TestCase("Nowpose Robot Cell UR5", "Ghost", 14)]
-    public void Rig_RandomJoints_StandsWhereForwardKinematicsPutsIt(string cell, string rigName, int seed)
+    public void Rig_RandomJoints_MatchesForwardKinematics(string cell, string rigName, int seed)
     {
         var (rig, model) = Rig(cell, rigName);
         var saved = rig.GetComponentsInChildren<Transform>(true).ToHashSet();
@@ -177,14 +177,14 @@ public sealed class PackageAssetsTests
             for (var i = 0; i < model.Links.Count; i++)
             {
                 var link = rig.Link(model.Links[i].Name);
-                Assert.That(saved, Does.Contain(link), "bound to what the prefab has, not built anew");
+                Assert.That(saved, Does.Contain(link), "bound to the prefab's objects, not rebuilt");
                 RequireAt(rig.transform, link, expected[i], $"seed {seed}, pose {n}, link {link.name}");
             }
         }
     }
 
     [Test]
-    public void Gripper_OnTheYoubot_HasItsFingersWhereForwardKinematicsPutsThem()
+    public void Gripper_OnTheYoubot_FingersMatchForwardKinematics()
     {
         var (rig, model) = Rig("Nowpose Robot Cell", "Robot");
         var gripper = rig.GetComponentInChildren<VirtualGripper>(true);
@@ -205,7 +205,7 @@ public sealed class PackageAssetsTests
 
     [TestCase("Nowpose Robot Cell")]
     [TestCase("Nowpose Robot Cell UR5")]
-    public void Cell_Arm_HidesAndGripperShows(string cell)
+    public void Cell_ArmAndGripper_ArmOccludesAndGripperIsDrawn(string cell)
     {
         var (rig, model) = Rig(cell, "Robot");
         var gripper = rig.GetComponentInChildren<VirtualGripper>(true).transform;

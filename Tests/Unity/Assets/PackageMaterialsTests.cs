@@ -42,7 +42,7 @@ public sealed class PackageMaterialsTests
     }
 
     [TestCaseSource(nameof(Hierarchies))]
-    public void Renderer_Materials_AreThePackages(string path)
+    public void Renderer_Materials_AreOfThePackage(string path)
     {
         var materials = All<Renderer>(path).SelectMany(r => r.sharedMaterials).ToList();
 
@@ -50,7 +50,7 @@ public sealed class PackageMaterialsTests
     }
 
     [TestCaseSource(nameof(Hierarchies))]
-    public void TextMesh_Material_IsHiddenByWhatIsBeforeItAndHasTheFontsTexture(string path)
+    public void TextMesh_Material_TestsDepthAndHasTheFontTexture(string path)
     {
         foreach (var text in All<TextMesh>(path))
         {
@@ -62,7 +62,7 @@ public sealed class PackageMaterialsTests
     }
 
     [TestCaseSource(nameof(Hierarchies))]
-    public void PoseAppearance_Substitute_IsThere(string path)
+    public void PoseAppearance_Substitute_IsAssigned(string path)
     {
         foreach (var appearance in All<PoseAppearance>(path))
         {
@@ -77,7 +77,7 @@ public sealed class PackageMaterialsTests
 
     /// <summary>The ghost writes depth, so it is drawn after all parts that it must not hide.</summary>
     [Test]
-    public void Ghost_Queue_IsAfterAllOtherVirtualParts([Values("Hologram", "Arm", "Timestamp", "Text", "Panel", "Solid", "Occluder")] string other)
+    public void Ghost_Queue_IsAfterOtherVirtualParts([Values("Hologram", "Arm", "Timestamp", "Text", "Panel", "Solid", "Occluder")] string other)
     {
         Assert.That(Load("Ghost").renderQueue, Is.GreaterThan(Load(other).renderQueue));
     }
@@ -88,7 +88,7 @@ public sealed class PackageMaterialsTests
     [TestCase("Hologram", 3000)]
     [TestCase("Text", 3000)]
     [TestCase("Ghost", 3100)]
-    public void Material_Queue_IsThatOfTheManual(string name, int queue)
+    public void Material_Queue_MatchesTheManual(string name, int queue)
     {
         Assert.That(Load(name).renderQueue, Is.EqualTo(queue));
         Assert.That(RepositoryFiles.Read(RepositoryFiles.Package + "/Documentation~/shaders.md"), Does.Match($@"`{name}` {queue}|texts {queue}"));

@@ -13,7 +13,7 @@ public sealed class PackageScenesTests
     static IEnumerable<string> ScenesWithRobot => Scenes.Where(s => !s.Contains("Any Robot", StringComparison.Ordinal));
 
     [TestCaseSource(nameof(Scenes))]
-    public void Scene_PlayedAlone_BindsItsRigAndComplainsOfNothing(string path)
+    public void Scene_PlayedAlone_BindsItsRigWithoutWarnings(string path)
     {
         using var player = Play(path);
 
@@ -28,7 +28,7 @@ public sealed class PackageScenesTests
     }
 
     [TestCaseSource(nameof(ScenesWithRobot))]
-    public void Scene_GhostShown_RidesOnTheHeldPose(string path)
+    public void Scene_GhostShown_FollowsTheHeldPose(string path)
     {
         using var player = Play(path);
         var ghost = player.Find<BaseAnchor>().GetComponentInChildren<Ghost>(true);
@@ -41,7 +41,7 @@ public sealed class PackageScenesTests
         Assert.That(ghost.GetComponentInChildren<VirtualGripper>().Rig, Is.SameAs(ghost.GetComponent<RobotRig>()));
     }
 
-    /// <summary>Whether a message is AR Foundation's own warning that there is no headset, which the package does not suppress.</summary>
+    /// <summary>Whether a message is AR Foundation's own warning about a missing headset, which the package does not suppress.</summary>
     static bool IsOfNoHeadset(string message) => message.StartsWith("No active ", StringComparison.Ordinal);
 
     static Player Play(string path)

@@ -24,7 +24,7 @@ public sealed class PersistentEventsTests
     public void TearDown() => _player.Dispose();
 
     [TestCaseSource(nameof(Hierarchies))]
-    public void Events_OfAPrefabOrScene_CallPublicMethodsThatExist(string path)
+    public void Events_OfAPrefabOrScene_CallExistingPublicMethods(string path)
     {
         var faults = EventsOf(path).SelectMany(e => EventFaults.Of(e.Event).Select(fault => e.Place + " " + fault));
 
@@ -35,7 +35,7 @@ public sealed class PersistentEventsTests
     [TestCase("Consent Prompt.prefab", 2)]
     [TestCase("Status Panel (MRTK3).prefab", 2)]
     [TestCase("HoloLens 2 (MRTK3).unity", 22)]
-    public void Events_OfTheSample_CallSomething(string file, int calls)
+    public void Events_OfTheSample_HaveCalls(string file, int calls)
     {
         var path = Hierarchies.Single(h => h.EndsWith("/" + file, StringComparison.Ordinal));
 
@@ -52,7 +52,7 @@ public sealed class PersistentEventsTests
     [TestCase(nameof(Probe.Turn), "Void", false)]
     [TestCase(nameof(Probe.Turn), "EventDefined", false)]
     [TestCase("Hidden", "Void", false)]
-    public void Fault_OfACall_IsFoundWhereThereIsOne(string method, string modeName, bool expected)
+    public void Fault_OfACall_IsReportedIfInvalid(string method, string modeName, bool expected)
     {
         var mode = Enum.Parse<PersistentListenerMode>(modeName);
         _probe.Happened.Persistent.Add(PersistentCall.Of(_probe, method, mode, mode == PersistentListenerMode.Float ? 1f : null));
@@ -64,7 +64,7 @@ public sealed class PersistentEventsTests
 
     [TestCase(nameof(Probe.Turn), true)]
     [TestCase(nameof(Probe.Open), false)]
-    public void Fault_OfACallThatTakesTheEventsArgument_IsFoundWhereItCannot(string method, bool expected)
+    public void Fault_OfACallWithTheEventsArgument_IsReportedIfIncompatible(string method, bool expected)
     {
         _probe.Turned.Persistent.Add(PersistentCall.Of(_probe, method, PersistentListenerMode.EventDefined, null));
 
@@ -74,7 +74,7 @@ public sealed class PersistentEventsTests
     }
 
     [Test]
-    public void Fault_OfACallToNothing_IsFound()
+    public void Fault_OfACallWithoutTarget_IsReported()
     {
         var gone = new GameObject("Gone").AddComponent<Probe>();
         _probe.Happened.Persistent.Add(PersistentCall.Of(gone, nameof(Probe.Open), PersistentListenerMode.Void, null));

@@ -32,7 +32,7 @@ public sealed class PrefabInstanceTests
     }
 
     [Test]
-    public void Prefab_Saved_LoadsTheSameAndSavesTheSame()
+    public void Prefab_Saved_RoundTrips()
     {
         var hand = Load(HandPath);
 
@@ -43,7 +43,7 @@ public sealed class PrefabInstanceTests
     }
 
     [Test]
-    public void Instance_OfAPartOfACanvas_KeepsWhereItIsAndWhatIsHungBelow()
+    public void Instance_OfAPartOfACanvas_KeepsItsPlaceAndChildren()
     {
         var button = new GameObject("Button");
         button.AddComponent<RectTransform>();
@@ -65,7 +65,7 @@ public sealed class PrefabInstanceTests
     }
 
     [Test]
-    public void Instance_Unchanged_IsThePrefabElsewhere()
+    public void Instance_Unchanged_EqualsThePrefab()
     {
         var arm = NewArm(out _);
         Save(ArmPath, 4, arm);
@@ -80,7 +80,7 @@ public sealed class PrefabInstanceTests
     }
 
     [Test]
-    public void Instance_Modified_KeepsTheModifiedValuesAndNoOthers()
+    public void Instance_Modified_KeepsOnlyTheModifiedValues()
     {
         var arm = NewArm(out var hand);
         var probe = hand.GetComponent<LoaderProbe>();
@@ -108,7 +108,7 @@ public sealed class PrefabInstanceTests
     }
 
     [Test]
-    public void Instance_ShorterList_IsCut()
+    public void Instance_ShorterList_IsTruncated()
     {
         var arm = NewArm(out var hand);
         hand.GetComponent<LoaderProbe>().parts.RemoveAt(1);
@@ -119,7 +119,7 @@ public sealed class PrefabInstanceTests
     }
 
     [Test]
-    public void Instance_ElementsOfAListEmptyInThePrefab_AreMadeOfTheirModifications()
+    public void Instance_ListEmptyInThePrefab_IsBuiltFromModifications()
     {
         var arm = NewArm(out var hand);
         var probe = hand.GetComponent<LoaderProbe>();
@@ -133,7 +133,7 @@ public sealed class PrefabInstanceTests
     }
 
     [Test]
-    public void Instance_RemovedAndAddedParts_StaySo()
+    public void Instance_RemovedAndAddedParts_RoundTrip()
     {
         var arm = NewArm(out var hand);
         Object.DestroyImmediate(hand.GetComponent<LoaderProbe>());
@@ -151,7 +151,7 @@ public sealed class PrefabInstanceTests
     }
 
     [Test]
-    public void Instance_ReferredToFromOutside_HasAPlaceholder()
+    public void Instance_ReferencedFromOutside_HasAPlaceholder()
     {
         var arm = NewArm(out var hand);
         var watch = arm.AddComponent<LoaderProbe>();
@@ -231,7 +231,7 @@ public sealed class PrefabInstanceTests
     [TestCase("m_SourcePrefab: {fileID: 100100000", "m_SourcePrefab: {fileID: 1", "PrefabInstance.m_SourcePrefab: has to be")]
     [TestCase("m_SourcePrefab: {fileID: 100100000, guid: 00000000000000000000000000000003",
         "m_SourcePrefab: {fileID: 100100000, guid: 00000000000000000000000000000004", "is an instance of itself")]
-    public void Instance_Broken_IsRefused(string good, string bad, string expected)
+    public void Instance_Invalid_IsRefused(string good, string bad, string expected)
     {
         var arm = NewArm(out var hand);
         hand.GetComponent<LoaderProbe>().text = "of the instance";
@@ -248,7 +248,7 @@ public sealed class PrefabInstanceTests
         "Transform.m_CorrespondingSourceObject: the prefab has no object")]
     [TestCase(@"m_PrefabInstance: \{fileID: \d+", "m_PrefabInstance: {fileID: 1", "Transform.m_PrefabInstance: is no prefab instance of this file")]
     [TestCase("m_CorrespondingSourceObject: ", "m_Source: ", "Transform: has no m_CorrespondingSourceObject")]
-    public void Placeholder_Broken_IsRefused(string good, string bad, string expected)
+    public void Placeholder_Invalid_IsRefused(string good, string bad, string expected)
     {
         Save(ArmPath, 4, NewArm(out _));
         var text = _project.Read(ArmPath);

@@ -10,7 +10,7 @@ public sealed class UnityDocumentReaderTests
     const string Header = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n";
 
     [Test]
-    public void Read_TwoObjects_GivesClassesIdsAndFields()
+    public void Read_TwoObjects_ReturnsClassesIdsAndFields()
     {
         var documents = Read("--- !u!1 &-7\nGameObject:\n  m_Name: Arm\n--- !u!4 &8 stripped\nTransform:\n  m_PrefabInstance: {fileID: 9}\n");
 
@@ -20,7 +20,7 @@ public sealed class UnityDocumentReaderTests
     }
 
     [Test]
-    public void Read_LinesEndedByCrLf_AreTheSame()
+    public void Read_LinesEndedByCrLf_ReadsTheSame()
     {
         var text = (Header + "--- !u!1 &7\nGameObject:\n  m_Name: Arm\n").Replace("\n", "\r\n", StringComparison.Ordinal);
 
@@ -40,7 +40,7 @@ public sealed class UnityDocumentReaderTests
     [TestCase(Header + "--- !u!1 &1\nGameObject:\n", "&1: has to hold one class name with its fields")]
     [TestCase(Header + "--- !u!1 &1\nGameObject:\n  a: 1\nTransform:\n  b: 2\n", "&1: has to hold one class name with its fields")]
     [TestCase(Header + "--- !u!1 &1\n", "&1: has to hold one class name with its fields")]
-    public void Read_BrokenFile_IsRefusedWithItsPlace(string text, string expected)
+    public void Read_InvalidFile_IsRefusedWithItsPlace(string text, string expected)
     {
         Assert.That(() => UnityDocumentReader.Read(text, "Arm.prefab"), Throws.TypeOf<AssetException>().With.Message.Contains(expected));
     }

@@ -9,7 +9,7 @@ public sealed class UnityDocumentWriterTests
     const string Header = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!114 &5\nMonoBehaviour:\n";
 
     [Test]
-    public void Write_NestedValues_AreLaidOutAsUnityDoes()
+    public void Write_NestedValues_HaveUnitysLayout()
     {
         var fields = Nodes.Lines(
             ("m_Name", Nodes.Text("")),
@@ -52,13 +52,13 @@ public sealed class UnityDocumentWriterTests
     [TestCase("[x]", "'[x]'")]
     [TestCase("a\nb\t\"c\"\\", "\"a\\nb\\t\\\"c\\\"\\\\\"")]
     [TestCase("–", "\"\\u2013\"")]
-    public void Write_Text_IsQuotedWhereItHasToBe(string text, string expected)
+    public void Write_Text_IsQuotedIfNecessary(string text, string expected)
     {
         Assert.That(Write(Nodes.Lines(("a", Nodes.Text(text)))), Is.EqualTo(Header + "  a: " + expected + "\n"));
     }
 
     [Test]
-    public void Write_LongText_GoesOnBelowAtABlankAfterColumn80()
+    public void Write_LongText_WrapsAtABlankAfterColumn80()
     {
         var text = new string('a', 80) + " " + new string('b', 90) + " c  d";
 
@@ -75,7 +75,7 @@ public sealed class UnityDocumentWriterTests
     };
 
     [TestCaseSource(nameof(Texts))]
-    public void Write_AnyText_ReadsBackTheSame(string text)
+    public void Write_AnyText_RoundTrips(string text)
     {
         var written = Write(Nodes.Lines(("a", Nodes.Text(text)), ("list", new YamlSequenceNode(Nodes.Text(text), Nodes.Text("end")))));
 
@@ -85,7 +85,7 @@ public sealed class UnityDocumentWriterTests
     }
 
     [Test]
-    public void Write_FloatsOfAllSizes_ReadBackTheSame()
+    public void Write_FloatsOfAllSizes_RoundTrip()
     {
         var random = new Random(20240117);
         for (var i = 0; i < 20000; i++)

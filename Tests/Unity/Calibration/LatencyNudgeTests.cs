@@ -101,7 +101,7 @@ public sealed class LatencyNudgeTests
     }
 
     [Test]
-    public void Apply_AgreedBothWays_FindsTheTrueLatencyAndTheMisplacedBase()
+    public void Apply_MarkedInBothDirections_EstimatesTheTrueLatencyAndBaseOffset()
     {
         Run(8);
         MarkBothWays(2);
@@ -121,7 +121,7 @@ public sealed class LatencyNudgeTests
     }
 
     [Test]
-    public void Apply_LimitWasKnown_KeepsIt()
+    public void Apply_LimitKnown_KeepsIt()
     {
         _loader.Save(new LatencyProfile(
             ToldMs, 1, "Stand-in", 0, DateTime.UtcNow, CalibrationMethod.VisibleLight, 300, 15, RenderTimeSourceKind.GpuCompletion));
@@ -136,7 +136,7 @@ public sealed class LatencyNudgeTests
     }
 
     [Test]
-    public void Apply_LimitOfTheSettings_StaysAndIsKept()
+    public void Apply_LimitOfTheSettings_IsKeptAndSaved()
     {
         _session.Settings = new SessionSettings(
             PlayedCell.Offline.Connection, PlayedCell.Offline.Visualisation, range: new ConstantLatencyRange(15, RenderTimeSourceKind.GpuCompletion));
@@ -154,7 +154,7 @@ public sealed class LatencyNudgeTests
     }
 
     [Test]
-    public void Apply_LimitWasNotReached_StillSaysHowFarItWasSeen()
+    public void Apply_LimitNotReached_KeepsTheMeasuredMaximum()
     {
         _loader.Save(new LatencyProfile(
             ToldMs, 1, "Stand-in", 0, DateTime.UtcNow, CalibrationMethod.VisibleLight, 300, null, RenderTimeSourceKind.GpuCompletion, 12));
@@ -169,7 +169,7 @@ public sealed class LatencyNudgeTests
     }
 
     [Test]
-    public void Apply_CannotBeKept_IsUsedAndTheShiftTakenBack()
+    public void Apply_CannotBeSaved_IsUsedAndTheShiftReset()
     {
         Directory.CreateDirectory(Path.Combine(_folder, "latency-profile.json.new"));
         Run(8);
@@ -193,7 +193,7 @@ public sealed class LatencyNudgeTests
     }
 
     [Test]
-    public void MarkAndApply_RuntimePredictsDisplayTimes_AreRefusedUntilItDoesNot()
+    public void MarkAndApply_RuntimePredictsDisplayTimes_AreRefused()
     {
         var runtime = new PredictingRuntime();
         Run(8);
@@ -213,7 +213,7 @@ public sealed class LatencyNudgeTests
     }
 
     [Test]
-    public void Apply_OneDirectionOnly_IsRefusedAndNothingChanges()
+    public void Apply_OneDirectionOnly_IsRefusedWithoutChange()
     {
         Run(8);
         RunToTheMiddle(isForward: true);
@@ -227,7 +227,7 @@ public sealed class LatencyNudgeTests
     }
 
     [Test]
-    public void Mark_AtTheTurn_IsRefused()
+    public void Mark_AtTheTurningPoint_IsRefused()
     {
         Run(8);
         RunToTheMiddle(isForward: true);
@@ -255,7 +255,7 @@ public sealed class LatencyNudgeTests
     [TestCase(NudgeAxis.X, 0, 0, 0.012f)]
     [TestCase(NudgeAxis.Y, -0.012f, 0, 0)]
     [TestCase(NudgeAxis.Z, 0, 0.012f, 0)]
-    public void OffsetMm_Axis_ShiftsTheRigAndDisablingTakesItBack(NudgeAxis axis, float x, float y, float z)
+    public void OffsetMm_Axis_ShiftsTheRigUntilDisabled(NudgeAxis axis, float x, float y, float z)
     {
         Run(0.1);
         var home = new Vector3(1, 2, 3);

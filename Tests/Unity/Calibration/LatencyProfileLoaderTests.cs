@@ -50,7 +50,7 @@ public sealed class LatencyProfileLoaderTests
     double VisuMs => _session.Session.Visualisation.Length.TotalMilliseconds;
 
     [Test]
-    public void Enabled_NoProfileAnywhere_LeavesWhatTheSettingsSayInSilence()
+    public void Enabled_NoProfile_KeepsTheSettingsWithoutMessage()
     {
         Play();
 
@@ -61,7 +61,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Enabled_ProfilesEverywhere_TakesTheOneThatWasSavedHere()
+    public void Enabled_ProfilesInAllPlaces_UsesTheSavedOne()
     {
         LatencyProfileFile.Save(Saved, Profile(51));
         LatencyProfileFile.Save(Shipped, Profile(52));
@@ -76,7 +76,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Enabled_ShippedOnly_TakesTheFileAndElseTheAsset()
+    public void Enabled_ShippedOnly_UsesTheFileBeforeTheAsset()
     {
         LatencyProfileFile.Save(Shipped, Profile(52));
         Play(new TextAsset(LatencyProfileJson.Write(Profile(53))));
@@ -91,7 +91,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Pause_ANewSessionAfterwards_IsCalibratedBeforeItsFirstFrame()
+    public void Pause_NewSessionAfterwards_IsCalibratedBeforeItsFirstFrame()
     {
         LatencyProfileFile.Save(Saved, Profile(51));
         Play();
@@ -108,7 +108,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Enabled_SavedOneIsOfAnotherDevice_IsRefusedInOneLineAndTheNextIsTaken()
+    public void Enabled_SavedProfileOfAnotherDevice_IsRefusedInOneLineAndTheNextUsed()
     {
         LatencyProfileFile.Save(Saved, Profile(51, device: "HoloLens 2"));
         LatencyProfileFile.Save(Shipped, Profile(52));
@@ -121,7 +121,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Reload_WhatIsThereNowCannotBeUsed_TheLastGoodOneStays()
+    public void Reload_InvalidFile_KeepsTheFormerProfile()
     {
         LatencyProfileFile.Save(Saved, Profile(51));
         Play();
@@ -135,7 +135,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Display_TellsAnotherRateOnceItRuns_TheProfileIsTakenBack()
+    public void Display_ReportsAnotherRateLater_ProfileIsRemoved()
     {
         LatencyProfileFile.Save(Saved, Profile(51));
         Play();
@@ -151,7 +151,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Enabled_ProfileOfAnotherGraphicsApi_IsUsedAndWarnedOfOnce()
+    public void Enabled_ProfileOfAnotherGraphicsApi_IsUsedWithOneWarning()
     {
         LatencyProfileFile.Save(Saved, new LatencyProfile(
             51, 1, new DisplayConditions("Stand-in", 60, "Direct3D12"), DateTime.UtcNow, CalibrationMethod.VisibleLight, 300));
@@ -167,7 +167,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Reprojection_ChangedWhileRunning_IsWarnedOf()
+    public void Reprojection_ChangedWhileRunning_CausesAWarning()
     {
         LatencyProfileFile.Save(Saved, new LatencyProfile(
             51, 1, new DisplayConditions("Stand-in", reprojection: ReprojectionMode.Depth), DateTime.UtcNow, CalibrationMethod.VisibleLight, 300));
@@ -184,7 +184,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void StreamingAssets_InsideAnArchive_IsSaidOnlyWhereNothingElseIsFound()
+    public void StreamingAssets_InsideAnArchive_IsReportedOnlyWithoutOtherProfile()
     {
         _cell.Player.World.Host.StreamingAssetsPath = "jar:file:///data/app/base.apk!/assets";
         Play();
@@ -199,7 +199,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Save_Profile_IsUsedAtOnceAndFoundAgain()
+    public void Save_Profile_IsUsedImmediatelyAndLoadedAgain()
     {
         Play();
         var session = _session.Session;
@@ -214,7 +214,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Save_CannotBeKept_IsUsedAllTheSameAndSaysSo()
+    public void Save_CannotWrite_UsesTheProfileAndReportsIt()
     {
         Directory.CreateDirectory(Saved + ".new");
         Play();

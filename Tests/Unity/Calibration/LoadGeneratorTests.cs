@@ -48,7 +48,7 @@ public sealed class LoadGeneratorTests
     [TestCase(0)]
     [TestCase(3)]
     [TestCase(300_004)]
-    public void Vertices_Set_AreAllDrawnAfterAWhile(int vertices)
+    public void Vertices_Set_AreAllDrawnAfterSomeFrames(int vertices)
     {
         Play();
         _load.Vertices = vertices;
@@ -62,7 +62,7 @@ public sealed class LoadGeneratorTests
     }
 
     [Test]
-    public void Vertices_MoreThanCanBe_AreRefusedAndTheLoadStays()
+    public void Vertices_OutOfRange_ThrowsAndKeepsTheLoad()
     {
         Play(50_000);
         Build();
@@ -83,8 +83,8 @@ public sealed class LoadGeneratorTests
 
     [TestCase(LoadMesh.GreatestVertices, 2f)]
     [TestCase(600_000, 10f)]
-    [TestCase(100_000, 0.1f, TestName = "Building_WhenOneStepIsLongerThanItsTime_TakesThatOne")]
-    public void Building_OfALoad_KeepsToItsTimeInEveryFrame(int vertices, float msPerFrame)
+    [TestCase(100_000, 0.1f, TestName = "Building_StepLongerThanTheTimePerFrame_TakesOneStep")]
+    public void Building_Load_StaysWithinTheTimePerFrame(int vertices, float msPerFrame)
     {
         Play(0, msPerFrame);
         var without = Enumerable.Range(0, 10).Max(_ => FrameMs());
@@ -100,7 +100,7 @@ public sealed class LoadGeneratorTests
     }
 
     [Test]
-    public void Load_GoneBackTo_IsThereAtOnce()
+    public void Load_ReturnedTo_IsShownImmediately()
     {
         Play(400_000);
         Build();
@@ -110,11 +110,11 @@ public sealed class LoadGeneratorTests
         _load.Vertices = 400_000;
 
         Assert.That(Build(), Is.EqualTo(1));
-        Assert.That(_load.GetComponentsInChildren<MeshRenderer>(), Has.Length.EqualTo(16), "nothing was made anew");
+        Assert.That(_load.GetComponentsInChildren<MeshRenderer>(), Has.Length.EqualTo(16), "the objects are reused");
     }
 
     [Test]
-    public void Load_ChangedWhileItIsBuilt_IsTheNewOne()
+    public void Load_ChangedWhileBuilding_IsTheNewOne()
     {
         Play(1_000_000);
         for (var i = 0; i < 7; i++) _cell.Frame(null);
@@ -126,7 +126,7 @@ public sealed class LoadGeneratorTests
     }
 
     [Test]
-    public void Frames_WithALoadThatStays_AllocateNothing()
+    public void Frames_WithAConstantLoad_AllocateNothing()
     {
         Play(200_000);
         Build();
@@ -141,7 +141,7 @@ public sealed class LoadGeneratorTests
     }
 
     [Test]
-    public void Disabled_LeavesNothing()
+    public void Disable_Shown_RemovesItsObjects()
     {
         Play(200_000);
         Build();
@@ -161,7 +161,7 @@ public sealed class LoadGeneratorTests
     }
 
     [Test]
-    public void Material_Missing_IsSaidOnce()
+    public void Material_Missing_IsLoggedOnce()
     {
         var load = new GameObject("Load").AddComponent<LoadGenerator>();
 

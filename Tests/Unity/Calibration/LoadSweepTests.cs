@@ -103,7 +103,7 @@ public sealed class LoadSweepTests
     }
 
     [Test]
-    public async Task DisplayRate_ToldOnceTheSweepHasBegun_IsInTheRowsOfLaterLoads()
+    public async Task DisplayRate_ReportedDuringTheSweep_IsInTheRowsOfLaterLoads()
     {
         Play();
         Run(5);
@@ -159,7 +159,7 @@ public sealed class LoadSweepTests
         rows.Skip(1).Zip(rows, (b, a) => b.FrameStart - a.FrameStart).Where(gap => gap.TotalMilliseconds is < 10 or > 25);
 
     [Test]
-    public async Task Sweep_OfAGpu_SaysThatItSeesLoadAndWhereTheLogIs()
+    public async Task Sweep_OfAGpu_ReportsThatItSeesLoadAndTheLogsPath()
     {
         Play();
         var words = new List<string>();
@@ -180,7 +180,7 @@ public sealed class LoadSweepTests
     }
 
     [Test]
-    public async Task Sweep_OfASourceThatStaysTheSame_SaysThatItCannotSeeLoad()
+    public async Task Sweep_OfAConstantSource_ReportsThatItCannotSeeLoad()
     {
         Play();
         _sweep.StartSweep();
@@ -193,7 +193,7 @@ public sealed class LoadSweepTests
     }
 
     [Test]
-    public void Clock_NotSynchronised_IsWaitedFor()
+    public void Clock_NotSynchronised_DelaysTheStart()
     {
         Play();
         _cell.IsSyncUp = false;
@@ -206,7 +206,7 @@ public sealed class LoadSweepTests
     }
 
     [Test]
-    public async Task Stopped_InTheMiddle_KeepsWhatWasLogged()
+    public async Task Stop_DuringTheSweep_KeepsTheLoggedRows()
     {
         Play();
         _sweep.StartSweep();
@@ -225,7 +225,7 @@ public sealed class LoadSweepTests
     }
 
     [Test]
-    public void Disabled_WhileItRuns_StopsAndListensNoMore()
+    public void Disable_DuringTheSweep_StopsAndUnsubscribes()
     {
         Play();
         _sweep.StartSweep();
@@ -254,7 +254,7 @@ public sealed class LoadSweepTests
     }
 
     [Test]
-    public async Task Folder_ThatCannotBeMade_IsSaidOnceAndEndsTheSweep()
+    public async Task Folder_CannotBeCreated_IsLoggedOnceAndEndsTheSweep()
     {
         File.WriteAllText(_folder, "a file where the folder should be");
         Play();
@@ -281,7 +281,7 @@ public sealed class LoadSweepTests
     }
 
     [Test]
-    public async Task Load_SwitchedOffInTheMiddle_EndsTheSweepAndKeepsWhatWasLogged()
+    public async Task Load_DisabledDuringTheSweep_EndsItAndKeepsTheLoggedRows()
     {
         Play();
         _sweep.StartSweep();
@@ -298,7 +298,7 @@ public sealed class LoadSweepTests
     }
 
     [Test]
-    public void Load_DestroyedInTheMiddle_EndsTheSweep()
+    public void Load_DestroyedDuringTheSweep_EndsIt()
     {
         Play();
         _sweep.StartSweep();
@@ -313,7 +313,7 @@ public sealed class LoadSweepTests
     }
 
     [Test]
-    public void Parts_Missing_AreSaid()
+    public void Parts_Missing_AreReported()
     {
         var sweep = new GameObject("Alone").AddComponent<LoadSweep>();
 
@@ -324,7 +324,7 @@ public sealed class LoadSweepTests
     }
 
     [Test]
-    public void Plan_OutOfRange_IsSaid()
+    public void Plan_OutOfRange_IsReported()
     {
         Play();
         _sweep.With("_steps", 1);

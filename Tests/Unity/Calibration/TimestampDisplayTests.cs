@@ -71,7 +71,7 @@ public sealed class TimestampDisplayTests
     // Compares the code that a camera sees with the displayed frame, using the cell's true clocks.
     [TestCase(false)]
     [TestCase(true)]
-    public void Code_OfEachFrame_IsTheControlTimeAtWhichItBegan(bool rewrites)
+    public void Code_OfEachFrame_IsTheControlTimeOfItsStart(bool rewrites)
     {
         Play(rewrites: rewrites);
         HeadsetTime? start = null;
@@ -100,7 +100,7 @@ public sealed class TimestampDisplayTests
     }
 
     [Test]
-    public void Clock_NotSynchronised_LeavesWordsOnly()
+    public void Clock_NotSynchronised_ShowsOnlyWords()
     {
         _cell.IsSyncUp = false;
 
@@ -113,7 +113,7 @@ public sealed class TimestampDisplayTests
     }
 
     [Test]
-    public void Clock_Lost_IsShownNoLonger()
+    public void Clock_Lost_HidesTheCode()
     {
         Play(10);
         Assert.That(Code.enabled);
@@ -126,7 +126,7 @@ public sealed class TimestampDisplayTests
     }
 
     [Test]
-    public void Robot_Unknown_LeavesWordsOnly()
+    public void Robot_Unknown_ShowsOnlyWords()
     {
         Play(robot: null);
 
@@ -135,7 +135,7 @@ public sealed class TimestampDisplayTests
     }
 
     [Test]
-    public void Session_Paused_LeavesWordsOnlyUntilItIsBack()
+    public void Session_Paused_ShowsOnlyWordsUntilResumed()
     {
         Play();
 
@@ -166,7 +166,7 @@ public sealed class TimestampDisplayTests
     }
 
     [Test]
-    public void Disabled_LeavesNothing()
+    public void Disable_Shown_RemovesItsObjects()
     {
         Play();
         var mesh = Code.GetComponent<MeshFilter>().sharedMesh;
@@ -180,7 +180,7 @@ public sealed class TimestampDisplayTests
     }
 
     [Test]
-    public void Session_Missing_IsSaid()
+    public void Session_Missing_IsLogged()
     {
         new GameObject("Alone").AddComponent<TimestampDisplay>();
 

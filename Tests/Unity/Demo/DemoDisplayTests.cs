@@ -10,7 +10,7 @@ public class DemoDisplayTests
     static readonly DemoSettings Plain = new() { Seconds = 20, VisualisationMs = 40, Seed = 1 };
 
     [Test]
-    public void Render_WithoutLoad_IsSixtySteadyFramesASecondThatNothingMeasures()
+    public void Render_WithoutLoad_RunsAtSixtyFramesPerSecondWithoutRenderTimes()
     {
         var display = new DemoDisplay(Plain);
 
@@ -25,7 +25,7 @@ public class DemoDisplayTests
 
     [TestCase(300_000, 40, false)]
     [TestCase(1_500_000, 56, true)]
-    public void Render_LoadComesAndGoes_IsSeenByTheMonitorThroughTheDriver(int vertices, double leastVisualisationMs, bool isOutside)
+    public void Render_LoadOnAndOff_IsDetectedByTheMonitor(int vertices, double leastVisualisationMs, bool isOutside)
     {
         var display = new DemoDisplay(Plain with { Load = vertices });
         var monitor = new ConstantLatencyMonitor(new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime));
@@ -47,17 +47,17 @@ public class DemoDisplayTests
     }
 
     [Test]
-    public void DemoCalibration_OfTheSimulatedHeadset_FindsItsLatencyAndLimit([Values(1, 2, 3)] int seed)
+    public void DemoCalibration_OfTheSimulatedHeadset_EstimatesItsLatencyAndLimit([Values(1, 2, 3)] int seed)
     {
         var profile = DemoCalibration.Of(Plain with { Load = 0, Seed = seed, VisualisationMs = 43.4, VisualisationErrorMs = 2 });
 
-        Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(45.4).Within(0.1), "with the error that the runtime is to be told");
+        Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(45.4).Within(0.1), "with the error that the runtime is given");
         Assert.That(profile.Range.Limit.TotalMilliseconds, Is.InRange(0.94 * 15.17, 1.02 * 15.17));
         Assert.That(profile.Range.Source, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime));
     }
 
     [Test]
-    public void DriverTime_EachFrame_IsOneThatWasDoneWhenTheFrameBegan()
+    public void DriverTime_EachFrame_IsOfAFrameCompletedBeforeItsStart()
     {
         var display = new DemoDisplay(Plain with { Load = 2_000_000 });
         var renderTimes = new List<(TimeSpan Done, TimeSpan RenderTime)>();

@@ -72,7 +72,7 @@ public class DemoHeadsetTests(string robot)
     }
 
     [Test]
-    public void Tool_EachFrame_IsWhereTheTransformStandsAndWhereKinematicsPutsTheFrame()
+    public void Tool_EachFrame_MatchesTransformAndForwardKinematics()
     {
         var held = _ghost.GetComponent<RobotRig>();
         Run(3);
@@ -100,7 +100,7 @@ public class DemoHeadsetTests(string robot)
     }
 
     [Test]
-    public void ReportGpuTime_BeyondTheLimitAndBack_IsSeenByTheSceneAndSaidOnce()
+    public void ReportGpuTime_BeyondTheLimitAndBack_ChangesTheSceneAndIsLoggedOnce()
     {
         _gpuTime = TimeSpan.FromMilliseconds(10);
         Run(3);
@@ -121,7 +121,7 @@ public class DemoHeadsetTests(string robot)
     }
 
     [Test]
-    public void Tool_TransformMovedByHand_IsRecordedThere()
+    public void Tool_TransformMoved_IsRecordedAtItsPose()
     {
         Run(3);
         var (tool, heldTool) = (_headset.Tool, _headset.HeldTool);

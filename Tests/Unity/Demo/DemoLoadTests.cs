@@ -9,7 +9,7 @@ namespace Nowpose.Unity.Tests.Demo;
 public class DemoLoadTests
 {
     [Test]
-    public void Demo_LoadThatHoldsFramesBack_RaisesTheAlarmOnceAndTheErrorWhileItLasts([Values(1, 2, 3)] int seed)
+    public void Demo_LoadBeyondTheLimit_RaisesTheAlarmOnceAndTheErrorDuringIt([Values(1, 2, 3)] int seed)
     {
         var run = VirtualDemo.Play(1_500_000, seed);
 
@@ -41,7 +41,7 @@ public class DemoLoadTests
     }
 
     [Test]
-    public void Demo_LoadThatIsRenderedInTime_RaisesNeither([Values(1, 2, 3)] int seed)
+    public void Demo_LoadWithinTheLimit_RaisesNeither([Values(1, 2, 3)] int seed)
     {
         var run = VirtualDemo.Play(300_000, seed);
 
@@ -55,7 +55,7 @@ public class DemoLoadTests
     }
 
     [Test]
-    public void Demo_FramesThatBeginLate_AreSaidWithHowLate()
+    public void Demo_LateFrames_AreReportedWithTheirDelay()
     {
         var frames = new DemoFrames(0, 4);
         foreach (var (second, delayMs) in new[] { (2.0, 90), (3.5, 9), (4.0, 8), (4.5, 41) })
@@ -69,7 +69,7 @@ public class DemoLoadTests
 
     [TestCase(1)]
     [TestCase(0)]
-    public void Demo_HardlyAnyFrameLate_NothingIsSaid(int late)
+    public void Demo_FewLateFrames_AreNotReported(int late)
     {
         var frames = new DemoFrames(0, 200);
         for (var i = 0; i < 200; i++)

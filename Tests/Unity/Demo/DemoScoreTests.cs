@@ -52,7 +52,7 @@ public class DemoScoreTests
     }
 
     [Test]
-    public void Score_FramesBeforeTheClockConverged_DoNotCount()
+    public void Score_FramesBeforeTheClockConverged_AreExcluded()
     {
         var result = Score(10, s => s < 5 ? new Wrong(999, 999, 99, 9999) : new Wrong(10, 2, 1, 50));
 
@@ -65,7 +65,7 @@ public class DemoScoreTests
     }
 
     [Test]
-    public void Score_ClockConvergesAtOnce_FramesOfTheFirstThreeSecondsDoNotCountButTheClockDoes()
+    public void Score_ClockConvergesImmediately_ExcludesTheFramesOfTheFirstThreeSecondsButNotTheClock()
     {
         var result = Score(10, s => s < 3 ? new Wrong(999, 999, 99, 700) : new Wrong(10, 2, 1, 50), TimeSpan.FromSeconds(1));
 
@@ -103,7 +103,7 @@ public class DemoScoreTests
     }
 
     [Test]
-    public void Score_Cycles_FirstIsTheFirstAndRepeatedIsFromTheThirdOn()
+    public void Score_Cycles_SeparatesTheFirstFromTheThirdOnwards()
     {
         // Cycles of 4 s, scored from 5 s on, so the first is over. Error ratio 0.5 in the second, 0.2 in the third, 0.1 in the fourth.
         var result = Score(16, s => new Wrong(10, s < 8 ? 5 : s < 12 ? 2 : 1));
@@ -124,7 +124,7 @@ public class DemoScoreTests
     }
 
     [Test]
-    public void Score_FrameCost_LeavesOutTheFirstThreeSeconds()
+    public void Score_FrameCost_ExcludesTheFirstThreeSeconds()
     {
         var result = Score(10, _ => new Wrong(1, 1));
 
@@ -133,7 +133,7 @@ public class DemoScoreTests
     }
 
     [Test]
-    public void Score_NothingConverged_MeasuresNothing()
+    public void Score_ClockNeverConverged_HasNoResults()
     {
         var result = Score(4, _ => new Wrong(1, 1));
 

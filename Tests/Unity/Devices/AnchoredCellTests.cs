@@ -108,7 +108,7 @@ public sealed class AnchoredCellTests
     }
 
     [Test]
-    public void Base_CodeInView_IsLockedThereAndKeptUnderTheCellsName()
+    public void Base_CodeInView_IsLockedAndStoredUnderTheCellsName()
     {
         Run(3, isSeen: true);
         Run(1, isSeen: false);
@@ -123,7 +123,7 @@ public sealed class AnchoredCellTests
     static readonly Vector3[] Origins = [Vector3.zero, new(0, 1.6f, 0), new(1, 0.5f, -2)];
 
     [TestCaseSource(nameof(Origins))]
-    public void Base_AnchorAtTheSessionsOrigin_DoesNotMoveAndLooksLost(Vector3 origin)
+    public void Base_AnchorAtTheSessionsOrigin_DoesNotMoveAndIsLost(Vector3 origin)
     {
         Stand(origin);
         Run(3, isSeen: true);
@@ -161,7 +161,7 @@ public sealed class AnchoredCellTests
     }
 
     [Test]
-    public void Base_ApplicationStartedAnew_IsWhereItWasWithoutACode()
+    public void Base_ApplicationRestarted_IsRestoredWithoutACode()
     {
         Run(3, isSeen: true);
         Run(1, isSeen: false);

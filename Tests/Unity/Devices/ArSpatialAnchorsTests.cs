@@ -54,7 +54,7 @@ public sealed class ArSpatialAnchorsTests
     }
 
     [Test]
-    public void Hold_DeviceThatTakesIt_IsHeldThere()
+    public void Hold_DeviceAccepts_IsHeldAtThePose()
     {
         var anchor = _anchors.Hold(Place);
         var before = anchor.State;
@@ -84,7 +84,7 @@ public sealed class ArSpatialAnchorsTests
     }
 
     [Test]
-    public void State_DeviceThatLosesItsWay_IsLostWithTheLastPoseAndFoundAgain()
+    public void State_DeviceLosesTracking_IsLostWithTheLastPoseAndRecovers()
     {
         var anchor = _anchors.Hold(Place);
         Run(0.1);
@@ -103,7 +103,7 @@ public sealed class ArSpatialAnchorsTests
     }
 
     [Test]
-    public void Hold_DeviceThatTakesNone_FailsAfterAWhileAndSaysSo()
+    public void Hold_DeviceAcceptsNone_FailsAfterATimeoutWithTheReason()
     {
         _device.Accepts = false;
         var anchor = _anchors.Hold(Place);
@@ -118,7 +118,7 @@ public sealed class ArSpatialAnchorsTests
     }
 
     [Test]
-    public void Hold_NewerAnchorThatSwitchesItselfOff_FailsAtOnce()
+    public void Hold_AnchorDisablesItself_FailsImmediately()
     {
         _device.Accepts = false;
         var anchor = _anchors.Hold(Place);
@@ -160,7 +160,7 @@ public sealed class ArSpatialAnchorsTests
     }
 
     [Test]
-    public void Dispose_HeldAnchor_LetsTheDeviceGoOfIt()
+    public void Dispose_HeldAnchor_RemovesItFromTheDevice()
     {
         var anchor = _anchors.Hold(Place);
         Run(0.1);
@@ -175,7 +175,7 @@ public sealed class ArSpatialAnchorsTests
     }
 
     [Test]
-    public void Dispose_BeforeTheDeviceHeardOfIt_NothingIsMade()
+    public void Dispose_BeforeTheDeviceCreatedIt_CreatesNothing()
     {
         _anchors.Hold(Place).Dispose();
         Run(0.1);
@@ -184,7 +184,7 @@ public sealed class ArSpatialAnchorsTests
     }
 
     [Test]
-    public void OnDestroy_AnchorsAreHeld_TheyFailAndGo()
+    public void OnDestroy_HeldAnchors_FailAndAreRemoved()
     {
         var anchor = _anchors.Hold(Place);
         Run(0.1);
@@ -197,7 +197,7 @@ public sealed class ArSpatialAnchorsTests
     }
 
     [Test]
-    public void Keep_NoStore_SaysSoAndGoesOnHolding()
+    public void Keep_NoStore_ReportsItAndStaysHeld()
     {
         var anchor = _anchors.Hold(Place);
         Run(0.1);

@@ -46,7 +46,7 @@ public sealed class ExperimentalPlanarReprojectionTests
     ReprojectionSettings Newest => _display.View.Set[^1];
 
     [Test]
-    public void Posed_EachFrame_AsksForThePlaneThroughTheToolThatFacesTheViewer()
+    public void Posed_EachFrame_SetsThePlaneThroughTheToolFacingTheViewer()
     {
         Play();
         Run(3);
@@ -63,7 +63,7 @@ public sealed class ExperimentalPlanarReprojectionTests
     }
 
     [Test]
-    public void Posed_MovingTool_SendsTheVelocityThatItsPositionsInTheWorldHave()
+    public void Posed_MovingTool_SendsItsVelocityInTheWorld()
     {
         Play();
         Run(5);
@@ -80,7 +80,7 @@ public sealed class ExperimentalPlanarReprojectionTests
 
     [TestCase(true)]
     [TestCase(false)]
-    public void Posed_VelocitySwitchedOffOrPoseStale_SendsNone(bool isSwitchedOff)
+    public void Posed_VelocityDisabledOrPoseStale_SendsNone(bool isSwitchedOff)
     {
         Play();
         Run(5);
@@ -96,7 +96,7 @@ public sealed class ExperimentalPlanarReprojectionTests
     }
 
     [Test]
-    public void OnDisable_WasInUse_AsksNoMoreAndTheEarlierModeIsReported()
+    public void OnDisable_InUse_StopsAndReportsTheEarlierMode()
     {
         Play();
         Run(3);
@@ -145,7 +145,7 @@ public sealed class ExperimentalPlanarReprojectionTests
     }
 
     [Test]
-    public void Posed_RuntimeWithoutPlanarManual_RefusesOnceWithWords()
+    public void Posed_RuntimeWithoutPlanarManual_IsLoggedOnce()
     {
         Play(PluginMode.Depth, PluginMode.OrientationOnly);
 
@@ -158,7 +158,7 @@ public sealed class ExperimentalPlanarReprojectionTests
     }
 
     [Test]
-    public void Posed_BeforeTheRuntimesSessionOrWhileInactive_AsksNothing()
+    public void Posed_BeforeTheRuntimesSessionOrWhileInactive_SetsNothing()
     {
         Play();
         _display.View.IsActive = false;

@@ -55,7 +55,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void IsReady_StoreThatTakesItsTime_OnceItIsThere()
+    public void IsReady_SlowStore_IsTrueOnceLoaded()
     {
         var loading = new TaskCompletionSource<XRAnchorStore>();
         XRAnchorStore.Loading = _ => loading.Task;
@@ -71,7 +71,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void Keep_HeldAnchor_IsInTheStoreUnderTheCellsNameAsItIs()
+    public void Keep_HeldAnchor_IsStoredUnderTheUnchangedName()
     {
         Run(0.1);
 
@@ -83,7 +83,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void Keep_BeforeTheStoreIsThere_IsKeptOnceItIs()
+    public void Keep_BeforeTheStoreIsLoaded_IsStoredOnceLoaded()
     {
         var loading = new TaskCompletionSource<XRAnchorStore>();
         XRAnchorStore.Loading = _ => loading.Task;
@@ -98,7 +98,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void Keep_NameThatIsTaken_ReplacesWhatWasKept()
+    public void Keep_ExistingName_ReplacesTheStoredAnchor()
     {
         Run(0.1);
         var first = Kept("cell");
@@ -113,7 +113,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void Keep_StoreThatRefusesAtFirst_IsTriedAgain()
+    public void Keep_StoreRefusesAtFirst_IsRetried()
     {
         Run(0.1);
         _kept.Accepts = false;
@@ -129,7 +129,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void Keep_StoreThatAlwaysRefuses_SaysSoAndGoesOnHolding()
+    public void Keep_StoreAlwaysRefuses_ReportsItAndStaysHeld()
     {
         Run(0.1);
         _kept.Accepts = false;
@@ -145,7 +145,7 @@ public sealed class OpenXrAnchorStoreTests
     [TestCase("  ", "needs a name")]
     [TestCase(null, "needs a name")]
     [TestCase("129", "has 129 characters, allowed are 128")]
-    public void Keep_NameThatIsNone_SaysSo(string name, string expected)
+    public void Keep_InvalidName_IsReported(string name, string expected)
     {
         Run(0.1);
 
@@ -156,7 +156,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void Find_AnchorOfAnEarlierRun_IsPendingThenWhereTheDeviceFindsIt()
+    public void Find_AnchorOfAnEarlierRun_IsPendingThenAtTheDevicesPose()
     {
         _kept.Put("cell", Earlier);
         Run(0.1);
@@ -176,7 +176,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void Find_DeviceThatKnowsNotYetWhereItIs_IsLost()
+    public void Find_DeviceNotLocalisedYet_IsLost()
     {
         _kept.Put("cell", Earlier);
         Run(0.1);
@@ -190,7 +190,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void Find_NothingKeptOrNotKnownYet_IsNull()
+    public void Find_NothingStoredOrNotLoaded_IsNull()
     {
         _kept.Put("other", Earlier);
 
@@ -203,7 +203,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void Find_SameAnchorTwice_OutlivesTheFirstOfThem()
+    public void Find_SameAnchorTwice_OutlivesTheFirst()
     {
         _kept.Put("cell", Earlier);
         Run(0.1);
@@ -221,7 +221,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void Forget_KeptAnchor_IsGoneFromTheStoreAndStillHeld()
+    public void Forget_StoredAnchor_IsRemovedFromTheStoreAndStaysHeld()
     {
         Run(0.1);
         var anchor = Kept("cell");
@@ -235,7 +235,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void Forget_BeforeTheStoreIsThere_IsForgottenOnceItIs()
+    public void Forget_BeforeTheStoreIsLoaded_IsRemovedOnceLoaded()
     {
         _kept.Put("cell", Earlier);
 
@@ -247,7 +247,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void Problem_RuntimeWithoutAStore_IsSaidOnceAndAskedOn()
+    public void Problem_RuntimeWithoutAStore_IsLoggedOnceAndRetried()
     {
         XRAnchorStore.Loading = _ => Task.FromResult<XRAnchorStore>(null);
         Run(10);
@@ -264,7 +264,7 @@ public sealed class OpenXrAnchorStoreTests
 
     [TestCase(false)]
     [TestCase(true)]
-    public void Problem_LoadingFails_IsSaidAndNothingIsThrown(bool isAtOnce)
+    public void Problem_LoadingFails_IsReportedWithoutException(bool isAtOnce)
     {
         XRAnchorStore.Loading = _ => isAtOnce
             ? throw new DllNotFoundException("no such library")
@@ -279,7 +279,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void Problem_StoreThatThrows_IsSaidAndNothingIsThrown()
+    public void Problem_StoreThrows_IsReportedWithoutException()
     {
         Run(0.1);
         _kept.Fault = new InvalidOperationException("the store is gone");
@@ -295,7 +295,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void Update_DestroyedWhileItLoads_NothingIsThrown()
+    public void Update_DestroyedWhileLoading_DoesNotThrow()
     {
         var loading = new TaskCompletionSource<XRAnchorStore>();
         XRAnchorStore.Loading = _ => loading.Task;

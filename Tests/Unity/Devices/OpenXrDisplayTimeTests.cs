@@ -102,7 +102,7 @@ public sealed class OpenXrDisplayTimeTests
 
     [TestCase(false)]
     [TestCase(true)]
-    public void LightOf_LatencyThatVariesByEightMilliseconds_IsCompensatedWithItAndNotWithout(bool isRewritten)
+    public void LightOf_LatencyVariesByEightMilliseconds_IsCompensatedOnlyWithTheComponent(bool isRewritten)
     {
         Play(isRewritten);
         _runtime.LightOf = tick => Predicted(tick, isRewritten);
@@ -119,7 +119,7 @@ public sealed class OpenXrDisplayTimeTests
     [TestCase(-1, null)]
     [TestCase(0, -5.0)]
     [TestCase(0, 501.0)]
-    public void LightOf_RuntimeKnowsNothingOrNonsense_LightAppearsAsCalibrated(long unknown, double? aheadMs)
+    public void LightOf_NoOrInvalidRuntimeTime_UsesTheCalibration(long unknown, double? aheadMs)
     {
         Play();
         _runtime.Unknown = unknown;
@@ -133,7 +133,7 @@ public sealed class OpenXrDisplayTimeTests
     }
 
     [Test]
-    public void LightOf_InTheEditor_LightAppearsAsCalibrated()
+    public void LightOf_InTheEditor_UsesTheCalibration()
     {
         Play();
         _runtime.Dispose();
@@ -179,7 +179,7 @@ public sealed class OpenXrDisplayTimeTests
 
     [TestCase(0.9, false)]
     [TestCase(1.05, true)]
-    public void LightOf_ImplausibleForASecond_IsReportedInPanelLogAndDiagnosticsAndItsRecoveryOnce(double seconds, bool isSaid)
+    public void LightOf_ImplausibleForASecond_IsReportedOnceInPanelLogAndDiagnosticsLikeItsRecovery(double seconds, bool isSaid)
     {
         Play();
         var texts = new StatusTexts();
@@ -217,7 +217,7 @@ public sealed class OpenXrDisplayTimeTests
     }
 
     [Test]
-    public void LightOf_BuildWithoutThePluginsLibrary_LightAppearsAsCalibratedAndThatIsSaidOnce()
+    public void LightOf_BuildWithoutThePluginsLibrary_UsesTheCalibrationAndLogsItOnce()
     {
         Play();
         _runtime.LightOf = _ => throw new DllNotFoundException("MicrosoftOpenXRPlugin");
@@ -230,7 +230,7 @@ public sealed class OpenXrDisplayTimeTests
     }
 
     [Test]
-    public void LightOf_SessionStartedAnew_GoesOn()
+    public void LightOf_SessionRestarted_Continues()
     {
         Play();
         _runtime.LightOf = _ => _cell.Clock.Read + TimeSpan.FromMilliseconds(47);
@@ -243,7 +243,7 @@ public sealed class OpenXrDisplayTimeTests
     }
 
     [Test]
-    public void LightOf_ClockThatIsNotTheCounter_LightAppearsAsCalibratedAndThatIsSaidOnce()
+    public void LightOf_ClockOtherThanTheCounter_UsesTheCalibrationAndLogsItOnce()
     {
         _session = _cell.NewSession(robot: null, Settings(isRewritten: false));
         var own = new OtherClock(_cell.Clock);
@@ -259,7 +259,7 @@ public sealed class OpenXrDisplayTimeTests
     }
 
     [Test]
-    public void LightOf_RuntimeAndCalibrationDifferForLong_TheRuntimeIsBelievedAndThatIsSaid()
+    public void LightOf_LastingDifferenceToTheCalibration_UsesTheRuntimeAndReportsIt()
     {
         Play();
         _runtime.LightOf = _ => _cell.Clock.Read + TimeSpan.FromMilliseconds(47);
@@ -273,7 +273,7 @@ public sealed class OpenXrDisplayTimeTests
     }
 
     [Test]
-    public void OnEnable_NoSessionAbove_SaysSo()
+    public void OnEnable_NoSessionAbove_Warns()
     {
         new GameObject("Alone").AddComponent<OpenXrDisplayTime>();
 
@@ -281,7 +281,7 @@ public sealed class OpenXrDisplayTimeTests
     }
 
     [Test]
-    public void OnDisable_AnotherSourceWasGivenMeanwhile_StaysInUse()
+    public void OnDisable_AnotherSourceAssigned_KeepsThatSource()
     {
         Play();
         var other = new OtherSource();

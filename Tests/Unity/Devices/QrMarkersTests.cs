@@ -83,7 +83,7 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Read_CodeThatLeans_HasItsCentreAndItsAxesOnThePrint()
+    public void Read_TiltedCode_HasItsCentreAndAxesOnThePrint()
     {
         _codes.Texts[Id] = "nowpose:cell";
         Report();
@@ -141,7 +141,7 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Read_StalePoseSaidToBeTracked_KeepsTheVeryTimeItWasSeen()
+    public void Read_StalePoseMarkedAsTracked_KeepsItsTime()
     {
         Report();
         var first = ReadOne().LastSeen;
@@ -153,7 +153,7 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Read_SeenInTheFuture_IsSeenNow()
+    public void Read_TimeInTheFuture_IsNow()
     {
         Report(lastSeenAgo: -1);
 
@@ -161,7 +161,7 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Read_TextThatComesLater_IsAskedForUntilItIsThereAndNotAgain()
+    public void Read_TextAvailableLater_IsRequestedUntilItIsKnown()
     {
         Report();
         Assert.That(ReadOne().Payload, Is.Null);
@@ -180,7 +180,7 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Read_CodeTheDeviceForgets_IsGone()
+    public void Read_CodeRemovedByTheDevice_IsNotReturned()
     {
         Report();
         ReadOne();
@@ -211,7 +211,7 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Manager_NoneOnTheOrigin_IsAddedForCodesInTheModeOfTheCorner()
+    public void Manager_NoneOnTheOrigin_IsAddedForCodesInCornerMode()
     {
         var manager = _origin.Origin.GetComponent<ARMarkerManager>();
 
@@ -222,7 +222,7 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Manager_OfTheUserInTheModeOfTheCentre_IsSetToTheCornerAndThatIsSaid()
+    public void Manager_OfTheUserInCentreMode_IsSetToCornerModeAndLogged()
     {
         var manager = _origin.Origin.GetComponent<ARMarkerManager>();
         manager.defaultTransformMode = TransformMode.Center;
@@ -238,7 +238,7 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Read_CodeInTheModeOfTheCentre_IsWhereThePluginSays()
+    public void Read_CodeInCentreMode_HasThePluginsPose()
     {
         Report(mode: TransformMode.Center);
 
@@ -246,7 +246,7 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Read_SwitchedOff_TellsNothing()
+    public void Read_Disabled_ReturnsNothing()
     {
         Report();
         ReadOne();
@@ -257,7 +257,7 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Manager_SwitchedOffAndOn_RestsMeanwhileUnlessItIsTheUsers()
+    public void Manager_Disabled_StopsUnlessUserOwned()
     {
         var manager = _origin.Origin.GetComponent<ARMarkerManager>();
         var second = new GameObject("Second").AddComponent<QrMarkers>();
@@ -276,7 +276,7 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Problem_DeviceWithoutCodes_IsSaidOnceAfterAWhile()
+    public void Problem_DeviceWithoutCodes_IsLoggedOnceAfterATimeout()
     {
         _origin.Device.Dispose();
         var manager = _origin.Origin.GetComponent<ARMarkerManager>();
@@ -294,7 +294,7 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Problem_NoArSession_IsSaid()
+    public void Problem_NoArSession_IsReported()
     {
         _origin.Device.SessionState = 0;
 
@@ -304,7 +304,7 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Problem_NoOrigin_IsSaidAndPassesOnceThereIsOne()
+    public void Problem_NoOrigin_IsReportedUntilThereIsOne()
     {
         Object.Destroy(_origin.Origin.GetComponent<ARMarkerManager>());
         _origin.Head.SetParent(null, false);
@@ -320,7 +320,7 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Manager_XrThatStartsLater_IsEnabledAnewOnce()
+    public void Manager_XrStartsLater_IsEnabledAgainOnce()
     {
         _origin.Device.Dispose();
         var manager = _origin.Origin.GetComponent<ARMarkerManager>();

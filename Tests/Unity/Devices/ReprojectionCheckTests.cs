@@ -73,7 +73,7 @@ public sealed class ReprojectionCheckTests
     int Lines(string of) => _cell.Messages.Count(m => m.Contains(of));
 
     [Test]
-    public void Update_AllThere_DepthIsActiveAndTheModeDepth()
+    public void Update_AllConditionsMet_DepthIsActiveAndModeIsDepth()
     {
         Play(2);
 
@@ -86,7 +86,7 @@ public sealed class ReprojectionCheckTests
     }
 
     [Test]
-    public void Update_ConditionMissing_IsReportedInPanelLogAndDiagnosticsAndItsRecoveryOnce(
+    public void Update_ConditionMissing_IsReportedOnceInPanelLogAndDiagnosticsLikeItsRecovery(
         [Values(DepthSubmission.TurnedOff, DepthSubmission.NotSupported, DepthSubmission.NoMainCamera, DepthSubmission.NotRequested)]
         DepthSubmission broken)
     {
@@ -112,7 +112,7 @@ public sealed class ReprojectionCheckTests
     [TestCase(DisplayMode.PositionAndOrientation, ReprojectionMode.Depth)]
     [TestCase(DisplayMode.OrientationOnly, ReprojectionMode.OrientationOnly)]
     [TestCase(DisplayMode.None, ReprojectionMode.None)]
-    public void Update_ModeAskedOfTheDisplay_IsReported(DisplayMode asked, ReprojectionMode expected)
+    public void Update_ModeRequestedFromTheDisplay_IsReported(DisplayMode asked, ReprojectionMode expected)
     {
         _display.Display.reprojectionMode = asked;
 

@@ -57,7 +57,7 @@ public sealed class TrackedImageMarkersTests
     }
 
     [Test]
-    public void Read_ImageThatLeans_HasItsAxesOnThePrintAndItsNameAsPayload()
+    public void Read_TiltedImage_HasItsAxesOnThePrintAndItsNameAsPayload()
     {
         var marker = Report(TrackingState.Tracking);
 
@@ -86,7 +86,7 @@ public sealed class TrackedImageMarkersTests
     }
 
     [Test]
-    public void Read_ImageOutOfSight_WasSeenWhenItWasTrackedLast()
+    public void Read_ImageOutOfView_HasTheTimeOfItsLastTracking()
     {
         var tracked = Report(TrackingState.Tracking);
         var seen = Report(TrackingState.Limited);
@@ -101,7 +101,7 @@ public sealed class TrackedImageMarkersTests
     }
 
     [Test]
-    public void Read_ImageNeverTracked_WasSeenWhenItBecameKnown()
+    public void Read_ImageNeverTracked_HasTheTimeOfItsFirstReport()
     {
         var first = Report(TrackingState.Limited);
 
@@ -111,7 +111,7 @@ public sealed class TrackedImageMarkersTests
     }
 
     [Test]
-    public void Read_PoseThatDoesNotChange_WasSeenOnce()
+    public void Read_UnchangedPose_KeepsItsTime()
     {
         var first = Report(TrackingState.Tracking);
 
@@ -119,7 +119,7 @@ public sealed class TrackedImageMarkersTests
     }
 
     [Test]
-    public void Read_ImageInSight_IsSeenWhenItsPoseChanges()
+    public void Read_ImageInView_IsSeenWhenItsPoseChanges()
     {
         var first = Report(TrackingState.Tracking);
 
@@ -146,7 +146,7 @@ public sealed class TrackedImageMarkersTests
     }
 
     [Test]
-    public void Problem_OriginWithoutAManager_SaysWhatToAdd()
+    public void Problem_OriginWithoutAManager_NamesTheRemedy()
     {
         UnityEngine.Object.Destroy(_origin.Origin.GetComponent<ARTrackedImageManager>());
 
@@ -157,7 +157,7 @@ public sealed class TrackedImageMarkersTests
     }
 
     [Test]
-    public void Read_NoSessionAbove_TakesTheCountersTime()
+    public void Read_NoSessionAbove_UsesTheCountersTime()
     {
         var alone = new GameObject("Alone").AddComponent<TrackedImageMarkers>();
         var clock = new StopwatchHeadsetClock();

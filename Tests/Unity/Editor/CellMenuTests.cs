@@ -16,7 +16,7 @@ public sealed class CellMenuTests : EditorFixture
     };
 
     [TestCaseSource(nameof(Items))]
-    public void Item_PrefabThere_PlacesAnInstanceUndoablyAndSelectsIt(string item, object of)
+    public void Item_PrefabExists_PlacesAndSelectsAnInstanceWithUndo(string item, object of)
     {
         var prefab = Put((PackageAsset)of);
 
@@ -30,7 +30,7 @@ public sealed class CellMenuTests : EditorFixture
     }
 
     [Test]
-    public void Place_WithAContext_PutsItUnderThatObject()
+    public void Place_WithAContext_IsBelowThatObject()
     {
         Put(PackageAsset.VirtualGripper);
         var parent = Keep(new GameObject("parent"));
@@ -43,7 +43,7 @@ public sealed class CellMenuTests : EditorFixture
     }
 
     [Test]
-    public void Place_PrefabMissing_SaysWhichAndWhatToDo()
+    public void Place_PrefabMissing_NamesItAndTheRemedy()
     {
         using var folder = new ProjectFolder();
         folder.Write("Packages/manifest.json", "{}");

@@ -13,7 +13,7 @@ public sealed class EditModeInspectorTests : EditorFixture
     const string BuildButton = "Build 'youBot' here";
 
     [Test]
-    public void Rig_ButtonClicked_BuildsTheSessionsRobotUndoably()
+    public void Rig_ButtonClicked_BuildsTheSessionsRobotWithUndo()
     {
         var rig = NewRig("youbot");
 
@@ -27,7 +27,7 @@ public sealed class EditModeInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Rig_BuiltByTheButton_IsNotTakenAwayForAnotherRobot()
+    public void Rig_BuiltByTheButton_IsNotReplacedByAnotherRobot()
     {
         var rig = NewRig("youbot");
         Click(rig, BuildButton);
@@ -40,7 +40,7 @@ public sealed class EditModeInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Rig_ButtonClickedTwice_BuildsOnceAndSaysSo()
+    public void Rig_ButtonClickedTwice_BuildsOnceAndReportsIt()
     {
         var rig = NewRig("youbot");
         Click(rig, BuildButton);
@@ -54,7 +54,7 @@ public sealed class EditModeInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Rig_OnADescriptionThatIsNone_SaysWhatIsWrong()
+    public void Rig_InvalidDescription_StatesTheReason()
     {
         var rig = NewRig("youbot");
         rig.GetComponentInParent<MrilSession>().With("_robot", Keep(RobotDescriptionAsset.Create("youBot", "<robot")));
@@ -67,7 +67,7 @@ public sealed class EditModeInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Rig_WhoseSessionHasNoRobot_HasNoButton()
+    public void Rig_SessionWithoutRobot_HasNoButton()
     {
         Inspect(NewRig(null)).OnInspectorGUI();
 
@@ -75,7 +75,7 @@ public sealed class EditModeInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Anchor_Placed_TellsItsPoseInTheTermsOfTheUrdf()
+    public void Anchor_Placed_ShowsItsPoseLikeAUrdf()
     {
         var anchor = NewAnchor();
         // A quarter turn to the left, seen from above, then the front 30° up; 3 m forward, 1 m left, 2 m up.
@@ -93,7 +93,7 @@ public sealed class EditModeInspectorTests : EditorFixture
     [TestCase("y − 5 mm, right", 0.005f, 0, 0)]
     [TestCase("z + 5 mm, up", 0, 0.005f, 0)]
     [TestCase("z − 5 mm, down", 0, -0.005f, 0)]
-    public void Anchor_Nudged_MovesAlongItsOwnAxesUndoably(string button, float x, float y, float z)
+    public void Anchor_Nudged_MovesAlongItsOwnAxesWithUndo(string button, float x, float y, float z)
     {
         var anchor = NewAnchor();
         var moved = 0;
@@ -110,7 +110,7 @@ public sealed class EditModeInspectorTests : EditorFixture
 
     [TestCase("0.5° to the left", -0.5f)]
     [TestCase("0.5° to the right", 0.5f)]
-    public void Anchor_Turned_TurnsAboutUp(string button, float degrees)
+    public void Anchor_Turned_RotatesAboutTheVertical(string button, float degrees)
     {
         var anchor = NewAnchor();
 

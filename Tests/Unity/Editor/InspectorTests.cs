@@ -65,7 +65,7 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
-    public void LatencyProfileLoader_Playing_SaysWhatIsInUse()
+    public void LatencyProfileLoader_Playing_ShowsTheUsedProfile()
     {
         var session = _cell.NewSession();
         var loader = session.gameObject.AddComponent<LatencyProfileLoader>().With("_fileName", "none-" + Guid.NewGuid());
@@ -80,7 +80,7 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
-    public void CellPairing_CodeOnTheClipboard_AsksAndIsAnswered()
+    public void CellPairing_CodeOnTheClipboard_AsksAndAcceptsTheAnswer()
     {
         var session = _cell.NewSession();
         var file = Path.Combine(Path.GetTempPath(), "none-" + Guid.NewGuid());
@@ -117,7 +117,7 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
-    public void Session_NothingKnownYet_SaysDashesAndPlotsNothing()
+    public void Session_WithoutData_ShowsDashesAndNoPlots()
     {
         var session = _cell.Play();
         _cell.IsSyncUp = _cell.IsPlantUp = false;
@@ -132,7 +132,7 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
-    public void Session_ThatCannotStart_SaysWhy()
+    public void Session_CannotStart_ShowsTheReason()
     {
         var session = new GameObject("Cell").AddComponent<MrilSession>();
 
@@ -143,7 +143,7 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
-    public void Session_Disabled_SaysDash()
+    public void Session_Disabled_ShowsADash()
     {
         var session = _cell.Play();
         var editor = Inspect(session);
@@ -175,7 +175,7 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
-    public void Several_AreEditedTogetherWithoutLiveValues()
+    public void Several_Selected_AreEditedTogetherWithoutLiveValues()
     {
         MrilSession one = _cell.Play(), two = _cell.Play();
         var editor = Inspect(one, two);
@@ -224,7 +224,7 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
-    public void Others_Playing_ShowWhatTheyKnow()
+    public void Others_Playing_ShowTheirValues()
     {
         var session = _cell.Play();
         var rig = Below<RobotRig>(session);
@@ -243,7 +243,7 @@ public sealed class InspectorTests : EditorFixture
 
     [TestCase(0.0115, "gripper_finger_joint_l: 11.5 mm")]
     [TestCase(0.004, "gripper_finger_joint_l: 4.0 mm")]
-    public void Gripper_Playing_ShowsHowFarItsFingersAreOpen(double metres, string row)
+    public void Gripper_Playing_ShowsTheOpeningOfItsFingers(double metres, string row)
     {
         var session = _cell.Play();
         var rig = Below<RobotRig>(session);
@@ -259,7 +259,7 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
-    public void Gripper_OnARigWithoutRobot_SaysDashes()
+    public void Gripper_OnARigWithoutRobot_ShowsDashes()
     {
         var rig = new GameObject("Robot").AddComponent<RobotRig>();
         var gripper = Gripper(rig, "gripper_finger_joint_l");
@@ -271,7 +271,7 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
-    public void Appearance_Playing_SaysWhatIsShownAndWhy()
+    public void Appearance_Playing_ShowsTheStateAndReason()
     {
         var session = _cell.Play();
         var substitute = new Material((Shader)null) { name = "Hologram" };
@@ -298,7 +298,7 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
-    public void Appearance_BeforeAnyPosition_SaysThatNothingIsDrawn()
+    public void Appearance_BeforeAnyPosition_ShowsThatNothingIsDrawn()
     {
         var session = _cell.Play();
         _cell.IsPlantUp = false;
@@ -311,7 +311,7 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
-    public void Panel_Playing_SaysWhatItTells()
+    public void Panel_Playing_ShowsItsTexts()
     {
         var session = _cell.Play();
         var panel = Below<StatusPanel>(session);
@@ -332,7 +332,7 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
-    public void BodyFollow_Playing_SaysWhomItFollowsAndHow()
+    public void BodyFollow_Playing_ShowsItsTargetAndState()
     {
         var head = new GameObject("Head").transform;
         var follow = new GameObject("Panel").AddComponent<BodyFollow>();
@@ -358,7 +358,7 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
-    public void Fix_OfAMissingReference_IsDoneByTheClickUndoably()
+    public void Fix_OfAMissingReference_IsAppliedByTheClickWithUndo()
     {
         var session = _cell.NewSession();
         var rig = new GameObject("Robot").AddComponent<RobotRig>();

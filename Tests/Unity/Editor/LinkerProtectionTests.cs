@@ -9,7 +9,7 @@ namespace Nowpose.Unity.Tests.Editor;
 public sealed class LinkerProtectionTests : EditorFixture
 {
     [Test]
-    public void Generate_InAnyProject_WritesALinkXmlAndGivesItsAbsolutePath()
+    public void Generate_AnyProject_WritesALinkXmlAndReturnsItsAbsolutePath()
     {
         using var folder = new ProjectFolder();
         folder.Write("Packages/manifest.json", "{}");
@@ -24,7 +24,7 @@ public sealed class LinkerProtectionTests : EditorFixture
     }
 
     [Test]
-    public void Generate_Content_KeepsAssembliesOfThePackageWhole()
+    public void Generate_Content_PreservesAllAssembliesOfThePackage()
     {
         using var folder = new ProjectFolder();
         folder.Write("Packages/manifest.json", "{}");
@@ -39,7 +39,7 @@ public sealed class LinkerProtectionTests : EditorFixture
     }
 
     [Test]
-    public void Generate_AssemblyWithComponents_IsKeptAndMayBeMissingWhereItIsOptional()
+    public void Generate_AssemblyWithComponents_IsPreservedAndOptionalOnesMayBeMissing()
     {
         using var folder = new ProjectFolder();
         folder.Write("Packages/manifest.json", "{}");

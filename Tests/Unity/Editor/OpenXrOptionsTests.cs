@@ -8,7 +8,7 @@ namespace Nowpose.Unity.Tests.Editor;
 public sealed class OpenXrOptionsTests : EditorFixture
 {
     [Test]
-    public void IsOn_NoSettings_IsNotKnown()
+    public void IsOn_NoSettings_IsNull()
     {
         Assert.That(OpenXrOptions.IsOn(BuildTargetGroup.WSA, OpenXrAssets.HoloLens), Is.Null);
         Assert.That(OpenXrOptions.TurnOn(BuildTargetGroup.WSA, OpenXrAssets.HoloLens), Is.False);
@@ -17,7 +17,7 @@ public sealed class OpenXrOptionsTests : EditorFixture
     }
 
     [Test]
-    public void TurnOn_Feature_IsOnForThatPlayerOnly()
+    public void TurnOn_Feature_IsOnOnlyForThatPlayer()
     {
         OpenXrAssets.Put(Keep, BuildTargetGroup.Standalone, BuildTargetGroup.WSA);
         Assert.That(OpenXrOptions.IsOn(BuildTargetGroup.WSA, OpenXrAssets.HoloLens), Is.False);
@@ -32,7 +32,7 @@ public sealed class OpenXrOptionsTests : EditorFixture
     }
 
     [Test]
-    public void Set_Option_IsSetForThatPlayerOnly()
+    public void Set_Option_IsSetOnlyForThatPlayer()
     {
         OpenXrAssets.Put(Keep, BuildTargetGroup.Android, BuildTargetGroup.WSA);
 

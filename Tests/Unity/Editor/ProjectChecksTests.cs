@@ -45,7 +45,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [TestCaseSource(nameof(SettingChecks))]
-    public void Fix_OfOneSetting_LeavesTheOthers(string title)
+    public void Fix_OfOneSetting_DoesNotChangeOthers(string title)
     {
         var before = _review.Results.ToArray();
 
@@ -57,7 +57,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void Look_AtEverything_ChangesNothing()
+    public void Look_AllChecks_ChangeNothing()
     {
         for (var i = 0; i < 3; i++) _review.LookAgain();
 
@@ -73,7 +73,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void Checks_NameTheCapabilitiesThatAHoloLensProjectNeeds()
+    public void Checks_ForHoloLens_NameTheRequiredCapabilities()
     {
         var capabilities = ProjectChecks.ForHoloLens().OfType<CapabilityCheck>().Select(c => c.Title);
 
@@ -85,7 +85,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void BuildTarget_EditorWithoutUwp_SaysWhatToInstall()
+    public void BuildTarget_EditorWithoutUwp_NamesTheRemedy()
     {
         EditorUserBuildSettings.HasUwp = false;
         var check = IndexOf("Build target is Universal Windows Platform");
@@ -97,7 +97,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void Package_OfUnity_IsAskedForByNameAndFoundOnceItIsThere()
+    public void Package_OfUnity_IsRequestedByNameAndFoundOnceInstalled()
     {
         var check = IndexOf("OpenXR");
         Assert.That(_review.Results[check].Found, Is.EqualTo("com.unity.xr.openxr is not installed"));
@@ -116,7 +116,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void Package_OfAVersion_IsAskedForByIt()
+    public void Package_WithVersion_IsRequestedWithIt()
     {
         _review.Fix(IndexOf("AR Foundation"));
 
@@ -125,7 +125,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void Package_TooOld_IsAdvisedAnew()
+    public void Package_TooOld_IsRecommendedAgain()
     {
         PackageInfo.Registered.Add(new PackageInfo("com.unity.xr.arfoundation", "4.1.7"));
         PackageInfo.Registered.Add(new PackageInfo("com.microsoft.mixedreality.openxr", "1.11.1-preview"));
@@ -138,7 +138,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void Package_ThatCannotBeAdded_SaysWhy()
+    public void Package_CannotBeAdded_StatesTheReason()
     {
         _review.Fix(IndexOf("NativeWebSocket (optional)"));
         Client.Newest.Fail("no git");
@@ -148,7 +148,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void Package_OfMicrosoft_GoesIntoTheManifestWithItsRegistry()
+    public void Package_OfMicrosoft_IsAddedToTheManifestWithItsRegistry()
     {
         using var folder = new ProjectFolder();
         folder.Write("Packages/manifest.json", "{ \"dependencies\": {} }");
@@ -168,7 +168,7 @@ public sealed class ProjectChecksTests : EditorFixture
 
     [TestCase(null, "com.microsoft.mixedreality.openxr could not be added: Could not find file")]
     [TestCase("nothing", "com.microsoft.mixedreality.openxr could not be added: Packages/manifest.json:1: not a JSON object")]
-    public void Package_ManifestUnusable_SaysWhyAndChangesNothing(string manifest, string trouble)
+    public void Package_ManifestInvalid_StatesTheReasonAndChangesNothing(string manifest, string trouble)
     {
         using var folder = new ProjectFolder();
         folder.Write("Packages/other.txt", "");
@@ -187,7 +187,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void Checks_OfPackages_NameNoneThatThePackageCannotBeInstalledWithout()
+    public void Checks_OfPackages_ExcludeDependenciesOfThePackage()
     {
         var manifest = RepositoryFiles.Read(RepositoryFiles.Package + "/package.json");
 
@@ -198,7 +198,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void Package_Optional_IsAdvisedOnly()
+    public void Package_Optional_IsOnlyRecommended()
     {
         var check = IndexOf("MRTK3 (optional)");
 
@@ -208,7 +208,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void Mrtk3_PartInstalled_NamesWhatIsMissing()
+    public void Mrtk3_PartInstalled_NamesTheMissingPackages()
     {
         foreach (var part in new[] { "core", "uxcore", "standardassets", "uxcomponents", "spatialmanipulation", "input" })
             PackageInfo.Registered.Add(new PackageInfo("org.mixedrealitytoolkit." + part, "3.3.0"));
@@ -239,7 +239,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void OpenXrSettings_NoneYet_AreMissingAndTheFixSaysWhereTheyAre()
+    public void OpenXrSettings_None_AreMissingAndTheFixNamesTheirPlace()
     {
         Project.Open(null);
         _review.LookAgain();
@@ -273,7 +273,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void OpenXrLoader_Fix_OpensTheSettingsAndSaysWhereToTick()
+    public void OpenXrLoader_Fix_OpensTheSettingsAndNamesTheOption()
     {
         var check = IndexOf("OpenXR starts in the UWP player");
 
@@ -300,7 +300,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void Camera_Fixed_CanBeUndoneAndIsSavedWithThePrefabsInstance()
+    public void Camera_Fixed_CanBeUndoneAndIsSavedWithThePrefabInstance()
     {
         _review.Fix(IndexOf("Main camera's near clip plane is at 0.1 m"));
         _review.Fix(IndexOf("Main camera clears to black with alpha 0"));
@@ -340,13 +340,13 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void UnityVersion_OfThisEditor_IsJudged()
+    public void UnityVersion_OfThisEditor_IsChecked()
     {
         Assert.That(_review.Results[IndexOf("Unity is a version that was tried")].Found, Does.StartWith("2022.3.62f1: compiled against 2022.3.7"));
     }
 
     [Test]
-    public void Package_OfMicrosoft_KeepsTheManifestsBytesAndACopy()
+    public void Package_OfMicrosoft_KeepsTheManifestsFormatAndABackup()
     {
         using var folder = new ProjectFolder();
         const string before = "{\r\n\t\"dependencies\": {\r\n\t}\r\n}\r\n";

@@ -16,7 +16,7 @@ public sealed class RobotDescriptionInspectorTests : EditorFixture
         + "<axis xyz='0 0 1'/><limit lower='-1' upper='1' effort='1' velocity='1'/></joint></robot>";
 
     [Test]
-    public void Draw_ARobot_SaysWhatItIs()
+    public void Draw_Robot_ShowsItsProperties()
     {
         Draw(Inspect(Robot));
 
@@ -28,7 +28,7 @@ public sealed class RobotDescriptionInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Draw_NoRobot_SaysWhy()
+    public void Draw_InvalidRobot_ShowsTheReason()
     {
         Draw(Inspect("<robot name='x'>"));
 
@@ -37,7 +37,7 @@ public sealed class RobotDescriptionInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Draw_NothingInIt_SaysWhatToDo()
+    public void Draw_Empty_ShowsTheRemedy()
     {
         Draw(Inspect(""));
 
@@ -46,7 +46,7 @@ public sealed class RobotDescriptionInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Draw_LongText_ShowsItsBeginningOnly()
+    public void Draw_LongText_ShowsOnlyItsBeginning()
     {
         var text = new string('x', 200) + "\n" + string.Concat(Enumerable.Range(2, 100).Select(i => "line " + i + "\n"));
 
@@ -60,7 +60,7 @@ public sealed class RobotDescriptionInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Load_AFile_TakesItsTextUndoably()
+    public void Load_File_SetsItsTextWithUndo()
     {
         using var folder = new ProjectFolder();
         folder.Write("two.urdf", Robot);

@@ -40,7 +40,7 @@ public sealed class SessionSettingsInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Inspector_NameThatIsNotListed_StaysUntilAnotherIsChosen()
+    public void Inspector_UnlistedName_IsKeptUntilAnotherIsChosen()
     {
         Set(_settings, "linear-h4");
 

@@ -15,7 +15,7 @@ public sealed class SetupWindowTests : EditorFixture
     public void SetUp() => _window = Keep(ScriptableObject.CreateInstance<SetupWindow>());
 
     [Test]
-    public void Draw_NewProject_SaysWhatIsMissingAndChangesNothing()
+    public void Draw_NewProject_ShowsMissingPointsWithoutChanges()
     {
         Send("OnGUI");
 
@@ -27,7 +27,7 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
-    public void Click_OnAFix_DoesThatOnly()
+    public void Click_OnAFix_AppliesOnlyThat()
     {
         GuiRecorder.Click = "Declare WebCam";
         Send("OnGUI");
@@ -44,7 +44,7 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
-    public void Focus_AfterAChangeElsewhere_ShowsIt()
+    public void Focus_AfterAnExternalChange_ShowsIt()
     {
         PlayerSettings.enableFrameTimingStats = true;
 
@@ -55,7 +55,7 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
-    public void Click_OnAFixOfAWindowClosedSince_DoesNothing()
+    public void Click_OnAFixOfAClosedWindow_HasNoEffect()
     {
         GuiRecorder.Click = "Declare WebCam";
         Send("OnGUI");
@@ -67,7 +67,7 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
-    public void Click_OnTheOtherHeadset_ListsWhatThatNeeds()
+    public void Click_OnTheOtherHeadset_ListsItsRequirements()
     {
         GuiRecorder.Click = "Android headset (Quest, Magic Leap 2)";
         Send("OnGUI");
@@ -83,7 +83,7 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
-    public void Open_ProjectForAndroid_ListsWhatThatNeeds()
+    public void Open_ProjectForAndroid_ListsItsRequirements()
     {
         EditorUserBuildSettings.SwitchActiveBuildTarget(UnityEditor.Build.NamedBuildTarget.Android, BuildTarget.Android);
 
@@ -93,7 +93,7 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
-    public void Click_OnCheckAgain_ShowsWhatHasChanged()
+    public void Click_OnCheckAgain_ShowsTheChange()
     {
         PlayerSettings.enableFrameTimingStats = true;
         GuiRecorder.Click = "Check again";
@@ -106,7 +106,7 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
-    public void Update_WhileAPackageIsAdded_ShowsItAndThenWhatCameOfIt()
+    public void Update_WhileAPackageIsAdded_ShowsProgressAndResult()
     {
         GuiRecorder.Click = "Add com.unity.xr.openxr";
         Send("OnGUI");
@@ -123,7 +123,7 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
-    public void Update_NothingNewOfAPackage_DoesNotLookAgain()
+    public void Update_NoNewsOfAPackage_DoesNotCheckAgain()
     {
         GuiRecorder.Click = "Add com.unity.xr.openxr";
         Send("OnGUI");

@@ -32,7 +32,7 @@ public sealed class UrdfImporterTests : EditorFixture
     public void TearDown() => _project.Dispose();
 
     [Test]
-    public void Import_Shapes_AreThereInTheirSizesAndColours()
+    public void Import_Shapes_HaveTheirSizesAndColours()
     {
         var robot = Import("<link name='base'>"
             + Visual("<box size='1 2 3'/>", Moved, "<material name='m'><color rgba='1 0.5 0 1'/></material>")
@@ -63,7 +63,7 @@ public sealed class UrdfImporterTests : EditorFixture
     [TestCase("<mesh filename='../meshes/a.stl'/>", 1, 1, 1)]
     [TestCase("<mesh filename='package://arm_description/meshes/a.stl'/>", 1, 1, 1)]
     [TestCase("<mesh filename='../meshes/a.stl' scale='0.001 0.002 -0.003'/>", 0.001, 0.002, -0.003)]
-    public void Import_Stl_StandsWhereItsCoordinatesSay(string mesh, double x, double y, double z)
+    public void Import_Stl_IsPlacedByItsCoordinates(string mesh, double x, double y, double z)
     {
         _project.Write("Assets/arm_description/meshes/a.stl", Stl(("0 0 0", "1 0 0", "0 1 0"), ("10 20 30", "11 20 30", "10 20 31")));
 
@@ -132,7 +132,7 @@ public sealed class UrdfImporterTests : EditorFixture
     [TestCase("a.fbx", UpAxis.Y, false)]
     [TestCase("a.fbx", UpAxis.Z, false)]
     [TestCase("a.fbx", UpAxis.Z, true)]
-    public void Import_Model_StandsWhereItsCoordinatesSay(string file, object up, bool isBaked)
+    public void Import_Model_IsPlacedByItsCoordinates(string file, object up, bool isBaked)
     {
         var path = "Assets/arm_description/meshes/" + file;
         _project.Write(path, Header(file, (UpAxis)up));
@@ -149,7 +149,7 @@ public sealed class UrdfImporterTests : EditorFixture
     }
 
     [Test]
-    public void Import_Model_IsACopyWithoutWhatARobotHasNot()
+    public void Import_Model_IsACopyWithoutForeignComponents()
     {
         _project.Write("Assets/arm_description/meshes/a.obj", "v 0 0 0");
         var model = AsUnityImports((1, 2, 3), UpAxis.Y, isBaked: true);
@@ -165,7 +165,7 @@ public sealed class UrdfImporterTests : EditorFixture
     }
 
     [Test]
-    public void Import_ModelWithPartsNamedAsLinks_IsNotTakenForThem()
+    public void Import_ModelWithPartsNamedLikeLinks_IsDistinguished()
     {
         _project.Write("Assets/arm_description/meshes/a.obj", "v 0 0 0");
         var model = AsUnityImports((1, 2, 3), UpAxis.Y, isBaked: true);
@@ -181,7 +181,7 @@ public sealed class UrdfImporterTests : EditorFixture
     }
 
     [Test]
-    public void Import_SeveralOfOneKind_AreToldApartByTheirNames()
+    public void Import_SeveralOfOneKind_HaveUniqueNames()
     {
         _project.Write("Assets/arm_description/meshes/a.stl", Stl(("0 0 0", "1 0 0", "0 1 0")));
         _project.Write("Assets/arm_description/meshes/a.obj", "v 0 0 0");
@@ -222,7 +222,7 @@ public sealed class UrdfImporterTests : EditorFixture
     }
 
     [Test]
-    public void Import_MeshMissing_IsOneWarningAndTheRestIsThere()
+    public void Import_MeshMissing_CausesOneWarningAndImportsTheRest()
     {
         var robot = Import("<link name='base'>" + Visual("<mesh filename='package://other/a.dae'/>")
             + Visual("<mesh filename='package://other/a.dae'/>") + Visual("<box size='1 1 1'/>") + "</link>");
@@ -248,7 +248,7 @@ public sealed class UrdfImporterTests : EditorFixture
     [TestCase("a.stl", "solid a\nfacet\nvertex 0 0\n", "arm.urdf: Assets/arm_description/urdf/a.stl:3: a vertex has 2 numbers, it needs 3")]
     [TestCase("a.ply", "ply", "arm.urdf: mesh 'a.ply' is of no kind that is read; STL, OBJ, DAE and FBX are")]
     [TestCase("a.fbx", "broken", "arm.urdf: mesh Assets/arm_description/urdf/a.fbx: Unity has not imported it; its own import log says why")]
-    public void Import_MeshUnusable_IsOneWarningThatNamesIt(string file, string content, string warning)
+    public void Import_MeshInvalid_CausesOneWarningWithItsName(string file, string content, string warning)
     {
         _project.Write("Assets/arm_description/urdf/" + file, content);
 
@@ -263,7 +263,7 @@ public sealed class UrdfImporterTests : EditorFixture
 
     [TestCase("<link name='a'/>\n<link name='b'/>", "arm.urdf:3: link 'b': two root links")]
     [TestCase("<link", "arm.urdf:3: not well-formed XML")]
-    public void Import_NoRobot_IsOneErrorThatNamesFileAndLine(string body, string error)
+    public void Import_NotARobot_CausesOneErrorWithFileAndLine(string body, string error)
     {
         Assert.That(Import(body) == null);
         Assert.That(_context.Errors.Single(), Does.StartWith(error));
@@ -271,7 +271,7 @@ public sealed class UrdfImporterTests : EditorFixture
     }
 
     [Test]
-    public void Import_FileTooLong_IsOneErrorUnread()
+    public void Import_FileTooLong_CausesOneErrorWithoutReading()
     {
         _project.Write(Urdf, "");
         using (var file = File.OpenWrite(Path.Combine(_project.Root, Urdf))) file.SetLength((16 << 20) + 1);
@@ -282,7 +282,7 @@ public sealed class UrdfImporterTests : EditorFixture
     }
 
     [Test]
-    public void Import_Twice_GivesTheSameIdentifiers()
+    public void Import_Twice_HasTheSameIdentifiers()
     {
         _project.Write("Assets/arm_description/meshes/a.stl", Stl(("0 0 0", "1 0 0", "0 1 0")));
         var body = "<link name='base'>" + Visual("<mesh filename='../meshes/a.stl'/>") + Visual("<box size='1 1 1'/>") + "</link>";
@@ -296,7 +296,7 @@ public sealed class UrdfImporterTests : EditorFixture
     }
 
     [Test]
-    public void Gather_BeforeTheImport_NamesTheModelsThatAreThere()
+    public void Gather_BeforeTheImport_NamesTheExistingModels()
     {
         _project.Write("Assets/arm_description/meshes/a.dae", "");
         _project.Write("Assets/arm_description/meshes/a.stl", "");
@@ -308,7 +308,7 @@ public sealed class UrdfImporterTests : EditorFixture
 
     [TestCase("<link")]
     [TestCase(null)]
-    public void Gather_FromNoRobot_IsNothing(string body)
+    public void Gather_InvalidRobot_IsEmpty(string body)
     {
         if (body != null) _project.Write(Urdf, Robot(body));
 

@@ -10,13 +10,13 @@ namespace Nowpose.Unity.Tests.Editor;
 public sealed class XrPlugInsTests : EditorFixture
 {
     [Test]
-    public void UseOpenXr_NoSettings_IsNotKnown()
+    public void UseOpenXr_NoSettings_IsNull()
     {
         Assert.That(XrPlugIns.UseOpenXr(BuildTargetGroup.WSA), Is.Null);
     }
 
     [Test]
-    public void UseOpenXr_Ticked_IsTrueForThatPlayerOnly()
+    public void UseOpenXr_Enabled_IsTrueOnlyForThatPlayer()
     {
         Put((BuildTargetGroup.Standalone, Settings()), (BuildTargetGroup.WSA, Settings(New<OtherLoader>(), New<OpenXRLoader>())));
 
@@ -50,7 +50,7 @@ public sealed class XrPlugInsTests : EditorFixture
     }
 
     [Test]
-    public void UseOpenXr_SettingsOfAnotherShape_IsNotKnown()
+    public void UseOpenXr_UnknownSettingsFormat_IsNull()
     {
         var settings = New<XRGeneralSettings>();
         Put((BuildTargetGroup.WSA, settings));

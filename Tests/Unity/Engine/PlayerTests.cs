@@ -21,7 +21,7 @@ public sealed class PlayerTests : PlayerFixture
     }
 
     [Test]
-    public void Step_AfterAStall_ScaledTimeGoesOnByTheMaximum()
+    public void Step_AfterAStall_ScaledTimeAdvancesByTheMaximum()
     {
         Player.Step(0);
 
@@ -58,7 +58,7 @@ public sealed class PlayerTests : PlayerFixture
     }
 
     [Test]
-    public void LoadScene_Second_DestroysTheFirstButWhatIsKept()
+    public void LoadScene_Second_DestroysTheFirstExceptKeptObjects()
     {
         var first = Detached("first");
         Player.LoadScene("one", "one.unity", [first]);
@@ -90,7 +90,7 @@ public sealed class PlayerTests : PlayerFixture
     }
 
     [Test]
-    public void Subscribers_TakenOff_AreCountedNoMore()
+    public void Subscribers_Removed_AreNotCounted()
     {
         Application.onBeforeRender += Nothing;
         Application.logMessageReceived += Nothing;
@@ -103,7 +103,7 @@ public sealed class PlayerTests : PlayerFixture
     }
 
     [Test]
-    public void Dispose_Twice_IsHarmlessAndNoStepFollows()
+    public void Dispose_Twice_HasNoEffectAndStepIsRefused()
     {
         Player.Dispose();
         Player.Dispose();
@@ -114,7 +114,7 @@ public sealed class PlayerTests : PlayerFixture
     }
 
     [Test]
-    public void TwoPlayers_EachStepsItsOwn()
+    public void TwoPlayers_Step_AdvancesOnlyItsOwn()
     {
         Add<Recorder>("a");
         Journal.Take();

@@ -24,7 +24,7 @@ public sealed class UnityEventTests : PlayerFixture
     }
 
     [Test]
-    public void Invoke_CallFromAFile_CallsItBeforeTheListeners()
+    public void Invoke_PersistentCall_RunsBeforeTheListeners()
     {
         var listener = Add<Listener>("a");
         var happened = FromFile<UnityEvent>(listener, "Heard", PersistentListenerMode.Void);
@@ -40,7 +40,7 @@ public sealed class UnityEventTests : PlayerFixture
     [TestCase("Int", "m_IntArgument", 4, "HeardInt(4)")]
     [TestCase("String", "m_StringArgument", "x", "HeardString(x)")]
     [TestCase("Bool", "m_BoolArgument", true, "HeardBool(True)")]
-    public void Invoke_CallWithAKeptArgument_PassesThat(string mode, string field, object value, string expected)
+    public void Invoke_CallWithAStoredArgument_PassesIt(string mode, string field, object value, string expected)
     {
         var happened = FromFile<UnityEvent>(Add<Listener>("a"), "Heard" + mode, Enum.Parse<PersistentListenerMode>(mode), (field, value));
 
@@ -50,7 +50,7 @@ public sealed class UnityEventTests : PlayerFixture
     }
 
     [Test]
-    public void Invoke_EventWithAnArgument_PassesItOnUnlessTheCallKeepsOne()
+    public void Invoke_EventWithAnArgument_PassesItUnlessTheCallStoresOne()
     {
         var listener = Add<Listener>("a");
         var passed = FromFile<UnityEvent<int>>(listener, "HeardInt", PersistentListenerMode.EventDefined);
@@ -66,7 +66,7 @@ public sealed class UnityEventTests : PlayerFixture
     }
 
     [Test]
-    public void Invoke_CallThatTakesAnotherArgumentThanTheEvents_IsAnErrorThatNamesIt()
+    public void Invoke_CallWithAnotherArgumentType_LogsAnErrorWithItsName()
     {
         FromFile<UnityEvent<int>>(Add<Listener>("a"), "HeardBool", PersistentListenerMode.EventDefined).Invoke(7);
 
@@ -74,7 +74,7 @@ public sealed class UnityEventTests : PlayerFixture
     }
 
     [Test]
-    public void Invoke_CallSwitchedOffOrWithoutTarget_IsPassedOver()
+    public void Invoke_CallDisabledOrWithoutTarget_IsSkipped()
     {
         var listener = Add<Listener>("a");
         var off = FromFile<UnityEvent>(listener, "Heard", PersistentListenerMode.Void);
@@ -89,7 +89,7 @@ public sealed class UnityEventTests : PlayerFixture
     }
 
     [Test]
-    public void Invoke_CallOfNoMethod_IsAnErrorThatNamesIt()
+    public void Invoke_CallOfAMissingMethod_LogsAnErrorWithItsName()
     {
         FromFile<UnityEvent>(Add<Listener>("a"), "Nowhere", PersistentListenerMode.Void).Invoke();
 
@@ -97,7 +97,7 @@ public sealed class UnityEventTests : PlayerFixture
     }
 
     [Test]
-    public void Invoke_ListenerThrows_TheCallerGetsIt()
+    public void Invoke_ListenerThrows_ReachesTheCaller()
     {
         var happened = FromFile<UnityEvent>(Add<Listener>("a"), "Throw", PersistentListenerMode.Void);
 

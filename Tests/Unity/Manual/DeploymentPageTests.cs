@@ -20,7 +20,7 @@ public sealed partial class DeploymentPageTests
         select new TestCaseData(Path.GetFileNameWithoutExtension(path), package, version, expression);
 
     [TestCaseSource(nameof(Ranges))]
-    public void Version_OnThePage_SwitchesTheAssemblyOn(string assembly, string package, string version, string expression)
+    public void Version_OnThePage_EnablesTheAssembly(string assembly, string package, string version, string expression)
     {
         Assert.That(Contains(expression, Version.Parse(version)), $"{assembly} wants {package} {expression}");
     }
@@ -34,7 +34,7 @@ public sealed partial class DeploymentPageTests
     }
 
     [Test]
-    public void Capabilities_OnThePage_AreThoseOfTheSetupWindow()
+    public void Capabilities_OnThePage_MatchTheSetupWindow()
     {
         var looked = ProjectChecks.ForHoloLens().OfType<CapabilityCheck>().Select(c => c.Title["Capability ".Length..]);
         var table = Page[Page.IndexOf("| Capability | Why |", StringComparison.Ordinal)..];

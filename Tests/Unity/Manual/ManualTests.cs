@@ -13,7 +13,7 @@ public sealed partial class ManualTests
     static IEnumerable<Type> Types => InspectedType.All;
 
     [TestCaseSource(nameof(Types))]
-    public void Type_OfThePackage_HasAMenuEntryAndAPageOfItsName(Type type)
+    public void Type_OfThePackage_HasAMenuEntryAndAPage(Type type)
     {
         var inspected = new InspectedType(type);
 
@@ -23,7 +23,7 @@ public sealed partial class ManualTests
     }
 
     [TestCaseSource(nameof(Types))]
-    public void Page_Fields_AreThoseOfTheInspectorInItsOrder(Type type)
+    public void Page_Fields_MatchTheInspectorInOrder(Type type)
     {
         var inspected = new InspectedType(type);
 
@@ -33,7 +33,7 @@ public sealed partial class ManualTests
     }
 
     [TestCaseSource(nameof(Types))]
-    public void Page_Defaults_AreThoseOfANewOne(Type type)
+    public void Page_Defaults_MatchANewComponent(Type type)
     {
         var inspected = new InspectedType(type);
         var rows = ManualPage.Read(inspected.PageName).TableUnder("Fields").ToDictionary(r => r[0]);
@@ -45,7 +45,7 @@ public sealed partial class ManualTests
     }
 
     [TestCaseSource(nameof(Types))]
-    public void Page_Ranges_AreThoseOfTheSliders(Type type)
+    public void Page_Ranges_MatchTheSliders(Type type)
     {
         var inspected = new InspectedType(type);
         var rows = ManualPage.Read(inspected.PageName).TableUnder("Fields").ToDictionary(r => r[0]);
@@ -57,7 +57,7 @@ public sealed partial class ManualTests
     }
 
     [TestCaseSource(nameof(Types))]
-    public void Page_EveryField_SaysWhatItIsFor(Type type)
+    public void Page_EveryField_HasADescription(Type type)
     {
         var rows = ManualPage.Read(new InspectedType(type).PageName).TableUnder("Fields");
 
@@ -65,7 +65,7 @@ public sealed partial class ManualTests
     }
 
     [TestCaseSource(nameof(Types))]
-    public void Page_Members_AreThoseOfTheClass(Type type)
+    public void Page_Members_MatchTheClass(Type type)
     {
         var inspected = new InspectedType(type);
 
@@ -87,7 +87,7 @@ public sealed partial class ManualTests
     [TestCase("m_URDFText", "URDF Text")]
     [TestCase("GpuCompletion", "Gpu Completion")]
     [TestCase("joint", "Joint")]
-    public void Label_OfAName_IsWhatUnityMakes(string name, string label)
+    public void Label_OfAName_EqualsUnitys(string name, string label)
     {
         Assert.That(InspectedType.Label(name), Is.EqualTo(label));
     }

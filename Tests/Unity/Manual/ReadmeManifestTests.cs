@@ -23,7 +23,7 @@ public sealed partial class ReadmeManifestTests
     }
 
     [Test]
-    public void Block_Dependencies_AreThePackagesOwnAtItsVersions()
+    public void Block_Dependencies_MatchThePackage()
     {
         var own = Package.GetProperty("name").GetString();
 
@@ -34,7 +34,7 @@ public sealed partial class ReadmeManifestTests
     }
 
     [Test]
-    public void Block_Registries_AreThoseOfTheProject()
+    public void Block_Registries_MatchTheProject()
     {
         Assert.That(Registries(Block), Is.EquivalentTo(Registries(Project)));
     }

@@ -40,7 +40,7 @@ public sealed partial class TooltipTests
     [TestCase("Visualisation Ms", "L_visu in ms.", true)]
     [TestCase("Visualisation Ms", "L_visu of displays and forms.", false)]
     [TestCase("Visualisation Ms", null, false)]
-    public void Unit_IsTakenForNamed_OnlyWhereBothNameIt(string label, string tooltip, bool expected)
+    public void Unit_OfAField_IsNamedOnlyIfLabelAndTooltipContainIt(string label, string tooltip, bool expected)
     {
         Assert.That(NamesItsUnit(label, tooltip), Is.EqualTo(expected));
     }

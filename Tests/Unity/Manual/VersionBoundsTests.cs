@@ -42,7 +42,7 @@ public sealed partial class VersionBoundsTests
     [TestCase("README.md")]
     [TestCase(RepositoryFiles.Package + "/README.md")]
     [TestCase(RepositoryFiles.Package + "/Documentation~/deploy-hololens2.md")]
-    public void Installation_BeginsWithTheCommand(string path)
+    public void Installation_OfEachPage_StartsWithTheCommand(string path)
     {
         var text = RepositoryFiles.Read(path);
         var command = text.IndexOf("-- unity PATH", StringComparison.Ordinal);

@@ -71,13 +71,13 @@ public sealed class ConsentPromptTests
     }
 
     [Test]
-    public void Prompt_NothingIsAsked_IsHidden()
+    public void Prompt_NoQuestion_IsHidden()
     {
         Assert.That(_content.activeSelf, Is.False);
     }
 
     [Test]
-    public void Prompt_SomethingIsAsked_ShowsItInLinesThatFit()
+    public void Prompt_Question_ShowsItInFittingLines()
     {
         LookAtTheMarker();
 
@@ -87,7 +87,7 @@ public sealed class ConsentPromptTests
     }
 
     [Test]
-    public void Accept_Pressed_AgreesAndHides()
+    public void Accept_Pressed_AcceptsAndHides()
     {
         LookAtTheMarker();
 
@@ -100,7 +100,7 @@ public sealed class ConsentPromptTests
     }
 
     [Test]
-    public void Accept_PressedBeforeTheQuestionCanBeRead_DoesNothing()
+    public void Accept_PressedTooEarly_IsIgnored()
     {
         LookAtTheMarker();
         _pairing.Refuse();
@@ -122,7 +122,7 @@ public sealed class ConsentPromptTests
     }
 
     [Test]
-    public void Refuse_Pressed_ConnectsToNobodyAndHides()
+    public void Refuse_Pressed_DoesNotConnectAndHides()
     {
         LookAtTheMarker();
 
@@ -136,7 +136,7 @@ public sealed class ConsentPromptTests
     }
 
     [Test]
-    public void Buttons_OfThePrompt_CannotBeSpoken()
+    public void Buttons_OfThePrompt_HaveNoVoiceCommands()
     {
         Assert.That(_accept.AllowSelectByVoice, Is.False);
         Assert.That(_refuse.AllowSelectByVoice, Is.False);

@@ -55,7 +55,7 @@ public sealed class GraspableTests
     }
 
     [Test]
-    public void Marker_TurnedByAHandleWhileHeld_MovesUntilBothAreLetGoOf()
+    public void Marker_TurnedByAHandleWhileHeld_MovesUntilBothAreReleased()
     {
         var marker = Marker(withHandles: true);
         var handles = _object.GetComponent<BoundsControl>();
@@ -70,7 +70,7 @@ public sealed class GraspableTests
     }
 
     [Test]
-    public void Marker_DisabledWhileHeld_IsPutDown()
+    public void Marker_DisabledWhileHeld_IsReleased()
     {
         var marker = Marker();
         _manipulator.Enter();
@@ -81,7 +81,7 @@ public sealed class GraspableTests
     }
 
     [Test]
-    public void Marker_NothingToMove_SaysWhatIsMissing()
+    public void Marker_MissingReferences_LogsThem()
     {
         new GameObject("Lone").AddComponent<GraspableMarker>();
 
@@ -90,7 +90,7 @@ public sealed class GraspableTests
     }
 
     [Test]
-    public void Panel_Grasped_StaysUntilItIsToldToFollow()
+    public void Panel_Grasped_StaysUntilFollowIsPressed()
     {
         var follow = _object.AddComponent<BodyFollow>();
         var pin = new GameObject("Pin").AddComponent<PressableButton>();

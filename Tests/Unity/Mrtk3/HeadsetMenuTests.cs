@@ -61,7 +61,7 @@ public sealed class HeadsetMenuTests
     }
 
     [Test]
-    public void Toggle_Pressed_ActsAndStaysInStep()
+    public void Toggle_Pressed_ActsAndShowsTheState()
     {
         Press(_ghost);
         Run();
@@ -71,7 +71,7 @@ public sealed class HeadsetMenuTests
     }
 
     [Test]
-    public void Toggle_SomebodyElseActed_Follows()
+    public void Toggle_StateChangedElsewhere_Follows()
     {
         _actions.SetGhost(true);
         Run();
@@ -80,7 +80,7 @@ public sealed class HeadsetMenuTests
     }
 
     [Test]
-    public void Toggle_ActionCannotBeDone_GoesBack()
+    public void Toggle_ActionFails_Reverts()
     {
         UnityEngine.Object.DestroyImmediate(_session.GetComponentInChildren<Ghost>(true).gameObject);
 
@@ -91,7 +91,7 @@ public sealed class HeadsetMenuTests
     }
 
     [Test]
-    public void Slider_AtTheStart_ShowsWhatIsAndChangesNothing()
+    public void Slider_AtTheStart_ShowsTheCurrentValue()
     {
         Assert.That(_opacity.Value, Is.EqualTo(1), "the slider itself stood at 0.5");
         Assert.That(_actions.Opacity, Is.EqualTo(1));
@@ -99,7 +99,7 @@ public sealed class HeadsetMenuTests
     }
 
     [Test]
-    public void Slider_Moved_ActsAndSaysTheValue()
+    public void Slider_Moved_ActsAndShowsTheValue()
     {
         _nudge.Value = -7.5f;
         _opacity.Value = 0.25f;
@@ -111,7 +111,7 @@ public sealed class HeadsetMenuTests
     }
 
     [Test]
-    public void Slider_ValueIsBeyondItsRange_ShowsTheEndAndLeavesTheValue()
+    public void Slider_ValueBeyondItsRange_ShowsTheEndAndKeepsTheValue()
     {
         _actions.SetNudgeMs(35);
         Run();
@@ -122,7 +122,7 @@ public sealed class HeadsetMenuTests
     }
 
     [Test]
-    public void Slider_RuntimePredictsTheLight_SaysThatItCountsNotTheNudge()
+    public void Slider_RuntimePredictsDisplayTimes_ShowsThatTheNudgeHasNoEffect()
     {
         _session.Session.DisplayTimeSource = new Ahead();
         Run();
@@ -136,7 +136,7 @@ public sealed class HeadsetMenuTests
     }
 
     [Test]
-    public void Menu_NoActions_SaysSoOnce()
+    public void Menu_NoActions_IsLoggedOnce()
     {
         new GameObject("Lone").AddComponent<HeadsetMenu>();
         Run();

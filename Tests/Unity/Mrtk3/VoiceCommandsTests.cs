@@ -43,7 +43,7 @@ public sealed class VoiceCommandsTests
     }
 
     [Test]
-    public void Keyword_RecognitionStartsLate_IsHeard()
+    public void Keyword_RecognitionStartsLate_IsRecognised()
     {
         Run(5);
         XRSubsystemHelpers.Provide(_speech);
@@ -57,7 +57,7 @@ public sealed class VoiceCommandsTests
     }
 
     [Test]
-    public void Keyword_RecognitionStopsAndAnotherStarts_IsHeardOnce()
+    public void Keyword_RecognitionReplaced_IsRecognisedOnce()
     {
         XRSubsystemHelpers.Provide(_speech);
         Run(0.1);
@@ -85,7 +85,7 @@ public sealed class VoiceCommandsTests
     }
 
     [Test]
-    public void Keyword_DisabledAndRegisteredBeforeByAnother_StaysWithTheOthersListener()
+    public void Keyword_DisabledAndAlsoRegisteredByAnother_KeepsTheOthersListener()
     {
         var others = 0;
         _speech.CreateOrGetEventForKeyword("overlay ghost").AddListener(() => others++);
@@ -128,7 +128,7 @@ public sealed class VoiceCommandsTests
     }
 
     [Test]
-    public void Keyword_NoRecognition_IsSaidOnceAndNotAsAWarning()
+    public void Keyword_NoRecognition_IsLoggedOnceWithoutAWarning()
     {
         Run(30);
 

@@ -70,7 +70,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Marker_OfAnUnknownGateway_AsksAndConnectsToNobody()
+    public void Marker_OfAnUnknownGateway_AsksWithoutConnecting()
     {
         var before = _session.Settings;
         var asked = 0;
@@ -88,7 +88,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Accept_GivesSessionAndAnchorWhatTheCodeSays()
+    public void Accept_Question_ConfiguresSessionAndAnchor()
     {
         var before = _session.Settings;
         _shown.Texts.Add(Desk);
@@ -107,7 +107,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Accept_GatewayOfAnotherMachine_WaitsForItsCode()
+    public void Accept_GatewayOnAnotherMachine_WaitsForItsCode()
     {
         _shown.Texts.Add(Press);
         Frames();
@@ -121,7 +121,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Refuse_AsksNoMore()
+    public void Refuse_Question_IsNotAskedAgain()
     {
         _shown.Texts.Add(Desk);
         Frames();
@@ -134,7 +134,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Restart_ConnectsToTheCellWithoutAMarker()
+    public void Restart_PairedCell_ConnectsWithoutAMarker()
     {
         _shown.Texts.Add(Desk);
         Frames();
@@ -151,7 +151,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Session_WithItsCell_IsNotStartedAnewByMoreOfTheSame()
+    public void Session_SameCellSeenAgain_IsNotRestarted()
     {
         _shown.Texts.Add(Desk);
         Frames();
@@ -168,7 +168,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Forget_LeavesTheCell()
+    public void Forget_PairedCell_DisconnectsAndRemovesIt()
     {
         _shown.Texts.Add(Desk);
         Frames();
@@ -188,7 +188,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void ForgetCell_OfTheActions_AsksAndAnAcceptedQuestionLeavesTheCell()
+    public void ForgetCell_OfTheActions_AsksAndForgetsIfAccepted()
     {
         var actions = _session.gameObject.AddComponent<CellActions>();
         _shown.Texts.Add(Desk);
@@ -209,7 +209,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void ForgetCell_NoPairing_IsSaid()
+    public void ForgetCell_NoPairing_IsLogged()
     {
         var actions = _session.gameObject.AddComponent<CellActions>();
         UnityEngine.Object.Destroy(_pairing);
@@ -221,7 +221,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void File_Damaged_IsSaidAndKeptAside()
+    public void File_Damaged_IsReportedAndRenamed()
     {
         File.WriteAllText(FilePath, "{\"format\":");
 
@@ -250,7 +250,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Listener_ThatDisablesIt_IsHeardOut()
+    public void Listener_DisablesThePairing_CompletesTheEvent()
     {
         var onAsked = new UnityEvent();
         onAsked.AddListener(() => _pairing.enabled = false);
@@ -264,7 +264,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Listener_OfTheAnchorThatThrows_LosesNothing()
+    public void Listener_OfTheAnchorThrows_PairingStillCompletes()
     {
         var changes = 0;
         _anchor.StateChanged += () => throw new InvalidOperationException("a listener's own fault");
@@ -281,7 +281,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Listener_OfTheAnchorThatDisablesThePairing_LosesNothing()
+    public void Listener_OfTheAnchorDisablesThePairing_PairingStillCompletes()
     {
         _anchor.StateChanged += () => _pairing.enabled = false;
         _shown.Texts.Add(Desk);
@@ -295,7 +295,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Code_ThatTheDeviceOnlyRemembers_AsksNothing()
+    public void Code_SeenLongAgo_AsksNothing()
     {
         _shown.Texts.Add(Desk);
         _shown.Seen = _cell.Clock.Now - TimeSpan.FromSeconds(10);
@@ -306,7 +306,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Code_ThatIsNotFollowed_AsksNothing()
+    public void Code_NotTracked_AsksNothing()
     {
         _shown.Texts.Add(Desk);
         _shown.Tracking = MarkerTracking.None;
@@ -317,7 +317,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Malformed_IsSaidOnceInTheConsole()
+    public void Code_Malformed_IsLoggedOnce()
     {
         _shown.Texts.Add("nowpose:cell/1?n=a");
         _shown.Texts.Add("https://example.org/");
@@ -328,7 +328,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Frames_WithNothingNew_DoNotAllocate()
+    public void Frames_WithoutChanges_DoNotAllocate()
     {
         _shown.Texts.AddRange([Desk, Press, "https://example.org/", "nowpose:cell/1?n=a"]);
         Frames();
@@ -347,7 +347,7 @@ public class CellPairingTests
     long Measured() => _cell.AllocatedIn(() => Frames(600));
 
     [Test]
-    public void NoSession_IsSaid()
+    public void Session_Missing_IsLogged()
     {
         _cell.Frame(null);
 

@@ -67,7 +67,7 @@ public class PairedGatewayTests
     }
 
     [Test]
-    public async Task TwoCodes_SeenOnce_ConnectTheHeadsetForGood()
+    public async Task TwoCodes_SeenOnce_PairTheHeadsetPermanently()
     {
         var paired = 0;
         var onPaired = new UnityEvent();
@@ -88,7 +88,7 @@ public class PairedGatewayTests
     }
 
     [Test]
-    public async Task TokenRevoked_AnotherCode_BringsAnotherToken()
+    public async Task Token_RevokedAndAnotherCodeSeen_IsReplaced()
     {
         await PairAsync();
         Assert.That(_pairing.Guidance, Is.Null);
@@ -104,7 +104,7 @@ public class PairedGatewayTests
     }
 
     [Test]
-    public async Task UsedCode_IsSaidAndTheNextOneWorks()
+    public async Task Code_AlreadyUsed_IsReportedAndTheNextWorks()
     {
         var used = await _gateway.ShownAsync();
         await _gateway.ExchangeAsync(used.Token, "another headset");
@@ -121,7 +121,7 @@ public class PairedGatewayTests
     }
 
     [Test]
-    public async Task Console_NeverShowsASecret()
+    public async Task Console_WhilePairing_NeverShowsASecret()
     {
         var code = await _gateway.ShownAsync();
 

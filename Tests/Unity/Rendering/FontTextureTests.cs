@@ -38,7 +38,7 @@ public sealed class FontTextureTests
     }
 
     [Test]
-    public void OnEnable_FontMaterial_GivesItsTexture()
+    public void OnEnable_FontMaterial_SetsItsTexture()
     {
         _renderer.gameObject.SetActive(true);
 
@@ -46,7 +46,7 @@ public sealed class FontTextureTests
     }
 
     [Test]
-    public void LateUpdate_FontHasAnotherTexture_GivesThat()
+    public void LateUpdate_FontHasAnotherTexture_SetsThat()
     {
         _renderer.gameObject.SetActive(true);
 

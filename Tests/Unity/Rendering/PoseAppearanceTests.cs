@@ -86,7 +86,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_Current_IsDrawnAsItIsWithoutWords()
+    public void Show_Current_IsDrawnUnchangedWithoutWords()
     {
         BeCurrent();
 
@@ -96,7 +96,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_BeforeTheFirstPositions_NothingIsDrawnButTheWords()
+    public void Show_BeforeTheFirstPositions_DrawsOnlyTheWords()
     {
         _cell.IsPlantUp = false;
         var wasVisible = new List<bool>();
@@ -110,7 +110,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_NotSynchronised_IsFaintStripedAndSaysSo()
+    public void Show_NotSynchronised_IsFaintStripedWithWords()
     {
         _cell.IsSyncUp = false;
 
@@ -136,7 +136,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_RigDisabled_IsNotDrawnUntilItFollowsAgain()
+    public void Show_RigDisabled_IsNotDrawnUntilEnabled()
     {
         BeCurrent();
 
@@ -153,7 +153,7 @@ public class PoseAppearanceTests
     [TestCase(false, false)]
     [TestCase(true, false)]
     [TestCase(false, true)]
-    public void Show_RigDestroyed_WhatItLeftIsNotDrawn(bool refreshed, bool enabledAgain)
+    public void Show_RigDestroyed_ItsPartsAreNotDrawn(bool refreshed, bool enabledAgain)
     {
         BeCurrent();
         var arm = _rig.Link("arm_link_2").GetComponentInChildren<MeshRenderer>();
@@ -172,7 +172,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_NeverHadARig_IsDrawnAsThePoseIs()
+    public void Show_WithoutRig_IsDrawnByThePose()
     {
         var sign = Part("Sign", _session.transform);
         sign.gameObject.AddComponent<PoseAppearance>();
@@ -194,7 +194,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_GripperRidesOnARigElsewhere_IsDrawnAsThePoseIs()
+    public void Show_GripperOnARigElsewhere_IsDrawnByThePose()
     {
         var (_, part, words) = MountElsewhere();
 
@@ -210,7 +210,7 @@ public class PoseAppearanceTests
     [TestCase("flange unknown")]
     [TestCase("gripper disabled")]
     [TestCase("gripper destroyed")]
-    public void Show_GripperRidesOnNothingThatFollows_IsNotDrawn(string trouble)
+    public void Show_GripperOnARigThatDoesNotFollow_IsNotDrawn(string trouble)
     {
         if (trouble == "rig refused") Child("arm_link_0", _rig.transform);
         var (gripper, part, words) = MountElsewhere(trouble == "flange unknown" ? "hand" : "");
@@ -227,7 +227,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_GripperBelowTheRigIsDisabled_TheArmAloneIsDrawn([Values] bool destroyed)
+    public void Show_GripperBelowTheRigIsDisabled_DrawsOnlyTheArm([Values] bool destroyed)
     {
         var gripper = Child("Gripper", _rig.transform).AddComponent<VirtualGripper>();
         var part = Part("Palm", gripper.transform);
@@ -245,7 +245,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_GripperSwitchedOffAsAWhole_NeedsNoWords()
+    public void Show_GripperObjectInactive_HasNoWords()
     {
         var gripper = Child("Gripper", _rig.transform).AddComponent<VirtualGripper>();
         BeCurrent();
@@ -257,7 +257,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_SamplesStop_IsFaintStripedAndSaysSoUntilTheyComeAgain()
+    public void Show_SamplesStop_IsFaintStripedWithWordsUntilTheyReturn()
     {
         BeCurrent();
 
@@ -275,7 +275,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_OutsideRange_IsFaintStripedAndSaysSo()
+    public void Show_OutsideRange_IsFaintStripedWithWords()
     {
         BeCurrent();
 
@@ -288,7 +288,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Abandon_Paused_WhatIsStillDrawnIsNotTakenForCurrent()
+    public void Abandon_Paused_IsDrawnAsNotCurrent()
     {
         BeCurrent();
 
@@ -307,7 +307,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Abandon_BeforeTheFirstPositions_StaysUndrawn()
+    public void Abandon_BeforeTheFirstPositions_IsNotDrawn()
     {
         _cell.IsPlantUp = false;
         Play(0.5);
@@ -319,7 +319,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Refresh_RigBuiltAtRunTime_IsTakenUp()
+    public void Refresh_RigBuiltAtRunTime_IncludesItsParts()
     {
         _cell.IsPlantUp = false;
 
@@ -344,7 +344,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_RendererTheUserSwitchedOff_StaysOff()
+    public void Show_RendererDisabledByTheUser_StaysDisabled()
     {
         _tool.enabled = false;
 
@@ -355,7 +355,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void LateUpdate_Words_FaceTheViewerAndCanBeRead()
+    public void LateUpdate_Words_FaceTheViewerAndAreReadable()
     {
         _cell.IsPlantUp = false;
         Play(0.5);
@@ -373,7 +373,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void OnDisable_WhileFaint_GivesBackWhatItTook()
+    public void OnDisable_WhileFaint_RestoresTheRenderers()
     {
         _cell.IsPlantUp = false;
         Play(1);
@@ -386,7 +386,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void OnDisable_UsersOwnLook_IsThereAgain()
+    public void OnDisable_UsersOwnLook_IsRestored()
     {
         var block = new MaterialPropertyBlock();
         block.SetFloat("_Fade", 0.25f);
@@ -414,7 +414,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Refresh_RendererHasLeft_LooksAsBefore()
+    public void Refresh_RendererMovedAway_IsRestored()
     {
         _cell.IsPlantUp = false;
         Play(0.5);
@@ -428,7 +428,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void OnEnable_Again_LooksAsThePoseIs()
+    public void OnEnable_Again_LooksLikeThePose()
     {
         BeCurrent();
         _cell.IsPlantUp = false;
@@ -442,7 +442,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_StatesComingAndGoing_AllocatesNothing()
+    public void Show_ChangingStates_AllocatesNothing()
     {
         // Changes too short for a console message each time.
         _eachFrame = frame => _cell.IsPlantUp = frame % 40 < 12;
@@ -459,7 +459,7 @@ public class PoseAppearanceTests
         ((Delegate)source.GetType().GetField(name, BindingFlags.Instance | BindingFlags.NonPublic).GetValue(source))?.GetInvocationList().Length ?? 0;
 
     [Test]
-    public void OnDisable_AtAnyFrame_LeavesNoListenerBehind([Values(0, 1, 2, 300)] int frames, [Values] bool destroyed)
+    public void OnDisable_AtAnyFrame_RemovesItsListeners([Values(0, 1, 2, 300)] int frames, [Values] bool destroyed)
     {
         int[] Count() => [Listeners(_session, "Shown"), Listeners(_session, "Hidden"), Listeners(_rig, "Bound")];
         _appearance.enabled = false;
@@ -479,7 +479,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void OnDestroy_AtAnyFrame_ThrowsNothingLater([Values(0, 1, 2, 300)] int frames, [Values] bool words)
+    public void OnDestroy_AtAnyFrame_DoesNotThrowLater([Values(0, 1, 2, 300)] int frames, [Values] bool words)
     {
         Play(0);
         for (var i = 0; i < frames; i++) _cell.Frame(_session);

@@ -137,7 +137,7 @@ public sealed class PoseOwnMaterialTests
     }
 
     [Test]
-    public void Show_AnyMaterial_LooksDifferentWhileNotCurrentAndAsBeforeAfterwards([Values] Sort sort, [Values] bool substitute)
+    public void Show_AnyMaterial_LooksDifferentOnlyWhileNotCurrent([Values] Sort sort, [Values] bool substitute)
     {
         _tool.sharedMaterials = Of(sort);
         if (!substitute) _appearance.With("_substitute", null);
@@ -156,7 +156,7 @@ public sealed class PoseOwnMaterialTests
     }
 
     [Test]
-    public void OnDisable_WhileNotCurrent_GivesTheMaterialsBack([Values] Sort sort)
+    public void OnDisable_WhileNotCurrent_RestoresTheMaterials([Values] Sort sort)
     {
         _tool.sharedMaterials = Of(sort);
         BeCurrent();
@@ -183,7 +183,7 @@ public sealed class PoseOwnMaterialTests
     }
 
     [Test]
-    public void Show_BlendedInTheFaintestStripedLook_LosesAtLeastFortyPercent()
+    public void Show_BlendedInTheFaintestStripedLook_LosesAtLeastFortyPercentOfItsAlpha()
     {
         _tool.sharedMaterial = Blended("_Color", 1);
         BeCurrent();
@@ -201,7 +201,7 @@ public sealed class PoseOwnMaterialTests
 
     /// <summary>Graphics Tools Standard has a property _Fade with the opposite meaning of this package's: 1 is fully visible.</summary>
     [Test]
-    public void Show_FadeWithoutHatch_IsLeftToTheUser([Values] bool several)
+    public void Show_FadeWithoutHatch_IsUnchanged([Values] bool several)
     {
         var brass = NewMaterial("Brass", ("_Fade", 1));
         _tool.sharedMaterials = several ? [NewMaterial("Hologram", ("_Fade", 0), ("_Hatch", 0)), brass] : [brass];
@@ -219,7 +219,7 @@ public sealed class PoseOwnMaterialTests
     }
 
     [Test]
-    public void Show_SubstituteWithAFadeOfItsOwn_KeepsIt()
+    public void Show_SubstituteWithItsOwnFade_KeepsIt()
     {
         _substitute.SetFloat("_Fade", 0.7f);
         _tool.sharedMaterial = NewMaterial("Brass", ("_Fade", 1));
@@ -231,7 +231,7 @@ public sealed class PoseOwnMaterialTests
     }
 
     [Test]
-    public void Show_OpaqueWithBlocksOfTheUsers_HasThemAgain([Values] bool changed)
+    public void Show_OpaqueWithUserPropertyBlocks_RestoresThem([Values] bool changed)
     {
         _tool.sharedMaterials = [NewMaterial("Brass", ("_Fade", 1)), NewMaterial("Steel")];
         var (whole, single) = (new MaterialPropertyBlock(), new MaterialPropertyBlock());
@@ -258,7 +258,7 @@ public sealed class PoseOwnMaterialTests
     }
 
     [Test]
-    public void Show_PatternReplacedByAnOppositeFade_LeavesTheNewMaterialAsItIs()
+    public void Show_PatternReplacedByAnOppositeFade_DoesNotChangeTheNewMaterial()
     {
         _tool.sharedMaterial = NewMaterial("Hologram", ("_Fade", 0), ("_Hatch", 0));
         BeCurrent();
@@ -285,7 +285,7 @@ public sealed class PoseOwnMaterialTests
     }
 
     [Test]
-    public void Show_BlendedWithoutABlockOfTheUsers_LeavesNoneBehind()
+    public void Show_BlendedWithoutUserPropertyBlock_RemovesItsOwn()
     {
         var material = Blended("_Color", 1);
         _tool.sharedMaterial = material;
@@ -300,7 +300,7 @@ public sealed class PoseOwnMaterialTests
     }
 
     [Test]
-    public void Show_BlendedWithABlockOfTheUsers_HasItsColourAgain()
+    public void Show_BlendedWithUserPropertyBlock_RestoresItsColour()
     {
         _tool.sharedMaterial = Blended("_Color", 1);
         var block = new MaterialPropertyBlock();
@@ -363,7 +363,7 @@ public sealed class PoseOwnMaterialTests
     }
 
     [Test]
-    public void Show_MaterialChangedMeanwhile_IsTheOneThatStays()
+    public void Show_MaterialChangedWhileNotCurrent_KeepsTheNewOne()
     {
         _tool.sharedMaterial = NewMaterial("Steel");
         BeCurrent();
@@ -395,7 +395,7 @@ public sealed class PoseOwnMaterialTests
     }
 
     [Test]
-    public void Show_StatesComingAndGoing_AllocatesNothing([Values(Sort.Blended, Sort.Opaque, Sort.Several, Sort.SeveralOppositeFade)] Sort sort)
+    public void Show_ChangingStates_AllocatesNothing([Values(Sort.Blended, Sort.Opaque, Sort.Several, Sort.SeveralOppositeFade)] Sort sort)
     {
         _tool.sharedMaterials = Of(sort);
         _session.gameObject.SetActive(true);

@@ -56,7 +56,7 @@ public class RenderTimeSourceTests
     IEnumerable<string> Said() => _cell.Player.Logs.Select(l => l.Message).Where(m => m.StartsWith("[Nowpose] render time: ")).Select(m => m[23..]);
 
     [Test]
-    public void LateUpdate_AllSourcesThere_TakesTheHeadsetsGpuTime()
+    public void LateUpdate_AllSourcesAvailable_UsesTheHeadsetsGpuTime()
     {
         DisplayTakes(0.009f);
         EngineTakes(11);
@@ -69,14 +69,14 @@ public class RenderTimeSourceTests
         Assert.That(_session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9).Within(1e-3));
         Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Inside));
         Assert.That(Said(), Is.EqualTo(new[] { "GPU time by headset" }), "once");
-        Assert.That(Gpu.PendingReadbacks, Is.EqualTo(0), "nobody needs them");
+        Assert.That(Gpu.PendingReadbacks, Is.EqualTo(0), "they are not needed");
     }
 
     [TestCase(null)]
     [TestCase(0f)]
     [TestCase(float.NaN)]
     [TestCase(12f)]
-    public void LateUpdate_HeadsetTellsNothingUseful_TakesTheEnginesGpuTime(float? seconds)
+    public void LateUpdate_HeadsetTimeInvalid_UsesTheEnginesGpuTime(float? seconds)
     {
         DisplayTakes(seconds);
         EngineTakes(11);
@@ -118,7 +118,7 @@ public class RenderTimeSourceTests
 
     [TestCase(-1, false)]
     [TestCase(1, true)]
-    public void LateUpdate_NoReadbacksEither_TakesTheProcessorsTimeAndSaysUnverified(int readbackFrames, bool fail)
+    public void LateUpdate_NoGpuTimesOrReadbacks_UsesTheCpuTimeMarkedAsUnverified(int readbackFrames, bool fail)
     {
         Gpu.ReadbackFrames = readbackFrames;
         Gpu.ReadbacksFail = fail;
@@ -132,7 +132,7 @@ public class RenderTimeSourceTests
     }
 
     [Test]
-    public void LateUpdate_SeveralCameras_AreTakenTogether()
+    public void LateUpdate_SeveralCameras_AreSummed()
     {
         _cell.Clock.Step = TimeSpan.FromMilliseconds(1);
         new GameObject("second").AddComponent<Camera>();
@@ -144,7 +144,7 @@ public class RenderTimeSourceTests
     }
 
     [Test]
-    public void LateUpdate_NothingMeasures_IsNone()
+    public void LateUpdate_NoSource_IsNone()
     {
         _cell.Clock.Step = TimeSpan.Zero;
 
@@ -156,7 +156,7 @@ public class RenderTimeSourceTests
     }
 
     [Test]
-    public void LateUpdate_GpuTimesFallSilent_TheNextBestTakesOverAndItIsSaidOnce()
+    public void LateUpdate_GpuTimesStop_UsesTheNextBestAndLogsItOnce()
     {
         DisplayTakes(0.02f);
         Gpu.ReadbackFrames = 1;
@@ -193,7 +193,7 @@ public class RenderTimeSourceTests
     }
 
     [Test]
-    public void OnDisable_WhileMeasuring_TellsTheSessionThatNothingMeasures()
+    public void OnDisable_WhileMeasuring_SetsTheSessionsSourceToNone()
     {
         DisplayTakes(0.02f);
         Play(2);
@@ -228,7 +228,7 @@ public class RenderTimeSourceTests
     }
 
     [Test]
-    public void OnDestroy_AtAnyFrame_LeavesNothingBehind([Values] bool byObject, [Values(0, 1, 7, 45)] int frames)
+    public void OnDestroy_AtAnyFrame_LeaksNothing([Values] bool byObject, [Values(0, 1, 7, 45)] int frames)
     {
         Gpu.ReadbackFrames = 3;
         _cell.Clock.Step = TimeSpan.FromMilliseconds(1);
@@ -248,7 +248,7 @@ public class RenderTimeSourceTests
     }
 
     [Test]
-    public void Tell_SessionBeginsAnewAfterAPause_HearsOfRenderTimesAgain()
+    public void Report_SessionRestartsAfterAPause_ReceivesRenderTimesAgain()
     {
         DisplayTakes(0.02f);
         Play(2);

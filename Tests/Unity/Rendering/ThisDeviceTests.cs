@@ -59,7 +59,7 @@ public sealed class ThisDeviceTests
     }
 
     [Test]
-    public void Conditions_NoDisplayAndNoOpenXr_AreUnknownThere()
+    public void Conditions_NoDisplayAndNoOpenXr_AreUnknown()
     {
         Assert.That(ThisDevice.Conditions, Is.EqualTo(
             new DisplayConditions("Stand-in", null, "Direct3D11", "MultiThreaded", "built-in")));
@@ -79,7 +79,7 @@ public sealed class ThisDeviceTests
     }
 
     [Test]
-    public void OneLine_NameThatNoProfileMayHave_IsMadeUsable()
+    public void OneLine_InvalidName_IsMadeValid()
     {
         var name = ThisDevice.OneLine("PC\n" + new string('x', 200));
 
@@ -91,7 +91,7 @@ public sealed class ThisDeviceTests
     [TestCase(typeof(SettingsWithout), null)]
     [TestCase(typeof(SettingsWithoutNativeLibrary), null)]
     [TestCase(null, null)]
-    public void LatencyOptimizationOf_SettingsOfAVersion_IsReadOrUnknown(Type settings, string expected)
+    public void LatencyOptimizationOf_SettingsOfAnyVersion_IsReadOrUnknown(Type settings, string expected)
     {
         Assert.That(OpenXrRenderSettings.LatencyOptimizationOf(settings), Is.EqualTo(expected));
     }

@@ -57,7 +57,7 @@ public sealed class AnyOpenXrHeadsetTests
     HandPlacedMarker Marker => _session.GetComponentInChildren<HandPlacedMarker>();
 
     [Test]
-    public void Scene_Played_SaysNothingWrong()
+    public void Scene_Played_LogsNoErrors()
     {
         Run(2);
 
@@ -65,7 +65,7 @@ public sealed class AnyOpenXrHeadsetTests
     }
 
     [Test]
-    public void Head_Moves_TheCameraFollows()
+    public void Head_Moves_CameraFollows()
     {
         Controls.Set("<XRHMD>/centerEyePosition", new Vector3(0.1f, 1.6f, -0.2f));
         Controls.Set("<XRHMD>/centerEyeRotation", Quaternion.Euler(10, 20, 0));
@@ -88,7 +88,7 @@ public sealed class AnyOpenXrHeadsetTests
     }
 
     [Test]
-    public void Buttons_Others_DoWhatTheyAreFor()
+    public void Buttons_Others_TriggerTheirActions()
     {
         Press("<Keyboard>/c");
         Press("<XRController>{RightHand}/{SecondaryButton}");
@@ -132,7 +132,7 @@ public sealed class AnyOpenXrHeadsetTests
     }
 
     [Test]
-    public void Grip_HeldByAHandThatIsNotTracked_LeavesTheMarker()
+    public void Grip_HeldByAnUntrackedHand_DoesNotMoveTheMarker()
     {
         var before = Marker.transform.position;
         Controls.Set(Grip, true);
@@ -144,7 +144,7 @@ public sealed class AnyOpenXrHeadsetTests
     }
 
     [Test]
-    public void Scripts_SwitchedOffWhileCarrying_PutTheMarkerDown()
+    public void Scripts_DisabledWhileCarrying_ReleaseTheMarker()
     {
         MoveHand(new Vector3(0.3f, 1, 0.5f), Quaternion.identity);
         Controls.Set(Grip, true);

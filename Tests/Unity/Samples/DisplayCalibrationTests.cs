@@ -42,7 +42,7 @@ public sealed class DisplayCalibrationTests
     void Run(double seconds) => _cell.Run(seconds, _session, () => _cell.Player.World.Gpu.FrameTimings.Clear());
 
     [Test]
-    public async Task Scene_Played_SweepsByItselfAndLogsWhatItShows()
+    public async Task Scene_Played_SweepsAndLogsTheShownCodes()
     {
         _cell.Player.World.Gpu.ConnectDisplay();
         _cell.Player.World.Gpu.DisplayGpuTime = 0.006f;
@@ -68,7 +68,7 @@ public sealed class DisplayCalibrationTests
 
     // The photo camera of a HoloLens 2 has a vertical field of view of about 40 degrees; a code of a tenth of it can be read.
     [Test]
-    public void Code_FromTheViewer_IsAsLargeAsACameraNeedsAndUpright()
+    public void Code_FromTheViewer_IsUprightAndLargeEnoughForACamera()
     {
         Run(5);
         var head = _cell.Player.Find<Camera>().transform;
@@ -82,7 +82,7 @@ public sealed class DisplayCalibrationTests
     }
 
     [Test]
-    public void Load_FromTheViewer_IsInViewAndBehindAllElse()
+    public void Load_FromTheViewer_IsInViewBehindOtherObjects()
     {
         Run(5);
         _sweep.StopSweep();

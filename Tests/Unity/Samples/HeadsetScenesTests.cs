@@ -30,7 +30,7 @@ public sealed class HeadsetScenesTests
     }
 
     [TestCaseSource(nameof(Scenes))]
-    public void Camera_OfTheScene_ClearsToTransparentBlackAndKeepsTheDepthPrecise(string path)
+    public void Camera_OfTheScene_ClearsToTransparentBlackWithPreciseDepth(string path)
     {
         using var player = Play(path);
 
@@ -50,7 +50,7 @@ public sealed class HeadsetScenesTests
     }
 
     [TestCaseSource(nameof(Scenes))]
-    public void Objects_AtTheRoot_AreNoGroundThatHidesTheRoom(string path)
+    public void Objects_AtTheRoot_DoNotHideTheRoom(string path)
     {
         using var player = Play(path, out var roots);
 
@@ -59,7 +59,7 @@ public sealed class HeadsetScenesTests
 
     [TestCase("Samples~/Display Calibration/Display Calibration.unity")]
     [TestCase("Samples~/Any OpenXR headset/Any OpenXR headset.unity")]
-    public void Camera_HeadsetMoves_FollowsItAndStaysWhereItIsWithoutOne(string path)
+    public void Camera_HeadsetMoves_FollowsItAndKeepsItsPoseWithoutOne(string path)
     {
         using var player = Play(RepositoryFiles.Package + "/" + path);
         var camera = player.Find<Camera>().transform;

@@ -69,7 +69,7 @@ public sealed class HoloLensTests
     }
 
     [Test]
-    public void Menu_BeforeAHandIsShown_IsHiddenAndCannotBePressed()
+    public void Menu_WithoutHand_IsHiddenAndIgnoresPresses()
     {
         Press("Ghost");
 
@@ -78,7 +78,7 @@ public sealed class HoloLensTests
     }
 
     [Test]
-    public void Menu_TheHandGoes_IsHiddenAgain()
+    public void Menu_HandLost_IsHidden()
     {
         ShowTheHand();
 
@@ -91,7 +91,7 @@ public sealed class HoloLensTests
     [TestCase("Ghost")]
     [TestCase("Occlusion")]
     [TestCase("Panel")]
-    public void Toggle_Pressed_DoesItAndShowsIt(string name)
+    public void Toggle_Pressed_ActsAndShowsTheState(string name)
     {
         ShowTheHand();
         Run();
@@ -113,7 +113,7 @@ public sealed class HoloLensTests
     };
 
     [Test]
-    public void Sliders_Slid_NudgeAndFade()
+    public void Sliders_Moved_NudgeAndFade()
     {
         ShowTheHand();
         Run();
@@ -134,7 +134,7 @@ public sealed class HoloLensTests
     }
 
     [Test]
-    public void LockBase_PressedOrSaid_LetsTheMarkersSayAnew([Values] bool said)
+    public void LockBase_PressedOrSpoken_LocksByTheMarkersAgain([Values] bool said)
     {
         var anchor = Child<BaseAnchor>("Base Anchor");
         var seen = _session.gameObject.AddComponent<FakeMarkers>();
@@ -161,7 +161,7 @@ public sealed class HoloLensTests
     [TestCase("overlay ghost")]
     [TestCase("overlay occlusion")]
     [TestCase("overlay panel")]
-    public void Voice_MenuIsHidden_DoesTheSame(string keyword)
+    public void Voice_MenuHidden_TriggersTheSameActions(string keyword)
     {
         var name = char.ToUpperInvariant(keyword[8]) + keyword.Substring(9);
         var before = IsOn(name);
@@ -173,7 +173,7 @@ public sealed class HoloLensTests
     }
 
     [Test]
-    public void Voice_MoreOrLess_StepsWhatTheSlidersShow()
+    public void Voice_MoreOrLess_ChangesTheSlidersInSteps()
     {
         _speech.Say("overlay ahead");
         _speech.Say("overlay ahead");
@@ -200,7 +200,7 @@ public sealed class HoloLensTests
     }
 
     [Test]
-    public void Marker_GraspedAndMoved_TheBaseFollowsAndStays()
+    public void Marker_GraspedAndMoved_BaseFollowsAndStays()
     {
         var anchor = Child<BaseAnchor>("Base Anchor").transform;
         var marker = Child<HandPlacedMarker>("Hand-Placed Marker").transform;
@@ -213,7 +213,7 @@ public sealed class HoloLensTests
     }
 
     [Test]
-    public void Panel_HeldByItsBar_StaysThereUntilToldToFollow()
+    public void Panel_HeldByItsBar_StaysUntilFollowIsPressed()
     {
         var panel = Child<BodyFollow>("Status Panel (MRTK3)");
 
@@ -227,7 +227,7 @@ public sealed class HoloLensTests
     }
 
     [Test]
-    public void Panel_Closed_IsHiddenAndTheMenuKnows()
+    public void Panel_Closed_IsHiddenAndTheMenuShowsIt()
     {
         ShowTheHand();
         Press("Close");
@@ -238,7 +238,7 @@ public sealed class HoloLensTests
 
     [TestCase("Accept", "desk")]
     [TestCase("Refuse", null)]
-    public void Consent_CodeInView_IsAskedAndAnsweredByPressing(string button, string expected)
+    public void Consent_CodeInView_IsAskedAndAnsweredByAButton(string button, string expected)
     {
         var codes = ShownCodes.Below(_session);
         codes.Texts.Add(new CellCode("desk", "127.0.0.1", null, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text);
@@ -253,7 +253,7 @@ public sealed class HoloLensTests
 
     [TestCase("Accept", null)]
     [TestCase("Refuse", "desk")]
-    public void ForgetCell_Pressed_IsAskedAboutFirst(string button, string left)
+    public void ForgetCell_Pressed_AsksForConfirmation(string button, string left)
     {
         var codes = ShownCodes.Below(_session);
         codes.Texts.Add(new CellCode("desk", "127.0.0.1", null, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text);
@@ -287,7 +287,7 @@ public sealed class HoloLensTests
     }
 
     [Test]
-    public async Task Panel_OfAHeadsetThatKnowsNothing_LeadsThroughThePairingAndSaysWhatFails()
+    public async Task Panel_OfANewHeadset_GuidesThroughThePairingAndShowsFailures()
     {
         var pin = CertificatePin.Parse(Convert.ToBase64String(new byte[32]));
         var codes = ShownCodes.Below(_session);
@@ -310,7 +310,7 @@ public sealed class HoloLensTests
     }
 
     [Test]
-    public void Interaction_OfEverything_IsOpenToHandsPinchAndRay()
+    public void Interaction_OfAllObjects_SupportsHandPinchAndRay()
     {
         var grasped = _roots.SelectMany(r => r.GetComponentsInChildren<ObjectManipulator>(true)).ToList();
 
@@ -324,7 +324,7 @@ public sealed class HoloLensTests
     }
 
     [Test]
-    public void Buttons_OfTheSample_HaveWordsAndStandApart()
+    public void Buttons_OfTheSample_HaveLabelsAndDoNotOverlap()
     {
         var buttons = _roots.SelectMany(r => r.GetComponentsInChildren<PressableButton>(true)).ToList();
 

@@ -13,7 +13,7 @@ namespace Nowpose.Unity.Tests.Samples;
 public class VirtualRobotCellTests
 {
     /// <summary>The value is 0.89 to 0.91 on every machine, because time is virtual and random numbers are seeded.</summary>
-    const double LeastReduction = 0.85;
+    const double MinReduction = 0.85;
 
     static readonly (string Name, KnobRange Range)[] Knobs =
     [
@@ -28,7 +28,7 @@ public class VirtualRobotCellTests
 
     [TestCase("youbot")]
     [TestCase("ur5")]
-    public void Play_KnobsAsTheyCome_TheGapCloses(string robot)
+    public void Play_DefaultSettings_GapCloses(string robot)
     {
         using var sample = new PlayedSample(robot).Start().Run(6);
 
@@ -36,13 +36,13 @@ public class VirtualRobotCellTests
 
         Assert.That(sample.States, Is.All.EqualTo(PoseState.Current));
         Assert.That(Rms(sample.HoldErrors), Is.GreaterThan(0.02), "there is a gap to close");
-        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(LeastReduction));
-        Assert.That(sample.Session.Statistics.ErrorReduction, Is.GreaterThan(LeastReduction), "the panel says so, too");
+        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(MinReduction));
+        Assert.That(sample.Session.Statistics.ErrorReduction, Is.GreaterThan(MinReduction), "the panel shows it, too");
         Assert.That(Complaints(sample), Is.Empty);
     }
 
     [Test]
-    public void Scene_Played_TheGapCloses()
+    public void Scene_Played_GapCloses()
     {
         using var sample = PlayedSample.OfScene().Run(6);
 
@@ -50,7 +50,7 @@ public class VirtualRobotCellTests
 
         Assert.That(sample.States, Is.All.EqualTo(PoseState.Current));
         Assert.That(Rms(sample.HoldErrors), Is.GreaterThan(0.02), "there is a gap to close");
-        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(LeastReduction));
+        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(MinReduction));
         Assert.That(sample.Session.Statistics.SampleLink.State, Is.EqualTo(LinkState.Idle), "it needs no network");
         Assert.That(Complaints(sample), Is.Empty);
     }
@@ -69,7 +69,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void Play_Twice_IsTheSame()
+    public void Play_Twice_Repeats()
     {
         using var one = new PlayedSample().Start().Run(8);
         var first = one.Displayed.Tool.position;
@@ -79,7 +79,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void Play_SessionWithoutARobot_TakesTheControlSystems()
+    public void Play_SessionWithoutARobot_UsesTheControlSystems()
     {
         using var sample = new PlayedSample(sessionKnowsTheRobot: false).Start().Run(8);
 
@@ -89,7 +89,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void TruthRig_Playing_ShowsTheArmAndNotTheTool()
+    public void TruthRig_Playing_ShowsTheArmButNotTheTool()
     {
         using var sample = new PlayedSample().Start().Run(1);
 
@@ -101,7 +101,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void TruthRig_DisplaySlowerThanCalibrated_ShowsWhatThatDoes()
+    public void TruthRig_DisplaySlowerThanCalibrated_ShowsTheResultingGap()
     {
         using var calibrated = new PlayedSample().Start().Run(6).Run(10);
         using var slower = new PlayedSample();
@@ -117,7 +117,7 @@ public class VirtualRobotCellTests
     });
 
     [TestCaseSource(nameof(Ends))]
-    public void Knob_TurnedToItsEndWhilePlaying_ThrowsNothingAndCanBeTurnedBack(string knob, float value)
+    public void Knob_SetToItsLimitAndBackWhilePlaying_DoesNotThrow(string knob, float value)
     {
         using var sample = new PlayedSample().Start().Run(5);
         var field = typeof(SimulatedControlSystem).GetField(knob, BindingFlags.NonPublic | BindingFlags.Instance);
@@ -132,11 +132,11 @@ public class VirtualRobotCellTests
         Assert.That(Complaints(sample), Is.Empty);
         Assert.That(sample.States[^1], Is.EqualTo(PoseState.Current));
         if (atTheEnd.Count > 30)
-            Assert.That(Rms(atTheEnd.Errors), Is.LessThan(Rms(atTheEnd.HoldErrors) + 0.001), "what is called current is no worse than the hold");
+            Assert.That(Rms(atTheEnd.Errors), Is.LessThan(Rms(atTheEnd.HoldErrors) + 0.001), "current poses are no worse than held ones");
     }
 
     [Test]
-    public void Knobs_AllAtRandom_ThrowNothing([NUnit.Framework.Range(1, 8)] int seed)
+    public void Knobs_AllAtRandom_DoNotThrow([NUnit.Framework.Range(1, 8)] int seed)
     {
         var random = new Random(seed);
         using var sample = new PlayedSample().Start().Run(3);
@@ -153,7 +153,7 @@ public class VirtualRobotCellTests
     [TestCase("_samplingMs", 1000f)]
     [TestCase("_latencyMinMs", 1000f)]
     [TestCase("_loss", 1f)]
-    public void Knob_BeyondWhatCanBePredicted_IsNotShownAsCurrent(string knob, float value)
+    public void Knob_BeyondThePredictableRange_IsNotShownAsCurrent(string knob, float value)
     {
         using var sample = new PlayedSample().Start().Run(6);
 
@@ -165,7 +165,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void ClockAhead_ChangedWhilePlaying_IsAStepThatIsFound()
+    public void ClockAhead_ChangedWhilePlaying_IsDetectedAsAStep()
     {
         using var sample = new PlayedSample().Start().Run(6);
 
@@ -174,11 +174,11 @@ public class VirtualRobotCellTests
         sample.Run(10);
 
         Assert.That(sample.Session.Statistics.ClockSteps, Is.EqualTo(1));
-        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(LeastReduction));
+        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(MinReduction));
     }
 
     [Test]
-    public void Play_PausedAndBack_IsCurrentAgain()
+    public void Play_PausedAndResumed_IsCurrentAgain()
     {
         using var sample = new PlayedSample().Start().Run(6);
 
@@ -194,7 +194,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void ControlSystem_DisabledAndEnabled_BeginsAnew()
+    public void ControlSystem_DisabledAndEnabled_Restarts()
     {
         using var sample = new PlayedSample().Start().Run(6);
 
@@ -210,7 +210,7 @@ public class VirtualRobotCellTests
 
     [TestCase("_session", "session")]
     [TestCase("_robot", "robot")]
-    public void ControlSystem_NothingAssigned_SaysWhatAndThrowsNothing(string field, string named)
+    public void ControlSystem_ReferenceMissing_IsLoggedWithoutException(string field, string named)
     {
         using var sample = new PlayedSample();
         sample.Control.With(field, null);

@@ -26,7 +26,7 @@ public sealed class DisplayTimesTests
     public void TearDown() => _cell.Dispose();
 
     [Test]
-    public void DisplayTimeSource_SessionStartedAnew_ServesTheNewOneToo()
+    public void DisplayTimeSource_SessionRestarted_IsUsedAgain()
     {
         var session = _cell.Play();
         session.DisplayTimeSource = new Runtime();
@@ -42,7 +42,7 @@ public sealed class DisplayTimesTests
     }
 
     [Test]
-    public void DisplayTimeSource_GivenBeforeTheStartAndTakenBack_LightIsAsCalibratedAgain()
+    public void DisplayTimeSource_SetBeforeTheStartAndRemoved_UsesTheCalibrationAgain()
     {
         var session = _cell.NewSession();
         session.DisplayTimeSource = new Runtime();
@@ -60,7 +60,7 @@ public sealed class DisplayTimesTests
 
     [TestCase(false)]
     [TestCase(true)]
-    public void IsBeforeRender_EachComputation_IsTrueForTheRewriteAlone(bool isRewritten)
+    public void IsBeforeRender_EachComputation_IsTrueOnlyForTheRewrite(bool isRewritten)
     {
         var session = _cell.Play(settings: Settings(isRewritten));
         var seen = new List<bool>();
@@ -76,7 +76,7 @@ public sealed class DisplayTimesTests
     // The calibration measured from the pose that a frame is rendered with; the first pose is computed earlier.
     [TestCase(false, 47)]
     [TestCase(true, 41)]
-    public void DisplayTimeDifference_FrameComputedTwice_IsOfThePoseThatIsRendered(bool isRewritten, double differenceMs)
+    public void DisplayTimeDifference_FrameComputedTwice_IsOfTheRenderedPose(bool isRewritten, double differenceMs)
     {
         var session = _cell.Play(settings: Settings(isRewritten));
         session.DisplayTimeSource = new Runtime { Ahead = () => TimeSpan.FromMilliseconds(session.IsBeforeRender ? 81 : 87) };

@@ -18,10 +18,10 @@ public class LifeCycleTests
     static readonly string[] Losses = ["has no rig to ride on", "has no cell to copy", "is missing; name an object", "is drawn there; name an object"];
 
     [Test]
-    public Task AnySequence_OfWhatAnApplicationDoes_LeavesNothingBehind([NUnit.Framework.Range(1, 25)] int seed) => Play(seed, isShipped: false);
+    public Task AnySequence_OfApplicationEvents_LeaksNothing([NUnit.Framework.Range(1, 25)] int seed) => Play(seed, isShipped: false);
 
     [Test]
-    public Task AnySequence_WithThePrefab_LeavesNothingBehind([NUnit.Framework.Range(1, 25)] int seed) => Play(seed, isShipped: true);
+    public Task AnySequence_WithThePrefab_LeaksNothing([NUnit.Framework.Range(1, 25)] int seed) => Play(seed, isShipped: true);
 
     static async Task Play(int seed, bool isShipped)
     {

@@ -21,7 +21,7 @@ public class MrilSessionTests
     public void Stop() => _cell.Dispose();
 
     [Test]
-    public void Enabled_OwnsASession_DisabledNone()
+    public void Enable_Component_OwnsASessionUntilDisabled()
     {
         var session = _cell.NewSession();
         Assert.That(session.Session, Is.Null);
@@ -55,7 +55,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Samples_BeyondTheRobotsLimits_AreSaidOncePerJoint()
+    public void Samples_BeyondTheRobotsLimits_AreLoggedOncePerJoint()
     {
         var session = _cell.Play();
         _cell.Run(2, session);
@@ -74,7 +74,7 @@ public class MrilSessionTests
     static bool IsOfLimits(string message) => message.Contains("is outside its limits", StringComparison.Ordinal);
 
     [Test]
-    public void Shown_RaisedOncePerFrame_WithTheClockReadThere()
+    public void Shown_EachFrame_IsRaisedOnceWithTheCurrentTime()
     {
         var session = _cell.Play();
         var starts = new List<HeadsetTime>();
@@ -92,7 +92,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Shown_RewriteBeforeRender_ComesTwiceAFrameWithANewerTime()
+    public void Shown_RewriteBeforeRender_IsRaisedTwicePerFrameWithANewerTime()
     {
         var session = _cell.NewSession();
         session.Settings = null;
@@ -110,7 +110,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Shown_RewriteBeforeRenderChangedInPlay_CountsFromTheNextStart()
+    public void Shown_RewriteBeforeRenderChangedInPlay_AppliesFromTheNextStart()
     {
         var asset = ScriptableObject.CreateInstance<SessionSettingsAsset>();
         var session = _cell.NewSession().With("_settings", asset);
@@ -131,7 +131,7 @@ public class MrilSessionTests
 
     [TestCase(true, 2)]
     [TestCase(false, 1)]
-    public void Shown_RewriteBeforeRenderByCode_CountsInsteadOfTheAssets(bool isRewritten, int times)
+    public void Shown_RewriteBeforeRenderByCode_OverridesTheAsset(bool isRewritten, int times)
     {
         var asset = ScriptableObject.CreateInstance<SessionSettingsAsset>().With("_rewriteBeforeRender", !isRewritten);
         var session = _cell.NewSession().With("_settings", asset);
@@ -147,7 +147,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Shown_UsersScript_RunsBefore()
+    public void Shown_UsersScript_RunsBeforeTheComponents()
     {
         var session = _cell.Play();
         var order = new List<string>();
@@ -162,7 +162,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Shown_ListenerDisablesTheSession_NothingBreaks()
+    public void Shown_ListenerDisablesTheSession_DoesNotThrow()
     {
         var session = _cell.Play();
         session.Shown += _ => session.enabled = false;
@@ -174,7 +174,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Events_ClockAndSamplesComeAndGo_AreToldOnceEach()
+    public void Events_ClockAndSamplesStartAndStop_AreRaisedOnceEach()
     {
         var session = _cell.Play(settings: WithLimit(14));
         var told = new List<string>();
@@ -202,7 +202,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Pause_Playing_EndsTheSessionAtOnceAndSynchronisesAnew()
+    public void Pause_Playing_EndsTheSessionImmediatelyAndSynchronisesAgain()
     {
         var session = _cell.Play();
         var told = new List<SessionChange>();
@@ -248,7 +248,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Pause_WithoutFocusToo_ComesBackWithBoth()
+    public void Pause_WithoutFocus_ResumesWithBoth()
     {
         Application.runInBackground = false;
         var session = _cell.Play();
@@ -264,7 +264,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Pause_WhileDisabled_IsForgotten()
+    public void Pause_WhileDisabled_IsIgnored()
     {
         var session = _cell.Play();
         _cell.Frame(session);
@@ -280,7 +280,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Pause_EndsWhileInactive_DoesNotLast()
+    public void Pause_EndsWhileInactive_IsOver()
     {
         var session = _cell.Play();
         _cell.Frame(session);
@@ -295,7 +295,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Settings_CannotBeUsed_AreSaidOnceAndNothingElseStops()
+    public void Settings_Invalid_AreLoggedOnceAndOthersContinue()
     {
         var session = _cell.NewSession();
         session.Settings = null;
@@ -326,7 +326,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Settings_CorrectedWhilePaused_BeginWithTheResumption()
+    public void Settings_CorrectedWhilePaused_ApplyOnceResumed()
     {
         var session = _cell.NewSession();
         session.Settings = null;
@@ -343,7 +343,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Settings_None_SaysWhatToDo()
+    public void Settings_None_NamesTheRemedy()
     {
         var session = _cell.NewSession();
         session.Settings = null;
@@ -354,7 +354,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Settings_SetWhileRunning_StartANewSessionWithThem()
+    public void Settings_SetWhileRunning_StartANewSession()
     {
         var session = _cell.Play();
         _cell.Frame(session);
@@ -367,7 +367,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void RobotAsset_NoRobot_IsAProblemThatNamesIt()
+    public void RobotAsset_Invalid_IsReportedWithItsName()
     {
         var session = _cell.NewSession();
         session.RobotAsset = RobotDescriptionAsset.Create("Broken", "<robot name='r'/>");
@@ -388,7 +388,7 @@ public class MrilSessionTests
         _cell.Run(1, session);
         Assert.That(session.Robot, Is.Null);
         Assert.That(session.Frame, Is.Null);
-        Assert.That(shown, Is.EqualTo(0), "nobody knows what to show");
+        Assert.That(shown, Is.EqualTo(0), "no frame is shown without a robot");
 
         session.Session.Described(RobotFiles.LoadText("ur5"));
         _cell.Run(5, session);
@@ -415,14 +415,14 @@ public class MrilSessionTests
         _cell.Run(0.1, session);
 
         Assert.That(session.Robot, Is.SameAs(robot));
-        Assert.That(session.Session, Is.SameAs(resumed), "the same text starts nothing anew");
+        Assert.That(session.Session, Is.SameAs(resumed), "the same text does not restart the session");
         session.Session.Described(RobotFiles.LoadText("youbot"));
         _cell.Run(0.1, session);
         Assert.That(session.Robot.Name, Is.EqualTo("youbot"));
     }
 
     [Test]
-    public void Description_DiffersFromTheAsset_IsSaidOnce()
+    public void Description_DiffersFromTheAsset_IsLoggedOnce()
     {
         var session = _cell.Play("youbot");
         for (var i = 0; i < 3; i++)
@@ -440,7 +440,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Description_SameAsTheAsset_IsNoNews()
+    public void Description_SameAsTheAsset_IsNotLogged()
     {
         var session = _cell.Play("youbot");
 
@@ -451,7 +451,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Description_CannotBeRead_IsSaidOnce()
+    public void Description_Invalid_IsLoggedOnce()
     {
         var session = _cell.Play(robot: null);
 
@@ -466,7 +466,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void RobotAsset_TakenAway_TheGatewaysRobotComes()
+    public void RobotAsset_Removed_UsesTheGatewaysRobot()
     {
         var session = _cell.Play("youbot");
         session.Session.Described(RobotFiles.LoadText("ur5"));
@@ -481,7 +481,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Statistics_AskedTwiceInAFrame_AreFilledOnce()
+    public void Statistics_ReadTwiceInAFrame_AreFilledOnce()
     {
         var session = _cell.Play();
         // Runs beyond the log entry of the synchronised clock, which reads the statistics.
@@ -491,7 +491,7 @@ public class MrilSessionTests
         var offset = first.Samples;
         _cell.Run(1, session);
 
-        Assert.That(first.Samples, Is.EqualTo(offset), "nobody asked since");
+        Assert.That(first.Samples, Is.EqualTo(offset), "they have not been read since");
         Assert.That(session.Statistics, Is.SameAs(first));
         Assert.That(first.Samples, Is.GreaterThan(offset));
     }

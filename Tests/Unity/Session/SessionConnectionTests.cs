@@ -25,7 +25,7 @@ public class SessionConnectionTests
         new(new ConnectionSettings("127.0.0.1", syncPort, webSocketPort), PlayedCell.Offline.Visualisation);
 
     [Test]
-    public async Task Connect_Gateway_ShowsItsRobotWhereItIs()
+    public async Task Connect_Gateway_ShowsItsRobotAtItsTruePose()
     {
         var control = StopwatchControlClock.FromUnixTime();
         using var plant = new SimulatedCell(
@@ -49,7 +49,7 @@ public class SessionConnectionTests
     }
 
     [Test]
-    public async Task Connect_NobodyListens_IsSaidOncePerConnection()
+    public async Task Connect_ConnectionRefused_IsLoggedOncePerConnection()
     {
         var session = _cell.Play(settings: To(1, 1));
 
@@ -66,7 +66,7 @@ public class SessionConnectionTests
     }
 
     [Test]
-    public async Task Pause_NetworkIsStuck_ReturnsAtOnce()
+    public async Task Pause_NetworkIsBlocked_ReturnsImmediately()
     {
         using var silent = new FakeSyncServer(_ => []);
         using var server = new FakeWebSocketServer();

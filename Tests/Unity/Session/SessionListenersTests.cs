@@ -75,7 +75,7 @@ public class SessionListenersTests
     public void Stop() => _cell.Dispose();
 
     [Test]
-    public async Task Listener_DoesAnythingToTheSession_NothingIsLeftBehind(
+    public async Task Listener_ChangesTheSession_LeaksNothing(
         [ValueSource(nameof(Events))] string heard, [ValueSource(nameof(ActionNames))] string action)
     {
         var heardInAll = 0;
@@ -117,7 +117,7 @@ public class SessionListenersTests
     }
 
     [Test]
-    public void Hidden_ListenerDisables_NoSessionBegins()
+    public void Hidden_ListenerDisables_StartsNoSession()
     {
         Begin();
         _session.Hidden += () => _session.enabled = false;
@@ -128,7 +128,7 @@ public class SessionListenersTests
     }
 
     [Test]
-    public void RobotChanged_ListenerSetsSettings_TheSessionRunsWithThem()
+    public void RobotChanged_ListenerSetsSettings_RunsWithThem()
     {
         Begin();
         _session.RobotChanged += () => _session.Settings = Others;
@@ -140,7 +140,7 @@ public class SessionListenersTests
     }
 
     [Test]
-    public void RobotChanged_ListenerSetsWhatCannotBeUsed_NothingRunsAndItIsSaid()
+    public void RobotChanged_ListenerSetsInvalidSettings_DoesNotRunAndLogsIt()
     {
         Begin();
         _session.RobotChanged += () => _session.Settings = null;
@@ -152,7 +152,7 @@ public class SessionListenersTests
     }
 
     [Test]
-    public void Hidden_ListenerEnablesWhatIsBeingDisabled_ItsProblemStays()
+    public void Hidden_ListenerEnablesTheDisabledSession_KeepsItsProblem()
     {
         Begin();
         _session.Hidden += () =>
@@ -168,33 +168,33 @@ public class SessionListenersTests
     }
 
     [Test]
-    public void Synchronised_ListenerStartsAnew_OthersHearOfItAfterwards()
+    public void Synchronised_ListenerRestarts_OthersAreNotifiedAfterwards()
     {
         _session = _cell.Play();
-        var told = new List<SessionChange>();
+        var raised = new List<SessionChange>();
         Listen("Synchronised", () => _session.Settings = Others);
-        _session.Changed += told.Add;
+        _session.Changed += raised.Add;
 
         _cell.Run(6, _session);
 
-        Assert.That(told.Take(2), Is.EqualTo(new[] { SessionChange.Synchronised, SessionChange.Lost }));
+        Assert.That(raised.Take(2), Is.EqualTo(new[] { SessionChange.Synchronised, SessionChange.Lost }));
     }
 
     [Test]
-    public void Changed_ListenerThrows_LaterChangesAreToldAllTheSame()
+    public void Changed_ListenerThrows_LaterChangesAreRaised()
     {
         _session = _cell.Play();
-        var told = new List<SessionChange>();
+        var raised = new List<SessionChange>();
         _session.Changed += change =>
         {
-            told.Add(change);
-            throw new InvalidOperationException("as told");
+            raised.Add(change);
+            throw new InvalidOperationException("thrown by the listener");
         };
 
         _cell.Run(6, _session);
         Assert.That(() => _session.Settings = Others, Throws.InvalidOperationException);
 
-        Assert.That(told, Is.EqualTo(new[] { SessionChange.Synchronised, SessionChange.Lost }));
+        Assert.That(raised, Is.EqualTo(new[] { SessionChange.Synchronised, SessionChange.Lost }));
     }
 
     static RobotDescriptionAsset Robot(string name) => RobotDescriptionAsset.Create(name, RobotFiles.LoadText(name));

@@ -49,7 +49,7 @@ public sealed class SessionRecordingTests
     }
 
     [Test]
-    public async Task Enabled_WhileItPlays_WritesWhatIsReplayed()
+    public async Task Enabled_WhilePlaying_WritesAReplayableFile()
     {
         var frames = 0;
         Play();
@@ -86,7 +86,7 @@ public sealed class SessionRecordingTests
     }
 
     [Test]
-    public void NotOnEnable_WritesNothingUntilItIsAskedTo()
+    public void RecordOnEnable_Off_WritesNothingUntilStarted()
     {
         Play(recordOnEnable: false);
         _cell.Run(0.5, _session);
@@ -100,7 +100,7 @@ public sealed class SessionRecordingTests
     }
 
     [Test]
-    public async Task Pause_OfTheApplication_EndsTheFileAndBeginsAnother()
+    public async Task Pause_OfTheApplication_EndsTheFileAndStartsAnother()
     {
         Play();
         _cell.Run(1, _session);
@@ -118,7 +118,7 @@ public sealed class SessionRecordingTests
     }
 
     [Test]
-    public void Robot_Unknown_IsWaitedFor()
+    public void Robot_Unknown_DelaysTheStart()
     {
         Play(robot: null);
         _cell.Run(0.5, _session);
@@ -131,7 +131,7 @@ public sealed class SessionRecordingTests
     }
 
     [Test]
-    public async Task File_ThatCannotBeMade_IsSaidOnceAndTheSessionGoesOn()
+    public async Task File_CannotBeCreated_IsLoggedOnceAndTheSessionContinues()
     {
         File.WriteAllText(_folder, "a file where the folder should be");
         try
@@ -153,7 +153,7 @@ public sealed class SessionRecordingTests
     }
 
     [Test]
-    public async Task File_AtItsGreatestSize_IsSaidOnceAndTheSessionGoesOn()
+    public async Task File_AtItsMaximumSize_IsLoggedOnceAndTheSessionContinues()
     {
         Play(megabytes: 0.02);
         _cell.Run(2, _session);
@@ -167,7 +167,7 @@ public sealed class SessionRecordingTests
     }
 
     [Test]
-    public void Size_OutOfRange_IsSaidOnce()
+    public void Size_OutOfRange_IsLoggedOnce()
     {
         Play(megabytes: -1);
 
@@ -178,7 +178,7 @@ public sealed class SessionRecordingTests
     }
 
     [Test]
-    public void Session_Missing_IsSaid()
+    public void Session_Missing_IsLogged()
     {
         var alone = new GameObject("Alone").AddComponent<SessionRecording>();
 

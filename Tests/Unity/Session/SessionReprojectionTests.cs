@@ -16,7 +16,7 @@ public sealed class SessionReprojectionTests
     public void TearDown() => _cell.Dispose();
 
     [Test]
-    public void Reprojection_SessionStartedAnew_IsKept()
+    public void Reprojection_SessionRestarted_IsKept()
     {
         var session = _cell.Play();
         session.Reprojection = ReprojectionMode.Depth;

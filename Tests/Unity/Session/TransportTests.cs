@@ -10,7 +10,7 @@ namespace Nowpose.Unity.Tests.Session;
 public class TransportTests
 {
     [Test]
-    public void Create_NativeWebSocketNotInstalled_IsOurOwn()
+    public void Create_NativeWebSocketNotInstalled_UsesTheBuiltInLink()
     {
         var clock = new StopwatchHeadsetClock();
         var pin = CertificatePin.Of(CertificateFiles.Generate());

@@ -31,7 +31,7 @@ public class BodyFollowTests
     float Azimuth => Mathf.Atan2(_follower.position.x - _head.position.x, _follower.position.z - _head.position.z) * Mathf.Rad2Deg;
 
     [Test]
-    public void LateUpdate_HeadTurnsFar_FollowsInItsOwnTime()
+    public void LateUpdate_HeadTurnsFar_FollowsGradually()
     {
         AddCamera();
         _cell.Frame(null);
@@ -49,7 +49,7 @@ public class BodyFollowTests
     }
 
     [Test]
-    public void LateUpdate_HeadSways_StaysExactlyWhereItIs()
+    public void LateUpdate_HeadSways_DoesNotMove()
     {
         AddCamera();
         _cell.Frame(null);
@@ -66,7 +66,7 @@ public class BodyFollowTests
     }
 
     [Test]
-    public void LateUpdate_CameraComesLater_IsPlacedThen()
+    public void LateUpdate_CameraAddedLater_IsPlaced()
     {
         _follower.position = new Vector3(9, 9, 9);
         Run(0.2);
@@ -80,7 +80,7 @@ public class BodyFollowTests
     }
 
     [Test]
-    public void OnEnable_Again_IsBeforeTheHeadAtOnce()
+    public void OnEnable_Again_IsInFrontOfTheHeadImmediately()
     {
         AddCamera();
         _cell.Frame(null);

@@ -7,7 +7,7 @@ namespace Nowpose.Unity.Tests.Status;
 public sealed class LetterWidthsTests
 {
     [Test]
-    public void Of_EachLetterOfTheFont_IsNotNarrowerAndHardlyWider()
+    public void Of_EachLetterOfTheFont_IsAtMostSlightlyWider()
     {
         foreach (var (letter, width) in SeenText.Widths)
         {
@@ -17,7 +17,7 @@ public sealed class LetterWidthsTests
     }
 
     [Test]
-    public void Of_LetterThatTheTableLacks_IsAsWideAsTheWidest()
+    public void Of_UnknownLetter_IsAsWideAsTheWidest()
     {
         Assert.That(LetterWidths.Of('漢'), Is.GreaterThanOrEqualTo(SeenText.Widths.Values.Max()));
     }

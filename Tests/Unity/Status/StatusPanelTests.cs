@@ -63,7 +63,7 @@ public class StatusPanelTests
     string Text(string cell) => Sheet.Find(cell).GetComponent<TextMesh>().text;
 
     [Test]
-    public void LateUpdate_WholeSession_TellsOfIt()
+    public void LateUpdate_WholeSession_ShowsItsValues()
     {
         _eachFrame = _ => _session.Session?.Rendered(TimeSpan.FromMilliseconds(9.5), RenderTimeSourceKind.DisplayGpuTime);
 
@@ -83,7 +83,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void LateUpdate_DataOfTheJointsEnd_NamesThemOnTopAndInTheConsole()
+    public void LateUpdate_JointDataEnd_NamesTheJointsOnTopAndInTheConsole()
     {
         Play(10);
 
@@ -96,7 +96,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void LateUpdate_GatewayReportsAJoint_NamesItUntilItIsRepaired()
+    public void LateUpdate_GatewayReportsAJoint_NamesItUntilTheReportEnds()
     {
         Play(10);
         void Report(params JointReport[] joints) => _session.Session.Listener.StatusReceived(new JointStatusMessage(joints), _cell.Clock.Now);
@@ -114,7 +114,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void LateUpdate_ScriptsCompiledAnew_MakesTheCellsThatItForgot()
+    public void LateUpdate_ScriptsRecompiled_RebuildsItsCells()
     {
         Play(1);
         var before = Sheet;
@@ -129,7 +129,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void Start_Ground_LiesBehindAllTextAndBelowItsEdges()
+    public void Start_Ground_IsBehindAllTextAndCoversIt()
     {
         var material = new Material((Shader)null);
         _panel.With("_ground", material);
@@ -148,7 +148,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void Start_NoGround_LaysNone()
+    public void Start_NoGround_CreatesNone()
     {
         Play(0.1);
 
@@ -156,7 +156,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void OnDisable_Playing_NothingOfItIsSeenUntilEnabledAgain()
+    public void OnDisable_Playing_IsHiddenUntilEnabledAgain()
     {
         _panel.With("_ground", new Material((Shader)null));
         // Runs beyond the last of the first texts that appear: the coarse clock's error, and the reduction.
@@ -177,7 +177,7 @@ public class StatusPanelTests
         [.. Sheet.GetComponentsInChildren<MeshRenderer>().Where(r => r.enabled).Select(r => r.name), .. Texts.Where(t => t.text != "").Select(t => t.name)];
 
     [Test]
-    public void OnDestroy_ComponentAlone_LeavesNoObjectsBehind()
+    public void OnDestroy_ComponentOnly_RemovesItsObjects()
     {
         _panel.With("_ground", new Material((Shader)null));
         var before = _panel.transform.GetComponentsInChildren<Transform>(true).Length;
@@ -192,7 +192,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void LateUpdate_FirstFrame_ShowsDashesForWhatIsNotKnown()
+    public void LateUpdate_FirstFrame_ShowsDashesForUnknownValues()
     {
         _cell.IsPlantUp = false;
         _cell.IsSyncUp = false;
@@ -221,7 +221,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void LateUpdate_ManyFrames_WritesAFewTimesASecond()
+    public void LateUpdate_ManyFrames_UpdatesAFewTimesPerSecond()
     {
         _eachFrame = frame =>
             _session.Session.Rendered(TimeSpan.FromMilliseconds(5 + frame % 97 * 0.1), RenderTimeSourceKind.DisplayGpuTime);
@@ -237,7 +237,7 @@ public class StatusPanelTests
     [TestCase(1)]
     [TestCase(2)]
     [TestCase(5)]
-    public void LateUpdate_ViewerAtADistance_CanReadTheLetters(float metres)
+    public void LateUpdate_ViewerAtADistance_LettersAreReadable(float metres)
     {
         _panel.transform.position = new Vector3(0, 0, metres);
 
@@ -262,7 +262,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void LateUpdate_MessageComes_StandsOnTopAndTheRowsStayWhereTheyAre()
+    public void LateUpdate_Message_IsOnTopWithoutMovingTheRows()
     {
         _panel.With("_ground", new Material((Shader)null));
         Play(1);
@@ -320,7 +320,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void LateUpdate_BadSettings_SaysWhy()
+    public void LateUpdate_InvalidSettings_ShowsTheReason()
     {
         _session.Settings = null;
 
@@ -331,7 +331,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void LateUpdate_Paused_KeepsNoNumbersOfBefore()
+    public void LateUpdate_Paused_ClearsTheNumbers()
     {
         Play(5);
 
@@ -343,7 +343,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void LateUpdate_SessionDestroyed_KeepsNoNumbersOfBefore()
+    public void LateUpdate_SessionDestroyed_ClearsTheNumbers()
     {
         Play(5);
 
@@ -355,7 +355,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void OnDisable_ShowingNumbers_TakesThemAway()
+    public void OnDisable_ShowingNumbers_ClearsThem()
     {
         Play(5);
 
@@ -369,7 +369,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void OnEnable_NoCell_SaysSoOnce()
+    public void OnEnable_NoCell_IsLoggedOnce()
     {
         _panel.With("_cell", null);
 
@@ -380,7 +380,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void OnDestroy_AtAnyFrame_LeavesNothingBehind([Values(0, 1, 2, 40)] int frames)
+    public void OnDestroy_AtAnyFrame_LeaksNothing([Values(0, 1, 2, 40)] int frames)
     {
         Play(0);
         for (var i = 0; i < frames; i++) _cell.Frame(_session);

@@ -55,7 +55,7 @@ public sealed class StatusPanelViewTests(string scene)
     IEnumerable<TextMesh> Texts => _panel.GetComponentsInChildren<TextMesh>().Where(text => text.text.Length > 0);
 
     [Test]
-    public void Panel_EveryState_IsInViewAndEveryCapitalIsHalfADegreeHigh()
+    public void Panel_EveryState_IsInViewWithCapitalsOfHalfADegree()
     {
         foreach (var (what, texts) in States())
         {
@@ -71,7 +71,7 @@ public sealed class StatusPanelViewTests(string scene)
     }
 
     [Test]
-    public void Panel_EveryState_HasTextsThatStayInTheirPlaces()
+    public void Panel_EveryState_TextsFitTheirPlaces()
     {
         foreach (var (what, texts) in States())
         {
@@ -96,7 +96,7 @@ public sealed class StatusPanelViewTests(string scene)
     }
 
     [Test]
-    public void Panel_AtItsPlace_IsSeenAboutSixDegreesDown()
+    public void Panel_AtItsPlace_IsAboutSixDegreesBelowTheHorizon()
     {
         _cells.Show(new StatusTexts());
 

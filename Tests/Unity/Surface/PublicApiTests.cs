@@ -15,7 +15,7 @@ public class PublicApiTests
     ];
 
     [TestCaseSource(nameof(Assemblies))]
-    public void Assembly_PublicTypesAndMembers_AreThoseOfItsList(string name)
+    public void Assembly_PublicTypesAndMembers_MatchItsList(string name)
     {
         var list = Path.Combine(RepositoryFiles.Root, "Tests", "Unity", "Surface", name + ".txt");
         var actual = PublicApi.Of(Assembly.Load(name)).ToList();

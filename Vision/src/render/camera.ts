@@ -6,17 +6,17 @@ import { sceneOf } from './scene';
 
 type Mat = InstanceType<typeof cv.Mat>;
 
-/** A picture to be made. Lengths in px, light linear with 1 for white. */
+/** A picture to render. Lengths in px, light linear with 1 for white. */
 export interface Shot {
   width: number;
   height: number;
-  /** Seed of what is behind the codes, and how bright that is. */
+  /** Seed of the scene behind the codes; `sceneLight` is its brightness. */
   scene: number;
   sceneLight: number;
   codes: DrawnCode[];
   /** Standard deviation of the lens's blur. */
   blur: number;
-  /** How far the camera moves during the exposure. */
+  /** Movement of the camera during the exposure. */
   motion: [number, number];
   /** Round reflections. */
   glares: { x: number; y: number; radius: number; light: number }[];
@@ -29,7 +29,7 @@ export interface Shot {
 
 const noiseTable = normals(1 << 17, 1);
 const steps = 4095;
-/** sRGB, as lightOfByte has it the other way round. */
+/** Converts linear light to sRGB; the inverse of lightOfByte. */
 const byteOfLight = Float32Array.from({ length: steps + 1 }, (_, i) => {
   const v = i / steps;
   return 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055);
@@ -38,7 +38,7 @@ const byteOfLight = Float32Array.from({ length: steps + 1 }, (_, i) => {
 const scenes = new Map<string, Mat>();
 const scenesKept = 4;
 
-/** The picture a camera takes of a scene with codes. The same shot gives the same picture. */
+/** Renders the picture that a camera takes of a scene with codes. The same shot gives the same picture. */
 export function take(shot: Shot): Grey {
   const light = new cv.Mat();
   try {
@@ -92,7 +92,7 @@ function smear(light: Mat, [dx, dy]: [number, number]): void {
   kernel.delete();
 }
 
-/** Light to bytes, with the sensor's noise. */
+/** Converts light to bytes and adds the sensor's noise. */
 function developed(light: Float32Array, { noise, noiseSeed, width }: Shot): Uint8Array {
   const bytes = new Uint8ClampedArray(light.length), random = randomOf(noiseSeed), last = noiseTable.length - 1;
   for (let at = 0; at < light.length; at += width) {

@@ -3,20 +3,20 @@ import { cv } from '../opencv';
 
 type Mat = InstanceType<typeof cv.Mat>;
 
-/** A code as a camera is to see it. */
+/** A code to render. */
 export interface DrawnCode {
   corners: Quad;
-  /** Of each cell, how much of the exposure it was lit: 0 to 1. */
+  /** For each cell, the share of the exposure during which it was lit: 0 to 1. */
   lit: number[];
   /** Light of a lit cell, 1 is white. */
   light: number;
   /** Diameter of round LEDs, as a share of a cell; 0 for full squares. */
   dot: number;
-  /** Light of the panel behind the cells; null for a hologram, which only adds to what is behind it. */
+  /** Light of the panel behind the cells; null for a hologram, which only adds light to the scene behind it. */
   panel: number | null;
 }
 
-/** Pixels of a cell before it is seen in perspective. */
+/** Pixels of a cell before the perspective projection. */
 const pixels = 16;
 
 export function addCode(scene: Mat, code: DrawnCode): void {
@@ -35,7 +35,7 @@ export function addCode(scene: Mat, code: DrawnCode): void {
     warp(cover);
     const kept = new cv.Mat();
     cv.multiply(region, seen, kept, code.panel - 1);
-    // region − region·cover·(1 − panel): the panel takes a share of the hall's light for its own.
+    // region − region·cover·(1 − panel): the panel reflects only a share of the hall's light.
     cv.add(region, kept, region);
     for (const made of [inside, cover, kept]) made.delete();
   }

@@ -1,4 +1,4 @@
-/** Uniform numbers from 0 to 1 that depend on the seed only (mulberry32, T. Ettinger, public domain). */
+/** Returns a generator of uniform numbers from 0 to 1 that depend only on the seed (mulberry32, T. Ettinger, public domain). */
 export function randomOf(seed: number): () => number {
   let state = seed >>> 0;
   return () => {
@@ -10,7 +10,7 @@ export function randomOf(seed: number): () => number {
   };
 }
 
-/** Standard normal numbers, in pairs by Box and Muller. */
+/** Returns standard normal numbers, by the Box–Muller method. */
 export function normals(count: number, seed: number): Float32Array {
   const random = randomOf(seed), values = new Float32Array(count);
   for (let i = 0; i < count; i += 2) {

@@ -4,7 +4,7 @@ import { randomOf } from './random';
 
 type Mat = InstanceType<typeof cv.Mat>;
 
-/** What is behind the codes: a plant hall's worth of patches, edges, boxes, round things and cables, as linear light (32 bit). */
+/** Renders the scene behind the codes, like a plant hall: patches, edges, boxes, discs and cables, in linear light (32 bit). */
 export function sceneOf(seed: number, width: number, height: number): Mat {
   const random = randomOf(seed), between = (a: number, b: number) => a + (b - a) * random();
   const coarse = new cv.Mat(4, 6, cv.CV_8UC1), bytes = new cv.Mat(), grain = new cv.Mat(height / 3 | 0, width / 3 | 0, cv.CV_8UC1), texture = new cv.Mat();

@@ -4,7 +4,7 @@ import type { PlotData } from '../paper/data';
 /** The page's data, as `CalibrationPage.Render` receives it. */
 export interface CalibrationData {
   title: string;
-  /** The outcome in one sentence. */
+  /** The result in one sentence. */
   result: string;
   /** Warnings to read before the result is used. */
   warnings: string[];
@@ -14,7 +14,7 @@ export interface CalibrationData {
 
 export interface SectionData {
   heading: string;
-  /** Figure or section of the paper; null where it has none. */
+  /** Figure or section of the paper; null if there is none. */
   source: string | null;
   words: string;
   plots: PlotData[];

@@ -8,7 +8,7 @@ const MEANING: Record<Hop, string> = {
   queue: 'waiting on the way', render: 'the render job', display: 'from the rendered picture to its light',
 };
 
-/** Where the latency of each headset comes from, hop by hop: as numbers, and as a bar for the eye. */
+/** Latency of each headset by hop, as numbers and as a bar. */
 export class Budget {
   readonly element: HTMLElement;
   private readonly bars = new Map<string, HTMLElement>();
@@ -17,20 +17,20 @@ export class Budget {
   constructor() {
     const columns: Column<Headset>[] = HOPS.map(hop => ({ label: `${hop} (ms)`, isNumber: true, cell: h => format(h.budget_ms?.[hop]) }));
     this.table = new LiveTable<Headset>('Latency by hop', [...columns, { label: 'together (ms)', isNumber: true, cell: h => format(totalOf(h)) }],
-      headset => headset.name, 'No headset has told its latency yet.', name => this.barOf(name), 'Headset');
+      headset => headset.name, 'No headset has reported its latency yet.', name => this.barOf(name), 'Headset');
     const legend = HOPS.map(hop => el('li', {}, el('span', { class: `hop ${hop}`, 'aria-hidden': 'true' }), `${hop}: ${MEANING[hop]}`));
     this.element = el('div', {}, el('ul', { class: 'hops' }, ...legend), this.table.element);
   }
 
   show(headsets: Headset[]): void {
-    const told = headsets.filter(h => totalOf(h) != null);
-    this.table.show(told);
-    const longest = Math.max(1, ...told.map(h => totalOf(h)!));
-    for (const headset of told) {
+    const known = headsets.filter(h => totalOf(h) != null);
+    this.table.show(known);
+    const longest = Math.max(1, ...known.map(h => totalOf(h)!));
+    for (const headset of known) {
       const spans = this.bars.get(headset.name)!.children as HTMLCollectionOf<HTMLElement>;
       HOPS.forEach((hop, i) => { spans[i].style.width = `${(100 * (headset.budget_ms?.[hop] ?? 0)) / longest}%`; });
     }
-    for (const name of this.bars.keys()) if (!told.some(h => h.name === name)) this.bars.delete(name);
+    for (const name of this.bars.keys()) if (!known.some(h => h.name === name)) this.bars.delete(name);
   }
 
   private barOf(name: string): Node {
@@ -40,7 +40,7 @@ export class Budget {
   }
 }
 
-/** Null where no hop is known. */
+/** Returns the sum of the known hops; null if none is known. */
 function totalOf(headset: Headset): number | null {
   const known = HOPS.map(hop => headset.budget_ms?.[hop]).filter((v): v is number => v != null);
   return known.length === 0 ? null : known.reduce((a, b) => a + b, 0);

@@ -4,7 +4,7 @@ import { eventWords } from './overall';
 import type { StatusEvent } from './state';
 import { lengthWords, localTime } from './times';
 
-/** What was wrong, from when to when: those that last first. */
+/** Table of the faults with start and end, active ones first. */
 export class Events {
   readonly element: HTMLElement;
   private readonly table = new LiveTable<StatusEvent>('Events', [

@@ -11,7 +11,7 @@ const number = (label: string, key: string, digits = (v: number) => v) => ({
   label, isNumber: true, cell: (headset: Headset) => { const v = numberOf(headset, key); return format(v == null ? null : digits(v)); },
 });
 
-/** The diagnostics of the headsets. One of them is selected for the plots and the view of the robot. */
+/** Table of the headsets' diagnostics. One headset is selected for the plots and the view of the robot. */
 export class Headsets {
   readonly element: HTMLElement;
   private chosenName: string | null = null;
@@ -61,7 +61,7 @@ function stateOf(headset: Headset): string {
   return headset.seen_s_ago > SILENT_S ? `silent for ${Math.round(headset.seen_s_ago)} s` : withError(headset, 'state') || 'not known';
 }
 
-/** A state of the clock or the pose; a coarse one with its ±. */
+/** Returns a state of the clock or the pose, with its ± if it is coarse. */
 function withError(headset: Headset, key: string): string {
   return stateWords(textOf(headset, key), numberOf(headset, 'estimated_error_us'), numberOf(headset, 'error_bound_us'));
 }

@@ -1,4 +1,4 @@
-/** Length of the evaluated history, in seconds. */
+/** Length of the window over which the fastest stamps are used, in seconds. */
 const WINDOW_S = 10;
 
 /** Jump of the stamps that indicates another clock. */
@@ -13,13 +13,13 @@ export class LiveClock {
     const ahead = stamp - now;
     const last = this.seen[this.seen.length - 1];
     if (last && Math.abs(last[1] - ahead) > STEP_S) this.seen = [];
-    // Only possible maxima are kept.
+    // Keeps only stamps that can become the maximum of a later window.
     while (this.seen.length > 0 && this.seen[this.seen.length - 1][1] <= ahead) this.seen.pop();
     this.seen.push([now, ahead]);
     while (this.seen[0][0] < now - WINDOW_S) this.seen.shift();
   }
 
-  /** Gets the control time of the newest possible sample; null before the first. */
+  /** Returns the control time of the newest possible sample; null before the first. */
   at(now: number): number | null {
     return this.seen.length === 0 ? null : now + this.seen[0][1];
   }

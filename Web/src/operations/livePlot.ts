@@ -22,7 +22,7 @@ export class LivePlot {
   private times: number[] = [];
   private values: (number | null)[][];
 
-  /** @param description Says in words what the plot shows. */
+  /** @param description Description of the plot for screen readers. */
   constructor(description: string, yLabel: string, private readonly unit: string, private readonly traces: LiveTrace[]) {
     this.values = traces.map(() => []);
     this.legend = new Legend(traces.map(({ label, look }, i) => ({ label, look, toggle: show => this.chart.plot.setSeries(i + 1, { show }) })));
@@ -33,7 +33,7 @@ export class LivePlot {
         label, width: look.width, dash: look.dash, stroke: () => colour(look.ink), points: { show: u => u.data[0].length < 3 },
       }))],
       scales: { x: { range: (_u, min, max) => [min ?? -WINDOW_S, max ?? 0] }, y: { range: { min: { pad: 0.1, soft: 0, mode: 1 }, max: { pad: 0.1, soft: 0.1, mode: 2 } } } },
-      onCursor: (u, inside) => this.tell(inside ? u.cursor.idx ?? null : null),
+      onCursor: (u, inside) => this.showValues(inside ? u.cursor.idx ?? null : null),
     });
     this.element = plotBlock({ chart: this.chart, legend: this.legend });
     this.chart.show(this.data(), [-WINDOW_S, 0]);
@@ -45,7 +45,7 @@ export class LivePlot {
     const old = this.times.findIndex(t => t >= time - WINDOW_S);
     for (const list of [this.times, ...this.values]) list.splice(0, old);
     this.chart.show(this.data(), [-WINDOW_S, 0]);
-    if ((this.chart.plot.cursor.left ?? -1) < 0) this.tell(null);
+    if ((this.chart.plot.cursor.left ?? -1) < 0) this.showValues(null);
   }
 
   /** Clears the plot, for another headset. */
@@ -60,8 +60,8 @@ export class LivePlot {
     return [this.times.map(t => t - now), ...this.values] as uPlot.AlignedData;
   }
 
-  // The newest values if the cursor is outside of the plot.
-  private tell(at: number | null): void {
+  // Shows the newest values if the cursor is outside of the plot.
+  private showValues(at: number | null): void {
     const i = at ?? this.times.length - 1;
     const { plot } = this.chart;
     this.legend.show(at == null ? '' : `${format(plot.data[0][at], 's')}`, this.values.map(v => format(v[i], this.unit)));

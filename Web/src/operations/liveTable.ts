@@ -4,17 +4,17 @@ import { term } from './terms';
 
 export interface Column<T> {
   label: string;
-  /** Text, or something that is made once for each row. */
+  /** Returns the cell's text. */
   cell: (item: T) => string;
-  /** Numbers stand to the right. */
+  /** Whether to align to the right. */
   isNumber?: boolean;
-  /** Text that may take several lines. */
+  /** Whether the text may wrap. */
   isLong?: boolean;
-  /** A word for the style: the cell becomes a badge with an icon; none where it is empty. */
+  /** Returns the level for the style: the cell becomes a badge with an icon, unless it is empty. */
   level?: (item: T) => string;
 }
 
-/** A table whose rows stay what they are while their text changes: the focus and a reader's place in it are not lost. */
+/** A table that keeps its rows' elements while their text changes, so that focus and reading position are kept. */
 export class LiveTable<T> {
   readonly element: HTMLElement;
   private readonly table: HTMLTableElement;
@@ -22,9 +22,9 @@ export class LiveTable<T> {
   private readonly none: HTMLElement;
 
   /**
-   * @param key Names a row, and no other.
-   * @param head Makes what stands first in a row, once.
-   * @param noteOf What is too long for a column, as a line below the row; none where it is empty.
+   * @param key Returns the unique key of a row.
+   * @param head Creates the content of a row's first cell, once per row.
+   * @param noteOf Returns text too long for a column, shown as a line below the row unless it is empty.
    */
   constructor(
     private readonly caption: string, private readonly columns: Column<T>[], private readonly key: (item: T) => string,
@@ -56,7 +56,7 @@ export class LiveTable<T> {
     if (present !== body) this.table.insertBefore(body, present ?? null);
     this.columns.forEach((column, i) => {
       const level = column.level?.(item) ?? '';
-      // The badge is within the cell: the cell keeps its place in the table.
+      // The badge is an element within the cell, so that the cell keeps its role in the table.
       const badge = column.level ? cells[i].firstElementChild! : cells[i];
       if (column.level) badge.className = level ? `level ${level}` : '';
       setText(badge, column.cell(item));
@@ -66,7 +66,7 @@ export class LiveTable<T> {
     note.hidden = text === '';
   }
 
-  // A body for each item: its note moves with it.
+  // Each item has a table body, so that its note moves with it.
   private entryOf(key: string) {
     const cells = this.columns.map(c => el('td', { class: c.isNumber ? 'n' : c.isLong ? 'long' : null }, c.level ? el('span') : null));
     const note = el('tr', { class: 'note', hidden: true }, el('td', { colspan: 1 + cells.length }, el('p')));
@@ -74,7 +74,7 @@ export class LiveTable<T> {
   }
 }
 
-/** Only what is new: what has not changed is not read out again. */
+/** Sets text only if it has changed, so that screen readers do not repeat it. */
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }

@@ -33,7 +33,7 @@ const recordings = new Recordings();
 const headsets = new Headsets(() => plots.chooseAnother());
 const recorder = new Recorder(() => void read());
 const login = new Login(() => {
-  // The permissions have changed.
+  // Reconnects, because the permissions have changed.
   link.close();
   void read().then(() => wake());
 });
@@ -65,7 +65,7 @@ let asked = 0;
 async function read(): Promise<void> {
   const own = ++asked;
   const answer = await ask<State>('state');
-  // Outdated by a request after a login or logout.
+  // A newer request after a login or logout has made this one stale.
   if (own !== asked) return;
   isRefused = 'trouble' in answer && answer.status === 401;
   login.show(isRefused);
@@ -100,7 +100,7 @@ function show(state: State): void {
   events.show(state.events ?? []);
 }
 
-// Marked as stale, so that the remaining data are not mistaken for current ones.
+// Marks the data on the page as stale, so that they are not mistaken for current ones.
 function lose(why: string): void {
   byId('content').classList.add('stale');
   overall.lose();

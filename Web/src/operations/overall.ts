@@ -22,7 +22,7 @@ export class Overall {
     this.showAlarms((events ?? []).filter(event => !event.until_utc));
   }
 
-  /** The gateway does not answer: what it said before is not its state. */
+  /** Shows the state as unknown when the gateway does not answer. */
   lose(): void {
     document.title = `Not known: ${document.title.replace(/^(Warning|Fault|Not known): /, '')}`;
     this.setLine('unknown', 'Not known: the gateway tells nothing to this page.');
@@ -47,7 +47,7 @@ export class Overall {
   }
 }
 
-/** What is wrong, where, why and what to do. An older gateway sends only the parts. */
+/** Returns an event as text: fault, place, reason and remedy. Older gateways send only the parts. */
 export function eventWords({ kind, which, what, reason, text }: StatusEvent): string {
   return text ?? `${kind} ${which} ${what}${reason ? `: ${reason}` : ''}`;
 }

@@ -5,7 +5,7 @@ import { type Joint, numberOf, type PlantClock, type Source, type State, textOf,
 import { stateWords } from './terms';
 import { lengthWords, localTime } from './times';
 
-/** Adapters report once per second. */
+/** Time without a report after which an adapter is silent. Adapters report once per second. */
 const SILENT_S = 3;
 
 const KEY = '\u0000';
@@ -18,7 +18,7 @@ const count = (label: string, key: string) => ({
   label, isNumber: true, cell: (words: Words) => format(typeof words[key] === 'number' ? (words[key] as number) : null),
 });
 
-/** The plants: who reads them, what arrives, and how their clocks stand to one another. */
+/** Tables of the plants: adapters, joints, sources and clocks. */
 export class Plants {
   readonly element: HTMLElement;
   private readonly adapters = new LiveTable<Words>('Plant connections', [
@@ -71,12 +71,12 @@ export class Plants {
   }
 }
 
-/** The reason of the joint's state, with why a rest is not certain. */
+/** Returns the reason of the joint's state, and why a rest is uncertain. */
 function jointNote({ reason, uncertain }: Joint): string {
   return uncertain && !reason.includes(uncertain) ? [reason, uncertain].filter(Boolean).join('; ') : reason;
 }
 
-/** Why it is not connected, and how many values it refused for which reason. */
+/** Returns why an adapter is not connected, and its counts of refused values by reason. */
 function adapterNote(adapter: Words): string {
   const refused = Object.keys(adapter).filter(key => key.startsWith('refused/') && numberOf(adapter, key));
   const counts = refused.map(key => `${key.slice('refused/'.length)} ${format(numberOf(adapter, key))}`);
@@ -89,11 +89,11 @@ function limitWords({ beyond_limits: joints }: Source): string {
     + 'Is the description this robot’s, and does the source send rad and m, not degrees and mm?';
 }
 
-/** The control clock in one line. */
+/** Returns the state of the control clock in one line. */
 export function clockWords({ clock }: State): string {
   if (!clock) return 'not known';
   const source = clock.source === 'own' ? 'the gateway’s own' : `of ${clock.source}`;
-  // Its own is not compared with any other, and the state of a coarse one has its ±.
+  // The gateway's own clock is not compared with another one, and the state of a coarse clock contains its ±.
   const isFine = clock.state !== 'coarse';
   const error = clock.estimated_error_us && isFine ? `, ±\u00a0${format(clock.estimated_error_us, 'µs')}` : '';
   const bound = clock.error_bound_us && isFine ? `, within ${format(clock.error_bound_us, 'µs')}` : '';

@@ -7,7 +7,7 @@ import { localTime } from './times';
 
 const POLL_MS = 5000;
 
-/** The recordings in the gateway's folder: for operators, with their sizes, to download. */
+/** List of the recordings in the gateway's folder with sizes and downloads, for operators. */
 export class Recordings {
   private readonly note = byId('recordings-note');
   private readonly table = new LiveTable<StoredRecording>('Recordings', [

@@ -16,30 +16,30 @@ const NUMBERS_MS = 500;
 /** Interval of the pictures: smooth to the eye, with half the work of the maximum rate. */
 const PICTURE_MS = 30;
 
-// Finer differences are beyond the accuracy of a prediction.
+// Predictions are not accurate enough for smaller differences.
 const apart = (mm: number) => (mm < 0.1 ? 'less than 0.1\u00a0mm' : format(mm, 'mm'));
 
 const about = (mm: number) => (mm < 0.1 ? '' : 'about ') + apart(mm);
 
 const seconds = () => performance.now() / 1000;
 
-/** The robot as it truly was half a second ago, and what the chosen headset showed at the same moment. */
+/** View of the true robot half a second ago, and of the pose that the chosen headset displayed at that time. */
 export class RobotPanel {
   readonly element: HTMLElement;
   private readonly view = new RobotView('The robot as it was half a second ago, and what the shown headset displayed for the same moment.');
   private readonly words = el('p', { class: 'apart' }, 'No robot description has arrived.');
-  private readonly doubt = el('p', { class: 'level warning', hidden: true });
+  private readonly unknown = el('p', { class: 'level warning', hidden: true });
   private readonly truth = new JointTracks(KEEP_S);
   private displayed = new JointTracks(KEEP_S);
   private readonly clock = new LiveClock();
   private headset: Headset | null = null;
-  /** By name, why a joint's newest position is not where the joint is. */
+  /** For each joint whose newest position is not current, the reason. */
   private faults = new Map<string, string>();
-  private spoken = 0;
+  private shownAt = 0;
   private drawn = 0;
 
   constructor(link: Rosbridge, isCalm: boolean) {
-    this.element = el('div', {}, this.words, this.doubt, this.view.element);
+    this.element = el('div', {}, this.words, this.unknown, this.view.element);
     link.subscribe('/robot_description', 'std_msgs/msg/String', text => this.describe(text));
     // Fast enough for the eye at any plant rate. Several messages may be queued, because arm and gripper often publish separately.
     link.subscribe('/joint_states', JOINT_STATE, text => this.sample(text), 20, 8);
@@ -48,13 +48,13 @@ export class RobotPanel {
     else this.animate();
   }
 
-  /** Which headset's picture is laid over the robot. */
+  /** Chooses the headset whose displayed pose is drawn over the robot. */
   choose(headset: Headset | null): void {
     if (headset?.name !== this.headset?.name) this.displayed = new JointTracks(KEEP_S);
     this.headset = headset;
   }
 
-  /** The joints' states at the gateway: one that is not live nor at rest is not drawn. */
+  /** Sets the joints' states at the gateway. Links below a joint that is neither live nor at rest are not drawn. */
   setJoints(joints: Joint[]): void {
     const isGood = (joint: Joint) => joint.state === 'live' || joint.state === 'rest';
     const good = new Set(joints.filter(isGood).map(joint => joint.name));
@@ -98,40 +98,40 @@ export class RobotPanel {
       bodies.pose(part, poses[part]?.names ?? [], poses[part]?.positions ?? null);
     }
     this.view.ask();
-    if (performance.now() - this.spoken < NUMBERS_MS) return;
-    this.spoken = performance.now();
-    this.tellDoubt(bodies.joints, new Set(poses.truth?.names));
-    // Beyond its last sample, the held position is not the truth.
-    if ((this.truth.last ?? 0) < time) setText(this.words, 'Joint positions come too late to compare anything with them.');
-    else this.speak(bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth'));
+    if (performance.now() - this.shownAt < NUMBERS_MS) return;
+    this.shownAt = performance.now();
+    this.showUnknown(bodies.joints, new Set(poses.truth?.names));
+    // After the last sample, the true position is not known.
+    if ((this.truth.last ?? 0) < time) setText(this.words, 'Joint positions arrive too late for a comparison.');
+    else this.showDistances(bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth'));
   }
 
-  // A joint at 0, or at its last position, must not be mistaken for the truth.
-  private tellDoubt(all: string[], received: Set<string>): void {
+  // Names the joints without a current position: a joint at 0 or at its last position must not be mistaken for the truth.
+  private showUnknown(all: string[], received: Set<string>): void {
     const words = all.filter(joint => !received.has(joint) || this.faults.has(joint))
       .map(joint => (received.has(joint) ? `${joint} is ${this.faults.get(joint)}` : `${joint} has not been received`));
-    this.doubt.hidden = words.length === 0;
-    setText(this.doubt, words.length === 0 ? '' : `${words.join(', ')}: the links below are not drawn.`);
+    this.unknown.hidden = words.length === 0;
+    setText(this.unknown, words.length === 0 ? '' : `${words.join(', ')}: the links below are not drawn.`);
   }
 
-  // A headset without recent reports shows nothing here.
+  // Returns null for a headset without recent reports.
   private recent(time: number) {
     const { last } = this.displayed;
     return last === undefined || last < time - 0.5 ? null : this.displayed.at(time);
   }
 
-  // The samples that had arrived by then, by the latencies that the headset measured.
+  // Returns the newest samples that had arrived by then, according to the latencies that the headset measured.
   private held(time: number) {
     const late = this.headset && [numberOf(this.headset, 'l_app_ms'), numberOf(this.headset, 'l_visu_ms')];
     return !late || late[0] == null || late[1] == null ? null : this.truth.heldAt(time - (late[0] + late[1]) / 1000);
   }
 
-  private speak(displayed: number | null, hold: number | null): void {
+  private showDistances(displayed: number | null, hold: number | null): void {
     const name = this.headset?.name;
     if (!name) return setText(this.words, 'No headset is shown.');
     const isToolKnown = this.view.bodies!.isToolDrawn('truth');
     if (!isToolKnown) return setText(this.words, 'Where the tool was is not known, because the position of a joint is not known.');
-    const shown = displayed == null ? `${name} does not tell what it shows` : `${name} shows the tool ${apart(displayed)} from where it was`;
+    const shown = displayed == null ? `${name} does not report what it displays` : `${name} shows the tool ${apart(displayed)} from where it was`;
     setText(this.words, hold == null ? `${shown}.` : `${shown}; without compensation ${about(hold)}.`);
   }
 }

@@ -1,7 +1,7 @@
 const FIRST_WAIT_MS = 500;
-const LONGEST_WAIT_MS = 5000;
+const MAX_WAIT_MS = 5000;
 
-/** Seconds on the control clock, and where joints were. */
+/** A control time in seconds, and the joint positions at that time. */
 export interface JointState {
   stamp: number;
   frame: string;
@@ -16,7 +16,7 @@ interface Topic {
   take: (text: string) => void;
 }
 
-/** The gateway's own WebSocket, which comes back by itself. Read only: this page publishes nothing. */
+/** Connection to the gateway's rosbridge, which reconnects automatically. Read only: this page publishes nothing. */
 export class Rosbridge {
   private readonly topics = new Map<string, Topic>();
   private socket: WebSocket | null = null;
@@ -24,7 +24,7 @@ export class Rosbridge {
   private timer = 0;
   private isWanted = false;
 
-  /** @param take Receives each message as text, so that it need not be parsed completely. */
+  /** @param take Receives each message as text, so that it does not need to be parsed completely. */
   subscribe(topic: string, type: string, take: (text: string) => void, throttleMs = 0, queue = 0): void {
     this.topics.set(topic, { type, take, throttleMs, queue });
   }
@@ -58,11 +58,11 @@ export class Rosbridge {
       this.socket = null;
       if (!this.isWanted) return;
       this.timer = window.setTimeout(() => this.connect(), this.wait);
-      this.wait = Math.min(LONGEST_WAIT_MS, 2 * this.wait);
+      this.wait = Math.min(MAX_WAIT_MS, 2 * this.wait);
     });
   }
 
-  // Without parsing everything, because most messages are not needed.
+  // Does not parse whole messages, because most are not needed.
   private take(text: string): void {
     const topic = /"topic":"([^"]+)"/.exec(text)?.[1];
     if (topic) this.topics.get(topic)?.take(text);

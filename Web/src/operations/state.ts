@@ -32,7 +32,7 @@ export interface Joint {
   age_s?: number | null;
   rate_hz: number;
   reason: string;
-  /** The reason why it is uncertain that a joint at rest rests. */
+  /** The reason why the rest of the joint is uncertain. */
   uncertain?: string | null;
 }
 
@@ -109,12 +109,12 @@ export interface Recording {
   deleted?: boolean;
 }
 
-/** The gateway's answer, or why there is none. */
+/** The gateway's answer, or the reason why there is none. */
 export type Answer<T> = { value: T } | { trouble: string; status: number };
 
 const PATIENCE_MS = 4000;
 
-/** Asks the gateway this page came from. */
+/** Sends a request to the gateway that serves this page. */
 export async function ask<T>(path: string, fields?: Record<string, string>): Promise<Answer<T>> {
   const patience = new AbortController();
   const timer = setTimeout(() => patience.abort(), PATIENCE_MS);
@@ -132,7 +132,7 @@ export async function ask<T>(path: string, fields?: Record<string, string>): Pro
   }
 }
 
-/** Gets a number from the diagnostics; null if there is none. */
+/** Returns a number from the diagnostics; null if there is none. */
 export function numberOf(words: Words, key: string): number | null {
   const value = words[key];
   return typeof value === 'number' && Number.isFinite(value) ? value : null;

@@ -31,12 +31,12 @@ const TERMS: Record<string, string> = {
   'together (ms)': 'Sum of the hops: the latency from the sample to the light',
 };
 
-/** A label with its explanation on hover, where there is one. */
+/** Returns a label, with its explanation on hover if there is one. */
 export function term(label: string): Node | string {
   return label in TERMS ? el('abbr', { title: TERMS[label] }, label) : label;
 }
 
-/** "coarse, ± 3 ms" for a clock that is known coarsely; other states unchanged. */
+/** Returns "coarse, ± 3 ms" for a coarse clock, and other states unchanged. */
 export function stateWords(state: string, estimatedErrorUs: number | null | undefined, boundUs: number | null | undefined): string {
   const us = estimatedErrorUs ?? boundUs;
   return state === 'coarse' && us != null ? `coarse, ±\u00a0${Number((us / 1000).toPrecision(2))}\u00a0ms` : state;

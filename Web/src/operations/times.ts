@@ -1,11 +1,11 @@
-/** A time of the gateway as the reader's local time; with the day unless it is today. */
+/** Returns a time of the gateway as local time, with the date unless it is today. */
 export function localTime(utc: string): string {
   const time = new Date(utc);
   const clock = time.toLocaleTimeString('en-GB');
   return time.toDateString() === new Date().toDateString() ? clock : `${time.toLocaleDateString('en-GB', { day: 'numeric', month: 'short' })} ${clock}`;
 }
 
-/** A length in the unit that suits it. */
+/** Returns a length of time in a suitable unit. */
 export function lengthWords(seconds: number): string {
   const of = (value: number, unit: string) => `${value}\u00a0${unit}`;
   if (seconds < 1) return of(Math.round(seconds * 1000), 'ms');

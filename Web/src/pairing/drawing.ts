@@ -1,10 +1,10 @@
 import qrcode from 'qrcode-generator';
 import { svg } from '../dom';
 
-/** White around a code without which readers do not find it. */
+/** Width of the quiet zone that readers need around a code, in modules. */
 const MARGIN = 4;
 
-/** A drawn code, and its modules along an edge without the margin. */
+/** A drawn code and its number of modules along an edge, without the margin. */
 export interface Drawing {
   element: SVGElement;
   modules: number;
@@ -26,7 +26,7 @@ export function draw(text: string): Drawing {
   return { element, modules };
 }
 
-/** Gives the code without its margin the edge, in millimetres of paper. */
+/** Sets the printed edge of the code without its margin, in millimetres. */
 export function setEdge({ element, modules }: Drawing, edgeMm: number): void {
   const total = `${(edgeMm * (modules + 2 * MARGIN)) / modules}mm`;
   element.setAttribute('width', total);

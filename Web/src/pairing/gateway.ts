@@ -1,10 +1,10 @@
-/** What the gateway answers, or one line of why it does not. */
+/** The gateway's answer, or the reason in one line why there is none. */
 export type Answer<T> = { value: T } | { trouble: string };
 
 export interface ShownCode {
   text: string;
   left_s: number;
-  /** What of the gateway's key the headset's question shows; empty without encryption. */
+  /** The part of the gateway's key that the headset shows when it asks for consent; empty without encryption. */
   key: string;
 }
 
@@ -19,7 +19,7 @@ export interface Marker {
   fault?: string;
 }
 
-/** Asks below this page's own address. */
+/** Sends a request to the gateway that serves this page. */
 export async function ask<T>(what: 'code' | 'cell', fields: Record<string, string>): Promise<Answer<T>> {
   try {
     const response = await fetch(`/pair/${what}`, {

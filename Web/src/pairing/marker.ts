@@ -11,7 +11,7 @@ const offset = () => [...document.querySelectorAll<HTMLInputElement>('[data-offs
 
 let newest = 0;
 
-/** Makes the marker's code of what is filled in, and prints it. */
+/** Draws the marker's code from the form's fields, and prints it. */
 export async function startMarker(): Promise<void> {
   const form = byId<HTMLFormElement>('form');
   let pause = 0;

@@ -4,7 +4,7 @@ import type { FigureData } from './data';
 import { anchorOf } from './section';
 import { badge } from './verdict';
 
-/** The figures with their verdicts, each a link to its section. */
+/** Lists the figures with their verdicts and links to their sections. */
 export function contents(figures: FigureData[]): HTMLElement {
   const caption = 'Does what the paper says of its figures hold?';
   const rows = figures.map(f => el('tr', {},

@@ -14,13 +14,13 @@ export interface FiguresData {
 export type Verdict = 'holds' | 'holds partly' | 'does not hold';
 
 export interface FigureData {
-  /** As the paper counts: "13a". */
+  /** Number in the paper: "13a". */
   number: string;
   title: string;
   claim: string;
   verdict: Verdict;
   criteria: CriterionData[];
-  /** What our own methods do; null where there is nothing to say. */
+  /** Results of our own methods; null if there are none. */
   beyond: string | null;
   conditions: string;
   /** Name of the CSV. */
@@ -54,9 +54,9 @@ export interface PlotData {
   x: Quantity;
   y: Quantity;
   from_zero: boolean;
-  /** The vertical axis is this long both ways; null to follow the data. */
+  /** Extent of the vertical axis in each direction; null to follow the data. */
   y_extent: number | null;
-  /** Makes it a plot of operating points with these curves of equal error; null for lines. */
+  /** Curves of equal error for a plot of operating points; null for a line plot. */
   iso_mm: number[] | null;
   marks: Mark[];
   traces: TraceData[];
@@ -69,7 +69,7 @@ export interface TraceData {
   y: Value[];
   stepped: boolean;
   marked: boolean;
-  /** Points only, no line between them. */
+  /** Whether to draw points without a line between them. */
   scattered: boolean;
   /** Half length of a bar across each point; null for none. */
   deviation: Value[] | null;

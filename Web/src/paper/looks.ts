@@ -1,6 +1,6 @@
 import { type Look, LOOKS } from '../traces';
 
-/** How signals look by the names that the data give; C#'s `Looks` has the names, `PictureInk` the same for pictures. */
+/** Style of each signal by its name in the data. The names are those of C#'s `Looks`; `PictureInk` has the styles for pictures. */
 const BY_NAME: Record<string, Look> = {
   truth: LOOKS.truth,
   hold: LOOKS.hold,
@@ -16,7 +16,7 @@ export function lookOf(name: string): Look {
   return BY_NAME[name] ?? LOOKS.bound;
 }
 
-/** As points: what is not compensated is hollow, what is, filled. */
+/** Returns the style as points: hollow for uncompensated signals, filled for compensated ones. */
 export function pointsOf(name: string): Look {
   const mark = name === 'hold' || name === 'linear' ? 'hollow' : 'filled';
   return { ...lookOf(name), width: 1.5, dash: [], mark };

@@ -30,5 +30,5 @@ function page(data: FiguresData): Node[] {
 const data = readFigures();
 document.title = data.title;
 document.getElementById('page')!.replaceChildren(...page(data));
-// The sections were not there when the browser looked for the address's own.
+// The sections did not exist yet when the browser looked for the address's fragment.
 document.getElementById(location.hash.slice(1))?.scrollIntoView();

@@ -1,6 +1,6 @@
 import { el } from '../dom';
 
-/** Text in which T_s, t_k and L_app are written as the paper does, with an index. */
+/** Returns text in which T_s, t_k and L_app have subscripts like in the paper. */
 export function text(words: string): (Node | string)[] {
   return words.split(/\b([TtLε]_[a-zA-Z]+)/).map(part => {
     const [symbol, index] = part.split('_');

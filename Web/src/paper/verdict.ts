@@ -4,7 +4,7 @@ import { text } from './text';
 
 const CLASSES: Record<Verdict, string> = { holds: 'met', 'holds partly': 'partly', 'does not hold': 'unmet' };
 
-/** The words say it; shape and colour only help the eye. */
+/** Shows a verdict in words. Shape and colour only repeat it. */
 export function badge(verdict: Verdict): HTMLElement {
   return el('span', { class: `badge ${CLASSES[verdict]}` }, verdict);
 }

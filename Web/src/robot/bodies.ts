@@ -5,10 +5,10 @@ import {
 import { colour, type Ink } from '../theme';
 import { isDrawn, movingJoints, paint, readUrdf, type Robot, setJoints, showKnown, toolPosition } from './urdf';
 
-/** What can be shown of one robot at one time. */
+/** The poses of one robot that can be shown at one time. */
 export type Part = 'truth' | 'displayed' | 'hold';
 
-/** Drawn in the order of their places, the last over the others where they are the same. */
+/** Style of each part. Parts are drawn in the order of `place`; the last covers the others where they coincide. */
 export const PARTS: Record<Part, { ink: Ink; opacity: number; place: number }> = {
   truth: { ink: '--truth', opacity: 1, place: 2 },
   displayed: { ink: '--compensated', opacity: 0.5, place: 1 },
@@ -18,7 +18,7 @@ export const PARTS: Record<Part, { ink: Ink; opacity: number; place: number }> =
 /** Moves faces back by an invisible amount: a pixel along a slope, and about 3 mm in depth if a robot of 1 m fills the picture. */
 const BACK = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 200 };
 
-/** The same robot several times, each in its colour and with joints of its own. */
+/** Several instances of one robot, each with its own colour and joint positions. */
 export class Bodies {
   readonly group = new Group();
   readonly robots: Record<Part, Robot>;
@@ -68,7 +68,7 @@ export class Bodies {
     return isDrawn(this.robots[part].tool);
   }
 
-  /** Makes a box larger by what is shown. */
+  /** Extends a box by the shown bodies. */
   addTo(box: Box3): void {
     for (const part of Object.keys(PARTS) as Part[]) if (this.isShown(part)) box.expandByObject(this.robots[part].root);
   }

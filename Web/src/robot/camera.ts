@@ -5,14 +5,14 @@ const STEEPEST = 1.5;
 const CLOSEST_M = 0.1;
 const START = { azimuth: -0.9, elevation: 0.4, zoom: 1 };
 
-/** Looks at the robot from around: turned by mouse, finger and keyboard. z is up. */
+/** A camera that orbits the robot, controlled by mouse, touch and keyboard. z is up. */
 export class OrbitCamera {
   readonly camera = new PerspectiveCamera(35, 1, 0.01, 100);
   private readonly framed = new Box3(new Vector3(-0.5, -0.5, 0), new Vector3(0.5, 0.5, 1));
   private look = { ...START };
   private readonly fingers = new Map<number, PointerEvent>();
 
-  /** @param changed Called when it looks from elsewhere. */
+  /** @param changed Called when the camera has moved. */
   constructor(element: HTMLElement, private readonly changed: () => void) {
     this.camera.up.set(0, 0, 1);
     element.addEventListener('pointerdown', event => {
@@ -21,7 +21,7 @@ export class OrbitCamera {
     });
     element.addEventListener('pointermove', event => this.drag(event));
     for (const end of ['pointerup', 'pointercancel'] as const) element.addEventListener(end, event => this.fingers.delete(event.pointerId));
-    // With Ctrl only: a wheel that turns the page must not stop at the robot.
+    // Zooms with Ctrl only, so that scrolling the page does not stop at the robot.
     element.addEventListener('wheel', event => {
       if (!event.ctrlKey) return;
       event.preventDefault();
@@ -30,7 +30,7 @@ export class OrbitCamera {
     element.addEventListener('dblclick', () => this.reset());
   }
 
-  /** All of the box is seen, from wherever. */
+  /** Makes the whole box visible from every direction. */
   frame(box: Box3): void {
     this.framed.copy(box);
     this.place();
@@ -41,7 +41,7 @@ export class OrbitCamera {
     this.place();
   }
 
-  /** @returns Whether it was one of its keys. */
+  /** @returns Whether the key controls the camera. */
   onKey(key: string): boolean {
     const turns: Record<string, () => void> = {
       ArrowLeft: () => this.turn(-STEP, 0, 1), ArrowRight: () => this.turn(STEP, 0, 1),
@@ -84,15 +84,15 @@ export class OrbitCamera {
     this.changed();
   }
 
-  // Where the camera sees all corners, the outermost as far from one edge of the picture as from the other: in its own axes, from the centre.
+  // Returns the camera's position, in its own axes and from the centre, at which all corners are visible and centred in the picture.
   private fitted(centre: Vector3): Vector3 {
     const turned = this.camera.quaternion.clone().invert(), { min, max } = this.framed;
     const corners = [min.x, max.x].flatMap(x => [min.y, max.y].flatMap(y => [min.z, max.z].map(z => new Vector3(x, y, z))));
     for (const corner of corners) corner.sub(centre).applyQuaternion(turned);
     const high = Math.tan((this.camera.fov * Math.PI) / 360), wide = high * this.camera.aspect;
-    // What lies nearer stands further out.
-    const most = (axis: 'x' | 'y', sign: number, slope: number) => Math.max(...corners.map(corner => sign * corner[axis] + slope * corner.z));
-    const [left, right, low, top] = [most('x', -1, wide), most('x', 1, wide), most('y', -1, high), most('y', 1, high)];
+    // A corner nearer to the camera appears further from the picture's centre.
+    const extent = (axis: 'x' | 'y', sign: number, slope: number) => Math.max(...corners.map(corner => sign * corner[axis] + slope * corner.z));
+    const [left, right, low, top] = [extent('x', -1, wide), extent('x', 1, wide), extent('y', -1, high), extent('y', 1, high)];
     return new Vector3((right - left) / 2, (top - low) / 2, Math.max(CLOSEST_M, (left + right) / (2 * wide), (low + top) / (2 * high)));
   }
 }

@@ -3,12 +3,12 @@ export class JointTrack {
   private times: number[] = [];
   private values: number[] = [];
 
-  /** @param keep For how long, in seconds; everything where it is not said. */
+  /** @param keep Length of the kept history in seconds; unlimited by default. */
   constructor(private readonly keep = Infinity) {}
 
   get last(): number | undefined { return this.times[this.times.length - 1]; }
 
-  /** What comes out of order is left out; what goes back by more than is kept belongs to another time line. */
+  /** Ignores samples out of order. A sample that is older than the kept history starts a new time line. */
   add(time: number, position: number): void {
     const last = this.last;
     if (last !== undefined && time <= last) {
@@ -20,14 +20,14 @@ export class JointTrack {
     this.values.push(position);
     let old = 0;
     while (this.times[old] < time - this.keep) old++;
-    // In one go now and then: shifting each time would move them all.
+    // Removes many at once, because each removal moves the whole array.
     if (old > 64) {
       this.times.splice(0, old);
       this.values.splice(0, old);
     }
   }
 
-  /** On the straight line between its neighbours; the newest beyond it, null before the first. */
+  /** Interpolates linearly between samples. Returns the newest position after the last sample, and null before the first. */
   at(time: number): number | null {
     const i = this.indexAt(time);
     if (i < 0) return null;
@@ -36,7 +36,7 @@ export class JointTrack {
     return from + ((time - this.times[i]) / (this.times[i + 1] - this.times[i])) * (this.values[i + 1] - from);
   }
 
-  /** The newest at or before a time; null before the first. */
+  /** Returns the newest position at or before a time; null before the first. */
   heldAt(time: number): number | null {
     const i = this.indexAt(time);
     return i < 0 ? null : this.values[i];

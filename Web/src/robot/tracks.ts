@@ -1,22 +1,22 @@
 import { JointTrack } from './track';
 
-/** As many as a message may carry, twice: a robot that takes another's place finds room. */
-const GREATEST_JOINTS = 512;
+/** Maximum number of joints: twice that of a message, so that the joints of a robot that replaces another fit. */
+const MAX_JOINTS = 512;
 
-/** Where all joints are at one time. */
+/** Positions of all joints at one time. */
 export interface Pose {
   names: string[];
   positions: number[];
 }
 
-/** A robot's joints over time. A message may carry any of them, now these and now those: each joint keeps its own history. */
+/** A robot's joint positions over time. Each joint has its own history, because each message may contain any subset of the joints. */
 export class JointTracks {
   private readonly tracks = new Map<string, JointTrack>();
 
-  /** @param keep As of {@link JointTrack}. */
+  /** @param keep Length of the kept history in seconds, see {@link JointTrack}. */
   constructor(private readonly keep = Infinity) {}
 
-  /** Of the joint that spoke last. */
+  /** Time of the newest sample of any joint. */
   get last(): number | undefined {
     let last: number | undefined;
     for (const track of this.tracks.values()) if (last === undefined || track.last! > last) last = track.last;
@@ -29,12 +29,12 @@ export class JointTracks {
     });
   }
 
-  /** Between samples; joints that have not spoken since stay where they were. Null before any has. */
+  /** Interpolates between samples. A joint without a newer sample keeps its last position. Null before the first sample. */
   at(time: number): Pose | null {
     return this.pose(track => track.at(time));
   }
 
-  /** As shown without compensation: the newest samples at or before a time. */
+  /** Returns the newest samples at or before a time, which are shown without compensation. */
   heldAt(time: number): Pose | null {
     return this.pose(track => track.heldAt(time));
   }
@@ -42,7 +42,7 @@ export class JointTracks {
   private trackOf(name: string): JointTrack {
     let track = this.tracks.get(name);
     if (track) return track;
-    if (this.tracks.size >= GREATEST_JOINTS) this.tracks.delete(this.oldest());
+    if (this.tracks.size >= MAX_JOINTS) this.tracks.delete(this.oldest());
     this.tracks.set(name, track = new JointTrack(this.keep));
     return track;
   }

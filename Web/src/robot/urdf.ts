@@ -1,16 +1,16 @@
 import { MeshPhongMaterial, type Object3D, Vector3 } from 'three';
 import URDFLoader, { type URDFJoint, type URDFRobot } from 'urdf-loader';
 
-/** The tool's link, found in the same order as in the headset. */
+/** Names of the tool's link, in the order in which the headset searches for them. */
 const TOOLS = ['tool_centre_point', 'tool0', 'flange'];
 
 const MOVING = ['revolute', 'continuous', 'prismatic'];
 
-/** A robot as its URDF describes it, with joints that can be set. */
+/** A robot from its URDF, with joints that can be set. */
 export interface Robot {
   root: URDFRobot;
   tool: Object3D;
-  /** How many of its visuals are meshes, which a page cannot load. */
+  /** Number of visuals that are meshes, which a page cannot load. */
   meshes: number;
 }
 
@@ -41,17 +41,17 @@ export function setJoints({ root }: Robot, names: string[], positions: ArrayLike
   root.updateMatrixWorld(true);
 }
 
-/** The joints that need positions: those that move and follow no other joint. */
+/** Returns the joints that need positions: those that move and do not mimic another joint. */
 export function movingJoints({ root }: Robot): string[] {
   return Object.entries(root.joints).filter(([, joint]) => MOVING.includes(joint.jointType) && masterOf(joint) === null).map(([name]) => name);
 }
 
-/** Draws the links below joints whose position is known, and no others. */
+/** Draws only the links below joints whose position is known. */
 export function showKnown({ root }: Robot, isKnown: (joint: string) => boolean): void {
   for (const [name, joint] of Object.entries(root.joints)) joint.visible = !MOVING.includes(joint.jointType) || isKnown(masterOf(joint) ?? name);
 }
 
-/** Whether an object and everything above it is drawn. */
+/** Whether an object and all of its ancestors are drawn. */
 export function isDrawn(object: Object3D): boolean {
   for (let at: Object3D | null = object; at; at = at.parent) if (!at.visible) return false;
   return true;
@@ -61,7 +61,7 @@ function masterOf(joint: URDFJoint): string | null {
   return (joint as { mimicJoint?: string }).mimicJoint ?? null;
 }
 
-/** In metres, in the robot's base frame. */
+/** Returns the position of the tool in the robot's base frame, in metres. */
 export function toolPosition(robot: Robot, into = new Vector3()): Vector3 {
   return robot.root.worldToLocal(robot.tool.getWorldPosition(into));
 }
@@ -81,7 +81,7 @@ function toolOf(root: URDFRobot): Object3D {
   return leaves.reduce((best, leaf) => (depth(leaf) > depth(best) ? leaf : best), leaves[0] ?? root);
 }
 
-/** Materials of the loader's are shared between links; each that is painted gets one. */
+/** Replaces the materials of all meshes and sets their render order. The loader shares its materials between links. */
 export function paint(root: Object3D, material: MeshPhongMaterial, renderOrder: number): void {
   root.traverse(object => {
     if (!('material' in object)) return;

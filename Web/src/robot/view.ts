@@ -50,7 +50,7 @@ export class RobotView {
     onColoursChanged(() => this.recolour());
   }
 
-  /** The bodies; null until there is a valid description. */
+  /** The robot's bodies; null until there is a valid description. */
   get bodies(): Bodies | null { return this.bodiesShown; }
 
   /** Replaces the robot. For an invalid URDF, it shows a message and no robot. */
@@ -71,7 +71,7 @@ export class RobotView {
     this.recolour();
   }
 
-  /** Draws with the next frame, once for any number of calls. */
+  /** Requests a redraw with the next frame. Several calls cause one redraw. */
   ask(): void {
     if (this.isAsked || !this.isSeen || !this.renderer) return;
     this.isAsked = true;

@@ -1,5 +1,5 @@
-// A control time as 8×8 lights: the same code as Nowpose.VisibleLight.TimestampCode, which explains it.
-// led-matrix/timestamp-codes.csv of the manual holds both to one another.
+// A control time as 8×8 lights. Nowpose.VisibleLight.TimestampCode implements and explains the same code.
+// The tests of both use led-matrix/timestamp-codes.csv of the manual.
 
 /** Cells along one side. */
 export const SIDE = 8;
@@ -19,7 +19,7 @@ function isLitRing(row: number, column: number): boolean {
   return row !== 0 || (column !== 1 && column !== 2);
 }
 
-/** Which cells the control system lights, row by row. @param value whole milliseconds, 0 to 65535. */
+/** Returns which cells are lit in the control system's code, row by row. @param value Whole milliseconds, 0 to 65535. */
 export function controlCells(value: number): boolean[] {
   const gray = value ^ (value >> 1);
   const word = (gray << 2) | (parity(gray & 0x5555) << 1) | parity(gray & 0xaaaa);

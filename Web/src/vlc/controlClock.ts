@@ -4,7 +4,7 @@ export interface Exchange {
   t2: bigint;
   t3: bigint;
   t4: number;
-  /** The step in which the control clock advances, ns; it shows the beginning of the step. */
+  /** Resolution of the control clock, ns. It shows the beginning of a step. */
   resolutionNs: number;
 }
 
@@ -17,10 +17,10 @@ export interface Reading {
 const WINDOW_MS = 10_000;
 
 /** Minimum number of exchanges for an estimate. */
-export const LEAST_EXCHANGES = 8;
+export const MIN_EXCHANGES = 8;
 
 /** Maximum skew of two clocks, as in the protocol. */
-const GREATEST_SKEW = 500e-6;
+const MAX_SKEW = 500e-6;
 
 const NS_PER_MS = 1e6;
 
@@ -32,7 +32,7 @@ export class ControlClock {
   private exchanges: { at: number; low: number; high: number }[] = [];
   private base = 0n;
 
-  /** @param grainMs Steps in which t1 and t4 advance, which is also their maximum error. */
+  /** @param grainMs Resolution of t1 and t4, which is also their maximum error. */
   constructor(private readonly grainMs: number) {}
 
   get count(): number {
@@ -56,12 +56,12 @@ export class ControlClock {
     this.exchanges = [];
   }
 
-  /** Since the newest exchange, ms. */
+  /** Time since the newest exchange, ms. */
   age(now: number): number {
     return this.count === 0 ? Infinity : now - this.exchanges[this.count - 1].at;
   }
 
-  /** Null before the first exchange. */
+  /** Returns the control time; null before the first exchange. */
   at(now: number): Reading | null {
     if (this.count === 0) return null;
     const { low, high } = this.limits(now);
@@ -71,7 +71,7 @@ export class ControlClock {
   private limits(now: number): { low: number; high: number } {
     let low = -Infinity, high = Infinity;
     for (const e of this.exchanges) {
-      const drift = GREATEST_SKEW * Math.max(0, now - e.at);
+      const drift = MAX_SKEW * Math.max(0, now - e.at);
       low = Math.max(low, e.low - drift);
       high = Math.min(high, e.high + drift);
     }

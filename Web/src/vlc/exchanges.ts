@@ -1,4 +1,4 @@
-import { ControlClock, LEAST_EXCHANGES } from './controlClock';
+import { ControlClock, MIN_EXCHANGES } from './controlClock';
 import { grainOf } from './grain';
 
 const QUICK_MS = 60, SLOW_MS = 250, TIMEOUT_MS = 1000;
@@ -6,8 +6,8 @@ const QUICK_MS = 60, SLOW_MS = 250, TIMEOUT_MS = 1000;
 /** Time without a reply after which the clock is unknown: two exchanges may be lost. */
 const SILENCE_MS = 2000;
 
-/** Maximum error bound. A larger error would be read as another code, and no code is better than a wrong one. */
-const GREATEST_BOUND_MS = 3;
+/** Maximum error bound. A code with a larger error would show a wrong time, which is worse than no code. */
+const MAX_BOUND_MS = 3;
 
 interface Answer {
   t2_ns: string;
@@ -16,7 +16,7 @@ interface Answer {
   is_synchronised: boolean;
 }
 
-/** Keeps a clock synchronised with the gateway the page came from. */
+/** Keeps a clock synchronised with the gateway that serves this page. */
 export class Exchanges {
   readonly clock = new ControlClock(grainOf(() => performance.now()));
   private problem = 'asking the gateway';
@@ -27,28 +27,28 @@ export class Exchanges {
   /** @param onToken Called when the gateway asks for a token that the page does not have. */
   constructor(private readonly onToken: () => void) {}
 
-  /** Kept in this page's memory only. */
+  /** Sets the token, which stays in this page's memory only. */
   authorise(token: string): void {
     this.token = token.trim();
     this.isWaiting = false;
     this.goOn();
   }
 
-  /** Gets the reason why no code may be shown; null when the clock is accurate. */
-  doubt(now: number): string | null {
+  /** Returns the reason why no code may be shown; null if the clock is accurate. */
+  reasonWithoutCode(now: number): string | null {
     const age = this.clock.age(now);
     if (this.problem) return this.problem;
     if (age > SILENCE_MS) return 'the gateway does not answer';
-    if (this.clock.count < LEAST_EXCHANGES) return `${this.clock.count} of ${LEAST_EXCHANGES} exchanges`;
+    if (this.clock.count < MIN_EXCHANGES) return `${this.clock.count} of ${MIN_EXCHANGES} exchanges`;
     const { boundMs } = this.clock.at(now)!;
-    if (boundMs <= GREATEST_BOUND_MS) return null;
-    return `known to ± ${boundMs.toFixed(1)} ms only, ± ${GREATEST_BOUND_MS} ms are needed: use a wired network, or another browser`;
+    if (boundMs <= MAX_BOUND_MS) return null;
+    return `the error bound is ± ${boundMs.toFixed(1)} ms; it must be at most ± ${MAX_BOUND_MS} ms. Use a wired network or another browser`;
   }
 
   async run(): Promise<never> {
     for (;;) {
       await this.exchange();
-      const pause = this.clock.count < LEAST_EXCHANGES && !this.problem ? QUICK_MS : SLOW_MS;
+      const pause = this.clock.count < MIN_EXCHANGES && !this.problem ? QUICK_MS : SLOW_MS;
       await new Promise<void>(done => {
         // Without a token, each request would add a line to the gateway's log.
         if (this.isWaiting) this.goOn = done;
@@ -69,7 +69,7 @@ export class Exchanges {
       this.problem = answer.is_synchronised ? '' : 'the control clock itself is not synchronised';
       this.clock.add({ t1, t2: BigInt(answer.t2_ns), t3: BigInt(answer.t3_ns), t4, resolutionNs: answer.resolution_ns });
     } catch {
-      // Not reachable or too slow; reported once the newest exchange is too old.
+      // The gateway is unreachable or too slow, which is reported once the newest exchange is too old.
       if (this.clock.age(performance.now()) > SILENCE_MS) this.fail('the gateway does not answer');
     }
   }

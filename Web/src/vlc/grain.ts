@@ -1,21 +1,21 @@
 const STEPS = 5;
 
-/** Step of the finest clocks, ms; no browser documents it more exactly. */
-const LEAST_MS = 0.1;
+/** Resolution of the finest clocks, ms. Browsers do not document it more precisely. */
+const MIN_MS = 0.1;
 
 /**
- * The steps in which a page's clock advances, ms. Browsers coarsen it against pages that measure others: to 1 ms and more where the page
- * was loaded over plain http from another machine.
- * @param now The clock. It is asked until it has advanced a few times.
+ * Measures the resolution of a page's clock, ms. Browsers coarsen clocks against timing attacks: to 1 ms and more if the page was loaded
+ * over plain http from another machine.
+ * @param now The clock. It is read until it has advanced a few times.
  */
 export function grainOf(now: () => number): number {
-  let least = Infinity;
+  let shortest = Infinity;
   for (let step = 0; step < STEPS; step++) {
     const begin = now();
     let end = begin;
     while (end === begin) end = now();
-    // A page that is interrupted here sees several steps at once.
-    least = Math.min(least, end - begin);
+    // An interrupted page sees several steps at once.
+    shortest = Math.min(shortest, end - begin);
   }
-  return Math.max(least, LEAST_MS);
+  return Math.max(shortest, MIN_MS);
 }

@@ -34,7 +34,7 @@ function show(why: string | null, ns: bigint, boundMs: number): void {
   }
   draw(Number((ns / NS_PER_MS) % BigInt(PERIOD_MS)));
   time.textContent = `C1 ${seconds(ns)} s`;
-  facts.textContent = `known to ± ${boundMs.toFixed(1)} ms. ${delayInWords()}`;
+  facts.textContent = `error bound ± ${boundMs.toFixed(1)} ms. ${delayInWords()}`;
 }
 
 function seconds(ns: bigint): string {
@@ -45,23 +45,23 @@ function seconds(ns: bigint): string {
 function delayInWords(): string {
   const refresh = monitor.refreshMs;
   if (Number.isNaN(refresh)) return 'Measuring the refresh rate.';
-  const { mean, greatestError } = monitor.delayMs;
-  return `Monitor: ${(1000 / refresh).toFixed(1)} Hz, L_monitor ≈ ${mean.toFixed(0)} ± ${greatestError.toFixed(0)} ms plus the panel’s own delay.`;
+  const { mean, maxError } = monitor.delayMs;
+  return `Monitor: ${(1000 / refresh).toFixed(1)} Hz, L_monitor ≈ ${mean.toFixed(0)} ± ${maxError.toFixed(0)} ms plus the panel’s own delay.`;
 }
 
 function frame(at: number): void {
   requestAnimationFrame(frame);
   monitor.frame(at);
-  // The frame's begin, not the moment of drawing: the light comes a whole number of refreshes later.
+  // Uses the frame's start, not the time of drawing, because the light follows a whole number of refreshes after the start.
   const reading = exchanges.clock.at(at);
-  const why = exchanges.doubt(performance.now());
-  show(reading == null ? why ?? 'nothing is known' : why, reading?.ns ?? 0n, reading?.boundMs ?? 0);
+  const why = exchanges.reasonWithoutCode(performance.now());
+  show(reading == null ? why ?? 'no exchange with the gateway yet' : why, reading?.ns ?? 0n, reading?.boundMs ?? 0);
 }
 
 async function toggleFullScreen(): Promise<void> {
   if (document.fullscreenElement) return document.exitFullscreen();
   await document.documentElement.requestFullscreen();
-  // A screen that dims is read as none. Not every browser offers it, nor over plain connections.
+  // A dimmed screen cannot be read. Not all browsers offer wake locks, and none do over plain http.
   await navigator.wakeLock?.request('screen').catch(() => undefined);
 }
 

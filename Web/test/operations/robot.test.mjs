@@ -27,7 +27,7 @@ const bodiesDrawn = async page => {
 describe('the robot', () => {
   withGraphics();
 
-  it('is not drawn below a joint that was never received, nor compared there', async () => {
+  it('is neither drawn nor compared below a joint that was never received', async () => {
     gateway.turned = 0;
     const page = await open({ reducedMotion: 'reduce' });
     await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
@@ -44,7 +44,7 @@ describe('the robot', () => {
     assert.ok(base < whole, `${base} of ${whole} bodies`);
   });
 
-  it('is not drawn below a joint whose data is not live, while the others go on', async () => {
+  it('is not drawn below a joint whose data is not live, while other joints are', async () => {
     const page = await open();
     await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
 
@@ -56,7 +56,7 @@ describe('the robot', () => {
     await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
   });
 
-  it('says how far what a headset showed is from the truth of the same moment', async () => {
+  it('shows the distance between the displayed and the true tool at one time', async () => {
     const page = await open();
 
     // Turned by 0.1 rad about the base axis, from which the tool is 0.4809 m away (from the command line's kinematics). On a busy machine
@@ -69,7 +69,7 @@ describe('the robot', () => {
     assert.match(await page.textContent('.apart'), /without compensation about/);
   });
 
-  it('that rests is less than 0.1 mm away, not about that', async () => {
+  it('at rest has a distance of less than 0.1 mm', async () => {
     gateway.turned = 0;
     gateway.pace = 0;
     const page = await open();
@@ -78,7 +78,7 @@ describe('the robot', () => {
       .test(document.querySelector('.apart').textContent));
   });
 
-  it('whose positions stay out is compared with nothing', async () => {
+  it('without new positions is not compared', async () => {
     const page = await open();
     await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
 
@@ -87,7 +87,7 @@ describe('the robot', () => {
     await becomes(page, '.apart', 'come too late');
   });
 
-  it('is drawn three times, each in its colour', async () => {
+  it('is drawn three times, each in its own colour', async () => {
     gateway.turned = 1;
     const page = await open({ reducedMotion: 'reduce' });
     await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
@@ -98,11 +98,11 @@ describe('the robot', () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  // The mixture of all three colours would be grey again.
+  // Only one other body is drawn, because the mixture of all three colours would be grey again.
   for (const [other, said] of [
     ['displayed', /shows the tool less than 0\.1.mm from where it was\.$/], ['held', /what it shows; without compensation less than 0\.1/],
   ]) {
-    it(`has the colour of the truth where what is ${other} is the same`, async () => {
+    it(`has the colour of the truth where the ${other} pose is the same`, async () => {
       gateway.turned = other === 'displayed' ? 0 : null;
       gateway.pace = 0;
       if (other === 'displayed') delete gateway.state.headsets[0].l_app_ms;
@@ -116,7 +116,7 @@ describe('the robot', () => {
     });
   }
 
-  it('is seen whole, also where it comes to later', async () => {
+  it('stays completely visible when it moves', async () => {
     gateway.turned = 1;
     const page = await open({ reducedMotion: 'reduce' });
     await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
@@ -129,7 +129,7 @@ describe('the robot', () => {
     }
   });
 
-  it('turns with the keyboard and comes back', async () => {
+  it('turns with the keyboard and returns', async () => {
     const page = await open({ reducedMotion: 'reduce' });
     gateway.isSilent = true;
     await page.waitForSelector('#content.stale');
@@ -151,7 +151,7 @@ describe('the robot', () => {
     assert.equal(await shot(), first);
   });
 
-  it('whose parts are meshes is drawn as lines, and nothing is asked for', async () => {
+  it('with meshes is drawn as lines without requesting files', async () => {
     gateway.urdf = gateway.urdf.replace(/<geometry>[^]*?<\/geometry>/g, '<geometry><mesh filename="package://robot/link.stl"/></geometry>')
       .replace('<material', '<material name="t"><texture filename="http://127.0.0.1:9/t.png"/></material><material');
     const page = await open({ reducedMotion: 'reduce' });
@@ -164,7 +164,7 @@ describe('the robot', () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it('that takes the place of another leaves nothing of it in the graphics memory', async () => {
+  it('that replaces another frees its graphics memory', async () => {
     const page = await open({ reducedMotion: 'reduce' });
     await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
     await page.locator('.stage').scrollIntoViewIfNeeded();
@@ -182,7 +182,7 @@ describe('the robot', () => {
     assert.equal(await page.evaluate(() => buffers), before);
   });
 
-  it('whose description is not a URDF is reported', async () => {
+  it('with an invalid description is reported', async () => {
     gateway.urdf = 'no robot at all';
     const page = await open();
 
@@ -193,7 +193,7 @@ describe('the robot', () => {
 });
 
 describe('the robot without WebGL', () => {
-  it('is missed in one sentence, and its distance told all the same', async () => {
+  it('shows one message and the distances', async () => {
     const page = await open();
     await becomes(page, '.robot .missing', 'no WebGL');
     await page.waitForFunction(() => /shows the tool [\d.]+/.test(document.querySelector('.apart').textContent));

@@ -11,7 +11,7 @@ const noteOf = async (page, row) => {
   return (await note.isVisible()) ? note.innerText() : null;
 };
 
-it('runs its own script and none that was put into the page', async () => {
+it('runs its own script but no injected one', async () => {
   const page = await open();
 
   const policy = await page.locator('meta[http-equiv=Content-Security-Policy]').getAttribute('content');
@@ -27,8 +27,8 @@ it('runs its own script and none that was put into the page', async () => {
   assert.equal(await page.evaluate(() => window.wasRun), undefined);
 });
 
-describe('what it shows', () => {
-  it('says what each headset says, in words and numbers', async () => {
+describe('the shown state', () => {
+  it('contains the reports of each headset in words and numbers', async () => {
     const page = await open();
 
     assert.equal(await page.textContent('h1'), 'Press 3');
@@ -41,7 +41,7 @@ describe('what it shows', () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it('says how the plants and their clocks do', async () => {
+  it('contains the plants and their clocks', async () => {
     const page = await open();
 
     assert.match(await page.textContent('#clock'), /synchronised, of press, ±\u00a035.*, within 120/);
@@ -54,7 +54,7 @@ describe('what it shows', () => {
     assert.equal(await page.textContent('#drops'), 'NotFinite 2');
   });
 
-  it('says which joints are where the robot cannot be, for as long as they are', async () => {
+  it('names the joints outside their limits while they are', async () => {
     gateway.state.sources[0].beyond_limits = [JOINTS[1]];
     const page = await open();
 
@@ -65,7 +65,7 @@ describe('what it shows', () => {
   });
 
   for (const width of [1280, 800, 390]) {
-    it(`shows all of a long reason in a window of ${width}`, async () => {
+    it(`contains a long reason completely in a window of ${width}`, async () => {
       const reason = `the server's certificate is not trusted; its thumbprint is ${'0a'.repeat(20)} (SHA-1), ${'1b'.repeat(32)} (SHA-256). `
         + `When that is the one of your server, move /var/lib/nowpose-gateway/${'pki/'.repeat(20)}rejected/${'0a'.repeat(20)}.der to `
         + `/var/lib/nowpose-gateway/${'pki/'.repeat(20)}trusted, or add plant.security.thumbprint to the configuration`;
@@ -79,11 +79,11 @@ describe('what it shows', () => {
       assert.ok(note.width > Math.min(600, 0.9 * table.width), 'lines long enough to read');
       gateway.state.adapters[1].reason = null;
       await page.waitForFunction(() => !document.querySelector('#plants').textContent.includes('thumbprint'));
-      assert.equal(await noteOf(page, 'belt'), null, 'what is over is not said any more');
+      assert.equal(await noteOf(page, 'belt'), null, 'the note disappears with its reason');
     });
   }
 
-  it('shows no number for what is not known', async () => {
+  it('contains no number for an unknown value', async () => {
     Object.assign(gateway.state.clock, { state: 'unsynchronised', estimated_error_us: null, error_bound_us: null });
     Object.assign(gateway.state.plant_clocks[1], {
       state: 'unsynchronised', offset_to_control_ms: null, drift_ppm: null, rtt_ms: null, estimated_error_us: null, error_bound_us: null, resolution_us: null,
@@ -96,7 +96,7 @@ describe('what it shows', () => {
     await page.waitForFunction(() => document.querySelector('#clock').textContent === 'synchronised, the gateway’s own');
   });
 
-  it('adds the hops of a latency up, as numbers and as bars of their lengths', async () => {
+  it('contains the sum of a latency\'s hops, as numbers and as bars of their lengths', async () => {
     const page = await open();
 
     const row = page.locator('#budget tr:has-text("left door")');
@@ -106,7 +106,7 @@ describe('what it shows', () => {
     assert.ok(Math.abs(plant / display - 71 / 29) < 0.1 && Math.abs(display / render - 29 / 11) < 0.15, widths.join(', '));
   });
 
-  it('draws the chosen headset and the plant over time', async () => {
+  it('contains plots of the chosen headset and the plant', async () => {
     const page = await open();
     await page.waitForFunction(() => document.querySelectorAll('.plot canvas').length === 4);
     await becomes(page, '#plots', '82');
@@ -155,7 +155,7 @@ describe('what it shows', () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it('takes an answer in which nothing is known', async () => {
+  it('may be completely unknown', async () => {
     gateway.state = { role: 'observer' };
     const page = await open({}, false);
 
@@ -181,7 +181,7 @@ describe('faults', () => {
     gateway.state.events = [event(7, 'error')];
   }
 
-  it('are not there: title, place and one line say so', async () => {
+  it('are absent: title, place and status line show OK', async () => {
     const page = await open();
 
     assert.equal(await page.title(), 'Press 3 · cell-pc · Nowpose 0.1.0');
@@ -194,7 +194,7 @@ describe('faults', () => {
     assert.equal(headings[0], 'Plants');
   });
 
-  it('of a joint are named in title, line, alarms and table, with reason and since when', async () => {
+  it('of a joint are named in title, status line, alarms and table, with reason and start', async () => {
     fail();
     const page = await open();
 
@@ -205,7 +205,7 @@ describe('faults', () => {
     assert.deepEqual([source, state, rate, age], ['press', 'refused', '0', '95\u00a0s']);
     assert.match(since, /\d\d:\d\d:\d\d$/);
     assert.equal(await page.locator('[aria-label="Joints"] tbody:has(th:text-is("arm_joint_3")) .note').innerText(), refused.reason);
-    assert.deepEqual((await jointCells(page, 'arm_joint_2')).slice(0, 2), ['press', 'live'], 'the others go on');
+    assert.deepEqual((await jointCells(page, 'arm_joint_2')).slice(0, 2), ['press', 'live'], 'the other joints stay live');
 
     Object.assign(gateway.state.joints[2], gateway.state.joints[1], { name: 'arm_joint_3' });
     gateway.state.status = { level: 'ok', text: '5 joints live, 2 headsets' };
@@ -216,7 +216,7 @@ describe('faults', () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it('are shown in the words of the gateway', async () => {
+  it('are shown with the gateway\'s text', async () => {
     gateway.state.events = [event(7, 'warning', { kind: 'limit', which: 'arm_joint_3', what: 'is exceeded', text: 'joint arm_joint_3 is outside its limits. Check it.' })];
     const page = await open();
 
@@ -225,7 +225,7 @@ describe('faults', () => {
     assert.doesNotMatch(await page.textContent('#content'), /limit arm_joint_3/);
   });
 
-  it('that are over stay in the list, below those that last', async () => {
+  it('that have ended stay in the list, below active ones', async () => {
     gateway.state.events = [event(9, 'error', { until_utc: ago(10) }), event(8, 'warning'), event(7, 'error', { until_utc: ago(90) })];
     const page = await open();
 
@@ -244,7 +244,7 @@ describe('faults', () => {
     }
   });
 
-  it('that may be there: a rest that is not certain is a warning with its reason, a certain one is none', async () => {
+  it('include an uncertain rest with its reason but not a certain one', async () => {
     const why = 'the stop itself was not observed';
     Object.assign(gateway.state.joints[0], { state: 'rest', reason: 'no change is reported', uncertain: why });
     Object.assign(gateway.state.joints[1], { state: 'rest', reason: 'no change is reported' });
@@ -261,7 +261,7 @@ describe('faults', () => {
     assert.equal(await badge('arm_joint_1').innerText(), 'live');
   });
 
-  it('have words, icon and colour, and can be read on light and dark', async () => {
+  it('have words, icon and colour, readable on light and dark', async () => {
     fail();
     gateway.state.events.push(event(6, 'warning', { kind: 'headset', which: 'left door' }));
     gateway.state.joints[0].state = 'rest';
@@ -303,7 +303,7 @@ describe('faults', () => {
     assert.ok(content <= window, `${content} px of content`);
   });
 
-  it('of a headset are in its row', async () => {
+  it('of a headset are shown in its row', async () => {
     Object.assign(gateway.state.headsets[0], { pose: 'incomplete', missing_joints: 'a,b', current_share: 0.4, profile_mismatch: 'made for HoloLens 2' });
     const page = await open();
 
@@ -331,7 +331,7 @@ describe('faults', () => {
     assert.equal(await page.locator('[aria-label="Plant connections"] .note p').first().innerText(), 'refused values: bad_status 7, nan 2');
   });
 
-  it('of the gateway itself leave no OK behind', async () => {
+  it('of the gateway itself replace the OK', async () => {
     const page = await open();
 
     gateway.isSilent = true;

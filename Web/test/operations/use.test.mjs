@@ -28,22 +28,22 @@ const weakestText = page => page.evaluate(() => {
   return weakest;
 });
 
-describe('what can be done', () => {
-  it('switches the recorder on and off', async () => {
+describe('actions', () => {
+  it('switch the recorder on and off', async () => {
     const page = await open();
 
     await page.locator('#record').focus();
     await page.keyboard.press('Enter');
     await becomes(page, '#recording', 'recording press-3.jsonl: 12 lines');
     assert.equal(await page.textContent('#record'), 'Stop recording');
-    assert.equal(await page.getAttribute('#record', 'aria-pressed'), null, 'one of the two says it');
+    assert.equal(await page.getAttribute('#record', 'aria-pressed'), null, 'the text already states it');
     await page.click('#record');
     await becomes(page, '#recording', 'stopped');
 
     assert.deepEqual(gateway.posts, [['/operations/recording', { on: 'true' }], ['/operations/recording', { on: 'false' }]]);
   });
 
-  it('offers no recorder without a folder', async () => {
+  it('exclude the recorder without a folder', async () => {
     gateway.state.recording = { can: false, on: false };
     const page = await open();
 
@@ -52,7 +52,7 @@ describe('what can be done', () => {
     assert.match(await page.textContent('#recording'), /no folder/);
   });
 
-  it('lists recordings with their sizes, downloads them, and notices one that is deleted', async () => {
+  it('list and download recordings with their sizes, and show a deleted one', async () => {
     const page = await open();
     await becomes(page, '#recordings', 'press-1.jsonl');
     assert.equal((await cells(page, 'press-1.jsonl'))[0], '2.50');
@@ -67,7 +67,7 @@ describe('what can be done', () => {
     await becomes(page, '#recording', 'last press-1.jsonl: the file was deleted');
   });
 
-  it('lists no recordings for others than operators', async () => {
+  it('list recordings only for operators', async () => {
     gateway.state.role = 'observer';
     const page = await open();
 
@@ -75,7 +75,7 @@ describe('what can be done', () => {
     assert.equal(await page.locator('#recordings a').count(), 0);
   });
 
-  it('tells who may not record, and what went wrong', async () => {
+  it('explain a missing permission to record and a recorder\'s problem', async () => {
     gateway.state.role = 'observer';
     const page = await open();
     assert.ok(await page.isDisabled('#record'));
@@ -85,12 +85,12 @@ describe('what can be done', () => {
     await becomes(page, '#recording', '3 lines are missing. Problem: the disk is full');
   });
 
-  it('asks for a token where the gateway does, and shows everything with it', async () => {
+  it('request a token if the gateway requires one, and show everything with it', async () => {
     gateway.token = 'open-sesame';
     const page = await open({}, false);
     await page.waitForSelector('#login', { state: 'visible' });
 
-    assert.equal(gateway.connects, 0, 'who is not let in does not knock');
+    assert.equal(gateway.connects, 0, 'no connection without a token');
     await page.fill('#token-text', 'guess');
     await page.keyboard.press('Enter');
     await becomes(page, '#login-fault', 'not a token');
@@ -110,7 +110,7 @@ describe('what can be done', () => {
     assert.match(await page.textContent('#trouble'), /Log in/);
   });
 
-  it('shows the code that pairs when asked, and hides it again', async () => {
+  it('show and hide the pairing code', async () => {
     const page = await open();
     assert.deepEqual(gateway.posts, []);
 
@@ -127,8 +127,8 @@ describe('what can be done', () => {
   });
 });
 
-describe('the code that pairs', () => {
-  it('which is still on its way when it is hidden stays out of the page', async () => {
+describe('the pairing code', () => {
+  it('is not shown if it arrives after it was hidden', async () => {
     const page = await open();
     let release;
     gateway.codeIsLate = new Promise(resolve => { release = resolve; });
@@ -146,16 +146,16 @@ describe('the code that pairs', () => {
   });
 });
 
-describe('a gateway that is gone', () => {
+describe('a gateway that does not answer', () => {
   withGraphics();
 
-  it('is reported once, and the data are marked as old, until it is back', async () => {
+  it('is reported once and its data are marked as stale until it answers', async () => {
     const page = await open();
 
     gateway.isSilent = true;
     await becomes(page, '#trouble', 'does not answer. What is shown is of');
     assert.ok(await page.locator('#content.stale').count());
-    assert.ok(await weakestText(page) > 4.5, 'what is old can be read');
+    assert.ok(await weakestText(page) > 4.5, 'stale data are readable');
     const changes = await page.evaluate(async () => {
       let count = 0;
       const watch = new MutationObserver(() => count++);
@@ -163,14 +163,14 @@ describe('a gateway that is gone', () => {
       await new Promise(done => setTimeout(done, 2500));
       return count;
     });
-    assert.equal(changes, 0, 'a live region that chatters');
+    assert.equal(changes, 0, 'repeated announcements of the live region');
 
     gateway.isSilent = false;
     await page.waitForFunction(() => document.querySelector('#trouble').textContent === '');
     assert.equal(await page.locator('#content.stale').count(), 0);
   });
 
-  it('is called again, and its robot goes on', async () => {
+  it('is reconnected, and its robot moves again', async () => {
     const page = await open();
     await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
 
@@ -179,14 +179,14 @@ describe('a gateway that is gone', () => {
 
     const deadline = Date.now() + 60_000;
     while (gateway.connects < 2) {
-      assert.ok(Date.now() < deadline, 'it never called again');
+      assert.ok(Date.now() < deadline, 'the page did not reconnect');
       await new Promise(done => setTimeout(done, 50));
     }
     await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
   });
 });
 
-describe('any window, any eye', () => {
+describe('accessibility in any window', () => {
   withGraphics();
 
   it('reaches every control with the keyboard, visibly', async () => {
@@ -209,7 +209,7 @@ describe('any window, any eye', () => {
     assert.equal(reached.size, wanted);
   });
 
-  it('has a name for everything, and one heading above all', async () => {
+  it('has a name for each control and region, and one top heading', async () => {
     const page = await open();
 
     const nameless = await page.evaluate(() => [...document.querySelectorAll('button, input, [tabindex="0"], section, table')].filter(e => {
@@ -235,7 +235,7 @@ describe('any window, any eye', () => {
     });
   }
 
-  it('shows what matters most without scrolling in half a window', async () => {
+  it('shows all columns of headsets and latencies without scrolling in half a window', async () => {
     const page = await open({ viewport: { width: 800, height: 900 } });
 
     for (const [table, last] of [['Headsets', 'Error reduction'], ['Latency by hop', 'together']]) {
@@ -245,7 +245,7 @@ describe('any window, any eye', () => {
     }
   });
 
-  it('is light or dark as the system is, and can be read on both', async () => {
+  it('follows the system\'s light or dark scheme, readable in both', async () => {
     for (const colorScheme of ['light', 'dark']) {
       const page = await open({ colorScheme });
       const [ink, muted, surface, accent] = await luminance(page, ['--ink', '--muted', '--surface', '--accent']);
@@ -255,7 +255,7 @@ describe('any window, any eye', () => {
     }
   });
 
-  it('moves once a second only for those who want no motion', async () => {
+  it('redraws only once a second with reduced motion', async () => {
     const frames = async reducedMotion => {
       const page = await open({ reducedMotion });
       await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
@@ -274,7 +274,7 @@ describe('any window, any eye', () => {
     assert.ok(calm >= 1 && calm <= 8 && moving > calm, `${calm} against ${moving} clears`);
   });
 
-  it('holds the licences of what it contains, and needs nothing from elsewhere', () => {
+  it('contains the licences of its libraries and loads nothing from other servers', () => {
     const html = readFileSync(new URL('../../dist/operations.html', import.meta.url), 'utf8');
     for (const words of ['three.js authors', 'Leon Sorokin', 'Kazuhiko Arase', 'California Institute of Technology', 'Apache License']) assert.match(html, new RegExp(words));
     assert.doesNotMatch(html.split('<script>')[0], /(src|href)="(?!data:)/);

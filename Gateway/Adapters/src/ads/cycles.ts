@@ -4,7 +4,7 @@ import type { Nanoseconds } from '../times';
 const MORE_WAITING = 16;
 
 /** Maximum number of stored times: those of 10 s, the longest delay, for a task of 5 ms. */
-const MOST_TIMES = 2048;
+const MAX_TIMES = 2048;
 
 /** A joint's index in the configuration, and its value in the PLC. */
 export interface CycleValue {
@@ -31,7 +31,7 @@ export class Cycles {
 
   /** Adds the part of one cycle in a frame. `time` is undefined if the frame does not contain it.  */
   add(stamp: bigint, values: CycleValue[], time: Nanoseconds | null | undefined): void {
-    if (time !== undefined) remember(this.#times, stamp, time, MOST_TIMES);
+    if (time !== undefined) remember(this.#times, stamp, time, MAX_TIMES);
     const all = [...this.#waiting.get(stamp) ?? [], ...values];
     if (all.length === 0) return;
     const known = this.#times.get(stamp);

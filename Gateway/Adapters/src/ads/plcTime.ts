@@ -7,7 +7,7 @@ import { timeOf } from './decoding';
 import type { ReadOnlyClient } from './readOnlyClient';
 
 const PROBES = 64, PROBE_EVERY_MS = 1;
-const LONGEST_WAIT_MS = 1500, MOST_EARLY = 64;
+const MAX_WAIT_MS = 1500, MAX_EARLY = 64;
 
 /** The clock that stamps a PLC's values. */
 export interface PlcTime {
@@ -34,7 +34,7 @@ export class NotificationTime implements PlcTime {
   saw(handle: number, stamp: bigint): void {
     const take = this.#waiting.get(handle);
     if (take !== undefined) take(stamp);
-    else if (this.#asking > 0 && !this.#former.includes(handle) && this.#early.size < MOST_EARLY && !this.#early.has(handle))
+    else if (this.#asking > 0 && !this.#former.includes(handle) && this.#early.size < MAX_EARLY && !this.#early.has(handle))
       this.#early.set(handle, stamp);
   }
 
@@ -49,7 +49,7 @@ export class NotificationTime implements PlcTime {
       return { received: time, sent: time };
     } finally {
       this.#waiting.delete(asked.notificationHandle);
-      if (this.#former.push(asked.notificationHandle) > MOST_EARLY) this.#former.shift();
+      if (this.#former.push(asked.notificationHandle) > MAX_EARLY) this.#former.shift();
       asked.unsubscribe().catch(() => {});
     }
   }
@@ -59,7 +59,7 @@ export class NotificationTime implements PlcTime {
     if (this.#asking === 0) this.#early.clear();
     if (early !== undefined) return Promise.resolve(early);
     return new Promise((resolve, reject) => {
-      const timer = setTimeout(() => reject(new Error(`no first notification within ${LONGEST_WAIT_MS} ms`)), LONGEST_WAIT_MS);
+      const timer = setTimeout(() => reject(new Error(`no first notification within ${MAX_WAIT_MS} ms`)), MAX_WAIT_MS);
       this.#waiting.set(handle, stamp => {
         clearTimeout(timer);
         resolve(stamp);

@@ -2,7 +2,7 @@ import { ADS, type AdsCommandToSend, type AdsResponse, type AmsTcpPacket, Client
 import type { AdsEndpoint } from './endpoint';
 import { parseStream, type StampedSamples } from './stream';
 
-const LARGEST_FRAME = 16 * 1024 * 1024;
+const MAX_FRAME = 16 * 1024 * 1024;
 const TIMEOUT_MS = 1500, CHECK_MS = 500, DOWN_MS = 1000;
 
 const { ADS_COMMAND: COMMAND, ADS_RESERVED_INDEX_GROUPS: GROUP } = ADS;
@@ -49,7 +49,7 @@ export class ReadOnlyClient extends Client {
     hidden.parseAmsTcpPacket = data => this.#unlessBroken(() => taken(data));
     hidden.handleReceivedData = () => this.#unlessBroken(() => {
       const { receiveBuffer } = hidden;
-      if (receiveBuffer.length >= 6 && receiveBuffer.readUInt32LE(2) > LARGEST_FRAME) throw new RangeError('a frame of more than 16 MiB');
+      if (receiveBuffer.length >= 6 && receiveBuffer.readUInt32LE(2) > MAX_FRAME) throw new RangeError('a frame of more than 16 MiB');
       received();
     });
   }

@@ -3,7 +3,7 @@ import { nearest } from '../configuration/nearest';
 import type { ReadOnlyClient } from './readOnlyClient';
 import { isSymbolNotFound } from './reasons';
 
-const LARGEST_TABLE = 8 * 1024 * 1024;
+const MAX_TABLE = 8 * 1024 * 1024;
 
 /** A variable in the configuration, with its line. */
 export interface NamedSymbol {
@@ -34,7 +34,7 @@ export async function findSymbol(client: ReadOnlyClient, file: string, { symbol,
 
 async function near(client: ReadOnlyClient, symbol: string): Promise<string> {
   const { symbolLength } = await client.readPlcUploadInfo();
-  if (symbolLength > LARGEST_TABLE) return '';
+  if (symbolLength > MAX_TABLE) return '';
   const names = Object.values(await client.getSymbols()).map(s => s.name);
   const close = nearest(symbol, names, 3);
   return close.length === 0 ? '; see its symbols with the PLC program\'s own tools' : `; near are ${close.join(', ')}`;

@@ -16,7 +16,7 @@ export const STATES = 'joint_states', TRAJECTORY = 'joint_trajectory', DESCRIPTI
 export type Presence = 'true' | 'no gateway' | 'false';
 
 /** Maximum packet size: a description of 1 MiB with a margin. */
-const LARGEST_PACKET = 1024 * 1024 + 64 * 1024;
+const MAX_PACKET = 1024 * 1024 + 64 * 1024;
 
 export interface BrokerEvents {
   opened(): void;
@@ -117,7 +117,7 @@ export class BrokerLink {
       connectTimeout: CONNECT_MS,
       reconnectPeriod: 0,
       queueQoSZero: false,
-      properties: { maximumPacketSize: LARGEST_PACKET },
+      properties: { maximumPacketSize: MAX_PACKET },
       ...(user === null ? {} : { username: user.name, password: user.password }),
       ...(authority === null ? {} : { ca: authority }),
       // Published by the broker when this end disconnects without a close.

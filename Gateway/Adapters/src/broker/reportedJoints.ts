@@ -4,7 +4,7 @@ import type { JointNames } from '../ros/jointNames';
 import type { Silence } from '../samples/silence';
 import { type Nanoseconds, ofRosTime, toMilliseconds } from '../times';
 
-const MOST_JOINTS = 256, LONGEST_NAME = 128, LONGEST_REASON = 300;
+const MAX_JOINTS = 256, MAX_NAME = 128, MAX_REASON = 300;
 
 /** STATE SINCE REASON, as written by a gateway; SINCE is its control time in seconds. */
 const VALUE = /^(live|rest|stale|refused|fault|missing) (-?\d{1,12}(?:\.\d{1,9})?)(?: (.*))?$/;
@@ -68,11 +68,11 @@ function reportsOf(message: Record<string, unknown>, now: number): Report[] | st
   const written = ofRosTime(header?.stamp), values = Array.isArray(status) && status.length === 1 ? status[0]?.values : undefined;
   if (written === null) return 'it has no time stamp';
   if (!Array.isArray(values)) return 'it has no list of values';
-  if (values.length > MOST_JOINTS) return `it has ${values.length} joints; up to ${MOST_JOINTS} are allowed`;
+  if (values.length > MAX_JOINTS) return `it has ${values.length} joints; up to ${MAX_JOINTS} are allowed`;
   const reports: Report[] = [];
   for (const value of values as ({ key?: unknown; value?: unknown } | null)[]) {
     const report = reportOf(value, written, now);
-    if (report === null) return `the entry ${JSON.stringify(value)?.slice(0, LONGEST_NAME)} is no joint's name with STATE SINCE REASON`;
+    if (report === null) return `the entry ${JSON.stringify(value)?.slice(0, MAX_NAME)} is not a joint's name with STATE SINCE REASON`;
     if (report.state !== 'live') reports.push(report);
   }
   return reports;
@@ -80,12 +80,12 @@ function reportsOf(message: Record<string, unknown>, now: number): Report[] | st
 
 function reportOf(entry: { key?: unknown; value?: unknown } | null, written: Nanoseconds, now: number): Report | null {
   const { key: joint, value } = entry ?? {};
-  if (typeof joint !== 'string' || joint === '' || joint.length > LONGEST_NAME || typeof value !== 'string') return null;
+  if (typeof joint !== 'string' || joint === '' || joint.length > MAX_NAME || typeof value !== 'string') return null;
   const [, word, seconds, text = ''] = VALUE.exec(value) ?? [];
   if (word === undefined) return null;
   // The transmission time is negligible, so no clock needs to be known here, and clocks of two machines need not agree.
   const since = Math.max(0, now - Math.max(0, toMilliseconds(written) - 1000 * Number(seconds)));
-  const reason = text.slice(0, LONGEST_REASON), isUncertain = word === 'rest' && reason.startsWith(UNCERTAIN);
+  const reason = text.slice(0, MAX_REASON), isUncertain = word === 'rest' && reason.startsWith(UNCERTAIN);
   // "stale" describes the arrival at the receiving gateway, which an adapter does not report.
   const [state, why] = word === 'stale' ? ['fault', `at the gateway that has the plant: ${reason}`] : [word, reason];
   return { joint, state: state as JointState, since, reason: why, uncertainty: isUncertain ? reason.slice(UNCERTAIN.length) : '' };

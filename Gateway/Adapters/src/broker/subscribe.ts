@@ -8,7 +8,7 @@ import { ReportedJoints } from './reportedJoints';
 import type { BrokerSettings } from './settings';
 import { runUpstreamClock } from './upstreamClock';
 
-const LONGEST_MESSAGE = 64 * 1024, LONGEST_DESCRIPTION = 1024 * 1024;
+const MAX_MESSAGE = 64 * 1024, MAX_DESCRIPTION = 1024 * 1024;
 
 /** Transfers from the broker to a gateway without a plant, with the time of the plant's gateway. */
 export async function subscribe(
@@ -21,7 +21,7 @@ export async function subscribe(
     [STATUS]: message => reported.hear(message),
     [TRAJECTORY]: message => {
       const passed = passedTrajectory(message, names);
-      if (passed === null) return status.refuse('malformed', 'trajectory', 'it has no joints, or values that are no numbers');
+      if (passed === null) return status.refuse('malformed', 'trajectory', 'it has no joints, or a value is not a number');
       gateway.publishKept(JOINT_TRAJECTORY, passed);
     },
     [DESCRIPTION]: ({ data }) => {
@@ -31,7 +31,7 @@ export async function subscribe(
   };
 
   const broker = new BrokerLink(settings, configuration.plant.name, [...Object.keys(take), ALIVE], {
-    opened: () => status.enter('waiting', `nobody publishes ${settings.topic} at the broker yet`),
+    opened: () => status.enter('waiting', `no client publishes ${settings.topic} at the broker yet`),
     away: reason => {
       reported.leave();
       if (status.state === 'connected') status.reconnected();
@@ -40,7 +40,7 @@ export async function subscribe(
     heard: (name, payload) => {
       if (name === ALIVE) return enter(payload.toString());
       const message = parsed(name, payload);
-      if (message === null) return status.refuse('malformed', name, 'it is no JSON object, or longer than allowed');
+      if (message === null) return status.refuse('malformed', name, 'it is not a JSON object, or longer than allowed');
       take[name]?.(message);
     },
     malformed: (name, problem) => status.refuse('malformed', name, problem),
@@ -61,7 +61,7 @@ export async function subscribe(
 }
 
 function parsed(name: string, payload: Buffer): Record<string, unknown> | null {
-  if (payload.length > (name === DESCRIPTION ? LONGEST_DESCRIPTION : LONGEST_MESSAGE)) return null;
+  if (payload.length > (name === DESCRIPTION ? MAX_DESCRIPTION : MAX_MESSAGE)) return null;
   try {
     const message = JSON.parse(payload.toString()) as unknown;
     return typeof message === 'object' && !Array.isArray(message) ? message as Record<string, unknown> | null : null;

@@ -47,7 +47,7 @@ export class SyncClient {
       if (sent >= received && sent - received <= took + (resolution ?? 0n)) return reply.reading;
     }
     this.close();
-    throw new Error('its sync port sent what is no valid reply');
+    throw new Error('its sync port sent an invalid reply');
   }
 
   #ask(bytes: Buffer): Promise<Buffer> {

@@ -6,7 +6,7 @@ export const FRAME = 48;
 
 const MAGIC = 0x434e5953, VERSION = 1;
 const REQUEST = 1, REPLY = 2, TOKEN = 0x10, TOKEN_REPLY = 0x11;
-const LONGEST_BOUND = 0xffff_ffff;
+const MAX_BOUND = 0xffff_ffff;
 
 export interface Reply {
   sequence: number;
@@ -53,7 +53,7 @@ export function parseReply(bytes: Buffer): Reply | undefined {
       resolution: BigInt(bytes.readUInt32LE(40)) || undefined,
       errorBound: BigInt(bound) * 1000n,
       // The maximum value of the field means that the bound is unknown.
-      synchronised: (flags & 1) === 0 && bound !== LONGEST_BOUND,
+      synchronised: (flags & 1) === 0 && bound !== MAX_BOUND,
     },
   };
 }

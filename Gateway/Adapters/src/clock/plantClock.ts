@@ -29,7 +29,7 @@ export class ClockStopped extends Error {
 export const isClockStopped = (error: unknown): boolean => (error as Error | undefined)?.name === 'ClockStopped';
 
 /** Limits of a resolution measurement. With enough changes of the time, a whole standstill lies between two of them. */
-const FEWEST_READINGS = 16, MOST_TO_KNOW = 64, CHANGES = 2, BETWEEN_READINGS_MS = 3;
+const MIN_READINGS = 16, MAX_READINGS = 64, CHANGES = 2, BETWEEN_READINGS_MS = 3;
 
 /** A gateway does not synchronise with a coarser clock: with steps of 30 ms it takes two or three minutes, with 50 ms it never does. */
 const COARSE: Nanoseconds = 50n * NS_PER_MS;
@@ -54,11 +54,11 @@ export class PlantClock {
   /**
    * @param fixedResolution The configured resolution; null to measure it.
    * @param counter Monotonic time of this machine, ns.
-   * @param told Receives the steps of the clock if they are too large for an accurate synchronisation, and null when they no longer are.
+   * @param coarse Receives the resolution of the clock if it is too coarse for an accurate synchronisation, and null when it no longer is.
    */
   constructor(
     readonly gateway: Pick<GatewayLink, 'offer'>, readonly name: string, readonly fixedResolution: Nanoseconds | null = null,
-    readonly counter = monotonicTime, readonly told: (coarse: Nanoseconds | null) => void = () => {},
+    readonly counter = monotonicTime, readonly coarse: (resolution: Nanoseconds | null) => void = () => {},
   ) {}
 
   /** Whether the clock of the stamps is known. Before that, the gateway would interpret them as stamps of its own clock. */
@@ -113,7 +113,7 @@ export class PlantClock {
     if (this.#isToBeMeasured)
       this.#measuring ??= this.#measure(read, this.#detached.signal).catch(() => {}).finally(() => { this.#measuring = null; });
     const resolution = reading.resolution ?? this.resolution;
-    this.told(resolution >= COARSE ? resolution : null);
+    this.coarse(resolution >= COARSE ? resolution : null);
     return { ...reading, resolution };
   }
 
@@ -148,7 +148,7 @@ export class PlantClock {
   }
 
   #isMeasured(readings: number, changes: number): boolean {
-    return readings >= FEWEST_READINGS && changes >= CHANGES && (this.#resolution.isKnown || readings >= MOST_TO_KNOW);
+    return readings >= MIN_READINGS && changes >= CHANGES && (this.#resolution.isKnown || readings >= MAX_READINGS);
   }
 
   async #observed(read: ReadClock): Promise<ClockReading> {

@@ -98,7 +98,7 @@ function kindOf(file: YamlFile): string {
     const meant = misspelt(missing, isSection ? root!.plant! : root, knownEntries(path));
     if (meant === undefined) file.report([...path, missing], `missing; add the section plant with its kind, ${allowed}`);
     else file.report([...path, meant], `not known here; did you mean ${missing}?`);
-    if (!isSection) reportStrangers(file, root, meant);
+    if (!isSection) reportUnknown(file, root, meant);
   } else if (!KINDS.includes(kind as string)) {
     const [guess] = nearest(String(kind), KINDS);
     file.report(['plant', 'kind'], `value ${shown(kind)}; ${guess ? `did you mean ${guess}? ` : ''}${allowed}`);
@@ -107,11 +107,11 @@ function kindOf(file: YamlFile): string {
   return kind as string;
 }
 
-/** Reports top-level entries that no kind has. */
-function reportStrangers(file: YamlFile, root: object | null, told: string | undefined): void {
+/** Reports top-level entries that no kind has, except one that was already reported. */
+function reportUnknown(file: YamlFile, root: object | null, reported: string | undefined): void {
   const known = [...new Set(knownEntries([]))];
   for (const key of Object.keys(root ?? {}))
-    if (key !== told && !known.includes(key)) file.report([key], `not known here; allowed are ${known.join(', ')}`);
+    if (key !== reported && !known.includes(key)) file.report([key], `not known here; allowed are ${known.join(', ')}`);
 }
 
 /** Gets the unknown entry that is probably a misspelling of a missing one. */

@@ -12,7 +12,7 @@ export class ConfigurationError extends Error {
   }
 }
 
-const LONGEST_VALUE = 80;
+const MAX_VALUE = 80;
 
 /** The text before the host of an address may be a password, even if the rest is invalid. */
 const LOGIN = /(:\/+|\/\/).*@/s;
@@ -21,5 +21,5 @@ const LOGIN = /(:\/+|\/\/).*@/s;
 export function shown(value: unknown): string {
   if (typeof value === 'number' && !Number.isFinite(value)) return Number.isNaN(value) ? '.nan' : value > 0 ? '.inf' : '-.inf';
   const text = (JSON.stringify(value, (_, v) => typeof v === 'bigint' ? `${v}` : v) ?? String(value)).replace(LOGIN, '$1***@');
-  return text.length > LONGEST_VALUE ? `${text.slice(0, LONGEST_VALUE - 1)}…` : text;
+  return text.length > MAX_VALUE ? `${text.slice(0, MAX_VALUE - 1)}…` : text;
 }

@@ -20,12 +20,12 @@ export const knownEntries = (path: string[]): string[] => KINDS.flatMap(kind => 
 export function checkAgainstSchema(file: YamlFile, kind: string): void {
   const check = (checks as Record<string, ValidateFunction>)[kind]!;
   if (check(file.value)) return;
-  const told = new Set<string>();
+  const reported = new Set<string>();
   for (const error of check.errors!.filter(e => !['if', 'oneOf', 'anyOf', 'allOf', 'not'].includes(e.keyword) || isOwnWords(e))) {
     const { path, text } = inWords(error, file.value);
     const key = `${path.join('/')}:${error.keyword === 'required' || error.keyword === 'additionalProperties' ? text : ''}`;
-    if (!told.has(key)) file.report(path, text);
-    told.add(key);
+    if (!reported.has(key)) file.report(path, text);
+    reported.add(key);
   }
 }
 

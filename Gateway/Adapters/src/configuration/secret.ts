@@ -3,14 +3,14 @@ import { besides } from './besides';
 import { shown } from './problem';
 import type { Path, YamlFile } from './yamlFile';
 
-const LONGEST = 512;
+const MAX_LENGTH = 512;
 
 /** Gets the single line of a file; null, with a report, if it cannot be read or every user may read it. */
 export function secretIn(file: YamlFile, entry: Path, value: string): string | null {
   const text = secretText(file, entry, value, true)?.trim();
   if (text === undefined) return null;
-  if (text.length > 0 && text.length <= LONGEST && !/[\r\n]/.test(text)) return text;
-  file.report(entry, `value ${shown(value)}; the file must hold one line of 1 to ${LONGEST} characters and nothing else`);
+  if (text.length > 0 && text.length <= MAX_LENGTH && !/[\r\n]/.test(text)) return text;
+  file.report(entry, `value ${shown(value)}; the file must hold one line of 1 to ${MAX_LENGTH} characters and nothing else`);
   return null;
 }
 

@@ -12,7 +12,7 @@ export interface JointCondition {
   since: number;
   /** One sentence; empty while live. */
   reason: string;
-  /** The reason why it is uncertain that a joint at rest rests; empty for none. */
+  /** The reason why the rest of the joint is uncertain; empty for none. */
   uncertainty: string;
 }
 
@@ -113,10 +113,10 @@ export class JointConditions {
   }
 
   #trouble(joint: string, state: JointState, text: string, since: number, isLogged: boolean): void {
-    const reason = this.log.clean(text), { state: before, reason: told } = this.#joints.get(joint) ?? {};
+    const reason = this.log.clean(text), { state: before, reason: previous } = this.#joints.get(joint) ?? {};
     // A joint without any valid value stays missing; the reason describes the invalid value.
     const entered = before === 'missing' ? 'missing' : state;
-    if (before === entered && told === reason) return;
+    if (before === entered && previous === reason) return;
     this.#enter(joint, entered, reason, since);
     if (isLogged) this.log.change(`joint ${joint}`, `${entered} ${reason}`, `${joint} ${entered}: ${reason}`);
   }

@@ -8,13 +8,13 @@ import { PinnedAgent } from './pin';
 import { SendQueue } from './sendQueue';
 
 const HANDSHAKE_MS = 5000, PING_MS = 2000, SILENCE_MS = 6000, STEADY_MS = 2000, CALL_MS = 1500;
-const LARGEST_MESSAGE = 2 * 1024 * 1024;
+const MAX_MESSAGE = 2 * 1024 * 1024;
 
 /** An offer without a request for this long was refused, perhaps because our previous connection still held it. It is then repeated. */
 const OFFER_MS = 5000;
 
 /** Maximum number of stored status texts. */
-const MOST_STATUSES = 32;
+const MAX_STATUSES = 32;
 
 /** A gateway's status while the stamping clock is unknown. During this time it may still be measuring it. */
 const UNSYNCHRONISED = /\(Unsynchronised\)$/, MEASURING_MS = 20_000;
@@ -137,7 +137,7 @@ export class GatewayLink {
       agent: url.startsWith('wss:') ? pin === null ? new Agent({ keepAlive: false, minVersion: 'TLSv1.2' }) : new PinnedAgent(pin) : undefined,
       headers: token === null ? {} : { Authorization: `Bearer ${token}` },
       handshakeTimeout: HANDSHAKE_MS,
-      maxPayload: LARGEST_MESSAGE,
+      maxPayload: MAX_MESSAGE,
       perMessageDeflate: false,
     });
     return new Promise(resolve => {
@@ -216,7 +216,7 @@ export class GatewayLink {
     if (UNSYNCHRONISED.test(status) && performance.now() - this.#measured < MEASURING_MS)
       return this.log.change(`${this.name} measures`, 'measuring', `${this.name} measures this clock; positions pass when it knows it`);
     if (this.#statuses.has(status)) return;
-    if (this.#statuses.size >= MOST_STATUSES) this.#statuses.clear();
+    if (this.#statuses.size >= MAX_STATUSES) this.#statuses.clear();
     this.#statuses.add(status);
     this.log.change(`${this.name} says`, status, `${this.name} says: ${status}`);
   }

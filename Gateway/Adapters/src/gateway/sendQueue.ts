@@ -1,5 +1,5 @@
-const LONGEST = 64;
-const MOST_IN_FLIGHT = 64 * 1024;
+const CAPACITY = 64;
+const MAX_IN_FLIGHT = 64 * 1024;
 
 /** Queue of messages to a gateway that is away or slow. When full, the oldest are dropped and counted. */
 export class SendQueue {
@@ -9,7 +9,7 @@ export class SendQueue {
   get dropped(): number { return this.#dropped; }
 
   add(message: string): void {
-    if (this.#waiting.push(message) <= LONGEST) return;
+    if (this.#waiting.push(message) <= CAPACITY) return;
     this.#waiting.shift();
     this.#dropped++;
   }
@@ -20,6 +20,6 @@ export class SendQueue {
 
   /** Sends while the socket accepts messages immediately. Messages in this queue can still be dropped; those in the socket cannot. */
   pump(socket: { readonly bufferedAmount: number; send(data: string, done: () => void): void }, again: () => void): void {
-    while (this.#waiting.length > 0 && socket.bufferedAmount < MOST_IN_FLIGHT) socket.send(this.#waiting.shift()!, again);
+    while (this.#waiting.length > 0 && socket.bufferedAmount < MAX_IN_FLIGHT) socket.send(this.#waiting.shift()!, again);
   }
 }

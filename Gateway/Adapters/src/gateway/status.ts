@@ -4,7 +4,7 @@ import { JointConditions } from './jointConditions';
 /** State of the connection to the plant. "waiting" is the time between two attempts. */
 export type PlantState = 'connecting' | 'connected' | 'refused' | 'waiting';
 
-const MOST_REASONS = 32;
+const MAX_REASONS = 32;
 
 /** Status of the plant and its values: counted here, reported once a second, logged once per change. */
 export class AdapterStatus {
@@ -102,7 +102,7 @@ export class AdapterStatus {
 
   /** Counts a value that was lost before it arrived, or one of a reason of `refuse`. */
   count(reason: string): void {
-    const known = this.#refused.has(reason) || this.#refused.size < MOST_REASONS ? reason : 'other';
+    const known = this.#refused.has(reason) || this.#refused.size < MAX_REASONS ? reason : 'other';
     this.#refused.set(known, (this.#refused.get(known) ?? 0) + 1);
   }
 

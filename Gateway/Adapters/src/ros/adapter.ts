@@ -40,11 +40,11 @@ export async function run(context: AdapterContext): Promise<void> {
   async function attach(ended: AbortSignal): Promise<void> {
     while (!ended.aborted) {
       try {
-        if (await clock.attach(readTime, ended)) return log.resume('clock', 'the robot\'s clock is told');
+        if (await clock.attach(readTime, ended)) return log.resume('clock', 'the robot\'s clock is available');
       } catch (error) {
         if (ended.aborted) return;
         clock.doWithout();
-        log.change('clock', `the robot's clock is not told: ${(error as Error).message}; start rosapi beside rosbridge, or say clock: false`);
+        log.change('clock', `the robot's clock is not available: ${(error as Error).message}; start rosapi beside rosbridge, or set clock: false`);
         await pause(CLOCK_RETRY_MS, ended);
       }
     }
@@ -52,7 +52,7 @@ export async function run(context: AdapterContext): Promise<void> {
 
   async function readTime() {
     const { time } = await robot.call(GET_TIME), now = ofRosTime(time);
-    if (now === null || now <= 0n) throw new Error(`${GET_TIME} tells no time; with use_sim_time the simulation has to run`);
+    if (now === null || now <= 0n) throw new Error(`${GET_TIME} returns no time; with use_sim_time the simulation has to run`);
     return { received: now, sent: now };
   }
 
@@ -69,14 +69,15 @@ export async function run(context: AdapterContext): Promise<void> {
 
   function passTrajectory(message: Record<string, unknown>): void {
     const passed = passedTrajectory(message, names);
-    if (passed === null) return status.refuse('malformed', 'trajectory', 'it has no joint that is passed on, or values that are no numbers');
+    if (passed === null) return status.refuse('malformed', 'trajectory', 'it has no forwarded joint, or a value is not a number');
     status.accept('trajectory');
     gateway.publish(JOINT_TRAJECTORY, passed);
   }
 
   status.detail('endpoint', settings.endpoint);
   status.detail('security', settings.endpoint.startsWith('wss:') ? 'tls' : 'none');
-  if (settings.isPlain) log.line('this rosbridge is neither encrypted nor authenticated (plain: true): whoever reaches its network can pose as it');
+  if (settings.isPlain)
+    log.line('this rosbridge is neither encrypted nor authenticated (plain: true): anyone with access to its network can pose as it');
   status.enter('connecting');
   await robot.run(stopping);
 }

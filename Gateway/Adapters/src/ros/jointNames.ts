@@ -1,6 +1,6 @@
 import type { Joint } from '../configuration/configuration';
 
-const MOST_JOINTS = 256;
+const MAX_JOINTS = 256;
 
 /** A forwarded joint: its index among the seen joints, and the conversion of its values. */
 export interface OutJoint {
@@ -28,7 +28,7 @@ export class JointNames {
   find(source: unknown): OutJoint | undefined {
     if (typeof source !== 'string') return undefined;
     const known = this.#known.get(source);
-    if (known !== undefined || !this.isOpen || this.#known.size >= MOST_JOINTS || source === '') return known;
+    if (known !== undefined || !this.isOpen || this.#known.size >= MAX_JOINTS || source === '') return known;
     const added = { index: this.#known.size, joint: source, scale: 1, offset: 0, isLinear: false };
     this.#known.set(source, added);
     return added;

@@ -8,7 +8,7 @@ import { StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
 import type { JointNames, OutJoint } from './jointNames';
 
-const MOST_JOINTS = 256;
+const MAX_JOINTS = 256;
 
 interface Publisher {
   publish(topic: string, msg: object): void;
@@ -36,7 +36,7 @@ export class JointStates {
     // A joint whose publisher is silent cannot be confirmed.
     silence.unconfirmedMs = null;
     silence.hasEnded = joint => this.#hasEnded(joint);
-    this.#rule = new StampRule(MOST_JOINTS, oldest);
+    this.#rule = new StampRule(MAX_JOINTS, oldest);
   }
 
   pass(message: RosJointState | null): void {
@@ -68,7 +68,7 @@ export class JointStates {
     this.status.joints.expect(joint);
     // A NaN arrives as null.
     if (typeof position !== 'number' || !Number.isFinite(position * scale + offset)) {
-      this.status.refuse('not-finite', joint, `value ${shown(position)} is no position`);
+      this.status.refuse('not-finite', joint, `value ${shown(position)} is not a position`);
       return false;
     }
     const refusal = this.#rule.judge(index, stamp, now);

@@ -96,7 +96,7 @@ export class Recipe {
       return field === undefined ? null : Array.from({ length: 6 }, (_, i) => payload.readDoubleBE(field.at + 8 * i));
     };
     const timestamp = number('timestamp')!;
-    if (!Number.isFinite(timestamp) || timestamp < 0 || timestamp > LONGEST_S) return `a data package with timestamp ${timestamp} s`;
+    if (!Number.isFinite(timestamp) || timestamp < 0 || timestamp > MAX_S) return `a data package with timestamp ${timestamp} s`;
     return {
       timestamp,
       positions: vector(`${this.source}_q`)!,
@@ -110,6 +110,6 @@ export class Recipe {
 }
 
 /** Maximum time since the start: a century. A larger number is not a valid time. */
-const LONGEST_S = 3.2e9;
+const MAX_S = 3.2e9;
 
 const printable = (type: string): string => /^\w{1,20}$/.test(type) ? type : 'of an unknown type';

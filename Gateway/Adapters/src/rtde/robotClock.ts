@@ -2,7 +2,7 @@ import type { ClockReading } from '../clock/plantClock';
 import { type Nanoseconds, NS_PER_MS, NS_PER_S } from '../times';
 
 /** Maximum rate difference between the controller's clock and this machine's; headsets use the same limit. */
-const GREATEST_SKEW_PPM = 700n;
+const MAX_SKEW_PPM = 700n;
 
 /** Maximum age of the newest package for reading the time. */
 const SILENCE: Nanoseconds = NS_PER_S;
@@ -19,12 +19,12 @@ const LATE: Nanoseconds = 50n * NS_PER_MS, PERIOD: Nanoseconds = NS_PER_S;
  * the two bounds, which diverge with the largest rate difference until the next package or answer.
  */
 export class RobotClock {
-  #least: Nanoseconds | null = null;
-  #greatest: Nanoseconds | null = null;
+  #lower: Nanoseconds | null = null;
+  #upper: Nanoseconds | null = null;
   #updated: Nanoseconds = 0n;
   #newest: Nanoseconds | null = null;
   /** Time since which all packages have been late, and the lower bound from the earliest of them. */
-  #late: { since: Nanoseconds; least: Nanoseconds } | null = null;
+  #late: { since: Nanoseconds; lower: Nanoseconds } | null = null;
   /** Fixed distance of the bounds while no answer renews the upper one; null while answers do. */
   #kept: Nanoseconds | null = null;
 
@@ -35,7 +35,7 @@ export class RobotClock {
   constructor(readonly sendDelay: Nanoseconds, readonly stepped: (by: Nanoseconds) => void = () => {}) {}
 
   /** Distance between the two bounds; null while the upper one is unknown. */
-  get width(): Nanoseconds | null { return this.#least === null || this.#greatest === null ? null : this.#greatest - this.#least; }
+  get width(): Nanoseconds | null { return this.#lower === null || this.#upper === null ? null : this.#upper - this.#lower; }
 
   /**
    * Call this when the controller does not answer while it streams. From now on, the fastest package is assumed to take no longer than the
@@ -53,14 +53,14 @@ export class RobotClock {
   heard(timestamp: Nanoseconds, arrived: Nanoseconds, asked: Nanoseconds | null): void {
     this.#age(arrived);
     this.#newest = arrived;
-    const before = this.#least, least = timestamp - arrived, answered = asked === null ? null : timestamp + this.sendDelay - asked;
-    if (before === null || least > before) this.#least = least;
-    if (answered !== null && (this.#greatest === null || answered < this.#greatest)) this.#greatest = answered;
-    if (this.#kept !== null) this.#greatest = this.#least! + this.#kept;
-    if (before === null || !this.#isContradicted(before, least, arrived)) return;
-    const restarted = this.#late?.least ?? least;
-    this.#least = restarted;
-    this.#greatest = this.#kept === null ? answered : restarted + this.#kept;
+    const before = this.#lower, lower = timestamp - arrived, answered = asked === null ? null : timestamp + this.sendDelay - asked;
+    if (before === null || lower > before) this.#lower = lower;
+    if (answered !== null && (this.#upper === null || answered < this.#upper)) this.#upper = answered;
+    if (this.#kept !== null) this.#upper = this.#lower! + this.#kept;
+    if (before === null || !this.#isContradicted(before, lower, arrived)) return;
+    const restarted = this.#late?.lower ?? lower;
+    this.#lower = restarted;
+    this.#upper = this.#kept === null ? answered : restarted + this.#kept;
     this.#late = null;
     this.stepped(restarted - before);
   }
@@ -72,21 +72,21 @@ export class RobotClock {
     const { width } = this;
     if (width === null) throw new Error('the robot\'s clock is not measured yet');
     // The fastest package is closest to the true value; the bound includes everything that a later one could show.
-    const time = now + this.#least!;
+    const time = now + this.#lower!;
     return { received: time, sent: time, resolution: 1n, errorBound: width };
   }
 
   #age(now: Nanoseconds): void {
-    const drift = now > this.#updated ? (now - this.#updated) * GREATEST_SKEW_PPM / 1_000_000n : 0n;
+    const drift = now > this.#updated ? (now - this.#updated) * MAX_SKEW_PPM / 1_000_000n : 0n;
     this.#updated = now;
-    if (this.#least !== null) this.#least -= drift;
-    if (this.#greatest !== null) this.#greatest += this.#kept === null ? drift : -drift;
+    if (this.#lower !== null) this.#lower -= drift;
+    if (this.#upper !== null) this.#upper += this.#kept === null ? drift : -drift;
   }
 
-  #isContradicted(before: Nanoseconds, least: Nanoseconds, arrived: Nanoseconds): boolean {
-    if (this.#kept === null) return this.#greatest !== null && this.#greatest < this.#least!;
-    if (before - least < LATE) this.#late = null;
-    else if (this.#late === null || least > this.#late.least) this.#late = { since: this.#late?.since ?? arrived, least };
-    return least - before >= LATE || this.#late !== null && arrived - this.#late.since >= PERIOD;
+  #isContradicted(before: Nanoseconds, lower: Nanoseconds, arrived: Nanoseconds): boolean {
+    if (this.#kept === null) return this.#upper !== null && this.#upper < this.#lower!;
+    if (before - lower < LATE) this.#late = null;
+    else if (this.#late === null || lower > this.#late.lower) this.#late = { since: this.#late?.since ?? arrived, lower };
+    return lower - before >= LATE || this.#late !== null && arrived - this.#late.since >= PERIOD;
   }
 }

@@ -211,12 +211,12 @@ export class JointOutput {
     const { scale, offset } = this.joints[joint];
     const raw = typeof value === 'bigint' ? Number(value) : value;
     if (typeof raw !== 'number') {
-      this.refuse(joint, 'type', `value ${shown(value)} is no number; name a variable that is one`);
+      this.refuse(joint, 'type', `value ${shown(value)} is not a number; name a numeric variable`);
       return null;
     }
     const position = raw * scale + offset;
     if (!Number.isFinite(position)) {
-      this.refuse(joint, 'not-finite', `value ${raw} is no position`);
+      this.refuse(joint, 'not-finite', `value ${raw} is not a position`);
       return null;
     }
     const refusal = this.#rule.judge(joint, stamp, now);

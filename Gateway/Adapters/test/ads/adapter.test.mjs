@@ -52,12 +52,12 @@ function assertTrue(states, tolerance = 1e-6) {
 }
 
 describe('ads', { concurrency: 4 }, () => {
-  it('Adapter_Notifications_BringThePositionOfTheirStamp', async t => {
+  it('Adapter_Notifications_HaveThePositionAtTheirStamp', async t => {
     const { bridge, server } = await cell(t, { plc: youBot({ cycleMs: 5, aheadMs: 40_000, ppm: 100 }) });
 
     const states = await statesOf(bridge, 100);
 
-    // A stamp truncated to a millisecond would give errors of up to 1e-3 s times 0.9 rad/s.
+    // A stamp truncated to a millisecond would cause errors of up to 1e-3 s times 0.9 rad/s.
     assertTrue(states);
     const stamps = states.map(s => nanoseconds(s.header.stamp));
     assert.ok(stamps.some(stamp => stamp % 1_000_000n !== 0n), 'stamps below a millisecond');
@@ -65,7 +65,7 @@ describe('ads', { concurrency: 4 }, () => {
     assert.ok(server.seen.filter(s => s.command === command.readWrite).every(s => s.group === group.infoByNameEx));
   });
 
-  it('Adapter_UnitsAndTypes_BecomeRadAndMetres', async t => {
+  it('Adapter_UnitsAndTypes_AreConvertedToRadAndMetres', async t => {
     const joints = `  - { joint: a, symbol: MAIN.fAxis1, unit: deg }
   - { joint: b, symbol: MAIN.fAxis2, unit: deg, offset: 1 }
   - { joint: c, symbol: MAIN.nEncoder3, scale: 0.000001 }
@@ -88,7 +88,7 @@ describe('ads', { concurrency: 4 }, () => {
     ['GVL.nTime', 'ns', 1e-6], ['GVL.ftTime', undefined, 1e-6], ['GVL.fSeconds', 's', 1e-5],
     ['TwinCAT_SystemInfoVarList._TaskInfo[1].DcTaskTime', 'dctime', 1e-6],
   ])
-    it(`Adapter_TimeIn${symbol.replace(/\W/g, '')}_IsTheStamp`, async t => {
+    it(`Adapter_TimeIn${symbol.replace(/\W/g, '')}_BecomesTheStamp`, async t => {
       // The stamps of the notifications are wrong by 3 s, so an adapter that used them would fail this test.
       const plc = youBot({ cycleMs: 5, stampOf: time => (time + 3_000_000_000n) / 100n + 116444736000000000n });
       const more = `  timestamp: variable\n  time: { symbol: "${symbol}"${unit ? `, unit: ${unit}` : ''} }\n`;
@@ -120,7 +120,7 @@ describe('ads', { concurrency: 4 }, () => {
     });
 
   for (const [kind, more] of [['Notification', ''], ['Variable', '  timestamp: variable\n  time: { symbol: GVL.nTime, unit: ns }\n']])
-    it(`Clock_Of${kind}Alone_IsToldAndNothingElse`, async t => {
+    it(`Clock_${kind}WithoutJoints_IsOfferedWithoutSamples`, async t => {
       const { bridge, plc } = await cell(t, { plc: youBot({ cycleMs: 5, aheadMs: -7000 }), more, joints: '  []\n' });
       await clockOf(bridge);
 
@@ -131,7 +131,7 @@ describe('ads', { concurrency: 4 }, () => {
       assert.deepEqual([bridge.jointStates, bridge.state.samples, bridge.state.refused], [[], '0', '0']);
     });
 
-  it('Adapter_PublishingInterval_SendsAllSamplesLessOften', async t => {
+  it('Adapter_PublishingInterval_SendsAllSamplesInFewerMessages', async t => {
     const { bridge } = await cell(t, { more: '  sampling_ms: 5\n  publishing_ms: 100\n' });
 
     const states = await statesOf(bridge, 80);
@@ -143,7 +143,7 @@ describe('ads', { concurrency: 4 }, () => {
     assert.ok(steps.filter(step => step === 1).length > 0.8 * steps.length, `${steps}`);
   });
 
-  it('Adapter_OnChangeAndOneJointStands_TellsItAsOftenAsAHeadsetNeedsIt', async t => {
+  it('Adapter_OnChangeWithOneJointAtRest_RepeatsItOftenEnoughForAHeadset', async t => {
     const plc = new Plc([...variables(), new PlcSymbol('MAIN.fStill', 'LREAL', () => 1.5)], { cycleMs: 5, aheadMs: 40_000 });
     const joints = '  - { joint: arm_joint_1, symbol: "GVL.aJoints[0]" }\n  - { joint: still, symbol: MAIN.fStill }\n';
     const { bridge } = await cell(t, { plc, more: '  on_change: true\n', joints });
@@ -162,7 +162,7 @@ describe('ads', { concurrency: 4 }, () => {
   const jointIs = (bridge, name, expected) => until(
     () => bridge.joint(name)?.state === expected && bridge.joint(name), () => `${name} ${expected}: ${JSON.stringify(bridge.state)}`);
 
-  it('Adapter_OnChangeAndAllStand_IsReadBackAndAssumedAtRest', async t => {
+  it('Adapter_OnChangeWithAllJointsAtRest_ReadsThemBackAndAssumesRest', async t => {
     const still = ['one', 'two'].map(name => new PlcSymbol(`MAIN.${name}`, 'LREAL', () => 1.5));
     const joints = '  - { joint: one, symbol: MAIN.one }\n  - { joint: two, symbol: MAIN.two }\n';
     const { bridge } = await cell(t, { plc: new Plc([...variables(), ...still], { cycleMs: 5 }), more: '  on_change: true\n', joints });
@@ -182,7 +182,7 @@ describe('ads', { concurrency: 4 }, () => {
     await until(() => bridge.status.level === 0, () => JSON.stringify(bridge.status));
   });
 
-  it('Adapter_SymbolGoneFromANewProgram_IsFaultWhileOthersGoOn', async t => {
+  it('Adapter_SymbolMissingInNewProgram_IsFaultWhileOthersStayLive', async t => {
     const joints = '  - { joint: arm_joint_1, symbol: "GVL.aJoints[0]" }\n  - { joint: axis, symbol: MAIN.fAxis2, unit: deg }\n';
     const { plc, bridge } = await cell(t, { joints });
     await Promise.all(['arm_joint_1', 'axis'].map(name => jointIs(bridge, name, 'live')));
@@ -197,7 +197,7 @@ describe('ads', { concurrency: 4 }, () => {
     await jointIs(bridge, 'axis', 'live');
   });
 
-  it('Adapter_SymbolUnknownFromTheStart_IsMissingWhileOthersGoOn', async t => {
+  it('Adapter_SymbolUnknownAtStart_IsMissingWhileOthersAreLive', async t => {
     const joints = '  - { joint: arm_joint_1, symbol: "GVL.aJoints[0]" }\n  - { joint: axis, symbol: MAIN.fAxs2 }\n';
     const { bridge } = await cell(t, { joints });
 
@@ -207,7 +207,7 @@ describe('ads', { concurrency: 4 }, () => {
     assert.match(bridge.joint('axis').reason, /line 11: the PLC has no symbol MAIN\.fAxs2; near are MAIN\.fAxis2/);
   });
 
-  it('Adapter_PlcStopped_SaysSoAndGoesOn', async t => {
+  it('Adapter_PlcStopped_ReportsItAndReadsAgainAfterTheStop', async t => {
     const { plc, bridge, adapter } = await cell(t);
     await statesOf(bridge);
 
@@ -225,7 +225,7 @@ describe('ads', { concurrency: 4 }, () => {
     assert.equal((await until(() => bridge.state?.state === 'connected' && bridge.state, 'diagnostics')).kind, 'ads');
   });
 
-  it('Adapter_NewProgram_FindsItsVariablesAgain', async t => {
+  it('Adapter_NewProgram_LooksUpItsVariablesAgain', async t => {
     const { plc, bridge, adapter } = await cell(t);
     await statesOf(bridge);
 
@@ -236,7 +236,7 @@ describe('ads', { concurrency: 4 }, () => {
     assertTrue((await statesOf(bridge, count + 20)).slice(count));
   });
 
-  it('Adapter_ConfigMode_IsToldAndWaitedFor', async t => {
+  it('Adapter_ConfigMode_IsReportedUntilRunMode', async t => {
     const plc = youBot({ cycleMs: 5 });
     plc.systemState = state.config;
     const { bridge, adapter } = await cell(t, { plc });
@@ -250,7 +250,7 @@ describe('ads', { concurrency: 4 }, () => {
     await adapter.said(`TwinCAT at ${NET_ID} went to Config mode`);
   });
 
-  it('Adapter_PlcDiesAndReturns_IsReadAgain', async t => {
+  it('Adapter_PlcClosedAndRestarted_IsReadAgain', async t => {
     const { plc, server, bridge, adapter, port } = await cell(t);
     await statesOf(bridge);
 
@@ -265,7 +265,7 @@ describe('ads', { concurrency: 4 }, () => {
     await until(() => Number(bridge.state?.reconnects) > 0, () => JSON.stringify(bridge.state));
   });
 
-  it('Adapter_PlcFallsSilent_IsNoticed', async t => {
+  it('Adapter_PlcStopsAnswering_IsReportedAndReadAgain', async t => {
     const { server, bridge, adapter } = await cell(t);
     await statesOf(bridge);
 
@@ -277,13 +277,13 @@ describe('ads', { concurrency: 4 }, () => {
     await statesOf(bridge, count + 5);
   });
 
-  it('Adapter_RouterOnThisMachine_GivesItAnAddress', async t => {
+  it('Adapter_RouterOnThisMachine_AssignsAnAddress', async t => {
     const { bridge } = await cell(t, { local: '' });
 
     assertTrue(await statesOf(bridge, 20));
   });
 
-  it('Adapter_FramesThatAreNone_AreSurvived', async t => {
+  it('Adapter_InvalidFrames_DoNotEndTheProcess', async t => {
     const random = seeded(4711), connections = [];
     const server = createServer(socket => {
       connections.push(socket.on('error', () => {}));
@@ -313,7 +313,7 @@ describe('ads', { concurrency: 4 }, () => {
     assert.equal(adapter.child.exitCode, null);
   });
 
-  it('Adapter_NoRoute_SaysHowToAddOne', async t => {
+  it('Adapter_NoRoute_ExplainsHowToAddOne', async t => {
     const { adapter } = await cell(t, { server: { routes: ['10.0.0.1.1.1'] } });
 
     await adapter.said('if it never did, it needs a route to this machine: in TwinCAT, SYSTEM > Routes > Add, AMS Net Id 192.168.0.10.1.1, transport TCP_IP');
@@ -339,10 +339,10 @@ describe('ads', { concurrency: 4 }, () => {
       const { bridge } = await cell(t, { plc: youBot({ cycleMs: 5, stampOf }) });
 
       await until(() => Number(bridge.state?.[`refused/${reason}`]) > 10, () => JSON.stringify(bridge.state));
-      assert.ok(bridge.jointStates.length <= 5, 'one for each joint at most');
+      assert.ok(bridge.jointStates.length <= 5, 'at most one for each joint');
     });
 
-  it('Adapter_Terminated_TakesItsNotificationsBack', async t => {
+  it('Adapter_Terminated_RemovesItsNotifications', async t => {
     const { server, bridge, adapter } = await cell(t);
     await statesOf(bridge);
 
@@ -355,7 +355,7 @@ describe('ads', { concurrency: 4 }, () => {
   describe('configuration', () => {
     const good = configuration({ port: 48898, url: 'ws://127.0.0.1:47011' });
 
-    it('Check_GoodFile_NamesEndpointAndJoints', async t => {
+    it('Check_ValidFile_NamesEndpointAndJoints', async t => {
       const { status, out } = await check(t, temporaryFile('ads.yaml', good));
 
       assert.equal(status, 0);
@@ -373,7 +373,7 @@ describe('ads', { concurrency: 4 }, () => {
       ['Publishing', 'plain: true', 'plain: true\n  sampling_ms: 20\n  publishing_ms: 10', /^line 10: plant\.publishing_ms: value 10; allowed is a time from sampling_ms, 20, to 10000 ms/],
       ['Symbol', 'symbol: GVL.aJoints[0]', 'symbol: GVL aJoints', /^line 11: joints\[0\]\.symbol: .*; allowed is the name of a variable/],
     ])
-      it(`Check_Wrong${name}_NamesItsLine`, () => {
+      it(`Check_Invalid${name}_NamesItsLine`, () => {
         const text = good.replace(from, to);
         assert.notEqual(text, good);
         const path = temporaryFile('ads.yaml', text), lines = wrongIn(path);

@@ -111,7 +111,7 @@ test('Server_Notification_IsAStreamOfStampsAndSamples', async t => {
   assert.equal(server.notifications, 0);
 });
 
-test('Server_PortOpened_GivesAnAddress', async t => {
+test('Server_PortOpened_ReturnsAnAddress', async t => {
   const { ask } = await served(t, still());
 
   assert.equal(await ask('00 10 02 00 00 00 00 00'), '00 10 08 00 00 00 7f 00 00 01 01 01 89 80');
@@ -127,7 +127,7 @@ test('Server_ConfigMode_HasNoRuntime', async t => {
     `00 00 20 00 00 00 ${here} ${there} 04 00 05 00 00 00 00 00 06 00 00 00 01 00 00 00`);
 });
 
-test('Server_SenderWithoutRoute_IsHungUpOn', async t => {
+test('Server_SenderWithoutRoute_ClosesTheConnection', async t => {
   const { socket } = await served(t, still(), { routes: ['10.0.0.1.1.1'] });
   const closed = once(socket, 'close');
 

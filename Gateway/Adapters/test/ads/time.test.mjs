@@ -13,14 +13,14 @@ describe('cycles of a PLC', () => {
     return { taken, dropped };
   };
 
-  it('Values_OfAWholeDelayBeforeTheirTimes_AllMeetThem', () => {
+  it('Values_MaximumDelayBeforeTheirTimes_AllGetThem', () => {
     const { taken, dropped } = met(50, 50);
 
     assert.deepEqual([taken.length, dropped], [50, []]);
     assert.ok(taken.every(([time, value]) => time === BigInt(1000 + value)));
   });
 
-  it('Values_WhoseTimesNeverCome_DoNotFillTheMemory', () => assert.equal(met(1000, 50).dropped.length, 1000 - 116));
+  it('Values_WithoutTimes_AreDroppedAtTheLimit', () => assert.equal(met(1000, 50).dropped.length, 1000 - 116));
 });
 
 describe('time by notifications', () => {
@@ -46,7 +46,7 @@ describe('time by notifications', () => {
       assert.deepEqual([(await time.read()).sent, (await time.read()).sent], [ofFileTime(STAMP + 2n), ofFileTime(STAMP + 1n)]);
     });
 
-  it('Stamp_OfAHandleOfAnEarlierQuestion_IsNotTaken', async () => {
+  it('Stamp_HandleOfAnEarlierRequest_IsIgnored', async () => {
     const time = plc({ early: false, handles: [1, 1] });
     await time.read();
 

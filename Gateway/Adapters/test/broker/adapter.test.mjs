@@ -69,7 +69,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     assert.deepEqual([name, position, velocity, acceleration], [['a', 'b'], [9, -1], [0.5, null], [null, 2]]);
   });
 
-  it('Bridges_DescriptionAndSetPoints_AreKeptForLater', async t => {
+  it('Bridges_DescriptionAndSetPoints_AreRetainedForLaterSubscribers', async t => {
     const { near, far, broker, sync } = await halls(t);
     const points = [{ positions: [1], velocities: [], accelerations: [], time_from_start: { sec: 1, nanosec: 0 } }];
     const plan = { header: state(sync.now()).header, joint_names: ['a'], points };
@@ -85,7 +85,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     assert.deepEqual(later.published('/joint_trajectory')[0], plan);
   });
 
-  it('Clock_Upstream_IsPassedOnWithItsBound', async t => {
+  it('Clock_Upstream_IsForwardedWithItsBound', async t => {
     const { far, sync } = await halls(t);
     Object.assign(sync, { aheadNs: -3_600_000_000_000n, boundUs: 250, resolutionNs: 1_000_000 });
 
@@ -99,7 +99,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     assert.equal((await far.call('/nowpose/plant_time/hall')).values.synchronised, false);
   });
 
-  it('Clock_UpstreamGoesAndComes_IsAskedAgain', async t => {
+  it('Clock_UpstreamRestarted_IsRequestedAgain', async t => {
     const { far, sync, subscriber } = await halls(t);
     await served(far);
 
@@ -111,7 +111,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     await served(far);
   });
 
-  it('Clock_WithToken_IsAskedWithIt', async t => {
+  it('Clock_WithToken_IsRequestedWithIt', async t => {
     const [far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t, { token: 'secret-of-a' })]);
     const right = temporaryFile('token', 'secret-of-a\n'), wrong = temporaryFile('token', 'another-one\n');
     bridge(t, 'subscribe', far, broker, clockOf(sync, `, token_file: "${right}"`));
@@ -123,7 +123,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     assert.doesNotMatch(refused.err, /another-one/);
   });
 
-  it('Broker_StallsAndReturns_DelaysNobodyAndLosesTheOldest', async t => {
+  it('Broker_StallsAndContinues_DoesNotBlockTheGatewayAndDropsTheOldest', async t => {
     const { near, far, broker, sync, publisher } = await halls(t);
     broker.stall();
     // More than the combined capacity of all buffers on the path.
@@ -146,7 +146,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     assert.ok(far.jointStates.length < 1000, `${far.jointStates.length} after ${performance.now() - asked} ms`);
   });
 
-  it('Broker_GoesAndComes_BothBridgesReturn', async t => {
+  it('Broker_Restarted_BothBridgesReconnect', async t => {
     const { near, far, broker, sync, publisher, subscriber } = await halls(t);
     publish(near, '/robot_description', { data: '<robot name="kept"/>' });
     await until(() => far.published('/robot_description').length > 0, 'the description');
@@ -156,7 +156,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     await broker.run();
 
     await until(() => far.state?.state === 'connected', () => subscriber.err);
-    // The broker has lost everything it kept; the bridge still has it.
+    // The broker has lost its retained messages; the bridge still has them.
     const client = await connectAsync(broker.url, { protocolVersion: 5 });
     t.after(() => client.endAsync(true));
     const kept = new Promise(resolve => client.on('message', (topic, payload) => resolve(JSON.parse(payload))));
@@ -170,7 +170,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     }, () => `joint states; ${publisher.err}${subscriber.err}`);
   });
 
-  it('Publisher_Dies_SubscriberSaysSo', async t => {
+  it('Publisher_Killed_SubscriberReportsIt', async t => {
     const { near, far, sync, publisher, subscriber } = await halls(t);
     await until(() => {
       publish(near, '/joint_states', state(sync.now()));
@@ -184,7 +184,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     assert.deepEqual([far.joint('a').state, far.joint('a').reason], ['fault', 'the bridge of the gateway that has the plant is away']);
   });
 
-  it('Joint_NoLongerPublished_IsFaultWhileOthersGoOn', async t => {
+  it('Joint_NoLongerPublished_IsFaultWhileOthersStayLive', async t => {
     const { near, far, sync } = await halls(t), names = new Set(['a', 'b']);
     const publishing = setInterval(() => names.forEach(name => publish(near, '/joint_states', state(sync.now(), [name], [1]))), 50);
     t.after(() => clearInterval(publishing));
@@ -200,12 +200,12 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     await joint('a', 'live');
   });
 
-  it('Joints_NotLiveAtThePlantsGateway_AreSoAtTheOtherWithReasonAndSince', async t => {
+  it('Joints_NotLiveAtThePlantsGateway_HaveTheSameStateReasonAndBeginAtTheOther', async t => {
     const { near, far, sync } = await halls(t), stamp = sync.now(), began = Date.now() / 1000;
 
     publish(near, '/nowpose/joint_status', jointStatus(stamp, {
       gone: `missing ${secondsAgo(stamp, 20)} the server has no node ns=2;s=Axis1`,
-      bad: `refused ${secondsAgo(stamp, 30)} value NaN is no position`,
+      bad: `refused ${secondsAgo(stamp, 30)} value NaN is not a position`,
       still: `rest ${secondsAgo(stamp, 40)} no change is reported`,
       doubtful: `rest ${secondsAgo(stamp, 50)} may not be at rest: the stop itself was not observed`,
       silent: `stale ${secondsAgo(stamp, 60)} samples stopped arriving`,
@@ -214,7 +214,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     await until(() => far.joint('silent'), () => JSON.stringify(far.state));
     for (const [name, expected, ago, reason] of [
       ['gone', 'missing', 20, 'the server has no node ns=2;s=Axis1'],
-      ['bad', 'refused', 30, 'value NaN is no position'],
+      ['bad', 'refused', 30, 'value NaN is not a position'],
       ['still', 'rest', 40, 'no change is reported'],
       ['doubtful', 'rest', 50, 'may not be at rest: the stop itself was not observed'],
       ['silent', 'fault', 60, 'at the gateway that has the plant: samples stopped arriving'],
@@ -228,7 +228,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     assert.equal(far.status.level, 2);
   });
 
-  it('Joints_NotLiveAtThePlantsGateway_AreKeptForABridgeThatComesLater', async t => {
+  it('Joints_NotLiveAtThePlantsGateway_AreRetainedForALaterBridge', async t => {
     const { near, far, broker, sync } = await halls(t), stamp = sync.now();
     publish(near, '/nowpose/joint_status', jointStatus(stamp, { gone: `missing ${secondsAgo(stamp, 1)} no such node` }));
     await until(() => far.joint('gone'), () => JSON.stringify(far.state));
@@ -239,7 +239,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     await until(() => later.joint('gone')?.state === 'missing', () => JSON.stringify(later.state));
   });
 
-  it('PublishersGateway_GoesAndComes_SubscriberSaysSo', async t => {
+  it('PublishersGateway_DisconnectsAndReturns_SubscriberReportsIt', async t => {
     const { near, far, sync, publisher, subscriber } = await halls(t);
     await until(() => {
       publish(near, '/joint_states', state(sync.now()));
@@ -277,7 +277,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     it(`Subscriber_${name}_IsRefusedWithAReason`, async t => {
       const [far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t)]);
       const subscriber = bridge(t, 'subscribe', far, broker, clockOf(sync));
-      await subscriber.said('nobody publishes nowpose/cell at the broker yet');
+      await subscriber.said('no client publishes nowpose/cell at the broker yet');
       await served(far);
       const client = await connectAsync(broker.url, { protocolVersion: 5 });
       t.after(() => client.endAsync(true));
@@ -288,7 +288,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
       assert.deepEqual(far.jointStates, []);
     });
 
-  it('Message_ThatBreaksItsListener_IsCountedAndTheNextIsHeard', async t => {
+  it('Message_ListenerThrows_IsCountedAndTheNextIsProcessed', async t => {
     const broker = await Mosquitto.start(t), heard = [], problems = [], ending = new AbortController();
     const settings = { endpoint: broker.url, topic: TOPIC, user: null, authority: null, direction: 'subscribe' };
     const link = new BrokerLink(settings, 'hall', ['joint_states'], {
@@ -310,7 +310,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     await running;
   });
 
-  it('Bridge_PasswordOfTheBroker_LetsItInAndIsNeverSaid', async t => {
+  it('Bridge_PasswordOfTheBroker_LogsInAndIsNeverLogged', async t => {
     const passwords = join(temporaryFolder(), 'passwords'), password = 'of-the-hall-4711';
     assert.equal(spawnSync('mosquitto_passwd', ['-b', '-c', passwords, 'hall', password]).status, 0);
     const broker = await Mosquitto.start(t, ['allow_anonymous false', `password_file ${passwords}`]), near = await RosbridgeDouble.start(t);
@@ -323,7 +323,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     assert.doesNotMatch(right.err + wrong.err, /4711|not-that-one/);
   });
 
-  it('Bridge_BrokerWithTls_IsTrustedByItsAuthorityOnly', async t => {
+  it('Bridge_BrokerWithTls_IsTrustedOnlyWithItsAuthority', async t => {
     const folder = temporaryFolder(), key = join(folder, 'key.pem'), certificate = join(folder, 'certificate.pem');
     const made = spawnSync('openssl', ['req', '-x509', '-newkey', 'ec', '-pkeyopt', 'ec_paramgen_curve:prime256v1', '-nodes', '-days', '2',
       '-subj', '/CN=127.0.0.1', '-addext', 'subjectAltName=IP:127.0.0.1', '-keyout', key, '-out', certificate]);
@@ -348,14 +348,14 @@ describe('broker configuration', () => {
     ['PasswordInEndpoint', plant('').replace('mqtt://', 'mqtt://me:word@'), /line 4: plant\.endpoint: .*without user name or password/],
     ['PasswordInTheOpen', plant('  clock: { host: a }\n  plain: true\n  user: { name: me, password_file: none }\n').replace('127.0.0.1', '10.0.0.5'), /line 8: plant\.user: a password would go over an open connection/],
   ])
-    it(`Check_Wrong${name}_NamesItsLine`, () => {
+    it(`Check_Invalid${name}_NamesItsLine`, () => {
       const lines = wrongIn(temporaryFile('broker.yaml', text));
 
       assert.ok(lines.some(line => expected.test(line)), lines.join('\n'));
       assert.doesNotMatch(lines.join('\n'), /me:word/);
     });
 
-  it('Check_OfAGatewayThatStartsIt_DoesNotTellTheFilesAddress', async t => {
+  it('Check_StartedByAGateway_DoesNotShowTheFilesAddress', async t => {
     const path = temporaryFile('broker.yaml', plant('  clock: { host: a }\n'));
 
     const alone = await check(t, path), supervised = await check(t, path, { NOWPOSE_SUPERVISED: '1' });
@@ -364,7 +364,7 @@ describe('broker configuration', () => {
     assert.match(supervised.out, /to this gateway, time of a:47010/);
   });
 
-  it('Check_TokenInTheOpen_IsRefused', async t => {
+  it('Check_TokenOverPlainConnection_IsRefused', async t => {
     const path = temporaryFile('broker.yaml', plant('  clock: { host: 10.0.0.5, token_file: token }\n'));
     writeFileSync(join(dirname(path), 'token'), 'word\n', { mode: 0o600 });
 

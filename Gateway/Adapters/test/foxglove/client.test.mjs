@@ -1,4 +1,4 @@
-// Foxglove's rosbridge client at the gateway itself: the requests it makes when it connects.
+// Connects Foxglove's rosbridge client to the built gateway and makes the requests that it sends at its start.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { WebSocket } from 'ws';
@@ -23,7 +23,7 @@ async function connect(t, args = ['--robot', 'youbot']) {
 /** Calls a method of Ros that takes a callback for the answer and one for the failure. */
 const ask = (ros, method, ...args) => new Promise((resolve, reject) => ros[method](...args, resolve, error => reject(new Error(`${method}: ${error}`))));
 
-test('topics come with their types and full definitions', limit, async t => {
+test('topics are listed with their types and full definitions', limit, async t => {
   const ros = await connect(t);
 
   const { topics, types, typedefs_full_text: texts } = await ask(ros, 'getTopicsAndRawTypes');
@@ -63,7 +63,7 @@ test('a message type is described field by field, with the types in it', limit, 
   assert.deepEqual(unknown, []);
 });
 
-test('the robot description is a parameter, too, and unknown ones are null', limit, async t => {
+test('the robot description is a parameter, and unknown parameters are null', limit, async t => {
   const ros = await connect(t);
   const parameter = name => new Promise(resolve => new ROSLIB.Param({ ros, name }).get(resolve));
 
@@ -72,7 +72,7 @@ test('the robot description is a parameter, too, and unknown ones are null', lim
   assert.deepEqual(await ask(ros, 'getParams'), ['/robot_description']);
 });
 
-test('a client that has named a type of ROS 2 gets all answers in its spelling', limit, async t => {
+test('a client that names a type of ROS 2 gets all answers in ROS 2 spelling', limit, async t => {
   const ros = await connect(t);
   new ROSLIB.Topic({ ros, name: '/joint_states', messageType: 'sensor_msgs/msg/JointState' }).subscribe(() => {});
 
@@ -88,7 +88,7 @@ test('a client that has named a type of ROS 2 gets all answers in its spelling',
   assert.equal(await ask(ros, 'getServiceType', '/rosapi/nodes'), 'rosapi_msgs/srv/Nodes');
 });
 
-test('the compression that it asks for is answered by a status, and the samples come as JSON', limit, async t => {
+test('a request for compression is answered by a status, and samples are sent as JSON', limit, async t => {
   const ros = await connect(t, ['--robot', 'youbot']);
   const emit = ros.emit.bind(ros);
   // The client emits a status under the id of the request that it refers to.

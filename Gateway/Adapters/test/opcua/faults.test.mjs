@@ -14,7 +14,7 @@ describe('faults', () => {
   before(async () => { server = await new YoubotServer().start(); });
   after(() => server.stop());
 
-  it('Plant_KilledAndStartedAgain_IsReadAgain', async t => {
+  it('Plant_KilledAndRestarted_IsReadAgain', async t => {
     const first = await serverFor(t);
     const { bridge, state, states, run } = await adapterFor(t, first, OPEN, JOINTS);
     await states(5);
@@ -35,7 +35,7 @@ describe('faults', () => {
     assert.ok(run.err.split('\n').filter(line => line.includes('waiting')).length <= 3, run.err);
   });
 
-  it('Gateway_KilledAndStartedAgain_IsToldEverythingAgain', async t => {
+  it('Gateway_KilledAndRestarted_GetsTopicsClockAndSamplesAgain', async t => {
     const port = await freePort(), old = await RosbridgeDouble.start(t, { port });
     const { states, state } = await adapterFor(t, server, OPEN, JOINTS, { bridge: old });
     await states(5);
@@ -53,7 +53,7 @@ describe('faults', () => {
     assert.ok(topics.includes('/joint_states') && topics.includes('/nowpose/diagnostics'));
   });
 
-  it('Plant_Frozen_IsNoticedAndLeftAndFoundAgain', { skip: process.platform === 'win32' }, async t => {
+  it('Plant_Frozen_IsDisconnectedAndReadAgain', { skip: process.platform === 'win32' }, async t => {
     const port = await freePort();
     const child = spawn(process.execPath, [join(adapters, 'test', 'opcua', 'main.mjs'), '--port', String(port), '--security', 'none'],
       { stdio: ['ignore', 'pipe', 'inherit'] });
@@ -71,7 +71,7 @@ describe('faults', () => {
     await states(before + 5);
   });
 
-  it('Clock_ThatStopsAndGoesOn_IsNotToldMeanwhileAndBreaksNoConnection', async t => {
+  it('Clock_StopsAndContinues_IsUnavailableDuringTheStopWithoutDisconnection', async t => {
     const own = await serverFor(t, { clock: new ControlClock({ offsetMs: 3_600_000 }) }), { bridge, state, states } = await adapterFor(t, own, OPEN, JOINTS);
     await states(5);
     const told = () => bridge.call('/nowpose/plant_time/cell');
@@ -89,7 +89,7 @@ describe('faults', () => {
     await state(s => s.reconnects === '0' && s.state === 'connected');
   });
 
-  it('Plant_Standing_StaysConnectedAndItsClockGoesOn', async t => {
+  it('Plant_AtRest_StaysConnectedAndItsClockAdvances', async t => {
     const { bridge, state, states } = await adapterFor(t, server, OPEN, JOINTS);
     await states(5);
     t.after(() => { server.isStopped = false; });

@@ -41,27 +41,27 @@ describe('reading over OPC UA', () => {
     test.after(() => { server.spoil = (_, sent) => sent; });
   };
 
-  it('Joints_OfEveryType_AreWhereTheRobotWasAtTheirStamp', async t => {
+  it('Joints_OfEveryType_HaveTheRobotsPositionAtTheirStamp', async t => {
     const { states } = await adapterFor(t, server, OPEN, JOINTS);
 
     const seen = await states(50);
 
     for (const [{ joint }, place, tolerance] of ALL) assert.ok(worst(seen, place, joint) < tolerance, joint);
     const whole = seen.filter(s => s.name.length === JOINTS.length).length;
-    assert.ok(whole > 0.25 * seen.length, `${whole} of ${seen.length} messages had all joints`);
+    assert.ok(whole > 0.25 * seen.length, `${whole} of ${seen.length} messages have all joints`);
   });
 
-  it('Values_BetweenTwoPublishings_AllCome', async t => {
+  it('Values_BetweenTwoPublishings_AllArrive', async t => {
     const { states } = await adapterFor(t, server, [...OPEN, 'publishing_ms: 200'], [JOINTS[0]]);
 
     const times = (await states(40)).map(s => nanoseconds(s.header.stamp));
 
     assert.ok(times.every((time, i) => i === 0 || time > times[i - 1]));
     const gaps = times.slice(2).map((time, i) => Number(time - times[i + 1]) / 1e6).sort((a, b) => a - b);
-    assert.ok(gaps[20] < 50, `the middle of the gaps is ${gaps[20]} ms`);
+    assert.ok(gaps[20] < 50, `the median gap is ${gaps[20]} ms`);
   });
 
-  it('PlantClock_Asked_IsBetweenBeforeAndAfter', async t => {
+  it('PlantClock_Requested_IsBetweenRequestAndAnswer', async t => {
     const { bridge, states } = await adapterFor(t, server, OPEN, [JOINTS[0]]);
     await states(1);
     const earliest = clock.now;
@@ -75,7 +75,7 @@ describe('reading over OPC UA', () => {
     assert.deepEqual([values.resolution_ns, values.synchronised], [100, true]);
   });
 
-  it('TimeVariable_OfTheControlSystem_IsTheTimeOfItsCycle', async t => {
+  it('TimeVariable_OfTheControlSystem_StampsItsCycle', async t => {
     // The server's own stamps are wrong by an hour, for the values and for the time variable.
     const wrong = date => new Date(date.getTime() - HOUR_MS);
     spoilt(t, (_, sent) => ({ ...sent, sourceTimestamp: wrong(sent.sourceTimestamp), serverTimestamp: wrong(sent.serverTimestamp) }));
@@ -88,7 +88,7 @@ describe('reading over OPC UA', () => {
     assert.ok(Math.abs(Number(nanoseconds(values.sent) - clock.now)) < 1e9);
   });
 
-  it('TimeVariable_StampedApartFromTheValues_IsNamedWithGroupMs', async t => {
+  it('TimeVariable_StampedApartFromTheValues_IsReportedWithGroupMs', async t => {
     // The server stamps each variable separately, 3 ms apart.
     spoilt(t, (name, sent) => name === 'time_ns' ? { ...sent, sourceTimestamp: new Date(sent.sourceTimestamp.getTime() + 3) } : sent);
     const plant = [...OPEN, 'time: {node: "ns=1;s=time_ns"}'];
@@ -100,7 +100,7 @@ describe('reading over OPC UA', () => {
     assert.deepEqual(narrow.bridge.jointStates, []);
   });
 
-  it('Values_WrongInEveryWay_AreRefusedWhileOthersGoOn', async t => {
+  it('Values_InvalidInAllWays_AreRefusedWhileOthersStayLive', async t => {
     const later = (sent, ms) => ({ ...sent, sourceTimestamp: new Date(sent.sourceTimestamp.getTime() + ms) });
     const at = (sent, date) => ({ ...sent, sourceTimestamp: date, sourcePicoseconds: 0 });
     const cases = [
@@ -140,7 +140,7 @@ describe('reading over OPC UA', () => {
     assert.ok(reason.includes(`${path}, line 10: joints[0].node: value ns=1;s=nowhere; the server says BadNodeIdUnknown`), reason);
   });
 
-  it('Node_UnknownBesideAKnownOne_IsMissingWhileTheOtherGoesOn', async t => {
+  it('Node_UnknownBesideAKnownOne_IsMissingWhileTheOtherIsLive', async t => {
     const { states, state, path, bridge } = await adapterFor(t, server, OPEN, [JOINTS[0], { joint: 'z', node: 'ns=1;s=nowhere' }]);
 
     await states(5);
@@ -152,7 +152,7 @@ describe('reading over OPC UA', () => {
     assert.equal(bridge.status.level, 2);
   });
 
-  it('Node_OfANamespaceByUri_IsFound', async t => {
+  it('Node_WithNamespaceUri_IsFound', async t => {
     const uri = server.namespaces()[1];
     const { states } = await adapterFor(t, server, [...OPEN, `time: {node: "nsu=${uri};s=time_ns"}`], [
       { joint: 'a', node: `nsu=${uri};s=arm_joint_2` }, { joint: 'b', node: 'ns=1;s=axis_1_deg', unit: 'deg' }]);
@@ -165,7 +165,7 @@ describe('reading over OPC UA', () => {
     assert.ok(worst(seen, 1, 'a') < 1e-12 && worst(seen, 0, 'b') < 1e-12);
   });
 
-  it('Node_OfANamespaceThatTheServerLacks_NamesItsLineAndThoseItHas', async t => {
+  it('Node_UnknownNamespaceUri_NamesItsLineAndTheServersNamespaces', async t => {
     const { state, path } = await adapterFor(t, server, OPEN, [{ joint: 'z', node: 'nsu=urn:another:server;s=x' }]);
 
     const { reason } = await state(s => s.state === 'refused');
@@ -174,7 +174,7 @@ describe('reading over OPC UA', () => {
     assert.ok(reason.includes(expected), reason);
   });
 
-  it('Server_ReadByAll_WasNeverAskedToChangeAnything', () => {
+  it('Server_ReadByAllTests_GotNoWriteRequest', () => {
     assert.deepEqual([...server.asked.keys()].filter(name => !READS.includes(name)), []);
     assert.ok(server.asked.get('PublishRequest') > 100);
   });
@@ -208,7 +208,7 @@ describe('robot at rest', { concurrency: 2 }, () => {
   const [moving, still] = [{ joint: 'a', node: 'ns=1;s=arm_joint_2' }, { joint: 'still', node: 'ns=1;s=arm_joint_3' }];
 
   for (const plant of [[], ['time: {node: "ns=1;s=time_ns"}']])
-    it(`Joint_ThatStands${plant.length > 0 ? 'BesideATimeVariable' : ''}_IsToldAsOftenAsAHeadsetNeedsIt`, async t => {
+    it(`Joint_AtRest${plant.length > 0 ? 'BesideATimeVariable' : ''}_IsRepeatedOftenEnoughForAHeadset`, async t => {
       const server = await serverFor(t, { clock: new ControlClock({ offsetMs: HOUR_MS }) });
       server.spoil = resting(name => name === 'arm_joint_3');
       const from = server.clock.now, { bridge, run } = await adapterFor(t, server, [...OPEN, ...plant], [moving, still]);
@@ -220,13 +220,13 @@ describe('robot at rest', { concurrency: 2 }, () => {
 
       const to = server.clock.now, gaps = stamps.slice(1).map((stamp, i) => Number(stamp - stamps[i]) / 1e6).sort((a, b) => a - b);
       assert.ok(stamps.every(stamp => stamp > from && stamp < to));
-      assert.ok(gaps[10] < 300, `the middle of the gaps is ${gaps[10]} ms`);
+      assert.ok(gaps[10] < 300, `the median gap is ${gaps[10]} ms`);
       assert.equal(new Set(bridge.jointStates.filter(s => s.name.includes('still')).map(s => s.position[s.name.indexOf('still')])).size, 1);
       assert.ok(worst(bridge.jointStates, 1) < 1e-12);
       assert.doesNotMatch(run.err, /still refused/);
     });
 
-  it('Robot_ThatStandsAsAWhole_IsShown', async t => {
+  it('Robot_AtRest_IsShown', async t => {
     const server = await serverFor(t, { clock: new ControlClock({ offsetMs: HOUR_MS }) });
     server.spoil = resting(name => name.startsWith('arm_joint'));
     const from = server.clock.now, { bridge, states } = await adapterFor(t, server, OPEN, [moving, still]);
@@ -241,7 +241,7 @@ describe('robot at rest', { concurrency: 2 }, () => {
 
 describe('clock alone', { concurrency: 2 }, () => {
   for (const plant of [[], ['time: {node: "ns=1;s=time_ns"}']])
-    it(`Joints_None${plant.length > 0 ? 'WithTimeVariable' : ''}_ClockIsToldAndNothingElse`, async t => {
+    it(`Clock_WithoutJoints${plant.length > 0 ? 'WithTimeVariable' : ''}_IsOfferedWithoutSamples`, async t => {
       const server = await serverFor(t, { clock: new ControlClock({ offsetMs: HOUR_MS }) });
       const { bridge, state } = await adapterFor(t, server, [...OPEN, ...plant], []);
       await state(s => s.state === 'connected');
@@ -257,7 +257,7 @@ describe('clock alone', { concurrency: 2 }, () => {
 });
 
 describe('clock of whole milliseconds', () => {
-  it('Resolution_OfWholeMilliseconds_IsFoundOut', async t => {
+  it('Resolution_WholeMilliseconds_IsMeasured', async t => {
     const server = await serverFor(t, { clockStepUs: 1000 });
     const { bridge, states } = await adapterFor(t, server, OPEN, [JOINTS[0]]);
     await states(1);
@@ -269,19 +269,19 @@ describe('clock of whole milliseconds', () => {
 });
 
 describe('clock that is written once a second', () => {
-  it('Time_OfCurrentTimeThatStands_IsThatOfTheAnswers', async t => {
+  it('Time_CurrentTimeStandsStill_IsThatOfTheAnswers', async t => {
     const server = await serverFor(t, { clockStepUs: 1_000_000 });
     const { run, bridge, states } = await adapterFor(t, server, OPEN, [JOINTS[0]]);
     await states(1);
 
     const { values } = await bridge.call('/nowpose/plant_time/cell');
 
-    assert.ok(Math.abs(Number(nanoseconds(values.sent) - server.clock.now)) < 200e6, 'cut to whole seconds it would be half of one late');
+    assert.ok(Math.abs(Number(nanoseconds(values.sent) - server.clock.now)) < 200e6, 'truncated to seconds it would be 0.5 s late on average');
     assert.equal(values.resolution_ns, 1_000_000);
     assert.match(run.err, /writes its CurrentTime seldom/);
   });
 
-  it('Time_OfAnswersByAnotherClock_IsNotTaken', async t => {
+  it('Time_AnswersOfAnotherClock_IsNotUsed', async t => {
     const server = await serverFor(t, { clockStepUs: 1_000_000, clock: new ControlClock({ offsetMs: HOUR_MS }) });
     const { run, bridge, states } = await adapterFor(t, server, OPEN, [JOINTS[0]]);
     await states(1);

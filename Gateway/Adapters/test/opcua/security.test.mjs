@@ -19,7 +19,7 @@ describe('security of OPC UA', () => {
   after(() => server.stop());
   const trusted = () => `security: {thumbprint: ${server.own.thumbprint}}`;
 
-  it('Server_Unknown_IsRefusedUntilAPersonTrustsIt', async t => {
+  it('Server_UnknownCertificate_IsRefusedUntilTrusted', async t => {
     const { run, bridge, path, state } = await adapterFor(t, server, ['user: {name: nowpose}'], JOINTS, WITH_PASSWORD);
     const folder = join(dirname(path), 'opcua-certificates'), rejected = join(folder, 'rejected', `${server.own.thumbprint}.der`);
 
@@ -37,7 +37,7 @@ describe('security of OPC UA', () => {
     assert.doesNotMatch(run.err, new RegExp(PASSWORD));
   });
 
-  it('OwnKey_MadeAtTheFirstStart_IsItsOwnersAlone', { skip: process.platform === 'win32' }, async t => {
+  it('OwnKey_CreatedAtTheFirstStart_IsReadableOnlyByItsOwner', { skip: process.platform === 'win32' }, async t => {
     const { path, state, run } = await adapterFor(t, server, [trusted(), 'user: {name: nowpose}'], JOINTS, WITH_PASSWORD);
     await state(s => s.state === 'connected');
 
@@ -58,14 +58,14 @@ describe('security of OPC UA', () => {
     });
   }
 
-  it('User_KnownByCertificate_LogsIn', async t => {
+  it('User_WithCertificate_LogsIn', async t => {
     const me = await identity('urn:me'), files = `{certificate: "${me.certificateFile}", key: "${me.privateKeyFile}"}`;
     const { state } = await adapterFor(t, server, [trusted(), `user: ${files}`], JOINTS);
 
     await state(s => s.state === 'connected' && Number(s.samples) > 0);
   });
 
-  it('Password_Wrong_IsToldWithoutIt', async t => {
+  it('Password_Wrong_IsReportedWithoutShowingIt', async t => {
     const wrong = { env: { NOWPOSE_PLANT_PASSWORD: 'wrong-horse' } };
     const { run, bridge, state } = await adapterFor(t, server, [trusted(), 'user: {name: nowpose}'], JOINTS, wrong);
 
@@ -75,7 +75,7 @@ describe('security of OPC UA', () => {
     assert.doesNotMatch(run.err + JSON.stringify(bridge.heard), /wrong-horse/);
   });
 
-  it('Anonymous_WhereNobodyMayBe_IsTold', async t => {
+  it('Anonymous_NotAllowed_IsReported', async t => {
     const { state } = await adapterFor(t, server, [trusted()], JOINTS);
 
     const { reason } = await state(s => s.state === 'refused');
@@ -83,7 +83,7 @@ describe('security of OPC UA', () => {
     assert.match(reason, /plant\.user/);
   });
 
-  it('NoSecurity_WhereServerOffersSome_FindsNothingToTalkTo', async t => {
+  it('NoSecurity_ServerOffersOnlySecureEndpoints_IsRefused', async t => {
     const { state, bridge } = await adapterFor(t, server, OPEN, JOINTS);
 
     const { reason } = await state(s => s.state === 'refused');
@@ -94,7 +94,7 @@ describe('security of OPC UA', () => {
 });
 
 describe('other servers', () => {
-  it('Server_WithoutSecurity_IsNotSpokenToOpenly', async t => {
+  it('Server_WithoutSecurity_IsNotConnected', async t => {
     const server = await new YoubotServer({ security: ['none'] }).start();
     t.after(() => server.stop());
     const { state } = await adapterFor(t, server, [], JOINTS);
@@ -105,7 +105,7 @@ describe('other servers', () => {
     assert.equal(server.asked.get('CreateSessionRequest'), undefined);
   });
 
-  it('CertificateFolder_ThatCannotBeMade_IsToldAndTriedAgain', async t => {
+  it('CertificateFolder_CannotBeCreated_IsReportedAndRetried', async t => {
     const server = await new YoubotServer({ security: ['none'] }).start();
     t.after(() => server.stop());
     const blocked = temporaryFile('blocked', ''), security = `security: {mode: none, i_know_this_is_open: true, folder: "${blocked}/certificates"}`;
@@ -120,7 +120,7 @@ describe('other servers', () => {
     assert.equal(run.child.exitCode, null);
   });
 
-  it('Server_ThatDoesNotTrustUs_IsToldWithOurThumbprint', async t => {
+  it('Server_DoesNotTrustTheAdapter_IsReportedWithItsThumbprint', async t => {
     const server = await new YoubotServer({ security: ['sign_and_encrypt'], trusted: [] }).start();
     t.after(() => server.stop());
     const { state, path } = await adapterFor(t, server, [`security: {thumbprint: ${server.own.thumbprint}}`], JOINTS);
@@ -131,7 +131,7 @@ describe('other servers', () => {
     assert.ok(existsSync(join(dirname(path), 'opcua-certificates', 'own', 'nowpose.der')));
   });
 
-  it('ServerCertificate_Expired_IsRefusedThoughTrusted', async t => {
+  it('ServerCertificate_TrustedButExpired_IsRefused', async t => {
     const own = await identity('urn:nowpose:youbot', { notBefore: new Date(Date.now() - 10 * 86_400_000), validity: 5 });
     const server = await new YoubotServer({ security: ['sign_and_encrypt'], own }).start();
     t.after(() => server.stop());
@@ -162,7 +162,7 @@ describe('security in the configuration', () => {
     ['TimeNotAsked', ['timestamp: source', 'time: {node: i=2258}'], /line 8: plant\.time: timestamp is source/],
     ['PublishingFasterThanSampling', ['sampling_ms: 20', 'publishing_ms: 10'], /line 8: plant\.publishing_ms: value 10; .* from sampling_ms, 20,/],
   ]) {
-    it(`Check_${name}_NamesLineAndCure`, () => {
+    it(`Check_${name}_NamesLineAndRemedy`, () => {
       const lines = wrongIn(file(...plant));
 
       assert.match(lines.join('\n'), expected);
@@ -170,7 +170,7 @@ describe('security in the configuration', () => {
     });
   }
 
-  it('Check_CertificateAndKeyOfAUser_AreOpenedAndHeldTogether', async () => {
+  it('Check_CertificateAndKeyOfAUser_AreReadAndCompared', async () => {
     const [me, other] = await Promise.all([identity('urn:me'), identity('urn:other')]);
     const none = temporaryFile('none', 'garbage'), closed = temporaryFile('closed.pem', createPrivateKey(me.pem).export({
       type: 'pkcs8', format: 'pem', cipher: 'aes-256-cbc', passphrase: 'hush-hush',
@@ -184,7 +184,7 @@ describe('security in the configuration', () => {
     assert.match(wrong(me.certificateFile, other.privateKeyFile), /line 9: plant\.user\.key: it is not the key of plant\.user\.certificate/);
   });
 
-  it('Check_CertificateFolderThatCannotBeMade_NamesItsLineAndMakesNothing', async t => {
+  it('Check_CertificateFolderCannotBeCreated_NamesItsLineAndCreatesNothing', async t => {
     const blocked = file('security:', '  folder: plant.yaml'), good = file('security:', '  folder: a/b');
 
     const { status, lines } = await check(t, blocked);
@@ -195,7 +195,7 @@ describe('security in the configuration', () => {
     assert.deepEqual(readdirSync(dirname(good)), ['plant.yaml']);
   });
 
-  it('Check_PasswordFileForEverybody_IsRefused', { skip: process.platform === 'win32' }, () => {
+  it('Check_PasswordFileReadableByAll_IsRefused', { skip: process.platform === 'win32' }, () => {
     const path = file('user: {name: me, password_file: word}');
     writeFileSync(join(dirname(path), 'word'), 'hush-hush', { mode: 0o644 });
 

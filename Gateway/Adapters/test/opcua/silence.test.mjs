@@ -37,7 +37,7 @@ async function assertOthersGoOn(bridge, joint, other) {
 }
 
 describe('silence over OPC UA', { concurrency: 2 }, () => {
-  it('Node_DeletedAndCreatedAgain_IsFaultThenLive', async t => {
+  it('Node_DeletedAndRestored_IsFaultThenLive', async t => {
     const { server, bridge, run, state } = await cell(t);
 
     server.remove('arm_joint_1');
@@ -137,7 +137,7 @@ describe('silence over OPC UA', { concurrency: 2 }, () => {
     assert.equal(bridge.status.level, 0);
   });
 
-  it('Joints_AllAtRest_AreRepeatedWithinWhatAHeadsetPredicts', async t => {
+  it('Joints_AllAtRest_AreRepeatedWithinTheHeadsetsHorizon', async t => {
     const { bridge, state, writers } = await cell(t, ['max_deceleration: 1000']), stampsOf = joint =>
       bridge.jointStates.filter(s => s.name.includes(joint)).map(s => Number(nanoseconds(s.header.stamp) / 1_000_000n));
 
@@ -153,7 +153,7 @@ describe('silence over OPC UA', { concurrency: 2 }, () => {
     assert.ok(gaps.sort((a, b) => a - b)[gaps.length >> 1] < 200, `${gaps}`);
   });
 
-  it('Nodes_OfAServerThatReadsOneAtATime_AreReadBack', async t => {
+  it('Nodes_OneNodePerRead_AreReadBack', async t => {
     const { bridge, state, writers } = await cell(t, ['max_deceleration: 1000'], JOINTS, { nodesPerRead: 1 });
 
     writers.set('arm_joint_1', stopped());

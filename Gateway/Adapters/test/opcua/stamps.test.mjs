@@ -9,18 +9,18 @@ const halves = value => [Number(BigInt.asUintN(64, value) >> 32n), Number(value 
 const variant = (dataType, value) => new Variant({ dataType, arrayType: VariantArrayType.Scalar, value });
 
 describe('stamps of OPC UA', () => {
-  it('SourceTimestamp_WithHundredNanoseconds_KeepsThem', () => {
+  it('SourceTimestamp_HundredNanoseconds_AreKept', () => {
     const sourceTimestamp = new Date(Number(T / 1_000_000n));
 
     assert.equal(sourceStamp(new DataValue({ sourceTimestamp, sourcePicoseconds: 125_900_000 })), T);
   });
 
-  it('SourceTimestamp_WithPicoseconds_IsCutToNanoseconds', () =>
+  it('SourceTimestamp_Picoseconds_AreTruncatedToNanoseconds', () =>
     assert.equal(ofDate(new Date(0), 125_912_340), 125_912n));
 
   for (const [name, date] of [
     ['None', null], ['Earliest', new Date(Date.UTC(1601, 0, 1))], ['Latest', new Date(Date.UTC(9999, 11, 31))], ['Invalid', new Date(NaN)],
-  ]) it(`Date_${name}_IsNoTime`, () => assert.equal(ofDate(date), null));
+  ]) it(`Date_${name}_IsNotATime`, () => assert.equal(ofDate(date), null));
 
   for (const [name, value, unit, expected] of [
     ['DateTime', variant(DataType.DateTime, Object.assign(new Date(Number(T / 1_000_000n)), { picoseconds: 125_900_000 })), null, T],
@@ -36,7 +36,7 @@ describe('stamps of OPC UA', () => {
     ['NaN', variant(DataType.Double, NaN), 's', null],
   ]) it(`TimeVariable_${name}_IsRead`, () => assert.equal(timeIn(value, unit), expected));
 
-  it('TimeVariable_LongRealSeconds_IsAsGoodAsADouble', () => {
+  it('TimeVariable_LongRealSeconds_HasTheAccuracyOfADouble', () => {
     const time = timeIn(variant(DataType.Double, Number(T) / 1e9), null);
 
     assert.ok(Math.abs(Number(time - T)) <= 240, `${time - T} ns`);
@@ -46,12 +46,12 @@ describe('stamps of OPC UA', () => {
 describe('time variable', () => {
   const time = new TimeVariable(500n);
 
-  it('Label_OfItsCycle_GivesItsTime', () => {
+  it('Label_OfItsCycle_HasItsTime', () => {
     time.learn(1000n, 77n);
     time.learn(2000n, 88n);
 
     assert.deepEqual([time.at(1400n), time.at(1600n), time.at(2000n)], [77n, 88n, 88n]);
   });
 
-  it('Label_OfNoCycle_HasNoTime', () => assert.equal(time.at(2501n), null));
+  it('Label_WithoutCycle_HasNoTime', () => assert.equal(time.at(2501n), null));
 });

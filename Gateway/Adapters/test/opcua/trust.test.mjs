@@ -22,7 +22,7 @@ describe('trust list', () => {
     return { folder, trust };
   }
 
-  it('Certificate_Unknown_IsRefusedKeptAndStaysRefused', async () => {
+  it('Certificate_Unknown_IsRefusedAndStored', async () => {
     const { trust, folder } = await list();
 
     for (let i = 0; i < 2; i++) assert.equal(await trust.checkCertificate(server.der), StatusCodes.BadCertificateUntrusted);
@@ -32,7 +32,7 @@ describe('trust list', () => {
     assert.deepEqual(readdirSync(join(folder, 'trusted')), []);
   });
 
-  it('Certificates_RejectedTooMany_LoseTheOldest', async () => {
+  it('Certificates_TooManyRejected_DropTheOldest', async () => {
     const { trust, folder } = await list(), rejected = join(folder, 'rejected');
     for (let i = 0; i < 20; i++) {
       writeFileSync(join(rejected, `${i}.der`), '');
@@ -68,7 +68,7 @@ describe('trust list', () => {
     }
   });
 
-  it('Certificate_OutOfDate_IsRefusedThoughTrusted', async () => {
+  it('Certificate_TrustedButExpired_IsRefused', async () => {
     for (const days of [-1, 366]) {
       const { trust } = await list({ thumbprint: server.thumbprint }, () => new Date(Date.now() + days * 86_400_000));
 
@@ -76,7 +76,7 @@ describe('trust list', () => {
     }
   });
 
-  it('Library_AskingToTrust_ChangesNothing', async () => {
+  it('Library_RequestsTrust_HasNoEffect', async () => {
     const { trust } = await list();
 
     await trust.trustCertificate(server.der);
@@ -84,7 +84,7 @@ describe('trust list', () => {
     assert.equal(await trust.checkCertificate(server.der), StatusCodes.BadCertificateUntrusted);
   });
 
-  it('Folder_ThatCannotBeWritten_LeavesTheThumbprintToTell', async () => {
+  it('Folder_NotWritable_RefusalStillNamesTheThumbprint', async () => {
     const { trust, folder } = await list();
     mkdirSync(join(folder, 'rejected', `${server.thumbprint}.der`));
 
@@ -96,7 +96,7 @@ describe('trust list', () => {
 });
 
 describe('read only', () => {
-  it('Request_OfAWriter_NeverReachesTheServer', async t => {
+  it('Request_Write_NeverReachesTheServer', async t => {
     const server = await new YoubotServer().start();
     t.after(() => server.stop());
     const own = await identity('urn:writer');

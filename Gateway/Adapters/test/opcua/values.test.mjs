@@ -12,7 +12,7 @@ describe('values of nodes', () => {
   for (const [name, value] of [
     ['Missing', Object.assign(new DataValue({}), { value: null })],
     ['Null', new DataValue({ value: new Variant({ dataType: DataType.Null }) })],
-  ]) it(`Value_${name}_IsRefusedThoughItsStatusIsGood`, () => assert.equal(statusRefusal(value).reason, 'type'));
+  ]) it(`Value_${name}WithGoodStatus_IsRefused`, () => assert.equal(statusRefusal(value).reason, 'type'));
 
   for (const [name, status, reason] of [
     ['Good', StatusCodes.Good, undefined],
@@ -21,7 +21,7 @@ describe('values of nodes', () => {
     ['Bad', StatusCodes.BadSensorFailure, 'status-bad'],
     ['Uncertain', StatusCodes.UncertainSubNormal, 'status-uncertain'],
   ]) {
-    it(`Status_${name}_IsJudged`, () => {
+    it(`Status_${name}_IsClassified`, () => {
       const value = data(DataType.Double, 1);
       value.statusCode = status;
 
@@ -29,7 +29,7 @@ describe('values of nodes', () => {
     });
   }
 
-  it('Status_WithOverflow_IsSeen', () => {
+  it('Status_WithOverflow_IsDetected', () => {
     assert.equal(isOverflown(StatusCodes.makeStatusCode('Good', 'Overflow')), true);
     assert.equal(isOverflown({ value: 0x480 }), true);
     assert.equal(isOverflown(StatusCodes.BadNoCommunication), false);
@@ -47,6 +47,6 @@ describe('values of nodes', () => {
     for (const [value, index, expected] of cases) assert.equal(valueOf(joint(index), value).value, expected);
   });
 
-  it('Array_ThatIsEmpty_HasNoIndex', () =>
+  it('Array_Empty_HasNoIndex', () =>
     assert.equal(valueOf(joint(0), data(DataType.Double, new Float64Array(), VariantArrayType.Array)).reason, 'index'));
 });

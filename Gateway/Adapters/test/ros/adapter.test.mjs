@@ -24,7 +24,7 @@ const plan = (robot, points) => robot.publish('/plan', { header: { stamp: robot.
 
 describe('ros', { concurrency: 4 }, () => {
   for (const ros of [1, 2])
-    it(`Adapter_Ros${ros}_PassesStatesWithTheirStamps`, async t => {
+    it(`Adapter_Ros${ros}_ForwardsStatesWithTheirStamps`, async t => {
       const { robot, bridge } = await cell(t, { ros, aheadMs: 60_000 });
       const stamp = robot.now();
 
@@ -48,7 +48,7 @@ describe('ros', { concurrency: 4 }, () => {
     }
   });
 
-  it('Clock_OfASimulation_IsAsCoarseAsItsSteps', async t => {
+  it('Clock_OfASimulation_HasTheResolutionOfItsSteps', async t => {
     // The /clock of a simulation that publishes it 50 times a second.
     const { bridge } = await cell(t, { now: () => BigInt(Math.floor(performance.now() / 20)) * 20_000_000n });
 
@@ -57,10 +57,10 @@ describe('ros', { concurrency: 4 }, () => {
     assert.ok(values.resolution_ns >= 10_000_000 && values.resolution_ns <= 20_000_000, `${values.resolution_ns}`);
   });
 
-  it('Clock_WithoutRosapi_IsNotToldAndStatesPass', async t => {
+  it('Clock_WithoutRosapi_IsUnavailableAndStatesAreForwarded', async t => {
     const { robot, bridge, adapter } = await cell(t, { now: null });
 
-    await adapter.said('the robot\'s clock is not told: /rosapi/get_time: Service /rosapi/get_time does not exist; start rosapi');
+    await adapter.said('the robot\'s clock is not available: /rosapi/get_time: Service /rosapi/get_time does not exist; start rosapi');
     assert.deepEqual(bridge.heard.filter(m => m.op === 'advertise_service'), []);
     robot.jointState(1_700_000_000_000_000_000n, ['a'], [1]);
     await states(bridge);
@@ -68,7 +68,7 @@ describe('ros', { concurrency: 4 }, () => {
     await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, 'the clock once rosapi runs');
   });
 
-  it('Adapter_Description_IsPassedOnAndKept', async t => {
+  it('Adapter_Description_IsForwardedAndKept', async t => {
     const urdf = '<robot name="r"/>';
     const { robot, bridge } = await cell(t);
 
@@ -120,7 +120,7 @@ describe('ros', { concurrency: 4 }, () => {
       assert.deepEqual([bridge.jointStates, bridge.published('/robot_description')], [[], []]);
     });
 
-  it('Adapter_EffortsOnly_AreNoMistake', async t => {
+  it('Adapter_EffortsOnly_AreIgnoredWithoutRefusal', async t => {
     const { robot, bridge } = await cell(t);
 
     robot.publish('/joint_states', { header: { stamp: robot.time(robot.now()) }, name: ['wheel'], position: [], effort: [3] });
@@ -152,7 +152,7 @@ describe('ros', { concurrency: 4 }, () => {
     assert.ok(adapter.err.includes('a fault: '), adapter.err);
   });
 
-  it('Adapter_RobotGoesAndComes_IsHeardAgain', async t => {
+  it('Adapter_RobotDisconnectsAndReturns_IsReadAgain', async t => {
     const { robot, bridge, adapter } = await cell(t);
 
     await robot.stop();
@@ -173,7 +173,7 @@ describe('ros', { concurrency: 4 }, () => {
     ['Topic', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\n  topics: { joint_states: joint states }\n', /line 4: plant\.topics\.joint_states: .*allowed is a topic's name/],
     ['SourceTwice', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\njoints:\n  - joint: a\n  - joint: b\n    source: a\n', /line 6: joints\[1\]: the robot's joint a stands here for the second time/],
   ])
-    it(`Check_Wrong${name}_NamesItsLine`, () => {
+    it(`Check_Invalid${name}_NamesItsLine`, () => {
       const lines = wrongIn(temporaryFile('ros.yaml', text));
 
       assert.match(lines[0], expected);

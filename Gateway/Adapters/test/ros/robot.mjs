@@ -12,7 +12,7 @@ export class Robot {
   #sockets = new Set();
   #started = performance.now();
 
-  /** `ros` is 1 or 2; `aheadMs` is its clock minus this machine's; `now` replaces its clock; with null there is no rosapi. */
+  /** `ros` is 1 or 2; `aheadMs` is its clock minus this machine's; `now` replaces its clock; null simulates a robot without rosapi. */
   constructor({ ros = 2, aheadMs = 0, now } = {}) {
     this.ros = ros;
     const start = BigInt(Math.round((Date.now() + aheadMs) * 1e6));

@@ -1,4 +1,4 @@
-// roslib, the client of most ROS web pages, at the gateway itself: the gateway must understand its messages.
+// Connects roslib, the client of most ROS web pages, to the built gateway, which must understand its messages.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import * as ROSLIB from 'roslib';
@@ -31,7 +31,7 @@ const now = () => { const ms = Date.now() - 100; return { sec: Math.floor(ms / 1
 
 const state = (stamp, name = ['a'], position = [0.5]) => ({ header: { stamp, frame_id: '' }, name, position, velocity: [], effort: [] });
 
-test('what a source publishes reaches subscribers in the spelling of the type they named', limit, async t => {
+test('published messages reach subscribers in the spelling of the type they named', limit, async t => {
   const address = await start(t);
   const source = await connect(t, address);
   for (const [type, field] of [['sensor_msgs/JointState', 'secs'], ['sensor_msgs/msg/JointState', 'sec']]) {
@@ -49,7 +49,7 @@ test('what a source publishes reaches subscribers in the spelling of the type th
   }
 });
 
-test('the time is told by the service, with and without the slash before its name', limit, async t => {
+test('the service returns the time, with and without the slash before its name', limit, async t => {
   const ros = await connect(t, await start(t));
 
   for (const name of ['/rosapi/get_time', 'rosapi/get_time']) {
@@ -58,7 +58,7 @@ test('the time is told by the service, with and without the slash before its nam
   }
 });
 
-test('a service that the gateway does not have fails in words', limit, async t => {
+test('a call of an unknown service fails with a reason', limit, async t => {
   const ros = await connect(t, await start(t));
 
   const failed = await within(new Promise((resolve, reject) => ros.getActionServers(() => reject(new Error('answered')), resolve)), 'getActionServers');
@@ -66,7 +66,7 @@ test('a service that the gateway does not have fails in words', limit, async t =
   assert.match(String(failed), /service/);
 });
 
-test('the topics that can be had are listed', limit, async t => {
+test('the available topics are listed', limit, async t => {
   const ros = await connect(t, await start(t, ['--robot', 'youbot']));
 
   const { topics, types } = await within(new Promise((resolve, reject) => ros.getTopics(resolve, reject)), 'getTopics');
@@ -76,7 +76,7 @@ test('the topics that can be had are listed', limit, async t => {
   assert.equal(types[topics.indexOf('/robot_description')], 'std_msgs/String');
 });
 
-test('a request for something unsupported gets a status, and is served without it or refused', limit, async t => {
+test('an unsupported option causes a status, and the request is served without it or refused', limit, async t => {
   const ros = await connect(t, await start(t, ['--robot', 'youbot']));
   const told = new Map();
   const emit = ros.emit.bind(ros);
@@ -102,7 +102,7 @@ test('a request for something unsupported gets a status, and is served without i
   assert.match((await within(description, 'the description')).data, /<robot/);
 });
 
-test('what breaks a rule is told as a status with the id of what broke it', limit, async t => {
+test('an invalid request causes a status with the id of the request', limit, async t => {
   const ros = await connect(t, await start(t));
   const told = [];
   ros.on('status', message => told.push(message));
@@ -120,7 +120,7 @@ test('what breaks a rule is told as a status with the id of what broke it', limi
   assert.deepEqual(told, [], 'nothing else was refused');
 });
 
-test('nothing of what it sends by itself is refused: ids, latch, queue sizes, compression, levels, what is taken back', limit, async t => {
+test('none of its own messages is refused: ids, latch, queue sizes, compression, levels, unsubscribe and unadvertise', limit, async t => {
   const address = await start(t, ['--robot', 'youbot']);
   const ros = await connect(t, address);
   const refused = [];

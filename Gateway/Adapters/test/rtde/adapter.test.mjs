@@ -1,4 +1,4 @@
-// The adapter as a process between a controller's double and a gateway's.
+// Runs the adapter as a process between doubles of a controller and a gateway.
 import assert from 'node:assert/strict';
 import { createServer } from 'node:net';
 import { describe, it } from 'node:test';
@@ -30,7 +30,7 @@ const seconds = stamp => Number(nanoseconds(stamp)) / 1e9;
 const told = adapter => adapter.err.split('\n').filter(line => /\[plant\/arm\] (waiting|refused|connected)/.test(line));
 
 describe('rtde adapter', { concurrency: 4 }, () => {
-  it('Adapter_DataPackages_BringPositionsAndVelocitiesWithTheirTimestamp', async t => {
+  it('Adapter_DataPackages_BecomePositionsAndVelocitiesWithTheirTimestamp', async t => {
     const { bridge, robot } = await cell(t);
 
     const states = await statesOf(bridge, 100);
@@ -46,7 +46,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     assert.equal(bridge.state.controller, '5.11.1.108318');
   });
 
-  it('Adapter_JointsNamed_PassAsConfigured', async t => {
+  it('Adapter_JointsNamed_AreForwardedAsConfigured', async t => {
     const rest = 'joints: [{ joint: wrist, index: 5 }, { joint: base, index: 0 }]\n';
     const { bridge } = await cell(t, undefined, { rest, more: ', positions: target' });
 
@@ -56,7 +56,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     assert.ok(Math.abs(position[0] - angle(5, seconds(header.stamp)) - 1) < 1e-9);
   });
 
-  it('Adapter_FasterController_IsThinned', async t => {
+  it('Adapter_FasterController_IsSampledAtTheChosenInterval', async t => {
     const { bridge, robot } = await cell(t, new RtdeRobot({ rateHz: 500 }), { more: ', rate_hz: 50' });
 
     const stamps = (await statesOf(bridge, 20)).map(state => seconds(state.header.stamp));
@@ -65,7 +65,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     assert.deepEqual(robot.frequencies, [50]);
   });
 
-  it('Adapter_Cb3_IsAskedForNoMoreThan125Hz', async t => {
+  it('Adapter_Cb3_RequestsAtMost125Hz', async t => {
     const { bridge, robot } = await cell(t, new RtdeRobot({ version: [3, 15, 8, 1] }), { more: ', rate_hz: 500' });
 
     await statesOf(bridge);
@@ -87,7 +87,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     }
   });
 
-  it('Clock_WithoutAnswersInTheStream_IsToldNevertheless', async t => {
+  it('Clock_WithoutAnswersInTheStream_IsStillOffered', async t => {
     const { bridge, robot } = await cell(t, new RtdeRobot({ isAnsweringWhileStreaming: false, version: null }));
     await statesOf(bridge, 400);
 
@@ -109,7 +109,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     assert.match(adapter.err, /the controller does not have actual_qd, robot_mode, safety_mode; it is read without/);
   });
 
-  it('Controller_Restarted_IsReadOnItsNewTime', async t => {
+  it('Controller_Restarted_IsReadWithItsNewTime', async t => {
     const { bridge, robot, adapter } = await cell(t);
     await statesOf(bridge, 20);
 
@@ -124,7 +124,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     assert.doesNotMatch(adapter.err, /refused \(/);
   });
 
-  it('Robot_InProtectiveStop_IsNamedAndItsPositionsGoOn', async t => {
+  it('Robot_InProtectiveStop_IsReportedAndItsPositionsContinue', async t => {
     const { bridge, robot, adapter } = await cell(t);
     await statesOf(bridge);
 
@@ -143,7 +143,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     ]);
   });
 
-  it('Robot_WithoutPower_HasNoPositionsUntilItIsSwitchedOn', async t => {
+  it('Robot_WithoutPower_HasNoPositionsUntilPowerOn', async t => {
     const robot = new RtdeRobot({ stands: true });
     robot.state.mode = 3;
     const { bridge, adapter } = await cell(t, robot);
@@ -156,7 +156,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     assert.equal(told(adapter).length, 2, adapter.err);
   });
 
-  it('Robot_ThatMovesInAModeWithoutPower_IsRead', async t => {
+  it('Robot_MovesInAModeWithoutPower_IsRead', async t => {
     const robot = new RtdeRobot();
     robot.state.mode = 0;
 
@@ -165,7 +165,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     await statesOf(bridge);
   });
 
-  it('Controller_ThatLosesPackages_IsNamedOnce', async t => {
+  it('Controller_LosesPackages_IsLoggedOnce', async t => {
     const { bridge, adapter } = await cell(t, new RtdeRobot({ losesEach: 5 }));
 
     await until(() => Number(bridge.state?.['refused/package-lost']) > 5, 'lost packages');
@@ -178,7 +178,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     ['WithBytesThatAreNone', Buffer.alloc(64), /waiting: the stream of .* is damaged; reading starts again/],
     ['WithAPackageOfAnotherSize', packageOf('U', byte(1), 'short'), /sends a data package of 6 bytes where the recipe has \d+; reading starts again/],
   ])
-    it(`Stream_${what}_IsReadAnew`, async t => {
+    it(`Stream_${what}_IsReadAgain`, async t => {
       const { bridge, robot, adapter } = await cell(t);
       await statesOf(bridge, 10);
 
@@ -189,7 +189,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
       await statesOf(bridge, bridge.jointStates.length + 10);
     });
 
-  it('Controller_SaysSomething_IsHeard', async t => {
+  it('Controller_TextMessage_IsLogged', async t => {
     const { bridge, robot, adapter } = await cell(t);
     await statesOf(bridge);
 
@@ -207,7 +207,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     ['ForOneClient', { onConnection: socket => socket.destroy() }, /before it answered; if other programs read this robot over RTDE, end one of them/, 'waiting'],
     ['OfGarbage', { isMute: true, onConnection: pour }, /sends what is not RTDE; name the robot's address/, 'refused'],
   ])
-    it(`Controller_${what}_IsOneLineAndIsTriedAgain`, async t => {
+    it(`Controller_${what}_IsLoggedInOneLineAndRetried`, async t => {
       let connections = 0;
       const double = new RtdeRobot(robot), { bridge, adapter } = await cell(t, double);
       double.onConnection = socket => {
@@ -225,7 +225,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
       assert.deepEqual(bridge.jointStates, []);
     });
 
-  it('Host_ThatDoesNotExist_IsOneLine', async t => {
+  it('Host_DoesNotExist_IsLoggedInOneLine', async t => {
     const bridge = await RosbridgeDouble.start(t), adapter = start(t, [configuration({ url: bridge.url, host: 'no-such-robot.invalid', port: 30004 })]);
 
     await adapter.said('no machine is called no-such-robot.invalid; correct plant.host');
@@ -233,7 +233,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     assert.equal(told(adapter).length, 1);
   });
 
-  it('Port_ThatIsClosed_IsOneLineAndGoesOnWhenItOpens', async t => {
+  it('Port_Closed_IsLoggedInOneLineAndConnectedWhenItOpens', async t => {
     const free = createServer();
     await new Promise(resolve => free.listen(0, '127.0.0.1', resolve));
     const { port } = free.address(), bridge = await RosbridgeDouble.start(t);
@@ -247,7 +247,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     assert.equal(told(adapter).length, 2, adapter.err);
   });
 
-  it('Connection_Lost_IsMadeAgain', async t => {
+  it('Connection_Lost_IsReopened', async t => {
     const { bridge, robot, adapter } = await cell(t);
     await statesOf(bridge, 10);
 
@@ -259,7 +259,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     assert.equal(told(adapter).length, 3, adapter.err);
   });
 
-  it('Check_GoodFile_SaysWhatIsRead', async t => {
+  it('Check_ValidFile_ListsTheDataThatAreRead', async t => {
     const { status, out } = await check(t, configuration({ url: 'ws://127.0.0.1:1', port: 30004, rest: 'robot: ur5e\n' }));
 
     assert.equal(status, 0);
@@ -283,7 +283,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     });
 });
 
-/** Random bytes without end. */
+/** Sends random bytes without end. */
 function pour(socket) {
   const random = seeded(7), timer = setInterval(() => socket.write(Buffer.from(Array.from({ length: 1024 }, () => Math.floor(256 * random())))), 1);
   socket.on('error', () => {}).on('close', () => clearInterval(timer));

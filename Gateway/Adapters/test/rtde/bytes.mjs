@@ -1,4 +1,4 @@
-// Packages of RTDE put together as UR's guide describes them, without the adapter's own code: size, type and payload, big-endian.
+// Creates RTDE packages as described in UR's guide, independently of the adapter's code: size, type and payload, big-endian.
 
 export function packageOf(type, ...parts) {
   const payload = Buffer.concat(parts.map(part => typeof part === 'string' ? Buffer.from(part, 'ascii') : part));

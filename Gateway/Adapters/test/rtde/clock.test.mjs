@@ -1,4 +1,4 @@
-// The controller's clock by its packages and by answers among them, in virtual time with a seed.
+// Estimates of the controller's clock from its packages and the answers between them, in seeded virtual time.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from '../parts.mjs';
@@ -9,8 +9,8 @@ const { RobotClock } = await parts('rtde/robotClock');
 const MS = 1_000_000n, ns = ms => BigInt(Math.round(ms * 1e6));
 
 /**
- * A controller on a clock of its own behind a network with delays of `leastMs` and up; each package leaves within `sendMs` of its
- * timestamp. Times of `at` are of this machine's counter, in ms.
+ * A controller with its own clock behind a network with a minimum delay of `leastMs`. It sends each package within `sendMs` of its
+ * timestamp. `at` is a time of this machine's counter in ms.
  */
 class Link {
   packages = [];
@@ -24,12 +24,12 @@ class Link {
     this.arrived = 0;
   }
 
-  /** What the controller's clock shows, ms. */
+  /** Time of the controller's clock, ms. */
   truth(at) { return at * (1 + this.ppm / 1e6) + this.aheadMs; }
 
   #delay() { return this.leastMs + this.jitterMs * this.random() ** 4; }
 
-  /** Plays until a time; a question is under way about 16 times a second. */
+  /** Simulates until a time, with about 16 requests per second. */
   play(untilMs) {
     for (;;) {
       const begun = this.cycle * this.periodMs;
@@ -63,13 +63,13 @@ describe('rtde clock', () => {
     ['PromptController', { sendMs: 0 }, 0.4, 5], ['SlowWifi', { leastMs: 3, jitterMs: 40 }, 5.5, 14], ['ThinnedTo20Hz', { periodMs: 50 }, 2.5, 9],
     ['FastClock', { ppm: 500 }, 2.2, 5], ['SlowClock', { ppm: -500 }, 2.2, 5],
   ])
-    it(`Clock_${what}_ErrsLessThanItsBound`, () => {
+    it(`Clock_${what}_ErrorIsWithinItsBound`, () => {
       for (let seed = 1; seed <= 20; seed++) {
         const link = new Link({ seed, ...options });
         for (let second = 2; second <= 30; second++) {
           link.play(1000 * second);
           const { error, bound } = link.told();
-          assert.ok(Math.abs(error) <= bound, `seed ${seed}: wrong by ${error} ms, said ${bound} ms`);
+          assert.ok(Math.abs(error) <= bound, `seed ${seed}: error ${error} ms, bound ${bound} ms`);
           assert.ok(Math.abs(error) < mostError, `seed ${seed}: wrong by ${error} ms`);
           assert.ok(bound < mostBound, `seed ${seed}: bound ${bound} ms`);
         }
@@ -77,7 +77,7 @@ describe('rtde clock', () => {
       }
     });
 
-  it('Clock_AssumedDelayTooSmall_IsNotProven', () => {
+  it('Clock_AssumedDelayTooSmall_BoundDoesNotHold', () => {
     const wrong = Array.from({ length: 20 }, (_, i) => {
       const link = new Link({ seed: i + 1, sendMs: 0, leastMs: 0.01, jitterMs: 0.02, assumedMs: 0 });
       // All packages leave 5 ms late, which cannot be observed.
@@ -91,7 +91,7 @@ describe('rtde clock', () => {
   });
 
   for (const by of [-3000, -20, 20, 3000])
-    it(`Clock_SteppedBy${by}Ms_IsMeasuredAnew`, () => {
+    it(`Clock_SteppedBy${by}Ms_IsMeasuredAgain`, () => {
       for (let seed = 1; seed <= 10; seed++) {
         const link = new Link({ seed });
         link.play(5000);
@@ -99,12 +99,12 @@ describe('rtde clock', () => {
         link.play(6000);
 
         const { error, bound } = link.told();
-        assert.ok(Math.abs(error) <= bound && bound < 5, `seed ${seed}: wrong by ${error} ms, said ${bound} ms`);
+        assert.ok(Math.abs(error) <= bound && bound < 5, `seed ${seed}: error ${error} ms, bound ${bound} ms`);
         assert.ok(Math.abs(link.stepped.reduce((sum, step) => sum + step, 0) - by) < 5, `seed ${seed}: ${link.stepped}`);
       }
     });
 
-  it('Clock_WithoutAnswers_KeepsItsDistanceAndFollows', () => {
+  it('Clock_WithoutAnswers_KeepsItsBoundAndFollows', () => {
     for (let seed = 1; seed <= 10; seed++) {
       const link = new Link({ seed, answers: false, ppm: 300 });
       link.play(2000);
@@ -112,12 +112,12 @@ describe('rtde clock', () => {
       link.play(600_000);
 
       const { error, bound } = link.told();
-      assert.ok(Math.abs(error) <= bound && bound < 3, `seed ${seed}: wrong by ${error} ms, said ${bound} ms`);
+      assert.ok(Math.abs(error) <= bound && bound < 3, `seed ${seed}: error ${error} ms, bound ${bound} ms`);
     }
   });
 
   for (const by of [-2000, 2000])
-    it(`Clock_WithoutAnswersSteppedBy${by}Ms_IsMeasuredAnew`, () => {
+    it(`Clock_WithoutAnswersSteppedBy${by}Ms_IsMeasuredAgain`, () => {
       const link = new Link({ seed: 3, answers: false });
       link.play(2000);
       link.clock.expectNoAnswers(ns(0.6));
@@ -130,7 +130,7 @@ describe('rtde clock', () => {
       assert.equal(link.stepped.length, 1);
     });
 
-  it('Clock_SilentRobot_TellsNoTime', () => {
+  it('Clock_SilentRobot_HasNoTime', () => {
     const link = new Link({ seed: 1 });
     assert.throws(() => link.clock.at(0n), /sends no data/);
     link.play(3000);

@@ -21,7 +21,7 @@ const PAYLOAD = Buffer.concat([
 ]);
 
 describe('rtde layout', () => {
-  it('Request_EachThatReads_HasTheBytesOfTheGuide', () => {
+  it('Request_EachType_HasTheBytesOfTheGuide', () => {
     assert.equal(hex(packages.protocolVersion(2)), '0005' + '56' + '0002');
     assert.equal(hex(packages.controllerVersion()), '0003' + '76');
     // 125 Hz is 405f400000000000, the names are ASCII without an end.
@@ -29,7 +29,7 @@ describe('rtde layout', () => {
     assert.equal(hex(packages.start()), '0003' + '53');
   });
 
-  it('Reader_PackagesInAnyPieces_GivesThemWhole', () => {
+  it('Reader_PackagesInAnyPieces_ReturnsThemComplete', () => {
     const stream = Buffer.concat([packageOf('V', byte(1)), packageOf('S', byte(1)), packageOf('U', PAYLOAD), packageOf('v', ...[5, 11, 1, 7].map(int))]);
 
     for (let size = 1; size <= stream.length; size++) {
@@ -49,7 +49,7 @@ describe('rtde layout', () => {
   ])
     it(`Reader_${what}_IsNotRtde`, () => assert.throws(() => new PackageReader().add(bytes), NotRtdeError));
 
-  it('Reader_RandomBytes_GivesPackagesOrSaysThatItIsNotRtdeAndKeepsLittle', () => {
+  it('Reader_RandomBytes_ReturnsPackagesOrThrowsWithLimitedMemory', () => {
     let rejected = 0;
     for (let seed = 1; seed <= 2000; seed++) {
       const random = seeded(seed), reader = new PackageReader();
@@ -70,7 +70,7 @@ describe('rtde layout', () => {
     assert.ok(rejected > 50 && rejected < 2000, `${rejected} of 2000 rejected`);
   });
 
-  it('Recipe_DataPackage_HasEachFieldWhereTheGuidePutsIt', () => {
+  it('Recipe_DataPackage_DecodesEachFieldAtItsOffset', () => {
     const cycle = recipe().decode(PAYLOAD);
 
     assert.deepEqual(cycle, {
@@ -85,7 +85,7 @@ describe('rtde layout', () => {
     ['OfAnotherRecipe', Buffer.concat([byte(2), PAYLOAD.subarray(1)]), /of recipe 2, not 1/],
     ['WithoutATime', Buffer.concat([byte(1), doubles(NaN), PAYLOAD.subarray(9)]), /timestamp NaN/],
   ])
-    it(`Recipe_Package${what}_IsRefusedInWords`, () => assert.match(recipe().decode(payload), text));
+    it(`Recipe_Package${what}_IsRefusedWithAReason`, () => assert.match(recipe().decode(payload), text));
 
   it('Recipe_OptionalFieldsMissing_NamesThem', () =>
     assert.throws(() => new Recipe(fieldsOf('actual'), answer(TYPES.replace('UINT32,INT32', 'NOT_FOUND,INT32').replace(/UINT32$/, 'NOT_FOUND'))),
@@ -98,7 +98,7 @@ describe('rtde layout', () => {
     it(`Recipe_NeededField${what}_IsAnError`, () =>
       assert.throws(() => new Recipe(fieldsOf('actual'), answer(types)), error => error instanceof RecipeError && text.test(error.message)));
 
-  it('Recipe_WithoutOptionalFields_TellsNothingOfThem', () => {
+  it('Recipe_WithoutOptionalFields_DecodesThemAsNull', () => {
     const fields = fieldsOf('target').filter(field => !field.isOptional);
 
     const cycle = new Recipe(fields, answer('DOUBLE,VECTOR6D', 4), 'target').decode(Buffer.concat([byte(4), doubles(2, 1, 2, 3, 4, 5, 6)]));

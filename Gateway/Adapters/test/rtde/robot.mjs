@@ -1,4 +1,4 @@
-// A controller's RTDE server with faults to choose. It answers like a controller; nothing in it comes from the adapter.
+// A controller's RTDE server with selectable faults. It answers like a controller and does not use the adapter's code.
 import { createServer } from 'node:net';
 import { byte, doubles, int, packageOf } from './bytes.mjs';
 
@@ -13,15 +13,15 @@ const RUNNING = 7, PLAYING = 2, NORMAL = 1;
 export const angle = (joint, seconds) => 0.3 * joint + 0.4 * Math.sin((0.9 + 0.1 * joint) * seconds);
 
 export class RtdeRobot {
-  /** Characters of the requests that came. */
+  /** Type characters of the received requests. */
   requests = [];
   frequencies = [];
   recipes = [];
   state = { runtime: PLAYING, mode: RUNNING, safety: NORMAL, bits: 1 };
-  /** Fields that this controller does not have, and types that it has otherwise. */
+  /** Fields that this controller does not have; `types` has those with other types. */
   missing = [];
   types = {};
-  /** null: no answer. */
+  /** Version of the controller; null for no answer. */
   version = [5, 11, 1, 108318];
   accepts = 2;
   isAnsweringWhileStreaming = true;
@@ -49,7 +49,7 @@ export class RtdeRobot {
 
   get now() { return performance.now() / 1000 - this.#zero; }
 
-  /** The clock begins at zero. */
+  /** Sets the clock to zero. */
   restart() { this.#zero = performance.now() / 1000; }
 
   drop() { for (const socket of this.#sockets) socket.destroy(); }
@@ -100,7 +100,7 @@ export class RtdeRobot {
       if (cycle === last) return;
       last = cycle;
       if (++count % this.losesEach === 0) return;
-      // Of the control cycle that lasts: an e-Series has 500 a second, and sends within one.
+      // Time of the current control cycle. An e-Series has 500 cycles a second and sends within one.
       const time = Math.floor(this.now * 500) / 500, bytes = packageOf('U', byte(1), ...fields.map(field => this.#value(field, time)));
       socket.write(this.sendsHalf ? bytes.subarray(0, bytes.length >> 1) : bytes);
       if (this.sendsHalf) clearInterval(timer);

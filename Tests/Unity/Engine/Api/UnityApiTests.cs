@@ -28,11 +28,11 @@ public sealed class UnityApiTests(string assembly, string list)
     }
 
     [Test]
-    public void EveryPublicMember_IsUnitys() => Assert.That(_made.Except(_listed), Is.Empty);
+    public void PublicMember_OfTheStandIn_ExistsInUnity() => Assert.That(_made.Except(_listed), Is.Empty);
 
     [Test]
-    public void EveryLine_HasItsMember() => Assert.That(_listed.Except(_made), Is.Empty);
+    public void Line_OfTheList_HasAMember() => Assert.That(_listed.Except(_made), Is.Empty);
 
     [Test]
-    public void EveryLine_IsInTheOldestUnity() => Assert.That(_listed.Where(l => l.Line.Contains("# not in", StringComparison.Ordinal)), Is.Empty);
+    public void Line_OfTheList_ExistsInTheOldestUnity() => Assert.That(_listed.Where(l => l.Line.Contains("# not in", StringComparison.Ordinal)), Is.Empty);
 }

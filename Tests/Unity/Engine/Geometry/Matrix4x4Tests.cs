@@ -9,12 +9,12 @@ public sealed class Matrix4x4Tests
 
     // Computed in double precision in the documented order: scale, rotate, translate.
     [Test]
-    public void Trs_ScalesThenTurnsThenMoves() => Assert.That(
+    public void Trs_Point_ScalesThenRotatesThenTranslates() => Assert.That(
         Vector3.Distance(Placed.MultiplyPoint3x4(new Vector3(0.5f, 0.25f, -1)), new Vector3(1.175094f, -0.669083f, 4.102484f)),
         Is.LessThan(2e-6f));
 
     [Test]
-    public void MultiplyVector_DoesNotMove() => Assert.That(
+    public void MultiplyVector_Translation_IsIgnored() => Assert.That(
         Vector3.Distance(Placed.MultiplyVector(new Vector3(0.5f, 0.25f, -1)), new Vector3(0.175094f, 1.330917f, 0.102484f)),
         Is.LessThan(2e-6f));
 
@@ -29,7 +29,7 @@ public sealed class Matrix4x4Tests
     }
 
     [Test]
-    public void RowsAndColumns_AreThoseOfMathematics()
+    public void RowsAndColumns_Indices_AreMathematical()
     {
         var matrix = Matrix4x4.TRS(new Vector3(1, 2, 3), Quaternion.identity, Vector3.one);
 

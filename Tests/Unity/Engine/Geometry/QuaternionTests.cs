@@ -13,7 +13,7 @@ public sealed class QuaternionTests
     [TestCase(10, 0, 0, 0.0871557f, 0, 0, 0.9961947f)]
     [TestCase(89, 30, -60, 0.4940206f, 0.4983839f, -0.501578f, 0.5059413f)]
     [TestCase(300, 200, 100, 0.7091446f, 0.4817022f, 0.2013105f, -0.4738681f)]
-    public void Euler_Degrees_TurnsAboutZThenXThenY(float x, float y, float z, float qx, float qy, float qz, float qw)
+    public void Euler_Degrees_RotatesAboutZThenXThenY(float x, float y, float z, float qx, float qy, float qz, float qw)
     {
         var q = Quaternion.Euler(x, y, z);
 
@@ -26,7 +26,7 @@ public sealed class QuaternionTests
     [TestCase(0, 0, 90, 1, 0, 0, 0, 1, 0)]
     [TestCase(30, 40, 50, 1, 2, 3, 1.648145f, 0.276755f, 3.34769f)]
     [TestCase(-20, 100, 35, 1, 2, 3, 2.088192f, 3.104548f, -0.035144f)]
-    public void Times_Vector_TurnsIt(float x, float y, float z, float vx, float vy, float vz, float rx, float ry, float rz)
+    public void Times_Vector_RotatesIt(float x, float y, float z, float vx, float vy, float vz, float rx, float ry, float rz)
     {
         var turned = Quaternion.Euler(x, y, z) * new Vector3(vx, vy, vz);
 
@@ -34,7 +34,7 @@ public sealed class QuaternionTests
     }
 
     [Test]
-    public void Times_Quaternion_TurnsByTheRightOneFirst()
+    public void Times_Quaternion_AppliesTheRightOneFirst()
     {
         var both = Quaternion.Euler(0, 90, 0) * Quaternion.Euler(0, 0, 90);
 
@@ -47,7 +47,7 @@ public sealed class QuaternionTests
     [TestCase(0, 0, 0)]
     [TestCase(0, 359, 1)]
     [TestCase(89, 30, 300)]
-    public void EulerAngles_OfEuler_AreThoseAngles(float x, float y, float z)
+    public void EulerAngles_OfEuler_RoundTrip(float x, float y, float z)
     {
         var angles = Quaternion.Euler(x, y, z).eulerAngles;
 
@@ -60,7 +60,7 @@ public sealed class QuaternionTests
 
     [TestCase(90, 70, 20)]
     [TestCase(-90, 70, 20)]
-    public void EulerAngles_StraightUpOrDown_MakeTheSameRotation(float x, float y, float z)
+    public void EulerAngles_StraightUpOrDown_GiveTheSameRotation(float x, float y, float z)
     {
         var q = Quaternion.Euler(x, y, z);
 
@@ -68,7 +68,7 @@ public sealed class QuaternionTests
     }
 
     [Test]
-    public void AngleAxis_LongAxis_TurnsAboutItsDirection()
+    public void AngleAxis_LongAxis_RotatesAboutItsDirection()
     {
         var q = Quaternion.AngleAxis(70, new Vector3(1, 2, 3));
 
@@ -77,10 +77,10 @@ public sealed class QuaternionTests
     }
 
     [Test]
-    public void AngleAxis_NoAxis_IsNoTurn() => Assert.That(Quaternion.AngleAxis(70, Vector3.zero), Is.EqualTo(Quaternion.identity));
+    public void AngleAxis_ZeroAxis_IsTheIdentity() => Assert.That(Quaternion.AngleAxis(70, Vector3.zero), Is.EqualTo(Quaternion.identity));
 
     [Test]
-    public void ToAngleAxis_GivesWhatAngleAxisTook()
+    public void ToAngleAxis_OfAngleAxis_RoundTrips()
     {
         Quaternion.AngleAxis(70, new Vector3(1, 2, 3)).ToAngleAxis(out var angle, out var axis);
 
@@ -89,7 +89,7 @@ public sealed class QuaternionTests
     }
 
     [Test]
-    public void LookRotation_ForwardAndUp_PutsForwardExactlyAndUpAsNearAsItCan()
+    public void LookRotation_ForwardAndUp_AlignsForwardExactlyAndUpApproximately()
     {
         var q = Quaternion.LookRotation(new Vector3(1, 2, -2), new Vector3(0.3f, 1, 0.2f));
 
@@ -103,7 +103,7 @@ public sealed class QuaternionTests
     [TestCase(170, 5, 10)]
     [TestCase(5, 170, 10)]
     [TestCase(5, 10, 170)]
-    public void LookRotation_OfARotationsAxes_IsThatRotation(float x, float y, float z)
+    public void LookRotation_AxesOfARotation_ReturnsThatRotation(float x, float y, float z)
     {
         var q = Quaternion.Euler(x, y, z);
 
@@ -112,7 +112,7 @@ public sealed class QuaternionTests
 
     [TestCase(0, 5, 0)]
     [TestCase(0, -1, 0)]
-    public void LookRotation_AlongUp_StillLooksThere(float x, float y, float z)
+    public void LookRotation_AlongUp_LooksAlongForward(float x, float y, float z)
     {
         var way = new Vector3(x, y, z);
 
@@ -120,11 +120,11 @@ public sealed class QuaternionTests
     }
 
     [Test]
-    public void LookRotation_Nowhere_IsNoTurn() => Assert.That(Quaternion.LookRotation(Vector3.zero), Is.EqualTo(Quaternion.identity));
+    public void LookRotation_ZeroVector_IsTheIdentity() => Assert.That(Quaternion.LookRotation(Vector3.zero), Is.EqualTo(Quaternion.identity));
 
     [TestCase(1, 0, 0, 0, 1, 0, 0, 0, 0.7071068f, 0.7071068f)]
     [TestCase(0, 0, 2, 3, 0, 0, 0, 0.7071068f, 0, 0.7071068f)]
-    public void FromToRotation_IsTheShortestTurn(float fx, float fy, float fz, float tx, float ty, float tz, float x, float y, float z, float w)
+    public void FromToRotation_TwoVectors_IsTheShortestRotation(float fx, float fy, float fz, float tx, float ty, float tz, float x, float y, float z, float w)
     {
         var q = Quaternion.FromToRotation(new Vector3(fx, fy, fz), new Vector3(tx, ty, tz));
 
@@ -143,7 +143,7 @@ public sealed class QuaternionTests
     }
 
     [Test]
-    public void Slerp_PartOfAQuarterTurn_IsThatPart()
+    public void Slerp_PartOfAQuarterTurn_ReturnsThatPart()
     {
         var q = Quaternion.Slerp(Quaternion.identity, Quaternion.Euler(0, 90, 0), 0.3f);
 
@@ -161,7 +161,7 @@ public sealed class QuaternionTests
 
     [TestCase(1.5f)]
     [TestCase(-0.5f)]
-    public void Slerp_OutsideOfItsWay_StaysAtTheEnds(float t)
+    public void Slerp_FactorOutOfRange_IsClamped(float t)
     {
         var to = Quaternion.Euler(0, 90, 0);
 
@@ -169,7 +169,7 @@ public sealed class QuaternionTests
     }
 
     [Test]
-    public void Angle_BothSignsOfOneRotation_AreNoAngleApart()
+    public void Angle_BothSignsOfOneRotation_IsZero()
     {
         var q = Quaternion.Euler(30, 40, 50);
 
@@ -178,7 +178,7 @@ public sealed class QuaternionTests
     }
 
     [Test]
-    public void Inverse_UndoesIt()
+    public void Inverse_TimesTheRotation_IsTheIdentity()
     {
         var q = Quaternion.Euler(30, 40, 50);
 
@@ -186,7 +186,7 @@ public sealed class QuaternionTests
     }
 
     [Test]
-    public void Normalize_Nothing_IsNoTurn() => Assert.That(Quaternion.Normalize(default), Is.EqualTo(Quaternion.identity));
+    public void Normalize_Zero_IsTheIdentity() => Assert.That(Quaternion.Normalize(default), Is.EqualTo(Quaternion.identity));
 
     static void AssertSame(Quaternion actual, Quaternion expected, float tolerance = Tolerance)
     {

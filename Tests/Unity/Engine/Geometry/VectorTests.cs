@@ -11,7 +11,7 @@ public sealed class VectorTests
 
     [TestCase(0.9e-5f, true)]
     [TestCase(1.1e-5f, false)]
-    public void Equality_IsWithinAHundredThousandth(float difference, bool same)
+    public void Equality_SmallDifference_IsTolerated(float difference, bool same)
     {
         Assert.That(new Vector3(0, difference, 0) == Vector3.zero, Is.EqualTo(same));
         Assert.That(new Vector3(0, difference, 0).Equals(Vector3.zero), Is.False);
@@ -29,12 +29,12 @@ public sealed class VectorTests
         Assert.That(new Vector3(1.234f, -2, 3).ToString(), Is.EqualTo("(1.23, -2.00, 3.00)"));
 
     [Test]
-    public void ToString_Format_IsOfEachNumber() =>
+    public void ToString_Format_AppliesToEachNumber() =>
         Assert.That(new Vector3(1.234f, -2, 3).ToString("F1", CultureInfo.InvariantCulture), Is.EqualTo("(1.2, -2.0, 3.0)"));
 
     [TestCase(350, 10, 20)]
     [TestCase(10, 350, -20)]
     [TestCase(0, 180, 180)]
-    public void DeltaAngle_IsTheShortWay(float from, float to, float expected) =>
+    public void DeltaAngle_AnyAngles_IsTheShortestDifference(float from, float to, float expected) =>
         Assert.That(Mathf.DeltaAngle(from, to), Is.EqualTo(expected).Within(1e-4));
 }

@@ -7,7 +7,7 @@ namespace Nowpose.Unity.Tests.Engine.Life;
 public sealed class ApplicationMessageTests : PlayerFixture
 {
     [Test]
-    public void FirstFrame_TellsEveryScriptHowThingsAre()
+    public void FirstFrame_EveryScript_ReceivesPauseAndFocus()
     {
         Add<Quitter>("a");
 
@@ -16,7 +16,7 @@ public sealed class ApplicationMessageTests : PlayerFixture
     }
 
     [Test]
-    public void Pause_IsToldOncePerChange()
+    public void Pause_Repeated_IsSentOncePerChange()
     {
         Add<Quitter>("a");
         Frame();
@@ -29,7 +29,7 @@ public sealed class ApplicationMessageTests : PlayerFixture
     }
 
     [Test]
-    public void Pause_DisabledScript_HearsItButNotThatOfAnInactiveObject()
+    public void Pause_DisabledScript_ReceivesItUnlessItsObjectIsInactive()
     {
         Add<Quitter>("a").enabled = false;
         Add<Quitter>("b").gameObject.SetActive(false);

@@ -17,7 +17,7 @@ public sealed class CoroutineTests : PlayerFixture
     }
 
     [Test]
-    public void YieldNull_GoesOnAfterTheUpdatesOfTheNextFrame()
+    public void YieldNull_NextFrame_ContinuesAfterTheUpdates()
     {
         _owner.StartCoroutine(Count(3, null));
 
@@ -42,7 +42,7 @@ public sealed class CoroutineTests : PlayerFixture
     }
 
     [Test]
-    public void WaitForEndOfFrame_GoesOnAfterTheLateUpdatesOfTheSameFrame()
+    public void WaitForEndOfFrame_SameFrame_ContinuesAfterTheLateUpdates()
     {
         _owner.On["Update"] = () =>
         {
@@ -54,7 +54,7 @@ public sealed class CoroutineTests : PlayerFixture
     }
 
     [Test]
-    public void Inner_Routine_IsWaitedFor()
+    public void Inner_Routine_RunsBeforeTheOuterContinues()
     {
         _owner.StartCoroutine(Outer());
 
@@ -70,7 +70,7 @@ public sealed class CoroutineTests : PlayerFixture
     }
 
     [Test]
-    public void StopCoroutine_EndsIt()
+    public void StopCoroutine_Running_EndsIt()
     {
         var routine = _owner.StartCoroutine(Count(9, null));
         _owner.StopCoroutine(routine);
@@ -81,7 +81,7 @@ public sealed class CoroutineTests : PlayerFixture
     }
 
     [Test]
-    public void Disabled_Script_GoesOnWithIts()
+    public void Disabled_Script_ContinuesItsCoroutines()
     {
         _owner.StartCoroutine(Count(9, null));
         _owner.enabled = false;
@@ -91,7 +91,7 @@ public sealed class CoroutineTests : PlayerFixture
     }
 
     [Test]
-    public void InactiveObject_EndsThemForGood()
+    public void Inactive_Object_EndsItsCoroutines()
     {
         _owner.StartCoroutine(Count(9, null));
         _owner.gameObject.SetActive(false);
@@ -102,7 +102,7 @@ public sealed class CoroutineTests : PlayerFixture
     }
 
     [Test]
-    public void DestroyedScript_EndsThem()
+    public void Destroyed_Script_EndsItsCoroutines()
     {
         _owner.StartCoroutine(Count(9, null));
         UnityEngine.Object.Destroy(_owner);

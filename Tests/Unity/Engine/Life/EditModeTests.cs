@@ -20,7 +20,7 @@ public sealed class EditModeTests
     public void DestroyObject() => UnityEngine.Object.DestroyImmediate(_object);
 
     [Test]
-    public void Script_GetsNoMessage()
+    public void Script_InEditMode_ReceivesNoMessages()
     {
         var a = _object.AddComponent<Recorder>();
         a.enabled = false;
@@ -34,7 +34,7 @@ public sealed class EditModeTests
     }
 
     [Test]
-    public void ScriptThatExecutesAlways_WakesAndIsEnabled()
+    public void Script_ExecuteAlways_IsAwakenedAndEnabled()
     {
         var a = _object.AddComponent<EditModeRecorder>();
         UnityEngine.Object.DestroyImmediate(a);
@@ -51,7 +51,7 @@ public sealed class EditModeTests
     }
 
     [Test]
-    public void Player_Made_LeavesTheirStateAlone()
+    public void Player_Created_DoesNotChangeTheEditorsState()
     {
         var before = Time.frameCount;
         using (var player = new Nowpose.UnityPlayer.Player())

@@ -9,7 +9,7 @@ public sealed class ExceptionTests : PlayerFixture
     [TestCase("OnEnable", "Awake OnEnable a.Awake a.OnEnable Start a.Start Update a.Update a.LateUpdate")]
     [TestCase("Start", "Awake OnEnable a.Awake a.OnEnable Start a.Start Update a.Update a.LateUpdate")]
     [TestCase("Update", "Awake OnEnable a.Awake a.OnEnable Start a.Start Update a.Update a.LateUpdate")]
-    public void Message_Throws_OthersGoOnAndItIsLogged(string message, string expected)
+    public void Message_Throws_OthersContinueAndItIsLogged(string message, string expected)
     {
         Thrower.In = message;
         var thrower = Add<Thrower>("t");
@@ -35,7 +35,7 @@ public sealed class ExceptionTests : PlayerFixture
 
     [TestCase("OnDisable")]
     [TestCase("OnDestroy")]
-    public void End_Throws_TheObjectIsDestroyedAllTheSame(string message)
+    public void End_Throws_ObjectIsStillDestroyed(string message)
     {
         var thrower = Add<Thrower>("t");
         Thrower.In = message;

@@ -7,7 +7,7 @@ namespace Nowpose.Unity.Tests.Engine.Life;
 public sealed class ExecutionOrderTests : PlayerFixture
 {
     [Test]
-    public void Frame_GoesByOrderThenByWhenTheyCame()
+    public void Frame_Scripts_RunByOrderThenByCreation()
     {
         Add<LateRecorder>("late");
         Add<Recorder>("a");
@@ -34,7 +34,7 @@ public sealed class ExecutionOrderTests : PlayerFixture
     }
 
     [Test]
-    public void Scene_Wakes_ByOrder()
+    public void Scene_Loaded_AwakensByOrder()
     {
         var root = GameObject.Detached("late");
         root.Add(typeof(LateRecorder));

@@ -7,7 +7,7 @@ namespace Nowpose.Unity.Tests.Engine.Life;
 public sealed class LifeCycleTests : PlayerFixture
 {
     [Test]
-    public void AddComponent_ToAnActiveObject_WakesAndEnablesItAtOnce()
+    public void AddComponent_ToAnActiveObject_AwakensAndEnablesItImmediately()
     {
         Add<Recorder>("a");
 
@@ -17,7 +17,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void AddComponent_ToAnInactiveObject_WakesItOnlyWhenActive()
+    public void AddComponent_ToAnInactiveObject_AwakensItOnlyWhenActive()
     {
         var a = new GameObject("a");
         a.SetActive(false);
@@ -29,7 +29,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void SetActive_AndBack_WakesAndStartsOnce()
+    public void SetActive_OffAndOn_AwakensAndStartsOnce()
     {
         var a = Add<Recorder>("a");
         Frame();
@@ -43,7 +43,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void Enabled_False_StopsItsFramesOnly()
+    public void Enabled_False_StopsOnlyItsFrames()
     {
         var a = Add<Recorder>("a");
         Frame();
@@ -59,7 +59,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void Enabled_FalseBeforeTheFirstFrame_PutsStartOff()
+    public void Enabled_FalseBeforeTheFirstFrame_DelaysStart()
     {
         var a = Add<Recorder>("a");
         a.enabled = false;
@@ -85,7 +85,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void Awake_SwitchesItsObjectOff_EnablesNothingBelow()
+    public void Awake_DeactivatesItsObject_EnablesNothingBelow()
     {
         var holder = new GameObject("a");
         holder.SetActive(false);
@@ -101,7 +101,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void Parent_Inactive_KeepsAnActiveChildAsleep()
+    public void Parent_Inactive_KeepsAnActiveChildInactive()
     {
         var parent = new GameObject("p");
         parent.SetActive(false);
@@ -118,7 +118,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void SetParent_UnderAnInactiveObject_DisablesAndBackEnables()
+    public void SetParent_UnderAnInactiveObjectAndBack_DisablesAndEnables()
     {
         var parent = new GameObject("p");
         parent.SetActive(false);
@@ -144,7 +144,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void OnDisable_ObjectSwitchedOff_SeesItInactive()
+    public void OnDisable_ObjectDeactivated_SeesItInactive()
     {
         var a = Add<Recorder>("a");
         var active = true;
@@ -171,7 +171,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void Update_DisablesTheNext_WhichIsNotCalledAnyMore()
+    public void Update_DisablesTheNext_WhichIsNotCalled()
     {
         var a = Add<Recorder>("a");
         var b = Add<Recorder>("b");

@@ -20,7 +20,7 @@ public sealed class ComponentTests : PlayerFixture
     }
 
     [Test]
-    public void AddComponent_SecondOfALonely_IsRefused()
+    public void AddComponent_SecondOfADisallowMultiple_IsRefused()
     {
         var a = new GameObject("a");
         a.AddComponent<Demanding>();
@@ -41,7 +41,7 @@ public sealed class ComponentTests : PlayerFixture
     }
 
     [Test]
-    public void Search_BelowAndAbove_PassesOverInactiveUnlessAsked()
+    public void Search_BelowAndAbove_SkipsInactiveUnlessRequested()
     {
         var top = Add<Recorder>("top");
         var off = Add<Recorder>("off", top.transform);
@@ -56,7 +56,7 @@ public sealed class ComponentTests : PlayerFixture
     }
 
     [Test]
-    public void FindObjectsOfType_GivesActiveOnesInTheHierarchysOrder()
+    public void FindObjectsOfType_ActiveObjects_ReturnsThemInHierarchyOrder()
     {
         var a = Add<Recorder>("a");
         var b = Add<EarlyRecorder>("b");

@@ -9,7 +9,7 @@ namespace Nowpose.Unity.Tests.Engine.Objects;
 public sealed class InstantiateTests : PlayerFixture
 {
     [Test]
-    public void Hierarchy_References_InsideGoToTheCopyOutsideStay()
+    public void Hierarchy_References_InnerPointToTheCopyAndOuterAreKept()
     {
         var outside = new GameObject("outside").transform;
         var source = Add<Keeper>("a");
@@ -27,7 +27,7 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Fields_Serialised_AreCopiesAndOthersAreAsNew()
+    public void Fields_Serialised_AreCopiedAndOthersAreDefault()
     {
         var source = Add<Keeper>("a");
         source.number = 10;
@@ -68,7 +68,7 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Copy_WakesWithItsFieldsAndPlaceSet()
+    public void Copy_Awake_HasItsFieldsAndTransform()
     {
         var parent = new GameObject("p").transform;
         parent.position = Vector3.right;
@@ -97,7 +97,7 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Copy_OfAnInactiveOrDisabledOne_IsThatToo()
+    public void Copy_OfAnInactiveOrDisabledObject_IsAlsoInactiveOrDisabled()
     {
         var source = Add<Recorder>("a");
         source.enabled = false;
@@ -111,7 +111,7 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Copy_OfATree_PutsEveryPartInPlace()
+    public void Copy_OfATree_PlacesEveryPart()
     {
         var source = new GameObject("a").transform;
         var child = new GameObject("c").transform;
@@ -127,7 +127,7 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Asset_Copied_IsAnObjectOfItsOwn()
+    public void Asset_Copied_IsAnIndependentObject()
     {
         var source = ScriptableObject.CreateInstance<RecordingAsset>();
         source.Number = 9;
@@ -151,5 +151,5 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Nothing_IsRefused() => Assert.That(() => Object.Instantiate<GameObject>(null), Throws.ArgumentException);
+    public void Instantiate_Null_IsRefused() => Assert.That(() => Object.Instantiate<GameObject>(null), Throws.ArgumentException);
 }

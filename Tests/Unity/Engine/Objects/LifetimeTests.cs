@@ -59,7 +59,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Destroy_IsDoneAfterTheUpdatesOfTheFrame()
+    public void Destroy_DuringAFrame_TakesEffectAfterTheUpdates()
     {
         var a = Add<Recorder>("a");
         Frame();
@@ -88,7 +88,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Destroy_Component_LeavesItsObject()
+    public void Destroy_Component_KeepsItsObject()
     {
         var a = Add<Recorder>("a");
         var gameObject = a.gameObject;
@@ -138,7 +138,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void OnDestroy_DestroysItsObjectAgain_IsHarmless()
+    public void OnDestroy_DestroysItsObjectAgain_HasNoEffect()
     {
         var a = Add<Recorder>("a");
         a.On["OnDestroy"] = () => Object.DestroyImmediate(a.gameObject);
@@ -150,7 +150,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Destroy_ChildInUpdate_ParentGoesOnWithoutIt()
+    public void Destroy_ChildInUpdate_ParentContinuesWithoutIt()
     {
         var parent = new GameObject("p").transform;
         var child = Add<Recorder>("c", parent);
@@ -175,7 +175,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Destroy_WhatAnotherNeeds_IsRefused()
+    public void Destroy_RequiredComponent_IsRefused()
     {
         var a = new GameObject("a").AddComponent<Demanding>();
         var text = a.GetComponent<TextMesh>();
@@ -187,7 +187,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Destroy_Null_IsNothing()
+    public void Destroy_Null_HasNoEffect()
     {
         Object.Destroy(null);
         Object.DestroyImmediate(null);
@@ -208,7 +208,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Count_ObjectsMadeAndDestroyed_IsAsBefore()
+    public void Count_ObjectsCreatedAndDestroyed_IsUnchanged()
     {
         var before = Player.ObjectCount;
 
@@ -222,7 +222,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Name_OfAComponent_IsItsObjects()
+    public void Name_OfAComponent_IsThatOfItsObject()
     {
         var a = Add<Recorder>("a");
         a.name = "b";
@@ -231,7 +231,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void ScriptableObject_WakesWhenMadeAndSleepsWhenDestroyed()
+    public void ScriptableObject_CreatedAndDestroyed_ReceivesItsMessages()
     {
         var made = ScriptableObject.CreateInstance<RecordingAsset>();
         Assert.That(Journal.Take(), Is.EqualTo("Awake OnEnable"));
@@ -243,7 +243,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void ScriptableObject_Destroyed_IsTold()
+    public void ScriptableObject_DestroyedImmediately_ReceivesItsMessages()
     {
         var made = ScriptableObject.CreateInstance<RecordingAsset>();
         Journal.Take();

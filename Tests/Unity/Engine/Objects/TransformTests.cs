@@ -25,7 +25,7 @@ public sealed class TransformTests : PlayerFixture
     }
 
     [Test]
-    public void Place_InTheWorld_IsTheParentsTimesItsOwn()
+    public void Place_InTheWorld_IsTheParentsTimesTheLocal()
     {
         AssertAt(_child.position, ChildPosition);
         Assert.That(Quaternion.Angle(_child.rotation, ChildRotation), Is.LessThan(0.01f));
@@ -36,7 +36,7 @@ public sealed class TransformTests : PlayerFixture
     }
 
     [Test]
-    public void InverseTransform_UndoesTransform()
+    public void InverseTransform_OfTransform_RoundTrips()
     {
         var point = new Vector3(0.3f, -4, 2);
 
@@ -77,7 +77,7 @@ public sealed class TransformTests : PlayerFixture
     }
 
     [Test]
-    public void SetParent_WorldPositionStays_StaysWhereItIs()
+    public void SetParent_WorldPositionStays_KeepsTheWorldPosition()
     {
         var other = new GameObject("other").transform;
         other.SetPositionAndRotation(new Vector3(-3, 1, 0), Quaternion.Euler(0, 0, 70));
@@ -112,7 +112,7 @@ public sealed class TransformTests : PlayerFixture
     }
 
     [Test]
-    public void Find_NameOrPath_LooksOneLevelDownPerName()
+    public void Find_NameOrPath_SearchesOneLevelPerName()
     {
         var leaf = new GameObject("leaf").transform;
         leaf.SetParent(_child);

@@ -8,7 +8,7 @@ namespace Nowpose.Unity.Tests.Engine.Rendering;
 public sealed class BeforeRenderTests : PlayerFixture
 {
     [Test]
-    public void Calls_ComeByTheirOrderAfterTheLateUpdatesAndBeforeTheCameras()
+    public void Calls_OfAFrame_RunInOrderBetweenLateUpdatesAndCameras()
     {
         Add<Recorder>("a");
         Add<Camera>("c");
@@ -25,7 +25,7 @@ public sealed class BeforeRenderTests : PlayerFixture
     }
 
     [Test]
-    public void Call_TakesItselfOff_OthersAreCalledAllTheSame()
+    public void Call_RemovesItself_OthersAreCalled()
     {
         UnityAction once = null;
         once = () =>
@@ -41,7 +41,7 @@ public sealed class BeforeRenderTests : PlayerFixture
     }
 
     [Test]
-    public void Call_Throws_OthersAreCalledAllTheSame()
+    public void Call_Throws_OthersAreCalled()
     {
         Application.onBeforeRender += () => throw new InvalidOperationException("before");
         Application.onBeforeRender += Plain;

@@ -7,7 +7,7 @@ namespace Nowpose.Unity.Tests.Engine.Rendering;
 public sealed class CameraTests : PlayerFixture
 {
     [Test]
-    public void Main_IsTheEnabledOneWithTheTag()
+    public void Main_SeveralCameras_IsTheEnabledOneWithTheTag()
     {
         Add<Camera>("other");
         var main = Add<Camera>("main");
@@ -45,7 +45,7 @@ public sealed class CameraTests : PlayerFixture
     }
 
     [Test]
-    public void Callback_Throws_TheFrameGoesOn()
+    public void Callback_Throws_FrameContinues()
     {
         Add<Camera>("c");
         Camera.onPreRender += _ => throw new InvalidOperationException("pre");

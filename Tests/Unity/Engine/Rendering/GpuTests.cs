@@ -11,7 +11,7 @@ public sealed class GpuTests : PlayerFixture
     readonly List<XRDisplaySubsystem> _displays = [];
 
     [Test]
-    public void Display_NotThere_IsNotFound()
+    public void Display_NotConnected_IsNotFound()
     {
         SubsystemManager.GetSubsystems(_displays);
 
@@ -20,7 +20,7 @@ public sealed class GpuTests : PlayerFixture
 
     [TestCase(null, false, 0)]
     [TestCase(0.008f, true, 0.008f)]
-    public void Display_GpuTime_IsWhatTheTestSays(float? time, bool known, float expected)
+    public void Display_GpuTime_IsTheGivenValue(float? time, bool known, float expected)
     {
         Player.World.Gpu.ConnectDisplay();
         Player.World.Gpu.DisplayGpuTime = time;
@@ -33,7 +33,7 @@ public sealed class GpuTests : PlayerFixture
     }
 
     [Test]
-    public void FrameTimings_AsManyAsThereAre_AreGiven()
+    public void FrameTimings_Requested_ReturnsTheAvailableOnes()
     {
         var timings = new FrameTiming[3];
         FrameTimingManager.CaptureFrameTimings();
@@ -47,7 +47,7 @@ public sealed class GpuTests : PlayerFixture
 
     [TestCase(1)]
     [TestCase(3)]
-    public void Readback_TakesItsFrames(int frames)
+    public void Readback_Requested_CompletesAfterItsFrames(int frames)
     {
         Player.World.Gpu.ReadbackFrames = frames;
         Frame();
@@ -70,7 +70,7 @@ public sealed class GpuTests : PlayerFixture
     }
 
     [Test]
-    public void Readback_EveryFrame_KnowsItsOwnEndAndAllocatesNothing()
+    public void Readback_EveryFrame_HasItsOwnCompletionAndAllocatesNothing()
     {
         Player.World.Gpu.ReadbackFrames = 1;
         var texture = new Texture2D(1, 1);

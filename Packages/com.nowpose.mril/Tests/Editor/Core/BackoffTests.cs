@@ -10,7 +10,7 @@ namespace Nowpose.Tests.Core
         static readonly double[] Expected = { 0.2, 0.4, 0.8, 1.5, 1.5, 1.5 };
 
         [Test]
-        public void Next_FailureAfterFailure_DoublesUpToTheLongestGiveOrTakeAFifth()
+        public void Next_RepeatedFailures_DoublesUpToTheMaximumWithinAFifth()
         {
             for (var seed = 0; seed < 50; seed++)
             {
@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void Next_ManyHeadsets_DoNotReturnAllAtOnce()
+        public void Next_ManyHeadsets_VariesTheDelay()
         {
             var waits = Enumerable.Range(0, 200).Select(seed => new Backoff(new Random(seed)).Next().TotalSeconds).ToList();
 
@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void Reset_AfterFailures_BeginsAnew()
+        public void Reset_AfterFailures_StartsWithTheMinimum()
         {
             var backoff = new Backoff(new Random(1));
             for (var i = 0; i < 5; i++) backoff.Next();

@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Core
             decimal.ToInt64(decimal.Floor(((decimal)count / frequency - lag) * StopwatchHz));
 
         [Test]
-        public void ToTarget_CountOfAnyFrequencyAndUpTime_IsTheReadingOfTheStopwatch(
+        public void ToTarget_AnyFrequencyAndUpTime_EqualsTheStopwatch(
             [Values(10_000_000, 19_200_000, 24_000_000, 1_015_592)] long frequency,
             [Values(0, 90 * Day, 1000 * Day)] long upTimeSeconds,
             [Values(0.0, 1234.5678901)] double stopwatchLagSeconds,
@@ -41,7 +41,7 @@ namespace Nowpose.Tests.Core
         [TestCase(19_200_000)]
         [TestCase(24_000_000)]
         [TestCase(1_015_592)]
-        public void ToTarget_CountsTakenForReadings_WouldBeFarOff(long frequency)
+        public void ToTarget_CountUsedAsReading_WouldHaveALargeError(long frequency)
         {
             var pairing = Measure(new PlayedCounters(frequency, 3600, 0));
             var count = 3600 * frequency;
@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Core
 
         [TestCase(19_200_000)]
         [TestCase(1_015_592)]
-        public void ToTarget_TwoCountsASecondApart_AreASecondApartWhereverTheyAre(long frequency)
+        public void ToTarget_TwoCounts_KeepTheirDistanceAtAnyTime(long frequency)
         {
             var pairing = Measure(new PlayedCounters(frequency, 500 * Day, 0));
             var start = 500 * Day * frequency + 12_345;
@@ -92,7 +92,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void TryMeasure_NoLibrary_ReturnsFalseAndTheFault()
+        public void TryMeasure_LibraryMissing_ReturnsFalseAndTheFault()
         {
             var isPaired = CounterPairing.TryMeasure(
                 () => throw new DllNotFoundException("kernel32.dll"), new StopwatchCounter(), out var pairing, out var fault);
@@ -105,7 +105,7 @@ namespace Nowpose.Tests.Core
         [TestCase(0)]
         [TestCase(-5)]
         [TestCase(long.MaxValue)]
-        public void TryMeasure_FrequencyThatCannotBe_IsRefused(long frequency)
+        public void TryMeasure_InvalidFrequency_ReturnsFalseAndTheFault(long frequency)
         {
             var device = new PlayedCounters(10_000_000, 10, 0);
 
@@ -116,7 +116,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void TryMeasure_CounterThatGoesBack_IsRefused()
+        public void TryMeasure_CounterGoesBack_ReturnsFalseAndTheFault()
         {
             var device = new PlayedCounters(10_000_000, 10, 0);
 
@@ -128,7 +128,7 @@ namespace Nowpose.Tests.Core
 
         [TestCase(long.MaxValue)]
         [TestCase(long.MinValue)]
-        public void ToTarget_CountThatNoDeviceReaches_DoesNotThrow(long count)
+        public void ToTarget_ExtremeCount_DoesNotThrow(long count)
         {
             var pairing = Measure(new PlayedCounters(1_015_592, 10, 0));
 

@@ -26,7 +26,7 @@ namespace Nowpose.Tests.Core
 
         [TestCase("youbot")]
         [TestCase("ur5")]
-        public void At_WholeCycle_KeepsEveryLimit(string name)
+        public void At_WholeCycle_StaysWithinEveryLimit(string name)
         {
             var robot = UrdfFiles.Robot(name);
             var rows = Sampled(new PickAndPlaceMotion(robot));
@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void At_LongSwing_ComesNearTheRatedSpeed()
+        public void At_LongSwing_ReachesNearlyTheRatedSpeed()
         {
             var robot = UrdfFiles.Robot("youbot");
             var rows = Sampled(new PickAndPlaceMotion(robot));
@@ -102,7 +102,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void At_ACycleLater_IsTheSame()
+        public void At_CyclesLater_IsTheSame()
         {
             var motion = new PickAndPlaceMotion(UrdfFiles.Robot("ur5"));
             var once = new double[6];
@@ -117,7 +117,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void At_AllJoints_RestTogetherAndOnlyAtWaypoints()
+        public void At_AllJoints_RestOnlyTogetherAtWaypoints()
         {
             var rows = Sampled(new PickAndPlaceMotion(UrdfFiles.Robot("youbot")));
             var rests = 0;
@@ -133,7 +133,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void Constructor_JointThatCannotReachAWaypoint_SaysWhich()
+        public void Constructor_JointCannotReachAWaypoint_NamesIt()
         {
             var text = UrdfFiles.Text("youbot.urdf").Replace("upper=\"5.8992\"", "upper=\"2\"");
 

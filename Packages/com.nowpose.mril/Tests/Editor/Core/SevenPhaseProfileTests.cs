@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Core
         static SevenPhaseProfile Profile(double[] move) => new SevenPhaseProfile(move[0], move[1], move[2], move[3]);
 
         [Test]
-        public void Profile_AllSevenPhases_IsTheOneComputedByHand()
+        public void Profile_AllSevenPhases_EqualsTheManualCalculation()
         {
             // Jerk for 0.1 s up to 5000 mm/s², 0.1 s constant, 0.1 s back: 1000 mm/s after 0.3 s and 150 mm. Then 200 mm of cruise in 0.2 s.
             var profile = new SevenPhaseProfile(500, 1000, 5000, 50000);
@@ -43,13 +43,13 @@ namespace Nowpose.Tests.Core
         [TestCase(200, 0.1 + 0.4123105625617661)]
         // Jerk only: 4 (d / 2j)^(1/3).
         [TestCase(10, 0.18566355334451112)]
-        public void Duration_ShortStroke_IsTheClosedForm(double distance, double expected)
+        public void Duration_ShortStroke_EqualsTheClosedForm(double distance, double expected)
         {
             Assert.That(new SevenPhaseProfile(distance, 1000, 5000, 50000).Duration, Is.EqualTo(expected).Within(1e-12));
         }
 
         [Test]
-        public void Duration_CruiseWithoutConstantAcceleration_IsTheClosedForm()
+        public void Duration_CruiseWithoutConstantAcceleration_EqualsTheClosedForm()
         {
             // Each ramp takes 2 sqrt(v/j) = 0.04 s and covers 0.4 mm; both ramps and the cruise take d/v + ramp.
             Assert.That(new SevenPhaseProfile(10, 20, 5000, 50000).Duration, Is.EqualTo(0.5 + 0.04).Within(1e-12));
@@ -75,7 +75,7 @@ namespace Nowpose.Tests.Core
         }
 
         [TestCaseSource(nameof(Moves))]
-        public void Profile_AnyMove_KeepsItsLimitsAndNeverTurnsBack(double[] move)
+        public void Profile_AnyMove_StaysWithinItsLimitsAndIsMonotonic(double[] move)
         {
             var profile = Profile(move);
             var step = profile.Duration / 5000;
@@ -93,7 +93,7 @@ namespace Nowpose.Tests.Core
         }
 
         [TestCaseSource(nameof(Moves))]
-        public void Profile_AnyMove_DerivativesAgree(double[] move)
+        public void Profile_AnyMove_DerivativesAreConsistent(double[] move)
         {
             var profile = Profile(move);
             var step = profile.Duration / 4000;
@@ -123,7 +123,7 @@ namespace Nowpose.Tests.Core
         }
 
         [TestCaseSource(nameof(Moves))]
-        public void Profile_AnyMove_RunsAtALimitAllTheTime(double[] move)
+        public void Profile_AnyMove_IsAlwaysAtALimit(double[] move)
         {
             // A time-optimal profile has velocity, acceleration or jerk at its limit at every moment.
             var profile = Profile(move);
@@ -140,7 +140,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void Profile_NoDistance_TakesNoTime()
+        public void Profile_NoDistance_HasNoDuration()
         {
             var profile = new SevenPhaseProfile(0, 1, 1, 1);
 

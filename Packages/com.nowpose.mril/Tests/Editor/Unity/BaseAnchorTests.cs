@@ -26,7 +26,7 @@ namespace Nowpose.Tests.Unity
         public void Clean() => _scene.Destroy();
 
         [Test]
-        public void Place_PoseInTheWorld_IsThere()
+        public void Place_PoseInTheWorld_SetsTheTransform()
         {
             _anchor.Place(new Vector3(1, 2, 3), Quaternion.Euler(0, 90, 0));
 
@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Place_RotationOfAnotherLength_IsTheSameRotation()
+        public void Place_RotationNotNormalised_IsNormalised()
         {
             _anchor.Place(Vector3.zero, new Quaternion(0, 2, 0, 2));
 
@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Nudge_TurnedAnchor_GoesAlongItsOwnAxes()
+        public void Nudge_RotatedAnchor_MovesAlongItsOwnAxes()
         {
             _anchor.Place(new Vector3(1, 0, 0), Quaternion.Euler(0, 90, 0));
 
@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Place_NotAPose_IsRefusedAndNothingMoves()
+        public void Place_InvalidPose_ThrowsWithoutMoving()
         {
             _anchor.Place(new Vector3(1, 2, 3), Quaternion.identity);
 

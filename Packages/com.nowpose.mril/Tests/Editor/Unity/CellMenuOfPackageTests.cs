@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Place_RobotCell_IsAnInstanceThatLacksNothing()
+        public void Place_RobotCell_IsACompleteInstance()
         {
             foreach (var cell in Cells)
             {
@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Place_VirtualGripper_GoesBelowTheRigThatWasClicked()
+        public void Place_VirtualGripper_IsBelowTheSelectedRig()
         {
             _instance = new GameObject("Robot");
             var rig = _instance.AddComponent<RobotRig>();

@@ -65,7 +65,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Ghost_UntilWanted_IsHidden()
+        public void Ghost_ByDefault_IsHidden()
         {
             Assert.That(_ghost.Visible, Is.False);
             Assert.That(_ghost.GapMetres, Is.Null);
@@ -78,7 +78,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Rigs_BoundToTheRobot_CarryTheGripperAtTheirFlange()
+        public void Rigs_BoundToTheRobot_HaveTheGripperAtTheirFlange()
         {
             var isKnown = _session.RobotAsset != null;
             if (isKnown) Assert.That(_session.RobotAsset.Read().SourceHash, Is.EqualTo(_model.SourceHash));
@@ -115,7 +115,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Appearance_Refreshed_LeavesWhatIsEditedAsItIs()
+        public void Appearance_Refreshed_DoesNotHideEditedParts()
         {
             var look = _displayed.GetComponent<PoseAppearance>();
 

@@ -27,13 +27,13 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Read_NeverMoved_SaysNothing()
+        public void Read_NeverMoved_ReturnsNoMarker()
         {
             Assert.That(Read(), Is.Empty);
         }
 
         [Test]
-        public void Read_PutDown_IsWhereItsTransformIsSinceThen()
+        public void Read_Released_HasItsPoseAndTime()
         {
             _marker.transform.position = new Vector3(1, 2, 3);
             _marker.BeginMove();
@@ -47,11 +47,11 @@ namespace Nowpose.Tests.Unity
             Assert.That(first.Tracking, Is.EqualTo(MarkerTracking.Placed));
             Assert.That(first.Payload, Is.Null, "it stands for the base frame itself");
             Assert.That(new[] { first.Pose.X, first.Pose.Y, first.Pose.Z }, Is.EqualTo(new double[] { 3, -1, 2 }), "the URDF's axes");
-            Assert.That(second.LastSeen, Is.EqualTo(first.LastSeen), "nobody has moved it since");
+            Assert.That(second.LastSeen, Is.EqualTo(first.LastSeen), "it has not been moved since");
         }
 
         [Test]
-        public void Read_WhileMoved_IsNewEachTime()
+        public void Read_WhileMoved_HasANewTimeEachFrame()
         {
             _marker.BeginMove();
 

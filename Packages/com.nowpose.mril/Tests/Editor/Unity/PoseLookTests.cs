@@ -9,7 +9,7 @@ namespace Nowpose.Tests.Unity
     public class PoseLookTests
     {
         [Test]
-        public void Of_Current_IsDrawnAsItIs()
+        public void Of_Current_IsDrawnUnchanged()
         {
             var look = PoseLook.Of(PoseState.Current);
 
@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Of_AnythingElse_IsFainterStripedAndInWords()
+        public void Of_NotCurrent_IsFaintStripedAndHasWords()
         {
             var states = new[] { PoseState.Incomplete, PoseState.Unsynchronised, PoseState.Held, PoseState.OutsideRange };
             foreach (var state in states)
@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Unity
         [TestCase(OutsideRangeResponse.Fade, 0.3f)]
         [TestCase(OutsideRangeResponse.GoOn, 0.2f)]
         [TestCase(OutsideRangeResponse.Hold, 0.5f)]
-        public void Of_OutsideRange_IsStripedAndInWordsWhateverItsFade(OutsideRangeResponse response, float fade)
+        public void Of_OutsideRange_IsStripedAndHasWordsForAnyFade(OutsideRangeResponse response, float fade)
         {
             var look = PoseLook.Of(PoseState.OutsideRange, response);
 
@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Also_WithoutAFade_IsFainterThanCurrentToo()
+        public void Also_WithoutAFade_IsFainterThanCurrent()
         {
             var look = PoseLook.Of(PoseState.Current).Also("being placed", "a marker is moved", 0);
 

@@ -55,7 +55,7 @@ namespace Nowpose.Tests.Unity
         SessionSettingsAsset Asset() => _scene.Asset<SessionSettingsAsset>("My Settings");
 
         [Test]
-        public void Fields_All_AreTestedHere()
+        public void Fields_All_AreTested()
         {
             var serialised = typeof(SessionSettingsAsset).GetFields(BindingFlags.Instance | BindingFlags.NonPublic)
                 .Where(field => field.IsDefined(typeof(SerializeField), false)).Select(field => field.Name);
@@ -64,7 +64,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void ToSettings_EachField_Arrives()
+        public void ToSettings_EachField_IsUsed()
         {
             foreach (var (field, value, read, expected) in Fields)
             {
@@ -74,7 +74,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void ToSettings_NothingFilledIn_IsCoresDefault()
+        public void ToSettings_EmptyFields_UsesTheDefaults()
         {
             var settings = Asset().ToSettings();
 
@@ -88,7 +88,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void ToSettings_RenderTimeLimit_ArrivesWithItsSource()
+        public void ToSettings_RenderTimeLimit_HasItsSource()
         {
             var range = Asset().With("_renderTimeLimitMs", 14.5).With("_renderTimeLimitSource", RenderTimeSourceKind.DisplayGpuTime).ToSettings().Range;
 
@@ -108,7 +108,7 @@ namespace Nowpose.Tests.Unity
         [TestCase(null, "of-the-asset")]
         [TestCase("of-the-code", "of-the-code")]
         [TestCase("", null)]
-        public void ToSettings_TokenByCode_TakesThePlaceOfTheAssets(string given, string expected)
+        public void ToSettings_TokenByCode_ReplacesTheAssets(string given, string expected)
         {
             var asset = Asset().With("_token", "of-the-asset").With("_host", "localhost");
 
@@ -119,7 +119,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void ToSettings_TokenByCodeInPlainText_IsRefusedAsTheAssets()
+        public void ToSettings_TokenByCodeInPlainText_IsRefused()
         {
             var asset = Asset().With("_host", "192.168.7.9").With("_insecureLan", true);
 
@@ -131,7 +131,7 @@ namespace Nowpose.Tests.Unity
 
         [TestCase(null)]
         [TestCase("")]
-        public void HeadsetName_NotGiven_IsTheDevices(string name) =>
+        public void HeadsetName_Empty_IsThatOfTheDevice(string name) =>
             Assert.That(Asset().With("_headsetName", name).ToSettings().Connection.HeadsetName, Is.EqualTo(SystemInfo.deviceName));
 
         [TestCase("_host", "no host", "host", "'no host'", "name", "address")]
@@ -158,7 +158,7 @@ namespace Nowpose.Tests.Unity
         [TestCase("_clockSource", (ControlClockSource)2, "clock source", "no choice 2", "0 (clock sync) and 1 (ROS time)")]
         [TestCase("_clockEstimator", "paper", "clock estimator", "'paper'", "default, ransac")]
         [TestCase("_syncIntervalMs", 19.0, "sync interval", "19 ms", "20 to 10000 ms")]
-        public void ToSettings_BadValue_IsOneLineThatNamesAssetFieldValueAndRange(string field, object value, params string[] named)
+        public void ToSettings_InvalidValue_ThrowsInOneLineWithAssetFieldValueAndRange(string field, object value, params string[] named)
         {
             var message = Assert.Throws<InputException>(() => Asset().With(field, value).ToSettings()).Message;
 
@@ -168,7 +168,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void ToSettings_BadToken_IsNotShown()
+        public void ToSettings_InvalidToken_IsNotShown()
         {
             var message = Assert.Throws<InputException>(() => Asset().With("_token", "s3cret word").ToSettings()).Message;
 

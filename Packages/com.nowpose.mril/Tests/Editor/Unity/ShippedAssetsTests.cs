@@ -74,7 +74,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [TestCaseSource("Robots")]
-        public void Robot_Loaded_IsRead(string path)
+        public void Robot_Loaded_IsValid(string path)
         {
             var asset = AssetDatabase.LoadAssetAtPath<RobotDescriptionAsset>(path);
 

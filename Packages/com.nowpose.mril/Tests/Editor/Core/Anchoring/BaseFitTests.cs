@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Anchoring
         [TestCase(2)]
         [TestCase(3)]
         [TestCase(4)]
-        public void Of_WithoutNoise_IsTheBase(int count)
+        public void Of_WithoutNoise_ReturnsTheExactBase(int count)
         {
             var fitted = BaseFit.Of(Seen(count));
 
@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Of_MarkersInALine_AreTurnedAboutItByTheirAngles()
+        public void Of_CollinearMarkers_UsesTheirAnglesAboutTheLine()
         {
             var markers = new List<MarkerEstimate>();
             for (var i = 0; i < 3; i++)
@@ -55,7 +55,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Of_SeenFromAnotherRoom_IsTheSameBaseThere()
+        public void Of_MarkersMovedTogether_MovesTheBaseEqually()
         {
             var random = new Random(4);
             RigidTransform Off(int _) =>
@@ -71,7 +71,7 @@ namespace Nowpose.Tests.Core.Anchoring
 
         // Angles with an uncertainty of more than 60° carry no information. The fit then equals the least-squares fit of the positions (Kabsch).
         [Test]
-        public void Of_AnglesHardlyKnown_IsTheBestFitOfThePositions([Range(1, 10)] int seed)
+        public void Of_InaccurateAngles_EqualsTheFitOfThePositions([Range(1, 10)] int seed)
         {
             var random = new Random(seed);
             double Some() => 0.02 * (random.NextDouble() - 0.5);
@@ -86,7 +86,7 @@ namespace Nowpose.Tests.Core.Anchoring
 
         // Three markers in a plane also fit their mirror image. The fit must not return a reflection.
         [Test]
-        public void Of_PositionsFarOff_IsNoReflection([Range(1, 10)] int seed)
+        public void Of_PositionsFarOff_ReturnsARotationNotAReflection([Range(1, 10)] int seed)
         {
             var random = new Random(seed);
             double Some() => random.NextDouble() - 0.5;
@@ -96,7 +96,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Of_OnePrintAskew_TurnsTheBaseALittle()
+        public void Of_OneRotatedPrint_RotatesTheBaseSlightly()
         {
             RigidTransform Askew(int i) => i == 1 ? PoseNumbers.Turn(0, 2 * Degree, 0) : RigidTransform.Identity;
 

@@ -10,7 +10,7 @@ namespace Nowpose.Tests.Core.Anchoring
         static readonly RigidTransform Anywhere = RigidTransform.FromXyzRpy(0.3, -0.1, 0.02, 0.1, 0.2, -3);
 
         [Test]
-        public void New_MarkerOfABase_HasWhatWasGiven()
+        public void Constructor_ValidValues_StoresThem()
         {
             var marker = new BaseMarker("cell 7", Anywhere, 0.12);
 
@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Core.Anchoring
         [TestCase(0, double.PositiveInfinity, 0.1, "marker 'cell 7': its offset turns nowhere; give three finite angles")]
         [TestCase(0, 0, 0.001, "marker 'cell 7': its size: 0.001 m is out of range; allowed are 0.005 to 5 m")]
         [TestCase(0, 0, -0.1, "marker 'cell 7': its size: -0.1 m is out of range; allowed are 0.005 to 5 m")]
-        public void New_NumberOutOfRange_IsRefusedByName(double x, double yaw, double size, string message)
+        public void Constructor_NumberOutOfRange_ThrowsWithTheName(double x, double yaw, double size, string message)
         {
             var fault = Assert.Throws<InputException>(
                 () => new BaseMarker("cell 7", RigidTransform.FromXyzRpy(x, 0, 0, 0, 0, yaw), size));
@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void New_NoPayloadOrAnEndlessOne_IsRefused()
+        public void Constructor_EmptyOrTooLongPayload_Throws()
         {
             Assert.Throws<InputException>(() => new BaseMarker("", Anywhere));
             Assert.Throws<InputException>(() => new BaseMarker(null, Anywhere));
@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void New_LongPayloadOfSeveralLines_IsNamedInOne()
+        public void Constructor_LongPayloadWithLineBreaks_IsNamedInOneLine()
         {
             var fault = Assert.Throws<InputException>(() => new BaseMarker("first\nsecond, and a lot more of it", Anywhere, 9));
 
@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Core.Anchoring
         [TestCase(1e-9)]
         [TestCase(0.3)]
         [TestCase(3.1415926)]
-        public void AngleTo_TurnedByAnAngle_IsThatAngle(double angle)
+        public void AngleTo_Rotated_ReturnsTheAngle(double angle)
         {
             var turned = Anywhere * RigidTransform.FromXyzRpy(1, 2, 3, 0, angle, 0);
 

@@ -16,11 +16,11 @@ namespace Nowpose.Tests.Core.Anchoring
     {
         const int Seeds = 200;
 
-        [TestCase(false, 0.0, 0.82, 0.5, 0.1, TestName = "Lock_OneMarkerAtTheBase_IsExactSoon")]
-        [TestCase(false, 0.3, 0.65, 0.5, 0.1, TestName = "Lock_OneMarkerAside_IsExactSoon")]
-        [TestCase(true, 0.0, 0.93, 0.3, 0.1, TestName = "Lock_ThreeMarkersAboutTheBase_IsExactSoon")]
-        [TestCase(true, 0.3, 0.88, 0.5, 0.1, TestName = "Lock_ThreeMarkersAside_IsExactSoon")]
-        public void Lock_Noisy_IsExactSoon(bool isThree, double offset, double share, double typicalMm, double typicalDegrees)
+        [TestCase(false, 0.0, 0.82, 0.5, 0.1, TestName = "Lock_OneMarkerAtTheBase_IsFastAndAccurate")]
+        [TestCase(false, 0.3, 0.65, 0.5, 0.1, TestName = "Lock_OneMarkerBesideTheBase_IsFastAndAccurate")]
+        [TestCase(true, 0.0, 0.93, 0.3, 0.1, TestName = "Lock_ThreeMarkersAroundTheBase_IsFastAndAccurate")]
+        [TestCase(true, 0.3, 0.88, 0.5, 0.1, TestName = "Lock_ThreeMarkersBesideTheBase_IsFastAndAccurate")]
+        public void Lock_NoisyMarkers_IsFastAndAccurate(bool isThree, double offset, double share, double typicalMm, double typicalDegrees)
         {
             var good = 0;
             double slowest = 0, squares = 0, turns = 0;
@@ -48,11 +48,11 @@ namespace Nowpose.Tests.Core.Anchoring
 
         // Systematic errors do not average out with time: a print glued on askew, and a camera that sees it from one side. Noise alone
         // averages out with one marker too. Then the angles of three markers are worth as much as their positions, and the gain is at most 2.
-        [TestCase(0.5, 3, TestName = "Lock_ThreeMarkersWhosePrintsAreAskewByHalfADegree_ErrAThirdOfOneAtTheFlange")]
-        [TestCase(0.25, 3, TestName = "Lock_ThreeMarkersWhosePrintsAreAskewByAQuarterDegree_ErrAThirdOfOneAtTheFlange")]
-        [TestCase(0.1, 2.2, TestName = "Lock_ThreeMarkersWhosePrintsAreAskewByATenthOfADegree_ErrLessThanOneAtTheFlange")]
-        [TestCase(0, 1.7, TestName = "Lock_ThreeMarkersWhosePrintsAreExact_ErrLessThanOneAtTheFlange")]
-        public void Lock_ThreeMarkers_ErrLessThanOneAtTheFlange(double printDegrees, double atLeast)
+        [TestCase(0.5, 3, TestName = "Lock_ThreePrintsRotatedByHalfADegree_FlangeErrorIsAThirdOfThatOfOne")]
+        [TestCase(0.25, 3, TestName = "Lock_ThreePrintsRotatedByAQuarterDegree_FlangeErrorIsAThirdOfThatOfOne")]
+        [TestCase(0.1, 2.2, TestName = "Lock_ThreePrintsRotatedByATenthOfADegree_FlangeErrorIsBelowThatOfOne")]
+        [TestCase(0, 1.7, TestName = "Lock_ThreeExactPrints_FlangeErrorIsBelowThatOfOne")]
+        public void Lock_ThreeMarkers_FlangeErrorIsBelowThatOfOne(double printDegrees, double atLeast)
         {
             var one = FlangeError(seed => SimulatedMarkers.One(seed, 0), printDegrees);
             var three = FlangeError(seed => SimulatedMarkers.Three(seed), printDegrees);

@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_MarkersWithoutNoise_LocksExactlyWhereTheBaseIs()
+        public void Tick_MarkersWithoutNoise_LocksExactlyAtTheBase()
         {
             foreach (var cell in new[] { SimulatedMarkers.One(1, 0.3), SimulatedMarkers.Three(1) })
             {
@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_BeforeTheTime_Searches()
+        public void Tick_BeforeTheLockTime_Searches()
         {
             var cell = SimulatedMarkers.One(1, 0);
 
@@ -49,14 +49,14 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_SeenLessOften_LocksOnceEnoughWasSeen()
+        public void Tick_SeenRarely_LocksAfterEnoughSightings()
         {
             var cell = SimulatedMarkers.One(1, 0);
             cell.Noisy();
             cell.OutlierShare = 0;
             var told = cell.Now;
             // The sighting is renewed twice a second, as by devices that read codes.
-            cell.Told = sighting =>
+            cell.Change = sighting =>
             {
                 if (sighting.LastSeen - told >= Lengths.Seconds(0.5)) told = sighting.LastSeen;
                 return new MarkerSighting("1", "a", sighting.Pose, 0, told, MarkerTracking.Tracking);
@@ -80,23 +80,23 @@ namespace Nowpose.Tests.Core.Anchoring
 
         // A pose that is reported repeatedly counts as one sighting: repetitions carry no information about its accuracy.
         [Test]
-        public void Tick_OnePoseToldForEver_NeverLocks()
+        public void Tick_SamePoseRepeated_NeverLocks()
         {
             var cell = SimulatedMarkers.One(1, 0, new AnchoringSettings(oldestMs: 10_000));
             MarkerSighting? first = null;
-            cell.Told = sighting => first ??= sighting;
+            cell.Change = sighting => first ??= sighting;
 
             Assert.That(cell.RunUntilLocked(8), Is.Null);
             Assert.That(cell.Tracker.Markers[0].Sightings, Is.EqualTo(1));
         }
 
         [Test]
-        public void Tick_StalePoseSaidToBeTracked_DoesNotMoveALockedBase()
+        public void Tick_StalePoseMarkedAsTracked_DoesNotMoveALockedBase()
         {
             var cell = NoisyOne();
             var before = cell.Tracker.Base.Value;
             var last = cell.Now;
-            cell.Told = sighting => new MarkerSighting(
+            cell.Change = sighting => new MarkerSighting(
                 "1", "a", RigidTransform.FromXyzRpy(0.5, 0, 0, 0, 0, 0) * sighting.Pose, 0, last, MarkerTracking.Tracking);
 
             cell.Run(5);
@@ -119,7 +119,7 @@ namespace Nowpose.Tests.Core.Anchoring
             {
                 var cell = NoisyOne();
                 var before = cell.Tracker.Base.Value;
-                cell.Told = sighting => new MarkerSighting("1", "a", pose, 0, sighting.LastSeen, MarkerTracking.Tracking);
+                cell.Change = sighting => new MarkerSighting("1", "a", pose, 0, sighting.LastSeen, MarkerTracking.Tracking);
 
                 cell.Run(3);
 
@@ -137,7 +137,7 @@ namespace Nowpose.Tests.Core.Anchoring
         [TestCase(0, 1, 0, 1)]
         [TestCase(0, 3, 0, 3)]
         [TestCase(0.3, 20, 0.3, 20)]
-        public void Tick_MarkerMoved_IsNoticedWithinASecondAndNotFollowed(double metres, double degrees, double saidMetres, double saidDegrees)
+        public void Tick_MarkerMoved_IsDetectedWithinASecondAndNotFollowed(double metres, double degrees, double saidMetres, double saidDegrees)
         {
             for (var seed = 1; seed <= 20; seed++)
             {
@@ -158,7 +158,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_MarkerStays_IsNeverSaidToHaveMoved()
+        public void Tick_MarkerAtRest_IsNeverReportedAsMoved()
         {
             for (var seed = 1; seed <= 10; seed++)
             {
@@ -169,7 +169,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_MarkerDriftsSlowly_IsNoticedBeforeItIsFar()
+        public void Tick_MarkerDriftsSlowly_IsDetectedNearTheTolerance()
         {
             var cell = NoisyOne();
             var start = cell.Seconds;
@@ -185,13 +185,13 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_MarkerThatWentElsewhereOutOfView_IsLookedAtAnew()
+        public void Tick_MarkerMovedOutOfView_LocksWithNewSightings()
         {
             var cell = SimulatedMarkers.One(1, 0.3);
             cell.Noisy();
             cell.Run(1.5);
             cell.IsInView = _ => false;
-            cell.Told = s => new MarkerSighting(s.Id, s.Payload, s.Pose, 0, s.LastSeen, MarkerTracking.Tracking);
+            cell.Change = s => new MarkerSighting(s.Id, s.Payload, s.Pose, 0, s.LastSeen, MarkerTracking.Tracking);
             cell.Run(5);
             cell.Base = RigidTransform.FromXyzRpy(0.5, 0, 0, 0, 0, 0) * cell.Base;
             cell.IsInView = _ => true;
@@ -203,7 +203,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_Glimpses_AreNoTimeOfLooking()
+        public void Tick_ShortSightings_DoNotAddUpToALock()
         {
             var cell = SimulatedMarkers.One(1, 0.3);
             cell.Noisy();
@@ -214,7 +214,7 @@ namespace Nowpose.Tests.Core.Anchoring
 
         [TestCase(0.005)]
         [TestCase(0.012)]
-        public void Tick_MarkerIsMoving_IsNotLockedBeforeItStands(double metresPerSecond)
+        public void Tick_MarkerIsMoving_DoesNotLock(double metresPerSecond)
         {
             for (var seed = 1; seed <= 20; seed++)
             {
@@ -236,7 +236,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Use_MarkerThatMovedIsLeftOut_IsLockedByTheOthers()
+        public void Use_MovedMarkerRemoved_LocksByTheOthers()
         {
             var cell = Locked(SimulatedMarkers.Three(1));
             cell.IsInView = payload => payload == "a";
@@ -265,7 +265,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_SecondPrintOfTheCodeElsewhere_TheFirstGoesOnBeingWatched()
+        public void Tick_SecondPrintOfTheSameCode_StillMonitorsTheFirst()
         {
             var cell = NoisyOne();
             var others = new MarkerSighting[1];
@@ -285,7 +285,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_ContradictingMarkerIsTakenAway_LocksByTheOther()
+        public void Tick_ContradictingMarkerRemoved_LocksByTheOther()
         {
             var cell = new SimulatedMarkers(1);
             cell.Use(("a", RigidTransform.FromXyzRpy(0.2, 0, 0, 0, 0, 0)), ("b", RigidTransform.FromXyzRpy(-0.2, 0, 0, 0, 0, 0)));
@@ -301,12 +301,12 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Relock_NoMarkerInView_TheFormerLockIsGoodAgain()
+        public void Relock_NoMarkerInView_RestoresTheFormerLock()
         {
             var cell = NoisyOne();
             var before = cell.Tracker.Base.Value;
             cell.IsInView = _ => false;
-            cell.Told = s => new MarkerSighting(s.Id, s.Payload, s.Pose, 0, s.LastSeen, MarkerTracking.Limited);
+            cell.Change = s => new MarkerSighting(s.Id, s.Payload, s.Pose, 0, s.LastSeen, MarkerTracking.Limited);
             cell.Tracker.Relock();
 
             cell.Run(14.5);
@@ -316,13 +316,13 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
             Assert.That(cell.Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0));
             cell.Shifted["a"] = RigidTransform.FromXyzRpy(0.36, 0, 0, 0, 0, 0.4);
-            (cell.IsInView, cell.Told) = (_ => true, s => s);
+            (cell.IsInView, cell.Change) = (_ => true, s => s);
             cell.Run(1);
             Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Moved), "it is watched");
         }
 
         [Test]
-        public void Place_WhereSomebodyHasNudgedIt_TheNextLockEasesOverFromThere()
+        public void Place_ByHand_NextLockEasesFromThere()
         {
             var cell = NoisyOne();
             var nudged = RigidTransform.FromXyzRpy(0.05, 0, 0, 0, 0, 0) * cell.Tracker.Base.Value;
@@ -337,7 +337,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_ClockGoesBack_TheMarkerCountsAgain()
+        public void Tick_ClockGoesBack_CountsTheMarkerAgain()
         {
             var tracker = new BaseTracker(new AnchoringSettings());
             tracker.Use("", new[] { new BaseMarker("a", RigidTransform.Identity) });
@@ -355,7 +355,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_SameCodeToldOldAndNewInOneFrame_IsIgnoredOnce()
+        public void Tick_OldAndNewSightingOfOneCode_IgnoresTheOldOnce()
         {
             var cell = NoisyOne();
             var old = new[] { new MarkerSighting("0", "a", cell.Base, 0, cell.Now - Lengths.Seconds(1), MarkerTracking.Tracking) };
@@ -379,7 +379,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Relock_BaseMoved_EasesOverAndSaysByHowMuch()
+        public void Relock_BaseMoved_EasesOverAndReportsTheChange()
         {
             var cell = NoisyOne();
             cell.Base = RigidTransform.FromXyzRpy(0.1, 0, 0, 0, 0, 0) * cell.Base;
@@ -403,7 +403,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_OneOfThreeMoved_IsTheOneThatIsNamed()
+        public void Tick_OneOfThreeMoved_NamesThatMarker()
         {
             var cell = SimulatedMarkers.Three(3);
             cell.Noisy();
@@ -417,7 +417,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_TwoMarkersDisagree_DoNotLockAndAreBothNamed()
+        public void Tick_TwoMarkersDisagree_DoesNotLockAndNamesBoth()
         {
             var cell = new SimulatedMarkers(1);
             cell.Use(("a", RigidTransform.FromXyzRpy(0.2, 0, 0, 0, 0, 0)), ("b", RigidTransform.FromXyzRpy(-0.2, 0, 0, 0, 0, 0)));
@@ -434,7 +434,7 @@ namespace Nowpose.Tests.Core.Anchoring
         [TestCase(0.04, 0, 0)]
         [TestCase(0, 0, 0.03)]
         [TestCase(0, 0.1, 0)]
-        public void Tick_OneOfThreeMeasuredWrongly_LocksByTheOthersAndNamesIt(double x, double y, double z)
+        public void Tick_OneOfThreeWithWrongPlace_LocksByTheOthersAndNamesIt(double x, double y, double z)
         {
             for (var seed = 1; seed <= 10; seed++)
             {
@@ -455,7 +455,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_FurtherMarkersComeIntoView_MakeTheLockBetter()
+        public void Tick_MoreMarkersInView_ImprovesTheLock()
         {
             var cell = SimulatedMarkers.Three(5);
             cell.Noisy();
@@ -472,7 +472,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_SecondMarkerWhereItDoesNotBelong_IsNoticed()
+        public void Tick_SecondMarkerAtAWrongPlace_IsDetected()
         {
             var cell = SimulatedMarkers.Three(6);
             cell.Noisy();
@@ -488,11 +488,11 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_SameCodeInTwoPlaces_CountsInNeither()
+        public void Tick_SameCodeInTwoPlaces_IgnoresBoth()
         {
             var cell = SimulatedMarkers.One(1, 0);
             var other = false;
-            cell.Told = sighting => (other = !other)
+            cell.Change = sighting => (other = !other)
                 ? sighting
                 : new MarkerSighting("2", "a", sighting.Pose * RigidTransform.FromXyzRpy(1, 0, 0, 0, 0, 0), 0, cell.Now, MarkerTracking.Tracking);
 
@@ -501,7 +501,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Use_SamePayloadTwiceOrTooMany_IsRefused()
+        public void Use_DuplicatePayloadOrTooManyMarkers_Throws()
         {
             var tracker = new BaseTracker(new AnchoringSettings());
             var marker = new BaseMarker("a", RigidTransform.Identity);
@@ -514,7 +514,7 @@ namespace Nowpose.Tests.Core.Anchoring
 
         // A headset learns of the cell's codes one by one.
         [Test]
-        public void Use_OneMoreMarkerOfTheSameCell_KeepsTheLockAndMakesItBetter()
+        public void Use_AnotherMarkerOfTheSameCell_KeepsAndImprovesTheLock()
         {
             var cell = NoisyOne();
             var one = RigidTransform.FromXyzRpy(0.3, 0, 0, 0, 0, 0.4);
@@ -527,7 +527,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Use_MarkerMeasuredAnew_IsLockedAnewWithoutAJump()
+        public void Use_MarkerWithNewPlace_LocksAgainWithoutAJump()
         {
             var cell = NoisyOne();
             var before = cell.Tracker.Shown.Value;
@@ -540,7 +540,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Use_AnotherCell_LetsGo()
+        public void Use_AnotherCell_ReleasesTheLock()
         {
             var cell = NoisyOne();
 
@@ -551,7 +551,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Place_WhileSearching_GoesOnSearching_WhileLocked_LetsGo()
+        public void Place_WithoutPose_KeepsSearchingOrReleasesTheLock()
         {
             var cell = SimulatedMarkers.One(1, 0);
             cell.Tracker.Place();

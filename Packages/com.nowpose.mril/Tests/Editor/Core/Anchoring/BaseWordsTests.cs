@@ -27,12 +27,12 @@ namespace Nowpose.Tests.Core.Anchoring
         {
             _cell.IsInView = payload => payload == "a";
             _cell.Head = head ?? _cell.Head;
-            _cell.Told = s => new MarkerSighting(
+            _cell.Change = s => new MarkerSighting(
                 s.Id, s.Payload, s.Pose, sizeMetres, HeadsetTime.FromSeconds(s.LastSeen.SinceEpoch.TotalSeconds - ageSeconds), s.Tracking);
         }
 
         [Test]
-        public void Words_NoMarkerOfTheBase_SaySo()
+        public void Words_NoMarkers_StateTheReason()
         {
             Assert.That(new BaseTracker(new AnchoringSettings()).Words, Is.EqualTo("placed by hand"));
             _cell.IsInView = _ => false;
@@ -47,7 +47,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Words_FromViewToLock_SayWhatToDo()
+        public void Words_FromFirstSightingToLock_StateProgress()
         {
             _cell.IsInView = payload => payload != "b";
             Assert.That(Words(1), Is.EqualTo("2 of 3 markers in view: keep looking"));
@@ -55,7 +55,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Words_ViewIsBad_SayWhatToDo()
+        public void Words_UnsuitableView_StateTheRemedy()
         {
             Tell(RigidTransform.FromXyzRpy(1.2, -0.4, 3, 0, 1.5, 0));
             Assert.That(Words(), Is.EqualTo("marker 'a' is too far away: go within 2.5 m"));
@@ -68,7 +68,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Words_Scattering_SayByHowMuch()
+        public void Words_ScatteringMarker_StateTheSpread()
         {
             _cell.IsInView = payload => payload == "a";
             (_cell.NoiseMetres, _cell.OutlierShare) = (0.04, 0);
@@ -77,7 +77,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Words_Moved_NameTheMarkerAndHowFar()
+        public void Words_MarkerMoved_NameMarkerAndDistance()
         {
             Words(3);
             _cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866, 0.25, 0, 0, 0, 2);
@@ -89,7 +89,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Words_BaseMoved_TellOfAllMarkers()
+        public void Words_BaseMoved_NameAllMarkers()
         {
             Words(3);
             _cell.Base = RigidTransform.FromXyzRpy(0, 0, 0.03, 0, 0, 0) * _cell.Base;
@@ -98,7 +98,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Words_Contradicting_NameBoth()
+        public void Words_ContradictingMarkers_NameBoth()
         {
             _cell.IsInView = payload => payload != "c";
             _cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866 - 0.0433, 0.175, 0, 0, 0, 2);
@@ -108,7 +108,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Words_WhileTheySayTheSame_AreTheSameText()
+        public void Words_Unchanged_ReuseTheText()
         {
             Words(3);
             var texts = new HashSet<string>();

@@ -19,7 +19,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Follow_FramesAt60Hz_NearsTheTargetWithoutAJump()
+        public void Follow_FramesAt60Hz_ApproachesTheTargetWithoutAJump()
         {
             var eased = Following(0.8);
             var before = 0.0;
@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Follow_AfterAPause_GoesOnFromWhereItWas([Values(0.3, 2, 600)] double seconds)
+        public void Follow_AfterAPause_ContinuesFromTheLastPose([Values(0.3, 2, 600)] double seconds)
         {
             var eased = Following(0.8);
 
@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Follow_NoTimeToEase_IsThereAtOnce()
+        public void Follow_ZeroEasingTime_JumpsToTheTarget()
         {
             var eased = Following(0);
 

@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Core.Anchoring
         static RigidTransform Shift(double metres, double radians = 0) => RigidTransform.FromXyzRpy(metres, 0, 0, 0, 0, radians);
 
         [Test]
-        public void Lock_DeviceHoldsPlaces_IsHeldAndKeptUnderTheNameOfTheCell()
+        public void Lock_DeviceHasAnchors_IsHeldAndStoredUnderTheNameOfTheCell()
         {
             Lock();
 
@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Lock_MadeAnew_LeavesOneAnchorAtTheNewPlace()
+        public void Lock_Repeated_LeavesOneAnchorAtTheNewPlace()
         {
             Lock();
             _cell.Base = Shift(0.2) * _cell.Base;
@@ -50,7 +50,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_DeviceCorrectsItsMap_EasesOverAndSaysByHowMuch()
+        public void Tick_DeviceCorrectsItsMap_EasesOverAndReportsTheChange()
         {
             Lock();
             _cell.Run(1);
@@ -76,7 +76,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_AnchorLost_StaysWhereItWasAndSaysSo()
+        public void Tick_AnchorLost_KeepsTheBaseAndReportsIt()
         {
             Lock();
             var before = Tracker.Base.Value;
@@ -110,7 +110,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_AnchorFarAway_IsNotFollowedAndSaidUntilItIsBackOrLockedAnew()
+        public void Tick_AnchorTooFarAway_IsReportedAndNotFollowedUntilItReturnsOrTheNextLock()
         {
             Lock();
             var before = Tracker.Base.Value;
@@ -138,7 +138,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_DeviceCannotHold_StaysLockedAndSaysWhy()
+        public void Tick_DeviceCannotHold_StaysLockedAndStatesTheReason()
         {
             _anchors.StateAtFirst = SpatialAnchorState.Failed;
             Lock();
@@ -152,7 +152,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_KeptInAnEarlierRun_IsRestoredAndConfirmedByMarkers()
+        public void Tick_StoredInAnEarlierRun_IsRestoredAndConfirmedByMarkers()
         {
             _anchors.Kept["cell"] = Shift(0.004) * _cell.Base;
             _cell.IsInView = _ => false;
@@ -173,7 +173,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_RestoredElsewhere_IsSaidToHaveMovedAndNotFollowed()
+        public void Tick_RestoredAtAnotherPlace_IsReportedAsMovedAndNotFollowed()
         {
             _anchors.Kept["cell"] = Shift(0.05) * _cell.Base;
 
@@ -187,7 +187,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Relock_RestoredAndNoMarkers_TakesItForRight()
+        public void Relock_RestoredWithoutMarkers_ConfirmsTheBase()
         {
             _anchors.Kept["cell"] = Shift(0.004);
             Tracker.Use("cell", Array.Empty<BaseMarker>());
@@ -204,7 +204,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_NothingKept_SearchesForMarkers()
+        public void Tick_NothingStored_SearchesForMarkers()
         {
             _anchors.Kept["another cell"] = Shift(1);
             _cell.IsInView = _ => false;
@@ -216,7 +216,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Place_BeforeItIsKnownWhatWasKept_IsNotRestoredElsewhere()
+        public void Place_BeforeTheStoreIsReady_IsNotOverriddenByTheStoredBase()
         {
             _anchors.Kept["cell"] = Shift(1);
             _anchors.IsReady = false;
@@ -231,7 +231,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Place_Held_LetsGoAndIsNotRestored()
+        public void Place_Held_ReleasesTheAnchorAndIsNotRestored()
         {
             Lock();
 

@@ -41,7 +41,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_WhileMoved_TheBaseGoesAlong()
+        public void Tick_MarkerMovedByHand_BaseFollows()
         {
             Tick(Place, Now);
             Assert.That(_tracker.IsBeingPlaced, Is.True);
@@ -55,7 +55,7 @@ namespace Nowpose.Tests.Core.Anchoring
 
         [TestCase(null)]
         [TestCase("a")]
-        public void Tick_PutDown_LocksThereAndTheDeviceHoldsIt(string payload)
+        public void Tick_MarkerReleased_LocksThereAndTheDeviceHoldsIt(string payload)
         {
             if (payload != null) _tracker.Use("cell", new[] { new BaseMarker("a", InBase) });
             var put = Move(20, payload);
@@ -70,7 +70,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_CodesSeenElsewhereAfterwards_DoNotArgueWithTheHand()
+        public void Tick_CodesSeenElsewhereLater_DoNotMoveTheBase()
         {
             var cell = SimulatedMarkers.One(1, 0.3);
             cell.Run(1);
@@ -89,7 +89,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Place_WhileAHandHoldsIt_EndsThat()
+        public void Place_WhileHeldByHand_EndsThePlacement()
         {
             var cell = SimulatedMarkers.One(1, 0.3);
             cell.Run(1);
@@ -106,7 +106,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_NoPoseOrAnUnknownPayload_IsPassedOver()
+        public void Tick_InvalidPoseOrUnknownPayload_IsIgnored()
         {
             Tick(default, Now);
             Tick(Place, Now, "somebody else's");

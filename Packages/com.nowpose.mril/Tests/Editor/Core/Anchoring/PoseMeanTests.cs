@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Core.Anchoring
         [TestCase(1)]
         [TestCase(2)]
         [TestCase(60)]
-        public void Of_EqualPoses_IsThatPose(int count)
+        public void Of_EqualPoses_ReturnsThatPose(int count)
         {
             for (var i = 0; i < count; i++) Add(True);
 
@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Of_TwoPosesApart_IsHalfWay()
+        public void Of_TwoPoses_ReturnsTheMiddle()
         {
             Add(True * PoseNumbers.Turn(0, 0, 4 * Degree).MovedTo(0.01, 0, 0));
             Add(True * PoseNumbers.Turn(0, 0, -4 * Degree).MovedTo(-0.01, 0, 0));
@@ -60,7 +60,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Of_Noise_TellsItsSpreadAndItsError()
+        public void Of_NoisyPoses_EstimatesSpreadAndError()
         {
             for (var i = 0; i < 200; i++) Add(Noisy(0.002, 0.5 * Degree));
 
@@ -77,7 +77,7 @@ namespace Nowpose.Tests.Core.Anchoring
         // Flipped about the line of sight, mirrored at the print, elsewhere, at the origin: typical outliers of single tracker frames.
         [TestCase(0.1)]
         [TestCase(0.3)]
-        public void Of_OutliersThatSayTheSame_LeavesThemOut(double share)
+        public void Of_ConsistentOutliers_ExcludesThem(double share)
         {
             for (var i = 0; i < 100; i++)
             {
@@ -96,7 +96,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Of_FewerThanAll_TakesTheNewest()
+        public void Of_FewerThanAll_UsesTheNewest()
         {
             for (var i = 0; i < 300; i++) Add(RigidTransform.Identity);
             for (var i = 0; i < 10; i++) Add(True);

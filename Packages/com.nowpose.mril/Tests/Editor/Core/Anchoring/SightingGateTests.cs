@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Marker, Now, head ?? Head, new AnchoringSettings());
 
         [Test]
-        public void Judge_SeenNowFromNear_Counts()
+        public void Judge_CurrentSightingFromNear_IsAccepted()
         {
             Assert.That(Judge(), Is.EqualTo(SightingFault.None));
             Assert.That(Judge(size: 0), Is.EqualTo(SightingFault.None), "a size that is not known");
@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Judge_WhatOnlySeemsToTell_SaysWhy()
+        public void Judge_InvalidSighting_ReturnsTheFault()
         {
             Assert.That(Judge(tracking: MarkerTracking.None), Is.EqualTo(SightingFault.NotTracked));
             Assert.That(Judge(tracking: MarkerTracking.Limited), Is.EqualTo(SightingFault.NotTracked));
@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Judge_ByWhereTheHeadIs_SaysWhy()
+        public void Judge_UnsuitableHeadPosition_ReturnsTheFault()
         {
             Assert.That(Judge(head: RigidTransform.FromXyzRpy(0.5, 0, 3.6, 0, 90 * Degree, 0)), Is.EqualTo(SightingFault.TooFar));
             Assert.That(Judge(head: RigidTransform.FromXyzRpy(-0.6, 0, 1.5, 0, 0, 0)), Is.EqualTo(SightingFault.TooOblique));
@@ -55,7 +55,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Judge_PlacedByHand_CountsFromWherever()
+        public void Judge_PlacedByHand_IsAcceptedFromAnywhere()
         {
             var placed = MarkerTracking.Placed;
 
@@ -69,7 +69,7 @@ namespace Nowpose.Tests.Core.Anchoring
         [TestCase("farthest: -1 m is out of range; allowed are 0.1 to 20 m", 1850, 400, -1, 60, 10)]
         [TestCase("most oblique: 90 ° is out of range; allowed are 10 to 89 °", 1850, 400, 2.5, 90, 10)]
         [TestCase("tolerance: 2 m is out of range; allowed are 0.001 to 1 m", 1850, 400, 2.5, 60, 2000)]
-        public void Settings_OutOfRange_AreRefusedByName(
+        public void Settings_OutOfRange_ThrowWithTheName(
             string message, double settle, double oldest, double farthest, double oblique, double toleranceMm)
         {
             var fault = Assert.Throws<InputException>(() => new AnchoringSettings(

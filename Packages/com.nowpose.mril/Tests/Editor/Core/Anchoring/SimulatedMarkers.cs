@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Core.Anchoring
         public Func<string, bool> IsInView { get; set; } = _ => true;
 
         /// <summary>Changes a sighting before it is reported; by default it is unchanged.</summary>
-        public Func<MarkerSighting, MarkerSighting> Told { get; set; } = sighting => sighting;
+        public Func<MarkerSighting, MarkerSighting> Change { get; set; } = sighting => sighting;
 
         /// <summary>True poses in the base frame of markers that are not where they were measured.</summary>
         public Dictionary<string, RigidTransform> Shifted { get; } = new Dictionary<string, RigidTransform>();
@@ -110,7 +110,7 @@ namespace Nowpose.Tests.Core.Anchoring
             {
                 if (IsInView(marker.Payload) && (_frame % 2 == 0 || !_seen.ContainsKey(marker.Payload))) See(marker);
                 if (!_seen.TryGetValue(marker.Payload, out var pose)) continue;
-                _sightings.Add(Told(new MarkerSighting(
+                _sightings.Add(Change(new MarkerSighting(
                     "id of " + marker.Payload, marker.Payload, pose, 0, _times[marker.Payload], MarkerTracking.Tracking)));
             }
             Tracker.Tick(Now, _sightings, Head, Anchors);

@@ -47,7 +47,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("ur5e")]
         [TestCase("ur10e")]
         [TestCase("ur16e")]
-        public void Compute_UniversalRobot_IsTheProductOfItsDenavitHartenbergMatrices(string name)
+        public void Compute_UniversalRobot_EqualsTheProductOfItsDenavitHartenbergMatrices(string name)
         {
             var model = UrdfFiles.Robot(name);
             var poses = new RigidTransform[model.Links.Count];
@@ -64,7 +64,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Compute_QuarterTurnAboutZ_TurnsXToY()
+        public void Compute_QuarterTurnAboutZ_RotatesXToY()
         {
             var model = UrdfFiles.Read(UrdfFiles.Links("a", "b", "c")
                 + UrdfFiles.Joint("turn", "a", "b", inside: "<origin xyz='1 2 3'/><axis xyz='0 0 9'/>")
@@ -83,7 +83,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Compute_WrongLengths_Refuses()
+        public void Compute_WrongLengths_Throws()
         {
             var kinematics = new ForwardKinematics(UrdfFiles.Robot("ur5"));
 

@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Contains_Ends_AreInside()
+        public void Contains_Bounds_ReturnsTrue()
         {
             var limits = new JointLimits(-1, 3, 1, 1);
 

@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Found_NoiseAtAStop_IsNothing()
+        public void Found_NoiseAtALimit_IsEmpty()
         {
             var random = new Random(1);
 
@@ -34,26 +34,26 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase(Upper + 0.021, true)]
         [TestCase(-Upper - 0.019, false)]
         [TestCase(-Upper - 0.021, true)]
-        public void Found_AngleBeyondALimit_CountsFromAFiftiethOfARadianOn(double position, bool isFound) =>
+        public void Found_AngleBeyondALimit_HasATolerance(double position, bool isFound) =>
             Assert.That(Fed(Shoulder, position, position, position).Found, Has.Count.EqualTo(isFound ? 1 : 0));
 
         [TestCase(UpperMetres + 0.0019, false)]
         [TestCase(UpperMetres + 0.0021, true)]
-        public void Found_WayBeyondALimit_CountsFromTwoMillimetresOn(double position, bool isFound) =>
+        public void Found_LengthBeyondALimit_HasATolerance(double position, bool isFound) =>
             Assert.That(Fed(Grip, position, position, position).Found, Has.Count.EqualTo(isFound ? 1 : 0));
 
         [Test]
-        public void Found_TwoSpoiledSamples_AreNoThird()
+        public void Found_TwoOutliersInARow_IsEmptyAndThreeAreNot()
         {
             Assert.That(Fed(Shoulder, 9, 9, 1, 9, 9, 1, 9, 9).Found, Is.Empty);
             Assert.That(Fed(Shoulder, 9, 9, 9).Found.Single().Joint.Name, Is.EqualTo("shoulder"));
         }
 
         [Test]
-        public void Found_JointThatTurnsWithoutEnd_IsNeverBeyond() => Assert.That(Fed(Elbow, 100, -100, 100, 1000, 1000, 1000).Found, Is.Empty);
+        public void Found_ContinuousJoint_IsEmpty() => Assert.That(Fed(Elbow, 100, -100, 100, 1000, 1000, 1000).Found, Is.Empty);
 
         [Test]
-        public void Present_JointThatSwingsInDegrees_IsFoundOnceAndStays()
+        public void Present_JointInDegrees_IsFoundOnceAndStays()
         {
             var watch = new LimitWatch(TestRobot.Model);
             for (var i = 0; i < 2000; i++)
@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Present_JointThatIsWithinItsLimitsAgain_IsForgottenAfterAHundredSamples()
+        public void Present_JointWithinItsLimitsAgain_EndsAfterAHundredSamples()
         {
             var watch = Fed(Shoulder, 9, 9, 9);
             for (var i = 0; i < 99; i++) watch.Add(Shoulder, 1);
@@ -80,7 +80,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Words_NameJointPositionLimitsAndWhatToLookAt()
+        public void Words_JointBeyondItsLimits_NameJointPositionLimitsAndRemedy()
         {
             Assert.That(Fed(Shoulder, 45, 45, 45.25).Present.Words, Is.EqualTo(
                 "joint 'shoulder': 45.25 rad is outside its limits -3 to 3 rad, and is drawn at the limit; "

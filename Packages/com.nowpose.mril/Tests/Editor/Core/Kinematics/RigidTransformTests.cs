@@ -7,7 +7,7 @@ namespace Nowpose.Tests.Core.Kinematics
     public class RigidTransformTests
     {
         [Test]
-        public void FromXyzRpy_QuarterTurns_TurnsAboutFixedXThenYThenZ()
+        public void FromXyzRpy_QuarterTurns_RotatesAboutFixedXThenYThenZ()
         {
             var pose = RigidTransform.FromXyzRpy(1, 2, 3, Math.PI / 2, Math.PI / 2, Math.PI / 2);
 
@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void FromXyzRpy_OfThreeAngles_IsYawTimesPitchTimesRoll()
+        public void FromXyzRpy_ThreeAngles_EqualsYawTimesPitchTimesRoll()
         {
             var product = RigidTransform.FromXyzRpy(0.1, 0.2, 0.3, 0, 0, 2.5)
                 * RigidTransform.FromXyzRpy(0, 0, 0, 0, -0.7, 0)
@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Inverse_OfAnyPose_LeadsBack()
+        public void Inverse_AnyPose_TimesThePoseIsTheIdentity()
         {
             var pose = RigidTransform.FromXyzRpy(0.4, -1.3, 2.2, 0.5, -0.9, 2.6);
 

@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void MovingJoints_FixedOnesBetween_KeepTheOrderOfTheFile()
+        public void MovingJoints_FixedJointsBetween_KeepTheOrderOfTheFile()
         {
             var model = UrdfFiles.Read(Arm + Joints + UrdfFiles.Joint("wrist", "fore", "hand"));
 
@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [TestCase("", "hand", TestName = "ToolLink_NoName_IsTheLeafWithMostMovingJoints")]
-        [TestCase("flange", "flange", TestName = "ToolLink_Flange_IsIt")]
+        [TestCase("flange", "flange", TestName = "ToolLink_Flange_IsTheFlange")]
         [TestCase("flange tool0", "tool0", TestName = "ToolLink_FlangeAndTool0_IsTool0")]
         [TestCase("flange tool0 tool_centre_point", "tool_centre_point", TestName = "ToolLink_All_IsTheToolCentrePoint")]
         public void ToolLink(string frames, string expected)
@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void ToolLink_LeavesOfEqualDepth_IsTheFirstInTheFile()
+        public void ToolLink_LeavesOfEqualDepth_ReturnsTheFirstInTheFile()
         {
             var model = UrdfFiles.Read(UrdfFiles.Links("second", "base", "third")
                 + UrdfFiles.Joint("a", "base", "third") + UrdfFiles.Joint("b", "base", "second"));
@@ -59,7 +59,7 @@ namespace Nowpose.Tests.Core.Kinematics
 
         [TestCase("youbot", "tool_centre_point", 7)]
         [TestCase("ur5", "tool0", 6)]
-        public void ToolLink_OfThePackagesRobots_IsTheirTool(string name, string tool, int moving)
+        public void ToolLink_RobotsOfThePackage_ReturnsTheirTool(string name, string tool, int moving)
         {
             var model = UrdfFiles.Robot(name);
 
@@ -70,13 +70,13 @@ namespace Nowpose.Tests.Core.Kinematics
 
         [TestCase("youbot", "arm_link_5")]
         [TestCase("ur5", "wrist_3_link")]
-        public void FlangeLink_OfThePackagesRobots_IsTheLastOfTheArm(string name, string flange)
+        public void FlangeLink_RobotsOfThePackage_ReturnsTheLastLinkOfTheArm(string name, string flange)
         {
             Assert.That(UrdfFiles.Robot(name).FlangeLink.Name, Is.EqualTo(flange));
         }
 
         [Test]
-        public void FlangeLink_NothingMoves_IsTheRoot()
+        public void FlangeLink_NoMovingJoint_ReturnsTheRoot()
         {
             var model = UrdfFiles.Read(UrdfFiles.Links("base", "plate") + UrdfFiles.Joint("bolts", "base", "plate", "fixed"));
 
@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void CompleteMimics_ChainWrittenBackwards_FollowsStepByStep()
+        public void CompleteMimics_ChainInReverseOrder_CompletesAll()
         {
             var model = UrdfFiles.Robot("odd_axes");
             var positions = new double[model.MovingJoints.Count];
@@ -98,7 +98,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void CompleteMimics_FollowerGiven_StaysAndIsFollowed()
+        public void CompleteMimics_MimicGiven_KeepsItAndCompletesItsMimics()
         {
             var model = UrdfFiles.Robot("odd_axes");
             var positions = new double[model.MovingJoints.Count];

@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void ToUnity_OfAProduct_IsTheProductInUnity()
+        public void ToUnity_Product_EqualsTheProductInUnity()
         {
             var random = new Random(11);
             for (var i = 0; i < 200; i++)
@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void FromUnity_OfToUnity_IsTheSamePose()
+        public void FromUnity_OfToUnity_RoundTrips()
         {
             var random = new Random(12);
             for (var i = 0; i < 200; i++)
@@ -61,7 +61,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase(0, Math.PI, 0)]
         [TestCase(0, 0, Math.PI)]
         [TestCase(3.1, 0.01, 0.02)]
-        public void FromUnity_OfToUnityAfterAHalfTurn_IsTheSamePose(double roll, double pitch, double yaw)
+        public void FromUnity_OfToUnityForHalfATurn_RoundTrips(double roll, double pitch, double yaw)
         {
             var pose = RigidTransform.FromXyzRpy(1, 2, 3, roll, pitch, yaw);
 
@@ -70,7 +70,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Axes_OfAJoint_MoveInUnityAsTheUrdfSays()
+        public void Axes_OfAJoint_MoveInUnityAsInTheUrdf()
         {
             var random = new Random(13);
             for (var i = 0; i < 50; i++)

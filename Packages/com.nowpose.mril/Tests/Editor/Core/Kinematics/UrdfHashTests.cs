@@ -8,7 +8,7 @@ namespace Nowpose.Tests.Core.Kinematics
         const string Text = "<robot name=\"r\">\n<link name=\"a\"/>\n</robot>";
 
         [Test]
-        public void ToString_KnownText_IsItsSha256()
+        public void ToString_KnownText_ReturnsItsSha256()
         {
             // Computed with sha256sum.
             Assert.That(UrdfHash.Of(Text).ToString(), Is.EqualTo("3bada97751c435c2819d21ef4703fac782a39cb05b7a5098585f216d490c81be"));
@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("<robot name=\"r\">\r<link name=\"a\"/>\r</robot>")]
         [TestCase("\uFEFF<robot name=\"r\">\n<link name=\"a\"/>\n</robot>\n")]
         [TestCase(" \t\r\n<robot name=\"r\">\n<link name=\"a\"/>\n</robot>\r\n\r\n")]
-        public void Of_SameTextThatTravelled_IsTheSame(string travelled)
+        public void Of_TextAfterTransport_IsEqual(string travelled)
         {
             Assert.That(UrdfHash.Of(travelled), Is.EqualTo(UrdfHash.Of(Text)));
             Assert.That(UrdfHash.Of(travelled) == UrdfHash.Of(Text));
@@ -29,13 +29,13 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("<robot name=\"r\">\n\n<link name=\"a\"/>\n</robot>")]
         [TestCase("<robot name=\"r\"> <link name=\"a\"/> </robot>")]
         [TestCase("")]
-        public void Of_OtherText_Differs(string other)
+        public void Of_AnotherText_Differs(string other)
         {
             Assert.That(UrdfHash.Of(other) != UrdfHash.Of(Text));
         }
 
         [Test]
-        public void Default_IsNoTextsHash()
+        public void Default_AnyText_Differs()
         {
             Assert.That(default(UrdfHash), Is.EqualTo(new UrdfHash()));
             Assert.That(default(UrdfHash), Is.Not.EqualTo(UrdfHash.Of("")));
@@ -43,7 +43,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Model_Read_CarriesTheHashOfItsText()
+        public void Model_Read_HasTheHashOfItsText()
         {
             var text = UrdfFiles.Text("youbot.urdf");
 

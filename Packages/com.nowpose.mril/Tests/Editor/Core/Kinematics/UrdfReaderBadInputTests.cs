@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("<robot name='r'/>", "r.urdf:1: robot 'r': it has no links")]
         [TestCase("<!DOCTYPE r [<!ENTITY a 'b'>]>\n<robot/>", "r.urdf:1: a document type (DTD)")]
         [TestCase("<?xml version='1.0'?>\n<!DOCTYPE r SYSTEM 'file:///etc/passwd'>\n<robot/>", "r.urdf:2: a document type (DTD)")]
-        public void Read_NotARobot_SaysWhere(string text, string message) => Refuses(text, message);
+        public void Read_NotARobot_NamesTheLine(string text, string message) => Refuses(text, message);
 
         [TestCase("<link/>", "r.urdf:2: link: its attribute name is missing")]
         [TestCase("<link name='a'/>\n<link name='a'/>", "r.urdf:3: link 'a': another link has the same name")]
@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("<link name='a'><visual><geometry><cylinder radius='1' length='-1'/></geometry></visual></link>", "link 'a' <cylinder>: length has to be")]
         [TestCase("<link name='a'><visual><geometry><mesh/></geometry></visual></link>", "link 'a' <mesh>: its attribute filename is missing")]
         [TestCase("<material name='m'>\n<color rgba='1 0'/></material><link name='a'/>", "r.urdf:3: material 'm' <color>: rgba has 2 numbers")]
-        public void Read_BadLinks_NamesThem(string body, string message) => Refuses("<robot name='r'>\n" + body + "</robot>", message);
+        public void Read_InvalidLinks_NamesThem(string body, string message) => Refuses("<robot name='r'>\n" + body + "</robot>", message);
 
         [TestCase("<joint type='fixed'>" + Ends + "</joint>", "r.urdf:3: joint: its attribute name is missing")]
         [TestCase("<joint name='j'>" + Ends + "</joint>", "r.urdf:3: joint 'j': its attribute type is missing")]
@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Core.Kinematics
             "<joint name='j' type='fixed'>\n<parent link='a'/>\n<child link='z'/></joint>", "r.urdf:5: joint 'j' <child>: there is no link 'z'")]
         [TestCase("<joint name='j' type='fixed'>\n<parent link='z'/><child link='a'/></joint>", "r.urdf:4: joint 'j' <parent>: there is no link 'z'")]
         [TestCase("<joint name='j' type='fixed'>" + Ends + "</joint>\n<joint name='j' type='fixed'><parent link='a'/><child link='c'/></joint>", "r.urdf:4: joint 'j': another joint has the same name")]
-        public void Read_BadJoint_NamesIt(string joints, string message) => RefusesJoints(joints, message);
+        public void Read_InvalidJoint_NamesIt(string joints, string message) => RefusesJoints(joints, message);
 
         [TestCase("<axis xyz='0 0 0'/>", "<axis>: xyz is no direction")]
         [TestCase("<axis xyz='0 1'/>", "<axis>: xyz has 2 numbers, it needs 3")]
@@ -60,7 +60,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("<mimic joint='j'/>", "<mimic>: following 'j' leads back to this joint: a loop")]
         [TestCase("<mimic joint='k'/>", "<mimic>: joint 'k' is fixed; only a moving one can be followed")]
         [TestCase("<mimic joint='m' multiplier='two'/>", "<mimic>: multiplier 'two' is not a finite number")]
-        public void Read_BadJointContent_NamesTheElement(string inside, string message) => RefusesJoints(
+        public void Read_InvalidJointContent_NamesTheElement(string inside, string message) => RefusesJoints(
             "<joint name='j' type='revolute'>" + Ends + "\n" + inside + "</joint>"
             + "<joint name='k' type='fixed'><parent link='b'/><child link='c'/></joint>", "r.urdf:4: joint 'j' " + message);
 
@@ -88,7 +88,7 @@ namespace Nowpose.Tests.Core.Kinematics
             Joint("i", "a", "b") + Joint("j", "c", "c"), "joint 'j': link 'c' is above itself");
 
         [Test]
-        public void Read_NameWithLineBreakAndNoEnd_StaysOneShortLine()
+        public void Read_LongNameWithLineBreak_IsShownInOneShortLine()
         {
             var name = "x&#10;y" + new string('z', 1000);
             var error = Assert.Throws<InputException>(() => UrdfReader.Read("<robot><link name='" + name + "'/><link name='b'/></robot>", "r.urdf"));
@@ -98,12 +98,12 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Read_ElementsNestedWithoutEnd_AreRefused() => Refuses(
+        public void Read_DeeplyNestedElements_AreRefused() => Refuses(
             "<robot name='r'><link name='a'/>\n<gazebo>" + string.Concat(System.Linq.Enumerable.Repeat("<x>", 100000)),
             "r.urdf:2: elements are nested more than 100 deep");
 
         [Test]
-        public void Read_EntitiesThatMultiply_AreRefusedUnexpanded() => Refuses(
+        public void Read_MultiplyingEntities_AreRefusedUnexpanded() => Refuses(
             "<!DOCTYPE r [<!ENTITY a '0000000000'><!ENTITY b '&a;&a;&a;&a;&a;&a;&a;&a;'><!ENTITY c '&b;&b;&b;&b;&b;&b;&b;&b;'>]>"
             + "<robot name='&c;'><link name='a'/></robot>", "r.urdf:1: a document type (DTD) with its entities is not allowed");
 

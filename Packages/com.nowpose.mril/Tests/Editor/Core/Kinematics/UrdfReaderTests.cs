@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("revolute", JointKind.Revolute)]
         [TestCase("continuous", JointKind.Continuous)]
         [TestCase("prismatic", JointKind.Prismatic)]
-        public void Read_KnownType_IsThatKind(string type, JointKind kind)
+        public void Read_KnownType_HasThatKind(string type, JointKind kind)
         {
             Assert.That(Joint(type, "").Kind, Is.EqualTo(kind));
         }
@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Kinematics
 
         [TestCase("0 0 0")]
         [TestCase("nonsense")]
-        public void Read_AxisOfFixedJoint_IsNotRead(string xyz)
+        public void Read_AxisOfFixedJoint_IsIgnored(string xyz)
         {
             Assert.That(Joint("fixed", "<axis xyz='" + xyz + "'/>").Kind, Is.EqualTo(JointKind.Fixed));
         }
@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Read_LimitOfContinuousJoint_IsItsSpeedOnly()
+        public void Read_LimitOfContinuousJoint_HasOnlyTheSpeed()
         {
             var limits = Joint("continuous", "<limit lower='0' upper='0' velocity='3' effort='4'/>").Limits;
 
@@ -106,7 +106,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Read_CultureWithDecimalComma_ReadsPoints()
+        public void Read_CultureWithDecimalComma_ReadsDecimalPoints()
         {
             var before = Thread.CurrentThread.CurrentCulture;
             try

@@ -9,7 +9,7 @@ namespace Nowpose.Tests.Core.Latency
         static readonly ControlTime Taken = ControlTime.FromSeconds(1.7e9);
 
         [Test]
-        public void Add_ArrivesLater_IsArrivalMinusSample()
+        public void Add_LaterArrival_IsArrivalMinusSample()
         {
             var latency = new ApplicationLatency();
 
@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_ArrivesBeforeItWasTaken_IsCountedAndKeptNegative()
+        public void Add_ArrivalBeforeTheSample_IsCountedAndKeptNegative()
         {
             var latency = new ApplicationLatency();
 
@@ -32,13 +32,13 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Median_BeforeTheFirst_IsUnknown()
+        public void Median_WithoutSamples_IsUnknown()
         {
             Assert.That(new ApplicationLatency().Median, Is.Null);
         }
 
         [Test]
-        public void EndToEnd_IsApplicationPlusVisualisation()
+        public void EndToEnd_Latencies_IsApplicationPlusVisualisation()
         {
             var visualisation = new VisualisationLatency(TimeSpan.FromMilliseconds(40));
 

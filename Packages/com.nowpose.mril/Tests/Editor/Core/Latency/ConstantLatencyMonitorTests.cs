@@ -55,7 +55,7 @@ namespace Nowpose.Tests.Core.Latency
         }).OrderBy(frames => frames).ToArray();
 
         [Test]
-        public void Add_LoadATenthAboveTheLimitOrMore_IsFoundWithinTenFrames([Values(1.1, 1.2, 2)] double ofLimit)
+        public void Add_LoadTenPercentAboveTheLimit_IsDetectedWithinTenFrames([Values(1.1, 1.2, 2)] double ofLimit)
         {
             var frames = FramesToLeave(ofLimit * Limit);
 
@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(1.06, 0.99, 12)]
         [TestCase(1.05, 0.95, 16)]
         [TestCase(1.02, 0.4, 40)]
-        public void Add_LoadJustAboveTheLimit_IsFoundInTenFramesMostly(double ofLimit, double within10, int most)
+        public void Add_LoadJustAboveTheLimit_IsUsuallyDetectedWithinTenFrames(double ofLimit, double within10, int most)
         {
             var frames = FramesToLeave(ofLimit * Limit);
 
@@ -75,7 +75,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_LoadWellInside_RaisesAlmostNoFalseAlarms()
+        public void Add_LoadWellBelowTheLimit_RaisesAlmostNoFalseAlarms()
         {
             var alarms = Seeds.Select(seed => FlipsPerMinute(0.9 * Limit, seed, 3)).ToArray();
 
@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_LoadAtTheLimit_ChangesItsMindAtMostTwiceAMinute()
+        public void Add_LoadAtTheLimit_ChangesStateAtMostTwiceAMinute()
         {
             var flips = Seeds.Select(seed => FlipsPerMinute(Limit, seed, 3)).ToArray();
 
@@ -93,7 +93,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_LoadALittleBelowTheLimit_ChangesItsMindAtMostTwiceAMinute([Values(0.94, 0.95, 0.96, 0.97, 0.98)] double ofLimit)
+        public void Add_LoadJustBelowTheLimit_ChangesStateAtMostTwiceAMinute([Values(0.94, 0.95, 0.96, 0.97, 0.98)] double ofLimit)
         {
             var flips = Seeds.Select(seed => FlipsPerMinute(ofLimit * Limit, seed, 3)).ToArray();
 
@@ -102,7 +102,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_LoadThatComesAndGoes_AgreesWithTheLatencyOfTheDisplay()
+        public void Add_AlternatingLoad_AgreesWithTheLatencyOfTheDisplay()
         {
             var monitor = Monitor();
             var display = new DisplayPipeline(1);
@@ -122,15 +122,15 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_FewerThanEightFrames_SaysTooFew()
+        public void Add_FewerThanEightFrames_IsUnknownWithTheReason()
         {
             var monitor = Monitor();
             Add(monitor, 20, 7);
-            var (early, doubt) = (monitor.State, monitor.Doubt);
+            var (early, reason) = (monitor.State, monitor.Doubt);
             Add(monitor, 20);
 
             Assert.That(early, Is.EqualTo(RangeState.Unknown));
-            Assert.That(doubt, Is.EqualTo(RangeDoubt.TooFewFrames));
+            Assert.That(reason, Is.EqualTo(RangeDoubt.TooFewFrames));
             Assert.That(monitor.State, Is.EqualTo(RangeState.Outside));
             Assert.That(monitor.Doubt, Is.EqualTo(RangeDoubt.None));
         }
@@ -149,7 +149,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_ClearFramesInterrupted_AreCountedAnew()
+        public void Add_FastFramesInterrupted_RestartsTheCount()
         {
             var monitor = Monitor(10);
             Add(monitor, 20, 100);
@@ -165,7 +165,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_AnotherSourceThanTheLimits_IsUnknownAndSaysWhy()
+        public void Add_SourceDiffersFromTheLimits_IsUnknownWithTheReason()
         {
             var monitor = Monitor();
             Add(monitor, 20, 100);
@@ -179,7 +179,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_BackToTheLimitsSource_StartsAnew()
+        public void Add_ReturnToTheLimitsSource_DiscardsEarlierFrames()
         {
             var monitor = Monitor();
             Add(monitor, 20, 100);
@@ -194,7 +194,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_SourceFellSilent_KnowsNothingAnyMore()
+        public void Add_SourceStopped_IsUnknown()
         {
             var monitor = Monitor();
             Add(monitor, 10, 100);
@@ -208,7 +208,7 @@ namespace Nowpose.Tests.Core.Latency
 
         [TestCase(0)]
         [TestCase(-3)]
-        public void Add_NoMeasurement_IsIgnored(double renderMs)
+        public void Add_InvalidMeasurement_IsIgnored(double renderMs)
         {
             var monitor = Monitor();
 
@@ -219,7 +219,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void State_NoRangeKnown_StaysUnknownWhateverTheLoad()
+        public void State_NoRange_IsUnknownForAnyLoad()
         {
             var monitor = new ConstantLatencyMonitor(null);
 
@@ -231,24 +231,24 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Range_AnotherWhileRunning_IsJudgedByFromTheNextFrameOn()
+        public void Range_ChangedWhileRunning_AppliesFromTheNextFrame()
         {
             var monitor = Monitor(10);
             Add(monitor, 12, 100);
             var before = monitor.State;
             monitor.Range = new ConstantLatencyRange(15, Source);
-            var (between, doubt) = (monitor.State, monitor.Doubt);
+            var (between, reason) = (monitor.State, monitor.Doubt);
 
             Add(monitor, 12);
 
             Assert.That(before, Is.EqualTo(RangeState.Outside));
             Assert.That(between, Is.EqualTo(RangeState.Unknown));
-            Assert.That(doubt, Is.EqualTo(RangeDoubt.TooFewFrames));
+            Assert.That(reason, Is.EqualTo(RangeDoubt.TooFewFrames));
             Assert.That(monitor.State, Is.EqualTo(RangeState.Inside));
         }
 
         [Test]
-        public void State_LimitWasNotReached_IsInsideUpToThereAndUnknownBeyond()
+        public void State_LimitNotReached_IsInsideUpToTheMeasuredMaximumAndUnknownBeyond()
         {
             var monitor = new ConstantLatencyMonitor(new ConstantLatencyRange(12, Source, isLimitReached: false));
             Add(monitor, 11, 100);
@@ -264,7 +264,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(0, RenderTimeSourceKind.DisplayGpuTime, "render time limit: 0 ms is out of range; allowed are 0.1 to 1000 ms")]
         [TestCase(double.NaN, RenderTimeSourceKind.DisplayGpuTime, "render time limit: NaN ms is out of range; allowed are 0.1 to 1000 ms")]
         [TestCase(15, RenderTimeSourceKind.None, "render time limit: say which source of the render time it was found with; it holds for no other")]
-        public void ConstantLatencyRange_BadSetting_SaysWhatIsWrong(double limitMs, RenderTimeSourceKind source, string message)
+        public void ConstantLatencyRange_InvalidSetting_ThrowsWithTheReason(double limitMs, RenderTimeSourceKind source, string message)
         {
             Assert.That(Assert.Throws<InputException>(() => new ConstantLatencyRange(limitMs, source)).Message, Is.EqualTo(message));
         }

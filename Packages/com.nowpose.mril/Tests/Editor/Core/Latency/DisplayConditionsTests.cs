@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void MismatchesWith_EachConditionChanged_NamesFieldBothValuesAndWhatToDo()
+        public void MismatchesWith_EachConditionChanged_NamesFieldBothValuesAndRemedy()
         {
             var actual = Calibrated(
                 "Quest 3", 72, "Vulkan", "NativeGraphicsJobs", "UniversalRenderPipelineAsset", false, "PrioritizeInputPolling",
@@ -47,7 +47,7 @@ namespace Nowpose.Tests.Core.Latency
 
         // L_visu of another device or another refresh rate does not apply to this one. The other conditions change it by a few ms.
         [Test]
-        public void IsRefusal_OtherDeviceOrRate_IsTrueAndElseFalse()
+        public void IsRefusal_OtherDeviceOrRate_IsTrueOtherwiseFalse()
         {
             var mismatches = Calibrated().MismatchesWith(Calibrated("Quest 3", 72, "Vulkan", reprojection: ReprojectionMode.None));
 
@@ -63,7 +63,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Or_UnknownHere_IsTakenFromTheOther()
+        public void Or_UnknownCondition_UsesTheOthersValue()
         {
             var both = new DisplayConditions(graphicsApi: "Vulkan", rewritesBeforeRender: false).Or(Calibrated());
 
@@ -72,7 +72,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void DisplayConditions_TextOfTwoLinesOrTooLong_IsRefusedByItsField()
+        public void Constructor_TextWithLineBreakOrTooLong_ThrowsWithItsField()
         {
             Assert.That(() => Calibrated(api: "Direct3D\n11"),
                 Throws.TypeOf<InputException>().With.Message.EqualTo("graphics_api: the value is one line of up to 128 characters"));

@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(6)]
         [TestCase(-6)]
         [TestCase(20)]
-        public void Add_LastingDifference_IsDoubtedWithinTwoSeconds(double differenceMs)
+        public void Add_LastingDifference_IsImplausibleWithinTwoSeconds(double differenceMs)
         {
             var frames = Frames(600, differenceMs);
 
@@ -50,7 +50,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(4)]
         [TestCase(-4)]
         [TestCase(0)]
-        public void Add_SmallDifference_IsNotDoubtedInAMinute(double differenceMs)
+        public void Add_SmallDifference_StaysPlausibleForAMinute(double differenceMs)
         {
             Frames(3600, differenceMs, outlierChance: 0.05);
 
@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_BurstOfHalfASecond_IsNotDoubted()
+        public void Add_BurstOfHalfASecond_StaysPlausible()
         {
             Frames(300, 0);
             Frames(45, 30);
@@ -68,7 +68,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_DoubtedAndThenNearTheLimit_StaysDoubtedUntilItAgrees()
+        public void Add_ImplausibleThenNearTheThreshold_StaysImplausibleUntilItAgrees()
         {
             Frames(300, 8);
             Frames(600, 4.6);
@@ -83,7 +83,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(0.2, true)]
         [TestCase(0.3, false)]
         [TestCase(10, false)]
-        public void Add_GapAfterAFewBadFrames_CountsAsLastingOnlyWhereItIsShort(double gapSeconds, bool isDoubted)
+        public void Add_GapAfterFewDeviatingFrames_CountsOnlyIfShort(double gapSeconds, bool isDoubted)
         {
             // The median changes with the 31st bad frame: half a second before the gap and half a second after it are not enough.
             Frames(60, 0);
@@ -96,7 +96,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_DoubtedAndOneGoodFrameAfterAGap_StaysDoubted()
+        public void Add_OneAgreeingFrameAfterAGap_StaysImplausible()
         {
             Frames(300, 8);
             Frames(40, 0);
@@ -108,7 +108,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Reset_Doubted_ForgetsAll()
+        public void Reset_Implausible_ClearsTheState()
         {
             Frames(300, 8);
 

@@ -26,7 +26,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(500, true)]
         [TestCase(-0.1, false)]
         [TestCase(500.1, false)]
-        public void Add_OneAnswer_IsPlausibleWithinHalfASecondAhead(double aheadMs, bool isPlausible)
+        public void Add_OneAnswer_IsPlausibleUpToHalfASecondAhead(double aheadMs, bool isPlausible)
         {
             Assert.That(_check.Add(HeadsetTime.FromSeconds(1), Lengths.Ms(aheadMs)), Is.EqualTo(isPlausible));
             Assert.That(_check.Ahead, Is.EqualTo(Lengths.Ms(aheadMs)));
@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(54, false)]
         [TestCase(59, false)]
         [TestCase(61, true)]
-        public void Add_ImplausibleAnswers_AreFoundAfterASecond(int frames, bool isFound)
+        public void Add_ImplausibleAnswers_AreDetectedAfterASecond(int frames, bool isFound)
         {
             Frames(30, 47);
 
@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_PlausibleAgain_IsRecoveredAfterASecond()
+        public void Add_PlausibleAnswersAgain_RecoversAfterASecond()
         {
             Frames(300, -20);
             Frames(59, 47);
@@ -59,7 +59,7 @@ namespace Nowpose.Tests.Core.Latency
 
         [TestCase(2, 1, true)]
         [TestCase(1, 2, false)]
-        public void Add_MixedAnswers_AreFoundWhereMostAreImplausible(int bad, int good, bool isFound)
+        public void Add_MixedAnswers_AreImplausibleIfMostAre(int bad, int good, bool isFound)
         {
             for (var i = 0; i < 120; i++)
             {
@@ -71,7 +71,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_PauseBetweenTwoBadFrames_DoesNotCount()
+        public void Add_PauseBetweenImplausibleFrames_IsNotCounted()
         {
             Frames(30, 9999);
             _now += 10;
@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Reset_Implausible_ForgetsAll()
+        public void Reset_Implausible_ClearsTheState()
         {
             Frames(300, 9999);
 

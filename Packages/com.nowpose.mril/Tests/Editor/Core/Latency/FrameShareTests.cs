@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Frames_StepsOfSeveralKinds_KeepToTheShareAndUseIt()
+        public void Frames_StepsOfSeveralKinds_StayWithinTheShareAndUseIt()
         {
             double[] lengths = { 0.05, 0.4, 0.9, 0.3 };
 
@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Frames_StepsThatScatter_KeepToTheShareButForTheScatter()
+        public void Frames_ScatteringSteps_ExceedTheShareByAtMostTheScatter()
         {
             var random = new Random(4);
 
@@ -61,7 +61,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Frames_StepThatIsLongerThanTheShare_HasOneForItself()
+        public void Frames_StepLongerThanTheShare_HasItsOwnFrame()
         {
             var frames = Work(new FrameShare(ShareMs, 2), step => step % 2 == 0 ? 0.5 : 5, 2, 100);
 
@@ -73,7 +73,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Frames_StepThatWasSlowOnce_IsTriedAgainWithOthersLater()
+        public void Frames_StepSlowOnce_SharesFramesAgainLater()
         {
             var frames = Work(new FrameShare(ShareMs, 1), step => step == 0 ? 30 : 0.1, 1, 200);
 
@@ -83,7 +83,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(0)]
         [TestCase(double.NaN)]
         [TestCase(101)]
-        public void Share_OutOfRange_NamesWhatIsAllowed(double ms) => Assert.That(
+        public void Share_OutOfRange_ThrowsWithTheAllowedRange(double ms) => Assert.That(
             () => new FrameShare(ms, 1), Throws.TypeOf<InputException>().With.Message.Contains("allowed are 0.1 to 100 ms"));
     }
 }

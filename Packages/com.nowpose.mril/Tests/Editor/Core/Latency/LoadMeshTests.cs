@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(300_000)]
         [TestCase(1_234_567)]
         [TestCase(2_000_000)]
-        public void Vertices_Asked_AreDrawnExactly(int vertices)
+        public void Vertices_Requested_AreDrawnExactly(int vertices)
         {
             Assert.That(PatchesOf(vertices).Sum(patch => patch.Vertices), Is.EqualTo(vertices));
             Assert.That(LoadMesh.DrawnOf(vertices), Is.EqualTo(vertices));
@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Core.Latency
 
         [TestCase(-1)]
         [TestCase(2_000_001)]
-        public void Vertices_BeyondTheRange_AreRefusedInOneLine(int vertices)
+        public void Vertices_OutOfRange_ThrowInOneLine(int vertices)
         {
             Assert.That(
                 () => LoadMesh.PatchesOf(vertices),
@@ -76,7 +76,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Patches_OfTheGreatestLoad_FillTheWallWithoutOverlap()
+        public void Patches_OfTheMaximumLoad_FillTheWallWithoutOverlap()
         {
             var area = 0.0;
             var corners = new HashSet<(float, float)>();
@@ -95,7 +95,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Patches_FirstOnes_AreInTheMiddle()
+        public void Patches_First_AreInTheMiddle()
         {
             foreach (var patch in PatchesOf(100_000))
             {

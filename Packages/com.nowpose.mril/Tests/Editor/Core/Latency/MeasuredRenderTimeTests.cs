@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(1000.1, false)]
         [TestCase(double.NaN, false)]
         [TestCase(double.PositiveInfinity, false)]
-        public void Is_AnyNumber_IsWhatRowsOfASweepAndPairsTake(double ms, bool expected)
+        public void Is_AnyNumber_AgreesWithSweepRowsAndLatencyPairs(double ms, bool expected)
         {
             Assert.That(MeasuredRenderTime.Is(ms), Is.EqualTo(expected));
             Assert.That(IsTaken(() => new LatencyPair(ms, 40)), Is.EqualTo(expected));

@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void EndFrame_AllGiveTimes_TheBestIsUsedFromItsThirtiethOn()
+        public void EndFrame_AllSourcesReport_UsesTheBestFromItsThirtiethTime()
         {
             Frames(29, "0123");
             var early = _choice.Source;
@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase("23", 3, Completion)]
         [TestCase("3", 4, Cpu)]
         [TestCase("", 0, Nothing)]
-        public void EndFrame_SomeGiveNone_TheBestThatDoesIsUsed(string giving, int expectedMs, RenderTimeSourceKind expected)
+        public void EndFrame_SomeSourcesReport_UsesTheBestOfThem(string giving, int expectedMs, RenderTimeSourceKind expected)
         {
             Frames(100, giving);
 
@@ -60,7 +60,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void EndFrame_BetterOneBeginsAFewFramesLater_IsWaitedFor()
+        public void EndFrame_BetterSourceStartsAFewFramesLater_WaitsForIt()
         {
             Frames(5, "3");
 
@@ -70,7 +70,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void EndFrame_BetterOneGivesASingleTime_IsNotWaitedForForEver()
+        public void EndFrame_BetterSourceReportsOnce_UsesTheOtherAfterThirtyFrames()
         {
             Frames(20, "3");
             Frames(1, "03");
@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void EndFrame_BetterOneComesLater_TakesOverOnceItIsSteady()
+        public void EndFrame_BetterSourceAppears_IsUsedAfterThirtyTimes()
         {
             Frames(100, "3");
             Frames(29, "13");
@@ -97,7 +97,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void EndFrame_SourceInUseFallsSilent_IsGivenUpAfterThirtyFrames()
+        public void EndFrame_UsedSourceStops_IsReplacedAfterThirtyFrames()
         {
             Frames(100, "03");
             Frames(29, "3");
@@ -112,7 +112,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void EndFrame_AllFallSilent_NothingIsUsedAndItIsSaidOnce()
+        public void EndFrame_AllSourcesStop_ReportsNoneOnce()
         {
             Frames(100, "3");
 
@@ -122,7 +122,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void EndFrame_SourceGivesTimesNowAndThen_DoesNotFlap()
+        public void EndFrame_SourceReportsOccasionally_DoesNotFlap()
         {
             for (var i = 0; i < 200; i++)
             {
@@ -134,7 +134,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void EndFrame_HeadsetsGpuTimeFallsSilent_TheEnginesIsAnotherSource()
+        public void EndFrame_HeadsetsGpuTimeStops_ChangesToTheEngines()
         {
             Frames(100, "01");
 
@@ -146,7 +146,7 @@ namespace Nowpose.Tests.Core.Latency
 
         [TestCase(0)]
         [TestCase(-1)]
-        public void Report_NoTime_SaysNothing(int ticks)
+        public void Report_InvalidTime_IsIgnored(int ticks)
         {
             for (var i = 0; i < 100; i++)
             {

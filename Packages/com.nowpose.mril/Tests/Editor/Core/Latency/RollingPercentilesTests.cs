@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void At_Empty_Refuses()
+        public void At_Empty_Throws()
         {
             Assert.Throws<InvalidOperationException>(() => new RollingPercentiles(3).At(0.5));
         }
@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(-0.01)]
         [TestCase(1.01)]
         [TestCase(double.NaN)]
-        public void At_FractionOutOfRange_Refuses(double fraction)
+        public void At_FractionOutOfRange_Throws(double fraction)
         {
             var rolling = new RollingPercentiles(3);
             rolling.Add(TimeSpan.Zero);

@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core.Latency
         static int Ones(int bits) => Convert.ToString(bits, 2).Count(bit => bit == '1');
 
         [Test]
-        public void Draw_ATimeWorkedOutByHand_LightsTheseCells()
+        public void Draw_KnownTime_LightsTheExpectedCells()
         {
             // 5 is 101, in Gray code 111: g2 g1 g0. Two of the bits with even index are 1, so their parity is 0. g1 is the only odd one: parity 1.
             const string expected = "#..#####/#.#.#.##/#.#.#.##/#.#.#.##/#.#.#.##/#.##.#.#/##..##.#/########";
@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void ValueOf_AnyTime_IsItsWholeMillisecondsWithinThePeriod(
+        public void ValueOf_AnyTime_ReturnsWholeMillisecondsModuloThePeriod(
             [Values(0, 1, 65_535, 65_536, 1_700_000_000_123, -1)] long milliseconds, [Values(0, 9_999)] long ticksMore)
         {
             var time = new ControlTime(TimeSpan.FromTicks(milliseconds * TimeSpan.TicksPerMillisecond + ticksMore));
@@ -76,7 +76,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Ring_TurnedOrMirrored_LooksLikeNoOther()
+        public void Ring_RotatedOrMirrored_IsUnique()
         {
             var seen = new HashSet<string>();
 
@@ -88,7 +88,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(10, 65_530, 16)]
         [TestCase(65_530, 10, -16)]
         [TestCase(40, 7, 33)]
-        public void Difference_AcrossTheEndOfThePeriod_IsTheShortWay(int later, int earlier, int expected) =>
+        public void Difference_AcrossTheEndOfThePeriod_IsTheShortest(int later, int earlier, int expected) =>
             Assert.That(TimestampCode.Difference(later, earlier), Is.EqualTo(expected));
 
         [TestCase(-1)]

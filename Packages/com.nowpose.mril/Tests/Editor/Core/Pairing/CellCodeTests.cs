@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Parse_Offset_IsTheMarkerFrameInTheBaseFrame()
+        public void Parse_Offset_ReturnsTheMarkerFrameInTheBaseFrame()
         {
             var pose = CellCode.Parse(Whole).Marker.ToPose().ToRowMajor16();
 
@@ -39,11 +39,11 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Write_AllFields_IsTheCode() => Assert.That(
+        public void Write_AllFields_ReturnsTheCode() => Assert.That(
             new CellCode("Press 3", "192.168.10.20", Pin, new MarkerOffset(0.25, -0.1, 0.02, 0, 0, 90), 0.12, 47020, 47021).Text, Is.EqualTo(Whole));
 
         [Test]
-        public void Parse_OnLoopback_NeedsNameAndHostOnly()
+        public void Parse_Loopback_NeedsOnlyNameAndHost()
         {
             var code = CellCode.Parse(Least);
 
@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Core.Pairing
 
         [TestCase("2")]
         [TestCase("9999")]
-        public void Parse_NewerVersion_SaysWhichOne(string version)
+        public void Parse_NewerVersion_NamesTheVersion(string version)
         {
             var error = Assert.Throws<InputException>(() => CellCode.Parse(Whole.Replace("cell/1", "cell/" + version)));
 
@@ -88,7 +88,7 @@ namespace Nowpose.Tests.Core.Pairing
         [TestCase(Least + "\0", "U+0000")]
         [TestCase(Least + "\u202E", "U+202E")]
         [TestCase(Least + "\u00A0", "U+00A0")]
-        public void Parse_NotOfTheGrammar_SaysWhy(string text, string why)
+        public void Parse_InvalidGrammar_ThrowsWithTheReason(string text, string why)
         {
             var error = Assert.Throws<InputException>(() => CellCode.Parse(text));
 
@@ -103,7 +103,7 @@ namespace Nowpose.Tests.Core.Pairing
         [TestCase("s=+1")]
         [TestCase("s=1.0")]
         [TestCase("w=<b>")]
-        public void Parse_PortOutOfRange_SaysWhatIsAllowed(string field)
+        public void Parse_PortOutOfRange_StatesTheAllowedRange(string field)
         {
             var error = Assert.Throws<InputException>(() => CellCode.Parse(Least + "&" + field));
 
@@ -128,7 +128,7 @@ namespace Nowpose.Tests.Core.Pairing
         [TestCase("m=NaN", "0.01 to 5 m")]
         [TestCase("m=9", "5 m")]
         [TestCase("m=-0.1", "0.01")]
-        public void Parse_NumberOutOfRange_SaysWhatIsAllowed(string field, string why)
+        public void Parse_NumberOutOfRange_StatesTheAllowedRange(string field, string why)
         {
             var error = Assert.Throws<InputException>(() => CellCode.Parse(Least + "&" + field));
 
@@ -139,7 +139,7 @@ namespace Nowpose.Tests.Core.Pairing
         [TestCase("p=AAECAwQFBgcICQoLDA0ODxAREhMUFRYXGBkaGxwdHh9")] // bits beyond the last byte
         [TestCase("p=AAECAwQFBgcICQoLDA0ODxAREhMUFRYXGBkaGxwd+h8")]
         [TestCase("p=AAECAwQFBgcICQoLDA0ODxAREhMUFRYXGBkaGxwdHh8=")]
-        public void Parse_PinInAnotherForm_IsRefused(string field)
+        public void Parse_InvalidPin_IsRefused(string field)
         {
             var error = Assert.Throws<InputException>(() => CellCode.Parse(Least + "&" + field));
 
@@ -151,7 +151,7 @@ namespace Nowpose.Tests.Core.Pairing
         [TestCase("10.0.0.7", "10.0.0.7")]
         [TestCase("2001:db8::7", "2001:db8::7")]
         [TestCase("xn--bcher-kva.example", "xn--bcher-kva.example")]
-        public void Parse_Host_IsTaken(string host, string read) =>
+        public void Parse_ValidHost_IsAccepted(string host, string read) =>
             Assert.That(CellCode.Parse("nowpose:cell/1?n=a&p=" + PinText + "&h=" + host).Host, Is.EqualTo(read));
 
         [TestCase("g\u0430teway")] // a Cyrillic letter that looks like a Latin one
@@ -174,7 +174,7 @@ namespace Nowpose.Tests.Core.Pairing
         [TestCase("-gateway")]
         [TestCase("gate%77ay")]
         [TestCase("a_b")]
-        public void Host_OfAnotherForm_IsRefused(string host)
+        public void Parse_InvalidHost_IsRefused(string host)
         {
             Assert.Throws<InputException>(() => CellCode.Parse("nowpose:cell/1?n=a&p=" + PinText + "&h=" + host));
             var error = Assert.Throws<InputException>(() => new CellCode("a", host, Pin));
@@ -208,7 +208,7 @@ namespace Nowpose.Tests.Core.Pairing
         [TestCase("%C0%80")]
         [TestCase("%ED%A0%80")]
         [TestCase("aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa")]
-        public void Parse_NameOfAnotherForm_IsRefused(string encoded)
+        public void Parse_InvalidName_IsRefused(string encoded)
         {
             var error = Assert.Throws<InputException>(() => CellCode.Parse("nowpose:cell/1?h=127.0.0.1&n=" + encoded));
 
@@ -216,7 +216,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Parse_Oversized_IsRefusedByItsLength()
+        public void Parse_Oversized_IsRefusedWithItsLength()
         {
             var error = Assert.Throws<InputException>(() => CellCode.Parse(Least + new string('\0', 3000)));
 
@@ -224,7 +224,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void NoPin_BeyondThisMachine_IsRefused()
+        public void Parse_AnotherMachineWithoutPin_IsRefused()
         {
             var error = Assert.Throws<InputException>(() => CellCode.Parse("nowpose:cell/1?n=a&h=10.0.0.7"));
 
@@ -232,7 +232,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Write_LongestNames_SaysThatItIsTooLong()
+        public void Write_NamesTooLong_ThrowsWithTheMaximum()
         {
             var error = Assert.Throws<InputException>(() => new CellCode(
                 new string('ü', 40), new string('a', 50), Pin, new MarkerOffset(1, 2, 3)));
@@ -269,7 +269,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Write_AnyValues_AreReadBack([Range(1, 200)] int seed)
+        public void Write_AnyValues_RoundTrip([Range(1, 200)] int seed)
         {
             var random = new Random(seed);
             const string Letters = "abcdefgh XYZ-_.üß";

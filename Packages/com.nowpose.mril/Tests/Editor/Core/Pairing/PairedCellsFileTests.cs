@@ -28,14 +28,14 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Load_NoFile_IsNone()
+        public void Load_NoFile_ReturnsNone()
         {
             Assert.That(PairedCellsFile.Load(_path, out var problem), Is.SameAs(PairedCells.None));
             Assert.That(problem, Is.Null);
         }
 
         [Test]
-        public void Save_SeveralCells_AreLoadedAsTheyWere()
+        public void Save_SeveralCells_RoundTrip()
         {
             var first = new PairedCell(new[] { CodeOf("Prüfzelle 3", 0), CodeOf("Prüfzelle 3", 1) }, "to\"ken");
             var cells = PairedCells.None.Use(first).Use(new PairedCell(new[] { CodeOf("b", 0) }, null)).Use(first);
@@ -63,7 +63,7 @@ namespace Nowpose.Tests.Core.Pairing
             + "\"nowpose:cell/1?n=a&h=::1\"]}]}")]
         [TestCase("{\"format\":\"nowpose-paired-cells\",\"version\":1,\"cells\":[{\"codes\":[\"nowpose:cell/1?n=a\"]}]}")]
         [TestCase("{\"format\":\"nowpose-paired-cells\",\"version\":1,\"cells\":[{\"codes\":[\"nowpose:cell/1?n=a&h=::1\"],\"token\":\"a b\"}]}")]
-        public void Load_Unusable_IsSaidAndKeptAside(string text)
+        public void Load_InvalidFile_IsReportedAndRenamed(string text)
         {
             Directory.CreateDirectory(_folder);
             File.WriteAllText(_path, text);
@@ -76,7 +76,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Use_MoreThanAreKept_DropsTheOldest()
+        public void Use_MoreThanTheMaximum_DropsTheOldest()
         {
             var cells = PairedCells.None;
             for (var i = 0; i <= PairedCells.GreatestCount; i++) cells = cells.Use(new PairedCell(new[] { CodeOf("c" + i, 0) }, null));
@@ -87,7 +87,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void With_MoreMarkersThanAreKept_IsRefused()
+        public void With_MoreMarkersThanTheMaximum_IsRefused()
         {
             var cell = new PairedCell(new[] { CodeOf("a", 0) }, null);
             for (var i = 1; i < PairedCell.GreatestCodes; i++) cell = cell.With(CodeOf("a", i));

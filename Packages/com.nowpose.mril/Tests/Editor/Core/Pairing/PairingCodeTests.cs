@@ -16,6 +16,6 @@ namespace Nowpose.Tests.Core.Pairing
         [TestCase("nowpose:cell/", PairingCodeKind.Cell)]
         [TestCase("nowpose:cell/7?q=1", PairingCodeKind.Cell)]
         [TestCase("nowpose:token/1?", PairingCodeKind.Token)]
-        public void KindOf_Beginning_Decides(string text, object kind) => Assert.That(PairingCode.KindOf(text), Is.EqualTo((PairingCodeKind)kind));
+        public void KindOf_Text_DependsOnItsPrefix(string text, object kind) => Assert.That(PairingCode.KindOf(text), Is.EqualTo((PairingCodeKind)kind));
     }
 }

@@ -85,7 +85,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Both_SeenOnce_PairTheHeadset()
+        public void Frame_BothCodesSeenOnce_PairsTheHeadset()
         {
             Assert.That(Frame(Cell) & PairingChange.Asked, Is.EqualTo(PairingChange.Asked));
             Assert.That(
@@ -109,12 +109,12 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void TokenSeenFirst_IsUsedAfterConsent()
+        public void Token_SeenFirst_IsUsedAfterConsent()
         {
             Frame(Token);
             Assert.That(_flow.Words, Does.Contain("now look at the robot's marker"));
             Frame(Cell);
-            Assert.That(_sent, Is.Empty, "nobody has agreed yet");
+            Assert.That(_sent, Is.Empty, "the wearer has not agreed yet");
 
             _flow.Accept();
             Frame();
@@ -123,7 +123,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void TokenSeenFirst_LongAgo_IsNotUsed()
+        public void Token_SeenBeforeItsValidity_IsNotUsed()
         {
             Frame(Token);
             _now += PairingLimits.CodeValidity;
@@ -135,7 +135,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void NoConsent_NothingIsSentOrApplied()
+        public void Question_NotAnswered_SendsAndAppliesNothing()
         {
             for (var i = 0; i < 100; i++) Frame(Cell, Token);
 
@@ -144,7 +144,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Refused_IsNotAskedAgainInThisRun_ForAnyMarkerOfThatGateway()
+        public void Refuse_Gateway_IsNotAskedAgainInThisRunForAnyOfItsMarkers()
         {
             Frame(Cell);
             _flow.Refuse();
@@ -158,7 +158,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void KnownCell_NeedsNoQuestion()
+        public void KnownCell_SeenAgain_IsUsedWithoutAQuestion()
         {
             Pair(Cell, Token);
             Begin(_flow.Cells);
@@ -172,7 +172,7 @@ namespace Nowpose.Tests.Core.Pairing
 
         [TestCase(6000, 47011, "ports 6000 and 47011 instead of 47010 and 47011")]
         [TestCase(47010, 6000, "ports 47010 and 6000 instead of 47010 and 47011")]
-        public void KnownCell_OfOtherPorts_IsAskedBeforeAnythingIsSentThere(int syncPort, int webSocketPort, string part)
+        public void KnownCell_WithOtherPorts_IsAskedBeforeAnythingIsSent(int syncPort, int webSocketPort, string part)
         {
             Agree(Cell);
 
@@ -186,7 +186,7 @@ namespace Nowpose.Tests.Core.Pairing
 
         [TestCase("10.0.0.8", false, "10.0.0.8 instead of 10.0.0.7")]
         [TestCase("10.0.0.7", true, "AAECAwQFBgcI… instead of key AAAAAAAAAAAA…")]
-        public void KnownCell_OfAnotherGateway_IsAskedWithWhatChanged(string host, bool isOtherPin, string part)
+        public void KnownCell_WithAnotherGateway_QuestionNamesTheChange(string host, bool isOtherPin, string part)
         {
             Pair(Cell, Token);
 
@@ -198,7 +198,7 @@ namespace Nowpose.Tests.Core.Pairing
 
         [TestCase(false, OwnToken)]
         [TestCase(true, null)]
-        public void KnownCell_OfAnotherGateway_KeepsTheTokenOfTheSameKeyOnly(bool isOtherPin, string token)
+        public void KnownCell_WithAnotherGateway_KeepsTheTokenOnlyForTheSameKey(bool isOtherPin, string token)
         {
             Pair(Cell, Token);
 
@@ -209,7 +209,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void KnownCell_OfAnotherGatewayWhileItIsPairing_TakesNoTokenOfTheFormer()
+        public void KnownCell_GatewayChangedDuringPairing_IgnoresTheFormerToken()
         {
             Agree(Cell);
             Frame(Token);
@@ -223,7 +223,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void AnotherMarkerOfTheCell_IsTakenTo()
+        public void KnownCell_AnotherMarker_IsAdded()
         {
             Pair(Cell, Token);
             var second = CodeOf("Press 3", "10.0.0.7", Pin, 0.3);
@@ -247,7 +247,7 @@ namespace Nowpose.Tests.Core.Pairing
 
         [TestCase(true, "Press 4")]
         [TestCase(false, "Press 3")]
-        public void OtherKnownCell_LookedAtAlone_IsUsedOnlyIfTheWearerAgrees(bool isAgreed, string used)
+        public void OtherKnownCell_AloneInView_IsUsedOnlyWithConsent(bool isAgreed, string used)
         {
             PairBoth();
 
@@ -263,7 +263,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void OtherKnownCell_AGlimpseOrBesideTheOneInUse_AsksNothing()
+        public void OtherKnownCell_SeenBrieflyOrBesideTheUsedOne_AsksNothing()
         {
             PairBoth();
 
@@ -299,7 +299,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Answer_AnotherQuestionWaits_IsNotAskedUnderTheSameFinger()
+        public void Refuse_AnotherQuestionPending_IsAskedAfterADelay()
         {
             Frame(Cell, Other);
             _flow.Refuse();
@@ -312,7 +312,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Token_OfAnotherGateway_IsSentNowhere()
+        public void Token_OfAnotherGateway_IsNotSent()
         {
             Agree(Cell);
 
@@ -322,7 +322,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Token_GatewayRefusesIt_IsSaidOnceAndTheNextOneIsTried()
+        public void Token_RefusedByTheGateway_IsReportedOnceAndTheNextIsTried()
         {
             Agree(Cell);
             Frame(Token);
@@ -338,7 +338,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Token_NobodyAnswers_IsTriedAgainUntilItIsTooOld()
+        public void Token_NoAnswer_IsRetriedUntilItExpires()
         {
             Agree(Cell);
             Frame(Token);
@@ -373,7 +373,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Forget_LeavesTheCellAndAsksAnew()
+        public void Forget_UsedCell_RemovesItAndAsksAgain()
         {
             Pair(Cell, Token);
 
@@ -387,7 +387,7 @@ namespace Nowpose.Tests.Core.Pairing
 
         [TestCase(true)]
         [TestCase(false)]
-        public void AskToForget_IsAnsweredLikeAnyQuestion(bool isAgreed)
+        public void AskToForget_UsedCell_IsForgottenOnlyWithConsent(bool isAgreed)
         {
             Pair(Cell, Token);
 
@@ -404,7 +404,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void AskToForget_AnotherQuestionIsOpen_TakesItsPlaceUntilItIsAnswered()
+        public void AskToForget_AnotherQuestionIsOpen_ReplacesItUntilAnswered()
         {
             Pair(Cell, Token);
             Frame(Cell, Other);
@@ -419,7 +419,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void AskToForget_GatewayWasDeclined_IsAskedAgainAtTheNextLook()
+        public void AskToForget_GatewayWasDeclined_IsAskedAgainAtTheNextSighting()
         {
             Frame(Cell);
             _flow.Refuse();
@@ -427,14 +427,14 @@ namespace Nowpose.Tests.Core.Pairing
             Assert.That(_flow.Question, Is.Null);
 
             _flow.AskToForget();
-            Assert.That(_flow.Question, Is.Null, "there is no cell to forget");
+            Assert.That(_flow.Question, Is.Null, "no cell is paired");
             Frame(Cell);
 
             Assert.That(_flow.Question, Does.StartWith("Connect to cell 'Press 3'?"));
         }
 
         [Test]
-        public void Forget_WhileItIsPairing_TakesNoToken()
+        public void Forget_DuringPairing_IgnoresTheToken()
         {
             Agree(Cell);
             Frame(Token);
@@ -447,7 +447,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Token_CutShortByForget_IsTriedAgain()
+        public void Token_InterruptedByForget_IsTriedAgain()
         {
             Agree(Cell);
             Frame(Token);
@@ -460,7 +460,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Token_TriedBefore_IsSaidToBe()
+        public void Token_TriedBefore_IsReported()
         {
             Pair(Cell, Token);
             _flow.IsTokenRefused = true;
@@ -472,7 +472,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void GatewayOfThisMachine_NeedsNoToken()
+        public void Gateway_OnThisMachine_NeedsNoToken()
         {
             Agree(new CellCode("desk", "localhost", null).Text);
 
@@ -483,13 +483,13 @@ namespace Nowpose.Tests.Core.Pairing
         [TestCase("WIFI:S:plant;T:WPA;P:secret;;")]
         [TestCase("")]
         [TestCase(null)]
-        public void Foreign_IsIgnored(string text) => Assert.That(Frame(text) & ~PairingChange.Words, Is.EqualTo(PairingChange.None));
+        public void Code_Foreign_IsIgnored(string text) => Assert.That(Frame(text) & ~PairingChange.Words, Is.EqualTo(PairingChange.None));
 
         [TestCase("nowpose:cell/1?n=a")]
         [TestCase("nowpose:cell/9?n=a")]
         [TestCase("nowpose:elephant/1?n=a")]
         [TestCase("NOWPOSE:CELL/1?n=a")]
-        public void Malformed_IsSaidOnce(string text)
+        public void Code_Malformed_IsReportedOnce(string text)
         {
             Assert.That(Frame(text) & PairingChange.Problem, Is.EqualTo(PairingChange.Problem));
             Assert.That(_flow.Problem, Is.Not.Null);
@@ -498,7 +498,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Malformed_IsToldForTenSeconds()
+        public void Code_Malformed_IsShownForTenSeconds()
         {
             Agree(Cell);
             var said = _flow.Words;
@@ -515,7 +515,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Malformed_BesideACodeThatStartsAnExchange_IsToldAllTheSame()
+        public void Code_MalformedBesideAValidToken_IsStillReported()
         {
             Agree(Cell);
 
@@ -527,7 +527,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void MoreMarkersThanARobotHas_AreSaidAndDropNone()
+        public void Code_TooManyMarkersOfACell_IsReportedAndDropsNone()
         {
             Pair(Cell, Token);
             for (var i = 1; i < PairedCell.GreatestCodes; i++) Frame(CodeOf("Press 3", "10.0.0.7", Pin, i));
@@ -542,7 +542,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Oversized_IsSaidOnceAndNotKept()
+        public void Code_Oversized_IsReportedOnceAndNotStored()
         {
             var said = 0;
 
@@ -554,7 +554,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void ManyCodes_TheFirstGoOnWorking()
+        public void Code_ManyMalformed_PairedCellStaysInUse()
         {
             Pair(Cell, Token);
             for (var i = 0; i < 2000; i++) Frame("nowpose:cell/1?n=a" + i);
@@ -565,7 +565,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void ManyCodes_AreSaidOnceAndMakeRoomWhenTheyAreOutOfView()
+        public void Code_TooManyInView_IsReportedOnceUntilTheyAreOutOfView()
         {
             var said = 0;
             for (var i = 0; i < 300; i++)
@@ -573,7 +573,7 @@ namespace Nowpose.Tests.Core.Pairing
             Assert.That(said, Is.EqualTo(1));
             Assert.That(_flow.Problem, Does.Contain("256 different ones"));
             Frame(Cell);
-            Assert.That(_flow.Question, Is.Null, "there is no room");
+            Assert.That(_flow.Question, Is.Null, "no further codes are kept");
 
             _now += PairingLimits.CodeValidity;
             Frame(Cell);

@@ -25,10 +25,10 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Write_AllFields_IsTheCode() => Assert.That(new TokenCode(Pin, Token, ValidTo).Text, Is.EqualTo(Whole));
+        public void Write_AllFields_ReturnsTheCode() => Assert.That(new TokenCode(Pin, Token, ValidTo).Text, Is.EqualTo(Whole));
 
         [Test]
-        public void ToString_DoesNotTellTheToken() => Assert.That(TokenCode.Parse(Whole).ToString(), Does.Not.Contain(Token));
+        public void ToString_AnyToken_DoesNotContainTheToken() => Assert.That(TokenCode.Parse(Whole).ToString(), Does.Not.Contain(Token));
 
         [Test]
         public void IsFor_OtherKey_IsFalse()
@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Core.Pairing
         [TestCase("nowpose:token/1?t=_-ECAwQFBgcICQoLDA0OD", "16 bytes")]
         [TestCase("nowpose:token/1?t=" + Token + "&x=-1", "x is no whole number")]
         [TestCase("nowpose:token/1?t=" + Token + "&x=253402300800", "x=253402300800")]
-        public void Parse_NotOfTheGrammar_SaysWhyWithoutTheToken(string text, string why)
+        public void Parse_InvalidGrammar_ThrowsWithTheReasonButNotTheToken(string text, string why)
         {
             var error = Assert.Throws<InputException>(() => TokenCode.Parse(text));
 
@@ -59,7 +59,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Parse_Damaged_NeverTellsTheToken([Range(1, 200)] int seed)
+        public void Parse_Damaged_ErrorDoesNotContainTheToken([Range(1, 200)] int seed)
         {
             var random = new Random(seed);
             var text = Whole.ToCharArray();

@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase(2 * Math.PI)]
         [TestCase(1000)]
         [TestCase(1e40)]
-        public void OneWrongSample_IsForgottenWithinSeconds(double glitch)
+        public void Play_OneWrongSample_RecoversWithinSeconds(double glitch)
         {
             var joint = new DisplayedJoint(Predictors.Create("adaptive", PredictionLimits.Unlimited));
             double Rms(double from, double to) => Math.Sqrt(joint
@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase(0.1, 0.05, 0)]
         [TestCase(0.05, 0.05, 0.01)]
         [TestCase(0.02, 0.02, 0.008)]
-        public void AnotherBeat_DoesNotShow(double before, double after, double shift)
+        public void Play_SamplingIntervalChanges_AddsNoError(double before, double after, double shift)
         {
             var joint = new DisplayedJoint(Predictors.Create("adaptive", PredictionLimits.Unlimited));
             var turn = (int)(30 / before);
@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void PositionsThatNeverChangeAtFirst_LeaveRestQuietLater()
+        public void Play_LongRestAtStart_KeepsLaterRestQuiet()
         {
             const double noise = 1e-4;
             var random = new Random(4);

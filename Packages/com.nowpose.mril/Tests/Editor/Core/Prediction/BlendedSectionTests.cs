@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_NewSection_StartsFromWhatWasShownAndDecaysByE()
+        public void At_NewSection_StartsAtTheShownPositionAndDecaysByE()
         {
             var (blended, bare) = Moving(1);
             var shown = blended.Show(1.1).Position;
@@ -50,7 +50,7 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase("cubic")]
         [TestCase("gp")]
         [TestCase("adaptive")]
-        public void At_FirstFrameAfterAnySample_ShowsWhatWouldHaveBeenShown(string predictor)
+        public void At_FirstFrameAfterASample_ContinuesTheFormerSection(string predictor)
         {
             const int seed = 17;
             var random = new Random(seed);
@@ -79,8 +79,8 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         // The plan is offset from the predicted position. The displayed position must never move faster than the blend, even in very short steps.
-        [TestCase(1.2, 0.02, TestName = "Follow_PlanForLater_StartsAndEndsWithoutAJump")]
-        [TestCase(1.05, 0.02, TestName = "Follow_PlanThatHasBegun_StartsAndEndsWithoutAJump")]
+        [TestCase(1.2, 0.02, TestName = "Follow_PlanInTheFuture_StartsAndEndsWithoutAJump")]
+        [TestCase(1.05, 0.02, TestName = "Follow_PlanAlreadyStarted_StartsAndEndsWithoutAJump")]
         public void Follow_Plan_StartsAndEndsWithoutAJump(double start, double beside)
         {
             const double step = 1e-4;
@@ -105,7 +105,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void DropPlan_JointIsShownByThePlan_DoesNotJump()
+        public void DropPlan_WhileFollowingThePlan_DoesNotJump()
         {
             var (blended, bare) = Moving(1);
             blended.Follow(new PlannedPath(new[] { 0.0, 1 }, new[] { 1.07, 2.07 }, new[] { 1.0, 1 }), 1.05);
@@ -121,7 +121,7 @@ namespace Nowpose.Tests.Core.Prediction
 
         // A frame may ask twice. The second request has a newer time, and a sample may have arrived between the two.
         [Test]
-        public void At_SampleBetweenTwoLooksOfOneFrame_ContinuesTheFirst()
+        public void At_SampleBetweenTwoReadsOfOneFrame_ContinuesTheFirst()
         {
             var (blended, bare) = Moving(1);
             var first = blended.Show(1.1 + Frame).Position;
@@ -132,7 +132,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_NextSectionWhileBlending_ContinuesWhatIsShown()
+        public void At_NextSectionWhileBlending_ContinuesTheShownPosition()
         {
             var (blended, bare) = Moving(1);
             Add(blended, bare, 1 + Interval, 1);
@@ -144,7 +144,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_LateSample_IsBlendedToo()
+        public void At_LateSample_IsBlended()
         {
             var (blended, bare) = Moving(1, predictor: "quadratic");
             Add(blended, bare, 1 + 2 * Interval, 1.02);
@@ -170,7 +170,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_AngleWraps_IsShownAtOnce()
+        public void At_AngleWraps_IsNotBlended()
         {
             var (blended, bare) = Moving(1);
             for (var i = 1; i <= 4; i++)
@@ -182,7 +182,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_SetElsewhereWhileAtRest_IsShownAtOnce()
+        public void At_JumpAtRest_IsNotBlended()
         {
             var blended = new DisplayedJoint(Predictors.Create("hold", Limits, TimeConstant));
             for (var i = 0; i <= 20; i++) blended.Add(i * Interval, 0.001 * (i % 2));
@@ -193,7 +193,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_AfterAPauseOfTheDisplay_IsTheSection()
+        public void At_AfterAPauseOfTheDisplay_IsNotBlended()
         {
             var (blended, bare) = Moving(1);
             Add(blended, bare, 1 + Interval, 1);
@@ -214,7 +214,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_ResidualBeyondTheJointsLimit_StaysWithinIt()
+        public void At_ResidualBeyondTheJointsLimit_IsClamped()
         {
             var limits = new PredictionLimits(lower: -1, upper: 1.05);
             var (blended, bare) = Moving(1, limits);
@@ -225,7 +225,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Reset_WhileBlending_ForgetsWhatWasShown()
+        public void Reset_WhileBlending_DropsTheShownPosition()
         {
             var (blended, bare) = Moving(1);
             Add(blended, bare, 1 + Interval, 1);
@@ -237,7 +237,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_TimeConstantZero_IsTheSection()
+        public void At_TimeConstantZero_IsNotBlended()
         {
             var bare = Predictors.Create("quadratic", Limits);
             var blended = new DisplayedJoint(Predictors.Create("quadratic", Limits));

@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void DeviationAt_FartherAhead_IsGreater()
+        public void DeviationAt_LongerHorizon_IsLarger()
         {
             var predictor = Fed("gp", Waves, 100);
 
@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void DeviationAt_NewestSample_IsThatOfItsNoise()
+        public void DeviationAt_NewestSample_IsThatOfTheNoise()
         {
             var predictor = Fed("gp", Waves, 100);
 
@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void DeviationAt_MotionTenTimesAsLarge_IsTenTimesAsLarge()
+        public void DeviationAt_TenfoldMotion_IsTenfold()
         {
             var (one, ten) = (Fed("gp", Waves, 100), Fed("gp", t => 10 * Waves(t) + 5, 100));
 
@@ -52,7 +52,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void DeviationAt_ConstantVelocity_FallsFarBelowThatOfAMotion()
+        public void DeviationAt_ConstantVelocity_IsFarBelowThatOfAVaryingMotion()
         {
             var steady = Fed("gp", t => 100 * t, 100);
 
@@ -73,7 +73,7 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase(5)]
         [TestCase(1)]
         [TestCase(0)]
-        public void DeviationAt_BeforeAForecastMetASample_IsUnknown(int samples)
+        public void DeviationAt_BeforeAForecastIsScored_IsUnknown(int samples)
         {
             Assert.That(Fed("gp", Waves, samples).DeviationAt(samples * Interval + 0.1), Is.NaN);
             Assert.That(Fed("gp", Waves, 6).DeviationAt(6 * Interval + 0.1), Is.Positive);

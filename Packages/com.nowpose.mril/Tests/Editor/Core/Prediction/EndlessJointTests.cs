@@ -13,7 +13,7 @@ namespace Nowpose.Tests.Core.Prediction
 
         [TestCase("quadratic")]
         [TestCase("adaptive")]
-        public void At_AngleThatComesBackFromPi_GoesOn(string name)
+        public void At_AngleWrapsAtPi_ContinuesTheMotion(string name)
         {
             var predictor = Predictors.Create(name, Endless);
             var worst = 0.0;
@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Hold_IsTheNewestSampleAsItCame()
+        public void Hold_AngleWraps_IsTheUnchangedNewestSample()
         {
             var predictor = Predictors.Create("linear", Endless);
             predictor.Add(0, 3.1);
@@ -40,13 +40,13 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Create_JointWithLimits_IsLeftAsItIs()
+        public void Create_JointWithoutEndlessLimits_DoesNotUnwrap()
         {
             var predictor = Predictors.Create("linear", PredictionLimits.Unlimited);
             predictor.Add(0, 0);
             predictor.Add(1, 10);
 
-            Assert.That(predictor.At(2).Position, Is.EqualTo(20).Within(1e-9), "a slide of ten metres is no angle");
+            Assert.That(predictor.At(2).Position, Is.EqualTo(20).Within(1e-9), "ten metres of a linear joint are not wrapped like an angle");
         }
 
         static double Wrapped(double angle) => angle - Turn * Math.Round(angle / Turn);

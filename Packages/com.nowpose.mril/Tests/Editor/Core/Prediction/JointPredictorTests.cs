@@ -13,7 +13,7 @@ namespace Nowpose.Tests.Core.Prediction
         static readonly string[] Names = Predictors.Names.ToArray();
 
         [Test]
-        public void Add_OlderThanAllItNeeds_IsRefused()
+        public void Add_OlderThanTheHistory_IsRefused()
         {
             var predictor = Polynomial(1, 1);
             predictor.Add(1, 1);
@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase(1.0000009, SampleOutcome.Duplicate)]
         [TestCase(2.0000011, SampleOutcome.Accepted)]
         [TestCase(1.9999989, SampleOutcome.Late)]
-        public void Add_SameMoment_IsRefusedWithinAMicrosecond(double time, SampleOutcome expected)
+        public void Add_SameTimeWithinAMicrosecond_IsRefused(double time, SampleOutcome expected)
         {
             var predictor = Polynomial(2, 2);
             predictor.Add(1, 1);
@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Add_StampInError_SortsByOrderAndSolvesByStamp()
+        public void Add_StampWithError_SortsByOrderAndSolvesByStamp()
         {
             var predictor = Polynomial(1, 1);
             predictor.Add(new JointSample(1.25, 2, order: 1));
@@ -79,7 +79,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_AfterAGap_ForgetsWhatWasBefore()
+        public void At_AfterAGap_IgnoresEarlierSamples()
         {
             var predictor = Polynomial(2, 2, new PredictionLimits(maximumGap: 0.5)).Fed(new[] { 0, 0.05, 0.1 }, t => t);
 
@@ -121,7 +121,7 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase(0.35, 3, 1.0)]
         [TestCase(0.35, -3, -0.5)]
         [TestCase(0.24, 3, 0.72)]
-        public void At_BeyondTheJointLimits_StopsAtThem(double time, double speed, double expected)
+        public void At_BeyondTheJointLimits_IsClamped(double time, double speed, double expected)
         {
             var predictor = Polynomial(1, 1, new PredictionLimits(lower: -0.5, upper: 1)).Fed(new[] { 0.1, 0.2 }, t => speed * t);
 
@@ -144,7 +144,7 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase(double.NaN)]
         [TestCase(double.PositiveInfinity)]
         [TestCase(double.NegativeInfinity)]
-        public void At_AbsurdTime_HoldsInsteadOfHandingOutNaN(double time)
+        public void At_ExtremeTime_HoldsInsteadOfReturningNaN(double time)
         {
             var predictor = Polynomial(2, 2).Fed(UnevenTimes, Math.Sin);
 
@@ -153,7 +153,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_OverflowingSamples_HoldsInsteadOfHandingOutNaN()
+        public void At_OverflowingSamples_HoldsInsteadOfReturningNaN()
         {
             var predictor = Polynomial(3, 3);
             for (var i = 0; i < 4; i++) predictor.Add(i * 0.05, i % 2 == 0 ? double.MaxValue : -double.MaxValue);
@@ -178,7 +178,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Add_OlderSampleToHold_ChangesNothing()
+        public void Add_OlderSampleToHold_IsIgnored()
         {
             var predictor = Predictors.Create("hold", new PredictionLimits());
             predictor.Add(2, 20);
@@ -189,7 +189,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_HoldBeyondTheJointLimits_StopsAtThem()
+        public void At_HoldBeyondTheJointLimits_IsClamped()
         {
             var predictor = Predictors.Create("hold", new PredictionLimits(lower: 0, upper: 5));
             predictor.Add(2, 20);
@@ -199,7 +199,7 @@ namespace Nowpose.Tests.Core.Prediction
 
         // One of two predictors gets additional requests for random times after each sample, in both orders. Both must show the same.
         [TestCaseSource(nameof(Names))]
-        public void At_AnyMomentsInAnyOrder_ChangesNothing(string name)
+        public void At_AnyTimesInAnyOrder_DoesNotChangeTheState(string name)
         {
             const int seed = 12;
             var random = new Random(seed);
@@ -220,7 +220,7 @@ namespace Nowpose.Tests.Core.Prediction
 
         [TestCase(0.06)]
         [TestCase(0.18)]
-        public void Horizon_DisplayTellsWhatItShows_IsTheMeanTimeAhead(double ahead)
+        public void Horizon_DisplayReportsItsTimes_IsTheMeanTimeAhead(double ahead)
         {
             var predictor = Predictors.Create("adaptive", PredictionLimits.Unlimited);
             // Frames continue until the next sample arrives, so the mean horizon is half an interval longer than at the arrival of a sample.
@@ -230,7 +230,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Horizon_NothingIsDisplayed_StaysAsItWas()
+        public void Horizon_NothingIsDisplayed_IsUnchanged()
         {
             var predictor = Predictors.Create("adaptive", PredictionLimits.Unlimited);
             var before = predictor.Horizon;

@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Core.Prediction
         static DisplayedJoint New(PredictionLimits limits = null) => new DisplayedJoint(Predictors.Create("quadratic", limits ?? Limits));
 
         [Test]
-        public void At_WithinThePlan_IsThePlan()
+        public void At_WithinThePlan_FollowsThePlan()
         {
             var joint = New();
             Play(joint, 4, 4.9, Planned);
@@ -43,7 +43,7 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase(0.03, 0)]
         [TestCase(0.15, 0.004)]
         [TestCase(-0.02, -0.004)]
-        public void At_JointFollowsLateAndBeside_IsShownWhereItIs(double lag, double offset)
+        public void At_JointLagsAndDeviatesFromThePlan_IsCorrected(double lag, double offset)
         {
             var joint = New();
             double Truth(double t) => Planned(t - lag) + offset;
@@ -63,7 +63,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_PlanEndsAtRest_StandsThereUntilSamplesDo()
+        public void At_PlanEndsAtRest_HoldsItsEnd()
         {
             var joint = New();
             Play(joint, 4, 4.9, Planned);
@@ -78,7 +78,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_PlanEndsInMotion_PredictsFromThereOn()
+        public void At_PlanEndsInMotion_PredictsAfterwards()
         {
             var joint = New();
             Play(joint, 4, 5, t => t);
@@ -93,7 +93,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_JointStopsOnItsWay_LeavesThePlanWithinTwoSamples()
+        public void At_JointStopsDuringThePlan_LeavesThePlanWithinTwoSamples()
         {
             var joint = New();
             double Truth(double t) => Planned(Math.Min(t, 5.5));
@@ -105,7 +105,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_NotFollowedBefore_ANewPlanHasToProveItself()
+        public void At_FormerPlanNotFollowed_NewPlanNeedsAgreement()
         {
             var joint = New();
             double Truth(double t) => Planned(Math.Min(t, 5.5)) + 0.5 * Planned(t - 2);
@@ -121,7 +121,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Follow_PlanForLater_LetsTheOneBeforeEnd()
+        public void Follow_LaterPlan_CompletesTheFormerPlan()
         {
             var joint = New();
             Play(joint, 4, 4.9, Planned);
@@ -138,7 +138,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Follow_FirstSetPointLater_LeadsThereFromWhereTheJointIs()
+        public void Follow_FirstSetPointInTheFuture_ConnectsFromTheJointsPosition()
         {
             var joint = New();
             double Truth(double t) => t < 5 ? 0.4 : 0.4 + Math.Min(t - 5, 1) * 0.6;
@@ -150,7 +150,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_MomentBeforeThePlan_IsPredictedWhateverWasAskedBefore()
+        public void At_TimeBeforeThePlan_IsPredictedAfterAnyRead()
         {
             var joint = New();
             Play(joint, 4, 5, Planned);
@@ -162,7 +162,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_PlanBeyondTheJointsLimit_StaysWithinIt()
+        public void At_PlanBeyondTheJointsLimit_IsClamped()
         {
             var joint = New(new PredictionLimits(lower: 0, upper: 0.6));
             Play(joint, 4, 5, Planned);
@@ -172,7 +172,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void DropPlanAndReset_PredictAsEver()
+        public void DropPlanAndReset_WithPlan_ReturnToPrediction()
         {
             var joint = New();
             Play(joint, 4, 5, Planned);

@@ -7,7 +7,7 @@ namespace Nowpose.Tests.Core.Prediction
     public class PredictionLimitsTests
     {
         [Test]
-        public void Limits_NothingGiven_AreTheDefaults()
+        public void Constructor_NoArguments_UsesTheDefaults()
         {
             var limits = new PredictionLimits();
 
@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase(0, 1, double.NaN, 0.5)]
         [TestCase(0, 1, 0.3, 0)]
         [TestCase(0, 1, 0.3, double.NaN)]
-        public void Limits_Impossible_AreRefused(double lower, double upper, double cap, double gap)
+        public void Constructor_InvalidLimits_Throws(double lower, double upper, double cap, double gap)
         {
             Assert.That(() => new PredictionLimits(lower, upper, cap, gap), Throws.InstanceOf<ArgumentException>());
         }

@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [TestCaseSource(nameof(Names))]
-        public void Create_EveryName_GivesAPredictorOfItsOwn(string name)
+        public void Create_SameNameTwice_ReturnsIndependentPredictors(string name)
         {
             var one = Predictors.Create(name, PredictionLimits.Unlimited);
             var other = Predictors.Create(name, PredictionLimits.Unlimited);
@@ -47,7 +47,7 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase("Quadratic")]
         [TestCase("")]
         [TestCase(null)]
-        public void Create_UnknownName_ListsWhatThereIs(string name)
+        public void Create_UnknownName_ThrowsWithAllNames(string name)
         {
             var e = Assert.Throws<InputException>(() => Predictors.Create(name, PredictionLimits.Unlimited));
 

@@ -21,19 +21,19 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase(0.020)]
         [TestCase(0.050)]
         [TestCase(0.0333)]
-        public void At_MotionThatRepeats_IsPredictedFromTheSecondCycleOn(double interval)
+        public void At_RepeatingMotion_IsPredictedFromTheSecondCycle(double interval)
         {
             Assert.That(RmsError(interval, 3 * Cycle, 6 * Cycle, 0), Is.LessThan(0.03 * RmsOfHold(interval, 3 * Cycle, 6 * Cycle)));
         }
 
         [Test]
-        public void At_SamplesAreLost_IsPredictedNearlyAsWell()
+        public void At_LostSamples_HardlyIncreaseTheError()
         {
             Assert.That(RmsError(0.05, 3 * Cycle, 6 * Cycle, 0.03), Is.LessThan(0.08 * RmsOfHold(0.05, 3 * Cycle, 6 * Cycle)), "seed " + Seed);
         }
 
         [Test]
-        public void At_FirstCycle_SaysNothing()
+        public void At_FirstCycle_IsNotPredicted()
         {
             var predictor = Alone();
             for (var t = 0.0; t < 0.6; t += 0.05)
@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Prediction
 
         [TestCase(1.0)]
         [TestCase(2.5)]
-        public void Add_PauseLongerThanAllowed_StartsAnew(double pause)
+        public void Add_PauseBeyondTheMaximumGap_DiscardsTheCycles(double pause)
         {
             var predictor = Fed(new PredictionLimits(maximumGap: 0.5), 0.05, 3 * Cycle);
             Assert.That(predictor.At(predictor.NewestTime + Ahead).Kind, Is.EqualTo(PredictionKind.Predicted));
@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Add_OvertakenSample_ChangesNothing()
+        public void Add_OvertakenSample_IsIgnored()
         {
             var predictor = Fed(PredictionLimits.Unlimited, 0.05, 3 * Cycle);
             var before = predictor.At(predictor.NewestTime + Ahead).Position;
@@ -67,7 +67,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Add_OtherRhythm_FindsTheCycleAgain()
+        public void Add_OtherCycle_IsFound()
         {
             var predictor = Fed(PredictionLimits.Unlimited, 0.05, 3 * Cycle);
             var start = predictor.NewestTime;
@@ -78,7 +78,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_LongAfterTheHistoryIsFull_StillFindsTheCycle()
+        public void At_HistoryFull_StillFindsTheCycle()
         {
             var predictor = Fed(PredictionLimits.Unlimited, 0.02, 150);
             var t = predictor.NewestTime + Ahead;
@@ -87,7 +87,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_AbsurdSamples_IsFinite()
+        public void At_ExtremeSamples_IsFinite()
         {
             var random = new Random(Seed);
             var values = new[] { 0, 1, 1e300, -1e300, 1e49, double.Epsilon, 3, 3, 3 };

@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase("AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA==")]
         [TestCase("AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA")]
         [TestCase("AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA")]
-        public void Parse_NotThirtyTwoBytes_SaysWhatIsAllowed(string text)
+        public void Parse_NotThirtyTwoBytes_ThrowsWithTheAllowedLength(string text)
         {
             var error = Assert.Throws<InputException>(() => CertificatePin.Parse(text));
 

@@ -7,7 +7,7 @@ namespace Nowpose.Tests.Core.Protocol
     public class DropCountersTests
     {
         [Test]
-        public void Count_FromManyThreads_LosesNone()
+        public void Count_FromManyThreads_CountsAll()
         {
             var counters = new DropCounters();
             var threads = new Thread[4];
@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void Snapshot_OfSome_NamesOnlyThose()
+        public void Snapshot_SomeReasonsCounted_ContainsOnlyThose()
         {
             var counters = new DropCounters();
             counters.Count(DropReason.TooDeep);

@@ -41,7 +41,7 @@ namespace Nowpose.Tests.Core.Protocol
             Assert.That(Read(Message(("a3", "fault -2.500 node deleted"))).Single().Since, Is.EqualTo(ControlTime.FromSeconds(-2.5)));
 
         [Test]
-        public void TryRead_AllJointsLive_IsAMessageWithoutJoints() => Assert.That(Read(Message()), Is.Empty);
+        public void TryRead_AllJointsLive_ReturnsNoJoints() => Assert.That(Read(Message()), Is.Empty);
 
         [TestCase("gone 5000.125")]
         [TestCase("Fault 5000.125")]
@@ -54,7 +54,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase("fault NaN")]
         [TestCase("fault 1e9")]
         [TestCase("fault 99999999999")]
-        public void TryRead_ValueOfAnotherForm_IsDropped(string value) =>
+        public void TryRead_InvalidValue_IsDropped(string value) =>
             Assert.That(ReasonOf(Message(("a1", "rest 1.000"), ("a3", value))), Is.EqualTo(DropReason.OutOfRange));
 
         [Test]
@@ -75,7 +75,7 @@ namespace Nowpose.Tests.Core.Protocol
             Assert.That(ReasonOf(Message((new string('a', ProtocolLimits.NameLength + 1), "fault 1"))), Is.EqualTo(DropReason.NameTooLong));
 
         [Test]
-        public void TryRead_LongReason_IsCutToOneLine()
+        public void TryRead_LongReason_IsShortenedToOneLine()
         {
             var reason = Read(Message(("a3", "fault 1 deleted\\nby " + new string('x', 1000)))).Single().Reason;
 

@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_NamesOfBefore_AreTheSameArray()
+        public void TryRead_SameNames_ReuseTheArray()
         {
             var arm = Read(State("[\"a\",\"b\"]", "[1,2]")).Names;
             var gripper = Read(State("[\"g\"]", "[3]")).Names;
@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase("[\"a\",\"c\"]", "a c")]
         [TestCase("[ \"a\",\"b\"]", "a b")]
         [TestCase("[\"\\u0061\",\"b\"]", "a b")]
-        public void TryRead_OtherNamesThanBefore_AreThoseOfTheMessage(string names, string expected)
+        public void TryRead_OtherNames_AreThoseOfTheMessage(string names, string expected)
         {
             Read(State("[\"a\",\"b\"]", "[1,2]"));
             var count = expected.Split(' ').Length;
@@ -47,7 +47,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_MoreSourcesThanAreRemembered_AreAllRead()
+        public void TryRead_MoreSourcesThanTheCacheHolds_AreAllRead()
         {
             for (var round = 0; round < 3; round++)
             {
@@ -56,7 +56,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_MessageNotGivenBack_StaysAsItWas()
+        public void TryRead_MessageNotReleased_IsUnchanged()
         {
             var first = Read(State("[\"a\",\"b\"]", "[1,2]", ",\"velocity\":[3,4]"));
 
@@ -68,7 +68,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_MessageGivenBack_IsFilledAnewAndHoldsNothingOfBefore()
+        public void TryRead_MessageReleased_IsReusedWithoutFormerValues()
         {
             var first = Read(State("[\"a\",\"b\"]", "[1,2]", ",\"velocity\":[3,4],\"acceleration\":[5,null]"));
             var positions = first.Positions;
@@ -85,7 +85,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_MessagesOfOtherSizesGivenBack_FindsOneThatFits()
+        public void TryRead_MessagesOfSeveralSizesReleased_ReusesTheMatchingOne()
         {
             var arm = Read(State("[\"a\",\"b\"]", "[1,2]"));
             var gripper = Read(State("[\"g\"]", "[3]"));
@@ -98,11 +98,11 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void Release_MessageThatWasNotRead_DoesNothing() =>
+        public void Release_MessageNotFromAReader_HasNoEffect() =>
             Assert.DoesNotThrow(new JointStateMessage(ControlTime.FromSeconds(1), new[] { "a" }, new[] { 1.0 }).Release);
 
         [Test]
-        public void TryRead_OtherOperation_HoldsNothingOfTheMessageBefore()
+        public void TryRead_OtherOperation_HasNoFormerValues()
         {
             Read(State("[\"a\"]", "[1]"));
 
@@ -121,7 +121,7 @@ namespace Nowpose.Tests.Core.Protocol
         };
 
         [Test]
-        public void TryRead_TextThatIsNoUtf8_IsRefused([ValueSource(nameof(NotUtf8))] byte[] wrong, [Values("name", "unknown", "value")] string place)
+        public void TryRead_InvalidUtf8_IsRefused([ValueSource(nameof(NotUtf8))] byte[] wrong, [Values("name", "unknown", "value")] string place)
         {
             var text = Encoding.UTF8.GetBytes(
                 place == "name" ? State("[\"a@\"]", "[1]") : place == "unknown" ? State("[\"a\"]", "[1]", ",\"@\":1") : State("[\"a\"]", "[1]", ",\"x\":\"@\""));
@@ -146,11 +146,11 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase("\\ud83e", "\uFFFD")]
         [TestCase("\\udd16x", "\uFFFDx")]
         [TestCase("\\ud83e\\ud83e\\udd16", "\uFFFD\U0001F916")]
-        public void TryRead_NameWithEscapes_IsWithoutThem(string escaped, string expected) =>
+        public void TryRead_NameWithEscapes_IsUnescaped(string escaped, string expected) =>
             Assert.That(Read(State("[\"" + escaped + "\"]", "[1]")).Names[0], Is.EqualTo(expected));
 
         [Test]
-        public void TryRead_FieldsAndTopicWithEscapes_AreKnown()
+        public void TryRead_FieldsAndTopicWithEscapes_AreRecognised()
         {
             var text = State("[\"a\"]", "[1]", topic: "\\/joint\\u005fstates").Replace("\"op\"", "\"\\u006fp\"").Replace("publish", "publi\\u0073h");
 
@@ -169,7 +169,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase("[1,2]", "", DropReason.NotJson)]
         [TestCase("[1]", ",\"velocity\":[Infinity]", DropReason.NotJson)]
         [TestCase("[null]", "", DropReason.NotJson)]
-        public void TryRead_BodyWrongAndTextCutOff_IsNoJsonFirst(string positions, string rest, object expected)
+        public void TryRead_InvalidBodyInTruncatedText_ReturnsTheFirstReason(string positions, string rest, object expected)
         {
             var text = State("[\"a\"]", positions, rest);
 
@@ -178,7 +178,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_BodyRefused_ReturnsTheEnvelopeThatFollows()
+        public void TryRead_BodyRefused_ReturnsTheEnvelope()
         {
             var text = State("[\"a\"]", "[null]").Replace("[null]}", "[null]},\"id\":\"7\"");
 

@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_JointState_GivesItsValues()
+        public void TryRead_JointState_ReturnsItsValues()
         {
             var state = Read(State("[\"a\",\"b\"]", "[1.5,-2]", ",\"velocity\":[0.25,null],\"effort\":[]")).JointState;
 
@@ -59,7 +59,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase("[-Infinity]")]
         [TestCase("\"none\"")]
         [TestCase("{\"a\":[1,{\"b\":null}]}")]
-        public void TryRead_AnythingAsEffort_IsNotRead(string effort) =>
+        public void TryRead_AnyEffort_IsIgnored(string effort) =>
             Assert.That(Read(State("[\"a\"]", "[1]", ",\"effort\":" + effort)).JointState.Positions, Is.EqualTo(new[] { 1.0 }));
 
         [Test]
@@ -79,7 +79,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_TextThatLooksLikeADate_StaysAsItIs() =>
+        public void TryRead_TextLikeADate_IsUnchanged() =>
             Assert.That(Read(State("[\"2024-01-01T00:00:00Z\"]", "[1]")).JointState.Names[0], Is.EqualTo("2024-01-01T00:00:00Z"));
 
         [TestCase("")]
@@ -199,7 +199,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase("{\"sec\":1,\"nsecs\":0}", DropReason.DuplicateField)]
         [TestCase("{}", DropReason.MissingField)]
         [TestCase("null", DropReason.WrongType)]
-        public void TryRead_BadStamp_ReturnsTheReason(string stamp, object expected) =>
+        public void TryRead_InvalidStamp_ReturnsTheReason(string stamp, object expected) =>
             Refuse(Publish("{\"header\":{\"stamp\":" + stamp + "},\"name\":[],\"position\":[]}"), (DropReason)expected);
 
         [TestCase("{\"sec\":4294967295,\"nanosec\":999999999}", 4_294_967_296_000_000_000)]
@@ -328,7 +328,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_FailedServiceCall_HasNoTime()
+        public void TryRead_FailedServiceCall_HasNoTimeOrResult()
         {
             var text = "{\"op\":\"service_response\",\"service\":\"/rosapi/get_time\",\"values\":\"no such service\",\"result\":false}";
 
@@ -372,7 +372,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase(0, 0)]
         [TestCase(1, 0.5)]
         [TestCase(-1, 0)]
-        public void TryRead_TrajectoryTimesThatDoNotRise_AreRefused(double first, double second)
+        public void TryRead_TrajectoryTimesNotIncreasing_AreRefused(double first, double second)
         {
             Refuse(Trajectory(TrajectoryPoint(first), TrajectoryPoint(second)), DropReason.OutOfRange);
         }

@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Core.Protocol
 
         [TestCase(RosTimeForm.Sec)]
         [TestCase(RosTimeForm.Secs)]
-        public void JointState_ReadBack_IsTheSame(object form)
+        public void JointState_ReadBack_RoundTrips(object form)
         {
             var random = new Random(Seed);
             for (var i = 0; i < 300; i++)
@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void JointState_FormOfRos1AndRos2_AreSpeltDifferently()
+        public void JointState_Ros1AndRos2_HaveDifferentFields()
         {
             var state = new JointStateMessage(ControlTime.FromNanoseconds(1_000_000_200), Array.Empty<string>(), Array.Empty<double>());
 
@@ -73,7 +73,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void JointTrajectory_ReadBack_IsTheSame()
+        public void JointTrajectory_ReadBack_RoundTrips()
         {
             var points = new[]
             {
@@ -95,7 +95,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void Subscribe_ReadBack_IsTheSame()
+        public void Subscribe_ReadBack_RoundTrips()
         {
             var message = Read(RosbridgeWriter.Subscribe("/joint_states", "sensor_msgs/JointState", "s1", 20, 3));
 
@@ -116,7 +116,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void Description_ReadBack_IsTheText()
+        public void Description_ReadBack_RoundTrips()
         {
             const string Urdf = "<robot name=\"ü\">\n\t\"quoted\" \\ \u0001 </robot>";
 
@@ -124,7 +124,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void Diagnostics_ReadBack_IsTheSame()
+        public void Diagnostics_ReadBack_RoundTrips()
         {
             var values = new[] { Pair("state", "synchronised"), Pair("rtt_ms", "3.5") };
             var sent = new DiagnosticsMessage(default, "headset 1", values, 2, "plant/cell", "a fault: gone");
@@ -144,7 +144,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase("\"level\":255,", 3)]
         [TestCase("\"level\":-1,", 0)]
         [TestCase("\"level\":\"AA==\",\"name\":null,\"message\":7,", 0)]
-        public void Diagnostics_AnyLevel_IsReadWhereItIsANumber(string level, int expected)
+        public void Diagnostics_AnyLevel_IsReadIfItIsANumber(string level, int expected)
         {
             var text = "{\"op\":\"publish\",\"topic\":\"/nowpose/diagnostics\",\"msg\":{\"status\":[{" + level + "\"hardware_id\":\"h\",\"values\":[]}]}}";
 
@@ -155,7 +155,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void Service_CallAndResponse_CarryIdAndTime()
+        public void Service_CallAndResponse_ContainIdAndTime()
         {
             var call = Read(RosbridgeWriter.CallService("/rosapi/get_time", "c7"));
             var time = ControlTime.FromNanoseconds(1_700_000_000_123_456_700);
@@ -176,7 +176,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void Status_ReadBack_IsTheSame()
+        public void Status_ReadBack_RoundTrips()
         {
             var message = Read(RosbridgeWriter.Status("error", "Unknown operation: dance", "4"));
 

@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Recording
             at - Lengths.Ms(2), new ControlTime(at.SinceEpoch), new ControlTime(at.SinceEpoch), at, Lengths.Ms(resolutionMs), Lengths.Ms(0.3));
 
         [Test]
-        public void Header_SaysWhatWasInForce_AndNoSecret()
+        public void Header_Session_HasTheSettingsWithoutSecrets()
         {
             RecordedRun run;
             using (run = new RecordedRun(NewSession())) run.Flush();
@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Header_Conditions_AreThoseThatAreKnown()
+        public void Header_Conditions_ContainsTheKnownOnes()
         {
             var session = NewSession();
             session.Conditions = new DisplayConditions("HoloLens 2", 59.94, graphicsApi: "Direct3D11");
@@ -68,7 +68,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Display_ReprojectionReportedAfterTheStart_IsALineOfItsOwn()
+        public void Display_ReprojectionReportedAfterTheStart_HasItsOwnLine()
         {
             var session = NewSession();
             RecordedRun run;
@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Lines_OfASimulatedSession_AreWhatHappenedInItsOrder()
+        public void Lines_OfASimulatedSession_ContainItsEventsInOrder()
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
             var taken = new List<SampleArrival>();
@@ -129,7 +129,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Frame_EstimatedError_IsThatOfTheClockOnceItIsKnown()
+        public void Frame_EstimatedError_EqualsTheClocksOnceKnown()
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
             var expected = new List<long?>();
@@ -144,7 +144,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Exchange_OfACoarseClock_IsWrittenAsItCameOverTheWire()
+        public void Exchange_OfACoarseClock_IsWrittenAsReceived()
         {
             var session = NewSession();
             var run = new RecordedRun(session);
@@ -162,7 +162,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Sample_WithVelocitiesAndDropped_IsKeptWithItsReason()
+        public void Sample_DroppedWithVelocities_IsWrittenWithItsReason()
         {
             var session = NewSession();
             var run = new RecordedRun(session);
@@ -183,7 +183,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Plan_IsKeptAsReceived_BeforeTheFrameItActsIn()
+        public void Plan_Received_IsWrittenUnchangedBeforeItsFrame()
         {
             var session = NewSession();
             var run = new RecordedRun(session);
@@ -220,7 +220,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void ClockStep_AndChangeOfTheDisplay_HaveLinesBeforeTheFrameTheyActIn()
+        public void ClockStepAndDisplayChange_Lines_PrecedeTheirFrame()
         {
             var session = NewSession();
             var run = new RecordedRun(session);
@@ -238,7 +238,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Ring_ThatOverflows_LosesNothingSilently()
+        public void Queue_Overflow_CountsTheLostLines()
         {
             var session = NewSession();
             using (var gate = new System.Threading.ManualResetEventSlim())
@@ -263,7 +263,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Threads_ThatRecordAtTheSameTime_LoseAndMixNothing()
+        public void Threads_RecordingConcurrently_LoseAndMixNoLines()
         {
             const int count = 5000;
             var session = NewSession();
@@ -293,7 +293,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void File_AtItsGreatestSize_EndsWholeAndSaysSo()
+        public void File_AtItsMaximumSize_EndsWithAWholeLineAndReportsIt()
         {
             var session = NewSession();
             var run = new RecordedRun(session, maximumMegabytes: 0.02);
@@ -308,7 +308,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Disk_ThatFails_EndsTheRecordingAndNotTheSession()
+        public void Disk_Fails_EndsTheRecordingButNotTheSession()
         {
             var session = NewSession();
             var recorder = new SessionRecorder(session, new RecordingSettings("disk", () => throw new IOException("No space left\non device")));
@@ -317,7 +317,7 @@ namespace Nowpose.Tests.Core.Recording
             session.Tick(Start);
             var flush = recorder.FlushAsync();
 
-            Assert.That(flush.Wait(TimeSpan.FromMinutes(1)), "nobody waits for ever");
+            Assert.That(flush.Wait(TimeSpan.FromMinutes(1)), "the wait for the flush ends");
             Assert.That(recorder.State, Is.EqualTo(RecordingState.Failed));
             Assert.That(recorder.Problem, Is.EqualTo("recording disk has stopped: No space left on device"));
             recorder.Dispose();
@@ -326,7 +326,7 @@ namespace Nowpose.Tests.Core.Recording
         [TestCase(0)]
         [TestCase(300)]
         [TestCase(20_000)]
-        public void Disk_FullMidway_EndsTheRecordingAndNotTheSession(int room)
+        public void Disk_Full_EndsTheRecordingButNotTheSession(int room)
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
             var disk = new FullDisk(room);
@@ -345,8 +345,8 @@ namespace Nowpose.Tests.Core.Recording
             Assert.That(recorder.Problem, Is.EqualTo("recording disk has stopped: No space left on device"));
             Assert.That(recorder.State, Is.EqualTo(RecordingState.Failed), "still");
             Assert.That(disk.IsClosed);
-            Assert.That(disk.Refusals, Is.LessThanOrEqualTo(2), "once by writing, once by closing: nobody goes on trying");
-            Assert.That(recorder.LostLines, Is.EqualTo(lost), "nothing is collected that nobody will write");
+            Assert.That(disk.Refusals, Is.LessThanOrEqualTo(2), "once by writing, once by closing: no further retries");
+            Assert.That(recorder.LostLines, Is.EqualTo(lost), "no lines are queued that will never be written");
             var text = System.Text.Encoding.UTF8.GetString(bytes);
             Assert.That(bytes.Length, Is.EqualTo(recorder.Bytes).And.LessThanOrEqualTo(room));
             var lines = text.Split(new[] { '\n' }, StringSplitOptions.RemoveEmptyEntries).Select(JObject.Parse).ToList();
@@ -354,7 +354,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Path_ThatMayNotBeWritten_EndsTheRecordingAndNotTheSession()
+        public void Path_NotWritable_EndsTheRecordingButNotTheSession()
         {
             // Opening a folder as a file fails for every user, including an administrator.
             var folder = Directory.CreateDirectory(Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N")));
@@ -380,7 +380,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Path_InAFolderThatDoesNotExist_IsMade()
+        public void Path_FolderMissing_IsCreated()
         {
             var folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
             var path = Path.Combine(folder, "deep", "session.jsonl");

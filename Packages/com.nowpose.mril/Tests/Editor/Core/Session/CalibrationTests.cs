@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Calibrate_WhileRunning_MovesTheMomentOfLightAndKeepsTheRest()
+        public void Calibrate_WhileRunning_ChangesTheDisplayTimeAndKeepsTheState()
         {
             var session = Running().Session;
             var before = session.Tick(HeadsetTime.FromSeconds(10)).DisplayTime.Value;
@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Calibrate_WhileRunning_FeedsTheMonitor()
+        public void Calibrate_WhileRunning_SetsTheMonitorsRange()
         {
             var session = Running().Session;
             Render(session, 20);
@@ -62,7 +62,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Calibrate_RenderTimesOfAnotherSource_AreNotJudgedByTheProfile()
+        public void Calibrate_RenderTimesOfAnotherSource_RangeIsUnknown()
         {
             var session = Running().Session;
             session.Calibrate(Profile());
@@ -74,7 +74,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Calibrate_LimitWasNotReached_DoubtsBeyondWhatWasMeasured()
+        public void Calibrate_LimitNotReached_RangeIsUnknownBeyondTheMeasuredMaximum()
         {
             var session = Running().Session;
             session.Calibrate(Profile(limitMs: null, validToMs: 12));
@@ -89,7 +89,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Visualisation_SetByHand_ComesFromNoProfileAnyMore()
+        public void Visualisation_SetByHand_RemovesTheProfile()
         {
             var session = Running().Session;
             session.Calibrate(Profile());
@@ -101,7 +101,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Calibrate_Null_GoesBackToTheSettings()
+        public void Calibrate_Null_RestoresTheSettings()
         {
             var session = Running().Session;
             session.Calibrate(Profile());
@@ -114,7 +114,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Calibrate_ProfileKnowsNoRange_KeepsTheSettings()
+        public void Calibrate_ProfileWithoutRange_KeepsTheSettings()
         {
             var settings = new SessionSettings(
                 new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40), range: new ConstantLatencyRange(15, Source));
@@ -131,7 +131,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void SessionSettings_ProfileKnowsNoRange_HaveTheirOwn()
+        public void SessionSettings_ProfileWithoutRange_KeepTheirOwn()
         {
             var range = new ConstantLatencyRange(15, Source);
 
@@ -142,7 +142,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void SessionSettings_Profile_TakesThePlaceOfLatencyAndRange()
+        public void SessionSettings_Profile_ReplacesLatencyAndRange()
         {
             var profile = Profile();
             var settings = new SessionSettings(
@@ -158,7 +158,7 @@ namespace Nowpose.Tests.Core.Session
         [TestCase(OutsideRangeResponse.Fade, false)]
         [TestCase(OutsideRangeResponse.GoOn, false)]
         [TestCase(OutsideRangeResponse.Hold, true)]
-        public void OutsideRange_Response_ShowsThePoseAsItSaysAndTellsTheSame(OutsideRangeResponse response, bool isHeld)
+        public void OutsideRange_Response_DeterminesPoseAndReportedState(OutsideRangeResponse response, bool isHeld)
         {
             var simulated = Running(response);
             simulated.Session.Calibrate(Profile(40));
@@ -185,7 +185,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void OutsideRange_HoldAndNoSamplesAnyMore_IsStaleAllTheSame()
+        public void OutsideRange_HoldAndSamplesStop_IsStale()
         {
             var simulated = Running(OutsideRangeResponse.Hold);
             simulated.Session.Calibrate(Profile(40));
@@ -214,7 +214,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Diagnostics_DisplayTimeSource_TellsTheDifference()
+        public void Diagnostics_DisplayTimeSource_ContainsTheDifference()
         {
             var simulated = Running();
             var clock = new SetClock();

@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Core.Session
 
         [TestCase("lan")]
         [TestCase("wifi")]
-        public void Tick_WholeSession_ShowsTheRobotWhereItIs(string network)
+        public void Tick_WholeSession_ShowsTheRobotAtItsTruePose(string network)
         {
             var simulated = new SimulatedSession(NetworkProfile.Named(network), Seed);
             simulated.Run(6);
@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Statistics_WholeSession_MeasureTheLatencyThatWasSimulated()
+        public void Statistics_WholeSession_MeasureTheSimulatedLatency()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(20);
@@ -68,7 +68,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Fill_UsedStatistics_HoldsNothingOfBefore()
+        public void Fill_UsedStatistics_ReplacesAllValues()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(10);
@@ -88,7 +88,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Diagnostics_BeforeAndAfterTheClockIsKnown_LeaveOutWhatIsUnknown()
+        public void Diagnostics_BeforeAndAfterTheClockIsKnown_OmitUnknownValues()
         {
             var clock = new SetClock();
             var session = new CompensationSession(
@@ -122,7 +122,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_BeforeAnythingArrived_IsIncomplete()
+        public void Tick_WithoutSamples_IsIncomplete()
         {
             var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
 
@@ -134,7 +134,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_WithoutClock_HoldsTheNewestSampleAndSaysSo()
+        public void Tick_WithoutClock_HoldsTheNewestSampleAsUnsynchronised()
         {
             var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
             Send(session, 100, 0.25);
@@ -148,7 +148,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_GatewayGone_HoldsThePoseAndSaysSoUntilItIsBack()
+        public void Tick_GatewayDown_HoldsThePoseUntilItReturns()
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, Seed);
             simulated.Run(10);
@@ -175,7 +175,7 @@ namespace Nowpose.Tests.Core.Session
         [TestCase(0.2)]
         [TestCase(-0.2)]
         [TestCase(-0.1)]
-        public void Tick_ControlClockSteps_FollowsAgainAfterTwoSecondsAndIsCurrentAfterSeven(double stepSeconds)
+        public void Tick_ControlClockSteps_FollowsAfterTwoSecondsAndIsCurrentAfterSeven(double stepSeconds)
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, Seed);
             simulated.Run(10);
@@ -223,7 +223,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Received_UselessLateSample_DoesNotHideTheNextOne()
+        public void Received_LateSampleWithoutUse_DoesNotAffectTheNext()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(6);
@@ -241,7 +241,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_ArmPublishedInTwoHalves_IsIncompleteUntilBothCame()
+        public void Tick_ArmPublishedInTwoHalves_IsIncompleteUntilBothArrive()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             var now = HeadsetTime.FromSeconds(0.5);
@@ -256,7 +256,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_MimicJoint_IsMadeAsItsMasterWas()
+        public void Tick_MimicJoint_HasTheKindOfItsMaster()
         {
             var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
             var (grip, follower) = (TestRobot.Model.IndexOfMovingJoint("grip"), TestRobot.Model.IndexOfMovingJoint("grip_mirror"));
@@ -271,7 +271,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_LongHoldover_IsNoLongerCurrentThoughSamplesCome()
+        public void Tick_LongHoldover_IsNotCurrentDespiteSamples()
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, Seed);
             simulated.Run(10);
@@ -308,7 +308,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Received_JointBeyondItsLimits_IsDrawnAtTheLimitAndSaid()
+        public void Received_JointBeyondItsLimits_IsClampedAndReported()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed) { IsSamplingByTest = true };
             var shown = 0.0;
@@ -329,7 +329,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Received_OneSampleOvertaken_GoesToItsPlace()
+        public void Received_OneSampleOvertaken_IsUsedInOrder()
         {
             double At(params double[] order)
             {
@@ -355,7 +355,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_ArmAndGripperPublishApart_EachKeepsItsOwnHistoryAndTheArmDecides()
+        public void Tick_ArmAndGripperPublishSeparately_HaveOwnHistoriesAndTheArmSetsTheState()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             var now = HeadsetTime.FromSeconds(0);
@@ -377,7 +377,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_JointAtItsLimit_IsNotPredictedBeyond()
+        public void Tick_JointAtItsLimit_IsNotPredictedBeyondIt()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             var session = simulated.Session;
@@ -401,7 +401,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Received_MoreThanTheQueueHolds_LosesTheOldest()
+        public void Received_QueueFull_DropsTheOldest()
         {
             var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
             for (var i = 0; i < 1100; i++) Send(session, 1 + i * 0.01, i);
@@ -413,7 +413,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_ThousandMessagesWait_SolvesTheNewestOfEachJointAndCountsTheOthers()
+        public void Tick_ThousandQueuedMessages_UsesTheNewestOfEachJointAndCountsTheOthers()
         {
             var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
             var judged = new List<(ControlTime Stamp, DropReason Reason)>();
@@ -433,7 +433,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_FewMessagesWait_TakesThemAll()
+        public void Tick_FewQueuedMessages_UsesAll()
         {
             var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
             for (var i = 0; i < 30; i++) Send(session, 1 + i * 0.01, i * 0.001);
@@ -445,7 +445,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Received_SamplesOvertakenInARow_AreUsedAndLoseNothing()
+        public void Received_SamplesOvertakenInARow_AreAllUsed()
         {
             var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
             foreach (var at in new[] { 1.0, 1.02, 1.04, 1.06, 1.14, 1.08, 1.1, 1.12, 1.16 }) Send(session, at, at);
@@ -457,7 +457,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Received_UselessSamplesInARow_AreCountedByTheMessage()
+        public void Received_UnusableSamplesInARow_AreCountedPerMessage()
         {
             var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
             foreach (var at in new[] { 1.0, 1.04, 1.08, 1.12, 1.16, 1.06, 1.02, 1.2 }) Send(session, at, at);
@@ -470,7 +470,7 @@ namespace Nowpose.Tests.Core.Session
         [TestCase("", "host: ''")]
         [TestCase("not a host", "host: 'not a host'")]
         [TestCase("192.168.0.5", "is not this machine")]
-        public void ConnectionSettings_BadHost_SaysWhatToDo(string host, string named)
+        public void ConnectionSettings_InvalidHost_ThrowsWithTheValue(string host, string named)
         {
             var error = Assert.Throws<InputException>(() => new ConnectionSettings(host));
 
@@ -486,7 +486,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Settings_OutOfRange_NameValueUnitAndRange()
+        public void Settings_OutOfRange_ThrowWithValueUnitAndRange()
         {
             Assert.That(Assert.Throws<InputException>(() => new PredictionSettings(horizonCapMs: -1)).Message,
                 Is.EqualTo("horizon cap: -1 ms is out of range; allowed are 0 to 5000 ms"));

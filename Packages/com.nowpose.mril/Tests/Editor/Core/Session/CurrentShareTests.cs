@@ -12,7 +12,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Value_NoFrame_IsUnknown() => Assert.That(new CurrentShare().Value, Is.Null);
+        public void Value_WithoutFrames_IsNull() => Assert.That(new CurrentShare().Value, Is.Null);
 
         [TestCase(-20)]
         [TestCase(0)]
@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Value_LongRun_ForgetsWhatIsOlderThanTenSeconds()
+        public void Value_LongRun_CoversTheLastTenSeconds()
         {
             var share = new CurrentShare();
             Add(share, 0, 60, false);
@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Value_AfterAPauseOfTheDisplay_KnowsOnlyTheFramesSince()
+        public void Value_AfterAPauseOfTheDisplay_CoversOnlyLaterFrames()
         {
             var share = new CurrentShare();
             Add(share, 0, 10, true);

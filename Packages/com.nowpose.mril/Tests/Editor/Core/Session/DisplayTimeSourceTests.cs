@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void DisplayTimeSource_LatencyThatVaries_IsCompensatedOnlyWithIt()
+        public void DisplayTimeSource_VaryingLatency_IsCompensatedOnlyWithASource()
         {
             var with = ErrorOf(new Runtime());
             var without = ErrorOf(null);
@@ -55,7 +55,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void DisplayTimeSource_KnowsNothingOrNonsense_LightAppearsAsCalibrated([Values(null, -1.0, 501.0)] double? ms)
+        public void DisplayTimeSource_NoOrInvalidTime_UsesTheCalibratedLatency([Values(null, -1.0, 501.0)] double? ms)
         {
             var simulated = Running(new Runtime { Ms = _ => ms });
 
@@ -68,14 +68,14 @@ namespace Nowpose.Tests.Core.Session
 
         [TestCase(46.5, true)]
         [TestCase(44, false)]
-        public void DisplayTimeSource_LastingDifference_IsToldOnceAboveFiveMilliseconds(double ms, bool isTold)
+        public void DisplayTimeSource_LastingDifference_IsReportedOnceAboveFiveMilliseconds(double ms, bool isReported)
         {
             var simulated = Running(null);
             var watch = new SessionWatch();
-            var told = 0;
+            var reports = 0;
             void See(DisplayFrame frame, double light)
             {
-                if ((watch.Changed(frame) & SessionChange.DisplayTimeDoubted) != 0) told++;
+                if ((watch.Changed(frame) & SessionChange.DisplayTimeDoubted) != 0) reports++;
             }
             simulated.Run(1, See);
 
@@ -84,15 +84,15 @@ namespace Nowpose.Tests.Core.Session
             simulated.Run(10, See);
 
             var statistics = simulated.Session.Statistics(default);
-            Assert.That(told, Is.EqualTo(isTold ? 1 : 0));
-            Assert.That(statistics.IsDisplayTimeDoubted, Is.EqualTo(isTold));
+            Assert.That(reports, Is.EqualTo(isReported ? 1 : 0));
+            Assert.That(statistics.IsDisplayTimeDoubted, Is.EqualTo(isReported));
             Assert.That(statistics.DisplayTimeDifference.Value.TotalMilliseconds, Is.EqualTo(ms - 40).Within(1e-3));
-            Assert.That(statistics.VisualisationLatency, Is.EqualTo(Lengths.Ms(ms)), "the runtime is believed");
+            Assert.That(statistics.VisualisationLatency, Is.EqualTo(Lengths.Ms(ms)), "the runtime's value is used");
         }
 
         [TestCase(46.5, 40, true)]
         [TestCase(40, 46.5, false)]
-        public void DisplayTimeSource_FrameComputedTwice_OnlyTheLastOneIsCompared(double lastMs, double firstMs, bool isDoubted)
+        public void DisplayTimeSource_FrameComputedTwice_ComparesOnlyTheSecond(double lastMs, double firstMs, bool isDoubted)
         {
             var simulated = Running(null);
             var ms = lastMs;
@@ -111,7 +111,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void DisplayTimeSource_OutsideTheRange_IsNotComparedWithWhatNoLongerHolds()
+        public void DisplayTimeSource_OutsideTheRange_IsNotCompared()
         {
             var simulated = Running(null);
             simulated.Session.Calibrate(new LatencyProfile(

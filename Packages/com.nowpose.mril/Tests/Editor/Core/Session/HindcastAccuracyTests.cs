@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Session
 
         [TestCase(20)]
         [TestCase(100)]
-        public void ToolErrorOfRun_OtherSampling_AgreesToo(double samplingMs)
+        public void ToolErrorOfRun_OtherSampling_Agrees(double samplingMs)
         {
             var (_, hindcast, reduction) = Scored("wifi", 4, 43, samplingMs);
 
@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void ToolErrorOfRun_Percentiles_AreThoseOfTheTruth()
+        public void ToolErrorOfRun_Percentiles_EqualTheTrueOnes()
         {
             var (run, hindcast, _) = Scored("wifi", 5, 60);
             double P95(List<double> values) => values.OrderBy(v => v).ElementAt((int)(0.95 * values.Count));
@@ -76,7 +76,7 @@ namespace Nowpose.Tests.Core.Session
 
         // Ten seconds contain a few moves, and the next ten seconds others: the interval must cover the value of the whole run.
         [Test]
-        public void ToolError_TenSeconds_TheUncertaintyCoversTheRunAsAWhole()
+        public void ToolError_TenSeconds_UncertaintyCoversTheWholeRun()
         {
             var (covered, count, widths) = (0, 0, new List<double>());
             for (var seed = 11; seed <= 14; seed++)
@@ -111,7 +111,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void JointErrors_EachJoint_IsNamedAndReduced()
+        public void JointErrors_EachJoint_HasNameAndReduction()
         {
             var run = Run("wifi", 8).Run(20);
 
@@ -127,7 +127,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void RestartErrorRun_ForgetsWhatWasBefore()
+        public void RestartErrorRun_AfterFrames_DiscardsThem()
         {
             var run = Run("lan", 9).Run(20);
             var before = run.Statistics.ToolErrorOfRun.Value.Frames;

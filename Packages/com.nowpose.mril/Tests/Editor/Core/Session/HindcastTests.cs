@@ -60,7 +60,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Statistics_SimulatedSession_KnowTheErrorAsTheTruthDoes(
+        public void Statistics_SimulatedSession_EstimateTheTrueError(
             [Values("lan", "wifi")] string network, [Values("linear", "quadratic", "quadratic-h4")] string predictor, [Values] bool apart)
         {
             var simulated = new SimulatedSession(NetworkProfile.Named(network), Seed, predictor) { IsEachJointApart = apart };
@@ -77,7 +77,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Statistics_HoldPredictor_ReducesNothing()
+        public void Statistics_HoldPredictor_HaveNoReduction()
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, Seed, "hold");
             simulated.Run(20);
@@ -89,7 +89,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Statistics_Unsynchronised_KnowNoError()
+        public void Statistics_Unsynchronised_HaveNoError()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed) { IsSyncUp = false };
             simulated.Run(10);
@@ -106,7 +106,7 @@ namespace Nowpose.Tests.Core.Session
         [TestCase(-3600)]
         [TestCase(0.2)]
         [TestCase(-0.2)]
-        public void Statistics_ControlClockSteps_JudgeOnlyWhatIsShownSince(double stepSeconds)
+        public void Statistics_ControlClockSteps_ScoreOnlyLaterFrames(double stepSeconds)
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, Seed);
             simulated.Run(20);
@@ -123,7 +123,7 @@ namespace Nowpose.Tests.Core.Session
         [TestCase(3600)]
         [TestCase(-3600)]
         [TestCase(-0.2)]
-        public void Statistics_ControlClockSteps_ForgetWhatWasBefore(double stepSeconds)
+        public void Statistics_ControlClockSteps_DiscardEarlierErrors(double stepSeconds)
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(20);
@@ -138,7 +138,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Statistics_SamplesStop_KnowNothingTenSecondsLater()
+        public void Statistics_SamplesStop_HaveNoErrorAfterTenSeconds()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(15);
@@ -153,7 +153,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Statistics_LongGapBetweenSamples_IsNotJudged()
+        public void Statistics_LongGapBetweenSamples_IsNotScored()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(18.1);
@@ -170,7 +170,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Statistics_RenderTimeOutsideTheRange_AreNotMixedWithFramesOfUnknownLight()
+        public void Statistics_RenderTimeOutsideTheRange_DoNotScoreThoseFrames()
         {
             var range = new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime);
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed, range: range);
@@ -201,7 +201,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Statistics_SamplesAheadOfTheLightForAWhile_JudgeTheFramesAfter()
+        public void Statistics_SamplesAheadOfTheDisplayTime_ScoreLaterFrames()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(8);
@@ -217,11 +217,11 @@ namespace Nowpose.Tests.Core.Session
                 if (i >= 60 && Statistics(simulated).HoldErrorMm.HasValue) known++;
             }
 
-            Assert.That(known, Is.GreaterThan(170), "frames that nobody can judge do not keep those after them waiting");
+            Assert.That(known, Is.GreaterThan(170), "frames that cannot be judged do not delay those after them");
         }
 
         [Test]
-        public void Statistics_StampsGoBack_JudgeFramesAtOnceAgain()
+        public void Statistics_StampsGoBack_ScoreFramesAgainImmediately()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(8);
@@ -245,12 +245,12 @@ namespace Nowpose.Tests.Core.Session
                 sent++;
             }
 
-            Assert.That(before, Is.Null, "nobody can judge frames older than the samples");
+            Assert.That(before, Is.Null, "frames older than the samples cannot be judged");
             Assert.That(sent * 20, Is.LessThan(500), "ms; 900 until the stamps are newer than the newest of before");
         }
 
         [Test]
-        public void Statistics_OneJointSilent_WaitForIt()
+        public void Statistics_OneJointSilent_WaitForItsSample()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed) { IsSamplingByTest = true };
             for (var i = 0; i < 200; i++)
@@ -262,11 +262,11 @@ namespace Nowpose.Tests.Core.Session
                 simulated.Run(0.05);
             }
 
-            Assert.That(Statistics(simulated).ErrorMm, Is.Null, "where the elbow went nobody said");
+            Assert.That(Statistics(simulated).ErrorMm, Is.Null, "no sample gave the elbow's position");
         }
 
         [Test]
-        public void Diagnostics_KnownError_IsSaidInMillimetres()
+        public void Diagnostics_KnownError_IsInMillimetres()
         {
             var clock = new SetClock();
             var session = new CompensationSession(

@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(Status("a3", state, seconds, reason).Description, Is.EqualTo(expected));
 
         [Test]
-        public void Of_JointsWithTheSameTrouble_AreNamedTogether()
+        public void Of_JointsWithTheSameFault_AreNamedTogether()
         {
             var text = JointStatusText.Of(new[]
             {

@@ -43,7 +43,7 @@ namespace Nowpose.Tests.Core.Session
 
         [TestCase(false)]
         [TestCase(true)]
-        public void Tick_SamplesOfOneJointEnd_PoseIsHeldWithinTheHorizonCapAndTheJointIsNamed(bool isEachJointApart)
+        public void Tick_SamplesOfOneJointEnd_HoldsThePoseWithinTheHorizonCapAndNamesTheJoint(bool isEachJointApart)
         {
             var simulated = Running(isEachJointApart);
 
@@ -63,7 +63,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_SamplesComeBack_IsCurrentAndNamesNoJoint()
+        public void Tick_SamplesReturn_IsCurrentWithoutNamedJoints()
         {
             var simulated = Running();
             simulated.SilentJoint = "shoulder";
@@ -110,7 +110,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_GatewayReportsRest_StaysCurrentAndSaysSo()
+        public void Tick_GatewayReportsRest_StaysCurrentAndReportsIt()
         {
             var simulated = Running();
 
@@ -144,7 +144,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_ReportOfTheGatewayEnds_IsCurrentAtOnce()
+        public void Tick_ReportOfTheGatewayEnds_IsCurrentImmediately()
         {
             var simulated = Running();
             Report(simulated, "elbow", JointDataState.Fault);
@@ -172,7 +172,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_ReportOfAJointOfAnotherRobot_ChangesNothing()
+        public void Tick_ReportOfAnUnknownJoint_IsIgnored()
         {
             var simulated = Running();
 
@@ -183,7 +183,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_GripperReportedWithoutData_IsNotCurrentThoughTheArmIs()
+        public void Tick_GripperReportedWithoutData_IsNotCurrentWhileTheArmIs()
         {
             var simulated = Running();
 
@@ -215,7 +215,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Diagnostics_JointWithoutData_CarryPoseJointAndShare()
+        public void Diagnostics_JointWithoutData_ContainPoseJointAndShare()
         {
             var simulated = Running();
             var before = DiagnosticsOf(simulated);
@@ -255,7 +255,7 @@ namespace Nowpose.Tests.Core.Session
         [TestCase(PoseState.Unsynchronised, ClockState.Converging, 20, "unsynchronised")]
         [TestCase(PoseState.Incomplete, ClockState.Unsynchronised, 0, "incomplete")]
         [TestCase(PoseState.OutsideRange, ClockState.Synchronised, 0.4, "outside")]
-        public void PoseStateName_EachState_IsTheProtocolsWord(PoseState pose, ClockState state, double errorMs, string expected)
+        public void PoseStateName_EachState_EqualsTheProtocols(PoseState pose, ClockState state, double errorMs, string expected)
         {
             var error = TimeSpan.FromTicks((long)(errorMs * TimeSpan.TicksPerMillisecond));
 

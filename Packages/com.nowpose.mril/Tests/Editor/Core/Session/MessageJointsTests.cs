@@ -14,13 +14,13 @@ namespace Nowpose.Tests.Core.Session
         int[] Of(params string[] names) => _joints.Of(new JointStateMessage(ControlTime.FromSeconds(1), names, new double[names.Length])).ToArray();
 
         [Test]
-        public void Of_NamesInAnyOrder_AreTheRobotsIndices()
+        public void Of_NamesInAnyOrder_ReturnsTheRobotsIndices()
         {
             Assert.That(Of(Name(1), "unknown", Name(0)), Is.EqualTo(new[] { 1, -1, 0 }));
         }
 
         [Test]
-        public void Of_MoreSourcesThanAreRemembered_StayApart()
+        public void Of_MoreSourcesThanTheCacheHolds_AreDistinguished()
         {
             var sources = new[]
             {

@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_PlanPublished_LeavesAFractionOfThePrediction([Values(0, 40, 150)] double lagMs, [Values(1, 2)] int seed)
+        public void Tick_PlanPublished_ReducesTheErrorToAFraction([Values(0, 40, 150)] double lagMs, [Values(1, 2)] int seed)
         {
             var predicted = Ratio(Run(null, seed));
 
@@ -43,7 +43,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_PlanOfAnotherMotion_PredictsAsEver()
+        public void Tick_PlanOfAnotherMotion_IsIgnored()
         {
             var bare = Run(null, 3);
             var run = new VirtualCellRun(VirtualCellRun.Settings(), 3);
@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_PlanEnds_GoesOnWithoutAJump()
+        public void Tick_PlanEnds_ContinuesWithoutAJump()
         {
             var run = new VirtualCellRun(VirtualCellRun.Settings(), 4);
             run.Cell.PlanLag = TimeSpan.Zero;
@@ -83,7 +83,7 @@ namespace Nowpose.Tests.Core.Session
 
         // Both clocks show the same time. The arm swings from one side to the other within two seconds and stops abruptly in between.
         [Test]
-        public void Tick_RobotStopsDespiteThePlan_LeavesThePlanWithTheFirstSamplesThatSaySo()
+        public void Tick_RobotStopsDespiteThePlan_LeavesThePlanWithTheFirstSamples()
         {
             var session = NewSession();
             var plan = new JointTrajectoryMessage(ControlTime.FromSeconds(12), new[] { "shoulder" }, new[]
@@ -124,7 +124,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_SamplesStop_ThePlanDoesNotGoOnAlone()
+        public void Tick_SamplesStop_DoesNotContinueThePlan()
         {
             var session = NewSession();
             session.Listener.Planned(Straight(11, 20), HeadsetTime.FromSeconds(11));
@@ -136,7 +136,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Planned_BeforeTheClockIsKnown_CountsOnceItIs()
+        public void Planned_BeforeTheClockIsKnown_AppliesOnceKnown()
         {
             var session = NewSession(isClockKnown: false);
             session.Listener.Planned(Straight(11, 20), HeadsetTime.FromSeconds(11));
@@ -150,7 +150,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Planned_StampInTheFuture_IsDroppedAndShowsNothing()
+        public void Planned_StampInTheFuture_IsDropped()
         {
             var session = NewSession();
             session.Listener.Planned(Straight(15, 25), HeadsetTime.FromSeconds(11));
@@ -173,7 +173,7 @@ namespace Nowpose.Tests.Core.Session
 
         [TestCase("hold", true)]
         [TestCase("quadratic", false)]
-        public void Planned_NotWanted_ShowsNothing(string predictor, bool follow)
+        public void Planned_FollowingDisabled_IsIgnored(string predictor, bool follow)
         {
             var session = NewSession(prediction: new PredictionSettings(predictor, followPlan: follow));
             session.Listener.Planned(Straight(11, 20), HeadsetTime.FromSeconds(11));

@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Session
             session.Listener.Diagnostics().Values.Where(value => value.Key == "profile_mismatch").Select(value => value.Value).SingleOrDefault();
 
         [Test]
-        public void ProfileMismatches_NothingKnownOrNoProfile_IsEmpty()
+        public void ProfileMismatches_UnknownConditionsOrNoProfile_IsEmpty()
         {
             var session = NewSession();
             session.Conditions = new DisplayConditions("HoloLens 2", 60, "Direct3D11");
@@ -52,7 +52,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void ProfileMismatches_SecondComputation_IsThatOfTheSettings([Values] bool rewrites)
+        public void ProfileMismatches_RewriteBeforeRender_IsThatOfTheSettings([Values] bool rewrites)
         {
             var session = NewSession(rewrites);
 
@@ -62,7 +62,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void ProfileMismatches_ReprojectionChangesAtRunTime_ComeAndGo()
+        public void ProfileMismatches_ReprojectionChangesAtRunTime_AreUpdated()
         {
             var session = NewSession();
             session.Calibrate(Profile(new DisplayConditions(reprojection: ReprojectionMode.Depth)));
@@ -79,7 +79,7 @@ namespace Nowpose.Tests.Core.Session
 
         // Listeners compare the list by reference in each frame.
         [Test]
-        public void ProfileMismatches_NothingChanges_IsTheSameList()
+        public void ProfileMismatches_EqualConditions_ReturnsTheSameList()
         {
             var session = NewSession();
             session.Calibrate(Profile(new DisplayConditions(graphicsApi: "Direct3D11")));

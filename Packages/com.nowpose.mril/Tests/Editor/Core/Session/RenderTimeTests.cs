@@ -28,7 +28,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Rendered_BeyondTheLimit_ThePoseIsNoLongerCurrentUntilTheLoadFalls()
+        public void Rendered_BeyondTheLimit_PoseIsNotCurrentUntilTheLoadFalls()
         {
             var simulated = Session(Range);
             simulated.Run(10);
@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Rendered_LimitOfAnotherSource_DoubtsNoPose()
+        public void Rendered_LimitOfAnotherSource_PoseStaysCurrent()
         {
             var simulated = Session(Range);
             simulated.Run(10);
@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Rendered_OutsideWhileUnsynchronisedOrHeld_TheGraverStateIsShown()
+        public void Rendered_OutsideWhileUnsynchronisedOrHeld_ShowsTheMoreSevereState()
         {
             var simulated = Session(Range);
             var incomplete = Run(simulated, 20, RenderTimeSourceKind.DisplayGpuTime).First();
@@ -90,7 +90,7 @@ namespace Nowpose.Tests.Core.Session
 
         [TestCase(9.5, "inside")]
         [TestCase(16, "outside")]
-        public void Diagnostics_RenderTimes_AreSaid(double renderMs, string range)
+        public void Diagnostics_RenderTimes_ContainTimeAndRange(double renderMs, string range)
         {
             var session = new CompensationSession(
                 new SessionSettings(new ConnectionSettings("127.0.0.1"), default, range: Range), TestRobot.Model, new SetClock());

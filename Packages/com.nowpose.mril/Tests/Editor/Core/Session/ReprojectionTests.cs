@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Core.Session
             session.Listener.Diagnostics().Values.Where(value => value.Key == key).Select(value => value.Value).SingleOrDefault();
 
         [Test]
-        public void Reprojection_NothingReportsIt_IsUnknownAndLeftOutOfDiagnostics()
+        public void Reprojection_NotReported_IsUnknownAndNotInDiagnostics()
         {
             var session = NewSession();
 

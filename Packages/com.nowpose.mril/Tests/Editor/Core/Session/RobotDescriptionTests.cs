@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Core.Session
         RobotDescriptionMatch Shown => _session.Statistics(default).RobotDescriptionMatch;
 
         [Test]
-        public void Described_NothingYet_IsUnknown()
+        public void Described_NoDescription_IsUnknown()
         {
             Assert.That(_session.RobotDescription, Is.Null);
             Assert.That(_session.DescribedRobot, Is.Null);
@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Described_TheTextOfTheRobot_IsTheSame()
+        public void Described_TextOfTheRobot_MatchIsSame()
         {
             var text = UrdfFiles.Text("youbot.urdf").Replace("\r\n", "\n").Replace("\n", "\r\n") + "\n";
 
@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Described_AnotherRobot_IsDifferentAndReadAlready()
+        public void Described_AnotherRobot_MatchIsDifferentAndItIsRead()
         {
             _session.Described(UrdfFiles.Text("ur5.urdf"));
 
@@ -56,7 +56,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Described_Again_TheNewestCounts()
+        public void Described_Twice_UsesTheNewest()
         {
             _session.Described(UrdfFiles.Text("ur5.urdf"));
             _session.Described(UrdfFiles.Text("youbot.urdf"));
@@ -71,7 +71,7 @@ namespace Nowpose.Tests.Core.Session
         [TestCase("<robot name='r'><link name='a'/>")]
         [TestCase("<!DOCTYPE r [<!ENTITY a 'aaaaaaaaaa'>]><robot name='&a;'><link name='a'/></robot>")]
         [TestCase("<robot name='r'><link name='a'/><link name='b'/></robot>")]
-        public void Described_NoUrdf_IsCountedAndTouchesNothing(string text)
+        public void Described_NotAUrdf_IsCountedAndIgnored(string text)
         {
             _session.Described(UrdfFiles.Text("youbot.urdf"));
             var before = _session.RobotDescription;

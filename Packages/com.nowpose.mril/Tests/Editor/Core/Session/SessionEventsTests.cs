@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Session
             new JointStateMessage(new ControlTime(stamp), new[] { joint }, new[] { 0.1 });
 
         [Test]
-        public void Tick_FirstExchangeAndSample_AreToldInTheOrderInWhichTheyAct()
+        public void Tick_FirstExchangeAndSample_RaisesEventsInOrder()
         {
             _session.Clock.Add(Exchange(Start), out _);
             _session.Listener.Received(Sample(Start.SinceEpoch), Start);
@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Exchange_ThatIsDropped_IsToldWithItsFault()
+        public void Exchange_Dropped_RaisesAnEventWithItsFault()
         {
             _session.Clock.Add(Exchange(Start), out _);
             _session.Clock.Add(Exchange(Start), out _);
@@ -59,7 +59,7 @@ namespace Nowpose.Tests.Core.Session
         [TestCase("elbow", 0, "DuplicateSample")]
         [TestCase("elbow", 5000, "StampInFuture")]
         [TestCase("nobody", 0, "UnknownJoint")]
-        public void Sample_OfNoUse_IsToldWithTheReason(string joint, double aheadMs, string reason)
+        public void Sample_Dropped_RaisesAnEventWithTheReason(string joint, double aheadMs, string reason)
         {
             _session.Clock.Add(Exchange(Start), out _);
             _session.Listener.Received(Sample(Start.SinceEpoch), Start);
@@ -71,7 +71,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Sample_ThatOverflowsTheQueue_IsToldAtOnce()
+        public void Sample_OverflowsTheQueue_RaisesAnEventImmediately()
         {
             for (var i = 0; i <= 1000; i++) _session.Listener.Received(Sample(Start.SinceEpoch + Lengths.Ms(i)), Start);
 
@@ -79,7 +79,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void NewestRenderTime_IsTheLastOneThatWasMeasured()
+        public void NewestRenderTime_Measured_IsTheLast()
         {
             Assert.That(_session.NewestRenderTime, Is.Null);
             _session.Rendered(Lengths.Ms(9), RenderTimeSourceKind.DisplayGpuTime);

@@ -28,8 +28,8 @@ namespace Nowpose.Tests.Core.Session
 
         [TestCase("UU", "", TestName = "Changed_NeverSynchronised_IsNotLost")]
         [TestCase("UC", "Synchronised", TestName = "Changed_ClockSettled_IsSynchronised")]
-        [TestCase("Ucccu", "", TestName = "Changed_TrustedForThreeFrames_IsNoNews")]
-        [TestCase("UCuuu", "Synchronised Lost", TestName = "Changed_ClockDoubted_IsLostAtOnce")]
+        [TestCase("Ucccu", "", TestName = "Changed_SynchronisedForThreeFrames_ReportsNothing")]
+        [TestCase("UCuuu", "Synchronised Lost", TestName = "Changed_NoLongerSynchronised_IsLostImmediately")]
         [TestCase("UCuccuccucuuC", "Synchronised Lost Synchronised", TestName = "Changed_ClockFlickers_IsLostOnce")]
         [TestCase("UHC", "Synchronised", TestName = "Changed_HeldBeforeEverPredicted_IsNotStale")]
         [TestCase("UCHHC", "Synchronised Stale", TestName = "Changed_SamplesStop_IsStaleOnce")]
@@ -43,13 +43,13 @@ namespace Nowpose.Tests.Core.Session
         }
 
         // Ranges: ? unknown, i inside, o outside.
-        [TestCase("??", "", TestName = "Changed_RangeUnknown_SaysNothing")]
+        [TestCase("??", "", TestName = "Changed_RangeUnknown_ReportsNothing")]
         [TestCase("?I", "EnteredRange", TestName = "Changed_InsideForHalfASecond_EnteredRange")]
         [TestCase("?o", "LeftRange", TestName = "Changed_OutsideFromTheStart_LeftRange")]
-        [TestCase("IoOII", "EnteredRange LeftRange EnteredRange", TestName = "Changed_LoadComesAndGoes_AlternatesRange")]
+        [TestCase("IoOII", "EnteredRange LeftRange EnteredRange", TestName = "Changed_LoadComesAndGoes_ReportsEachChangeOfRange")]
         [TestCase("Ioioiiiooi", "EnteredRange LeftRange", TestName = "Changed_RangeFlickers_LeftOnce")]
-        [TestCase("I???I", "EnteredRange", TestName = "Changed_UnknownBetween_IsNoNews")]
-        [TestCase("O?iiii?iiii?iiii", "LeftRange", TestName = "Changed_UnknownAgainAndAgain_DoesNotSettle")]
+        [TestCase("I???I", "EnteredRange", TestName = "Changed_RangeTemporarilyUnknown_ReportsNothing")]
+        [TestCase("O?iiii?iiii?iiii", "LeftRange", TestName = "Changed_RangeRepeatedlyUnknown_ReportsNoReturn")]
         public void Changed_Ranges(string frames, string expected)
         {
             var watch = new SessionWatch();
@@ -61,7 +61,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Changed_Synchronised_IsSaidAfterHalfASecond()
+        public void Changed_Synchronised_IsReportedAfterHalfASecond()
         {
             var watch = new SessionWatch();
 
@@ -71,7 +71,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Changed_SeveralAtOnce_AreAllSaid()
+        public void Changed_SeveralChanges_AreAllReported()
         {
             var watch = new SessionWatch();
             for (var frame = 0; frame < 40; frame++) watch.Changed(At(frame), PoseState.Current, true, RangeState.Inside);
@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void End_Synchronised_IsLostAndStartsAnew()
+        public void End_Synchronised_ReportsLostAndResets()
         {
             var watch = new SessionWatch();
             var before = watch.End();
@@ -96,7 +96,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Changed_WholeSession_TellsItsStory()
+        public void Changed_WholeSession_ReportsAllChangesInOrder()
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, 7);
             var watch = new SessionWatch();

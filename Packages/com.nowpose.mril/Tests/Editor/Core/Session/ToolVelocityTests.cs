@@ -19,7 +19,7 @@ namespace Nowpose.Tests.Core.Session
         void Follow(double seconds) => _velocity.Follow(ControlTime.FromSeconds(1000 + seconds), PoseAt(seconds));
 
         [Test]
-        public void Follow_ToolOnACircle_IsTheVelocityOfTheMiddleBetweenTwoFrames()
+        public void Follow_ToolOnACircle_IsTheVelocityMidwayBetweenTwoFrames()
         {
             for (var frame = 0; frame < 100; frame++) Follow(frame / 60.0);
 
@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Follow_FirstFrameOrOneAfterAPause_IsUnknown()
+        public void Follow_FirstFrameOrAfterAPause_IsUnknown()
         {
             Follow(0);
             var atFirst = _velocity.Value;
@@ -59,7 +59,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Follow_ClockThatWentBack_IsUnknown()
+        public void Follow_ClockWentBack_IsUnknown()
         {
             Follow(10);
             Follow(10.0167);

@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Ms_ProfileInUse_IsAddedAndTheProfileNoLongerClaimed()
+        public void Ms_ProfileInUse_IsAddedAndRemovesTheProfile()
         {
             var session = NewSession();
             session.Calibrate(Measured);
@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Ms_BackToZero_IsAsMeasuredAgain()
+        public void Ms_BackToZero_RestoresTheProfile()
         {
             var session = NewSession();
             session.Calibrate(Measured);
@@ -60,7 +60,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Ms_BackToZeroOfANumber_IsTheNumber()
+        public void Ms_BackToZeroWithoutProfile_RestoresTheNumber()
         {
             var session = NewSession();
             var nudge = Following(session);
@@ -77,7 +77,7 @@ namespace Nowpose.Tests.Core.Session
         [TestCase(30, 490, 10)]
         [TestCase(double.NaN, 40, 0)]
         [TestCase(double.PositiveInfinity, 40, 50)]
-        public void Ms_TooMuch_IsKeptToWhatIsAllowed(double asked, double calibratedMs, double expected)
+        public void Ms_BeyondTheRange_IsClamped(double asked, double calibratedMs, double expected)
         {
             var session = NewSession(calibratedMs);
             var nudge = Following(session);
@@ -89,7 +89,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Follow_SessionBeginsAnewWithTheSameCalibration_IsNudgedAgain()
+        public void Follow_SessionRestartsWithTheSameCalibration_AppliesTheNudge()
         {
             var nudge = Following(NewSession());
             nudge.Ms = 5;
@@ -104,7 +104,7 @@ namespace Nowpose.Tests.Core.Session
 
         [TestCase(62)]
         [TestCase(45, Description = "what it was nudged to")]
-        public void Follow_SomebodyCalibrated_TheNudgeIsOver(double visuMs)
+        public void Follow_SessionCalibrated_EndsTheNudge(double visuMs)
         {
             var session = NewSession();
             var nudge = Following(session);
@@ -120,7 +120,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Ms_BeforeTheFirstSession_WaitsForIt()
+        public void Ms_BeforeTheFirstSession_AppliesOnceItStarts()
         {
             var nudge = new VisualisationNudge { Ms = 5 };
             var session = NewSession();
@@ -131,7 +131,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void IsIdle_LightIsPredicted_SaysThatNothingIsSeenOfTheNudge([Values] bool predicted)
+        public void IsIdle_DisplayTimeIsPredicted_IsTrue([Values] bool predicted)
         {
             var session = NewSession();
             if (predicted) session.DisplayTimeSource = new Ahead();

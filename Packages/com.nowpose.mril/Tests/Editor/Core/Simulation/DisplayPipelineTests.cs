@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Core.Simulation
         static double VisualisationMs(double renderMs) => FiftiethFrame(renderMs, Steady).Visualisation.TotalMilliseconds;
 
         [Test]
-        public void Next_UpToTheTrueLimit_HasConstantLatencyAndBeyondALongerOne()
+        public void Next_UpToTheTrueLimit_HasConstantLatencyAndALongerOneBeyond()
         {
             Assert.That(VisualisationMs(4), Is.EqualTo(Steady.PlateauMs).Within(1e-4));
             Assert.That(VisualisationMs(TrueLimitMs - 0.01), Is.EqualTo(Steady.PlateauMs).Within(1e-4));
@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Next_GpuSlowerThanTheDisplay_HoldsFrameStartsBackAtItsPace()
+        public void Next_GpuSlowerThanTheDisplay_DelaysFrameStarts()
         {
             const double renderMs = 20;
             var display = new DisplayPipeline(1, Steady);
@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Next_OneSlowFrame_DelaysNoMoreThanTheFramesBehindIt()
+        public void Next_OneSlowFrame_DelaysOnlyTheNextFrames()
         {
             var display = new DisplayPipeline(1, Steady);
             display.Next(0);
@@ -60,7 +60,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Next_SameSeed_IsTheSameAndScattersByThreePercentWithOneSlowFrameInAHundred()
+        public void Next_SameSeed_RepeatsScatterAndSlowFrames()
         {
             var (first, second) = (new DisplayPipeline(7), new DisplayPipeline(7));
             var (sum, squares, slow) = (0.0, 0.0, 0);
@@ -82,13 +82,13 @@ namespace Nowpose.Tests.Core.Simulation
 
         [TestCase(double.NaN)]
         [TestCase(-1)]
-        public void Next_NoLoad_IsRefused(double vertices)
+        public void Next_InvalidLoad_IsRefused(double vertices)
         {
             Assert.Throws<ArgumentOutOfRangeException>(() => new DisplayPipeline(1).Next(vertices));
         }
 
         [Test]
-        public void DisplayPipelineSettings_PlateauShorterThanARefresh_SaysWhatIsAllowed()
+        public void DisplayPipelineSettings_PlateauShorterThanARefresh_ThrowsWithTheRange()
         {
             Assert.That(
                 Assert.Throws<InputException>(() => new DisplayPipelineSettings(refreshMs: 20, plateauMs: 10)).Message,

@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Simulation
         [TestCase("lan", 0.15 + 1.5 * 0.04, 0.002 / 0.702 * 1.75, 0.002 / 0.702 * 1.75)]
         [TestCase("wifi", 1.5 + 1.2 * 0.6, 0.01 / 0.71 * 17.5, 0.03 / 0.73 * 17.5)]
         [TestCase("busy-wifi", 1.5 + 1 * 3, 0.03 / 0.73 * 60, 0.1 / 0.8 * 60)]
-        public void Delays_OnAverage_AreThoseOfTheProfile(string name, double withoutSpikesMs, double spikesUpMs, double spikesDownMs)
+        public void Delays_Mean_EqualsTheProfiles(string name, double withoutSpikesMs, double spikesUpMs, double spikesDownMs)
         {
             var network = NetworkProfile.Named(name);
 
@@ -27,13 +27,13 @@ namespace Nowpose.Tests.Core.Simulation
         [TestCase("lan", 0.15)]
         [TestCase("wifi", 1.5)]
         [TestCase("busy-wifi", 1.5)]
-        public void Delays_Least_IsTheBase(string name, double baseMs)
+        public void Delays_Minimum_IsTheBase(string name, double baseMs)
         {
             Assert.That(DelaysMs(NetworkProfile.Named(name).Up(3)).Min(), Is.InRange(baseMs, baseMs * 1.05));
         }
 
         [Test]
-        public void Delays_Spikes_ComeInBursts()
+        public void Delays_Spikes_OccurInBursts()
         {
             var isSpike = DelaysMs(NetworkProfile.Wifi.Down(4)).Select(ms => ms > 6.5).ToArray();
 
@@ -43,14 +43,14 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Delays_SameSeed_AreTheSame()
+        public void Delays_SameSeed_Repeat()
         {
             Assert.That(DelaysMs(NetworkProfile.Wifi.Up(5)).Take(100), Is.EqualTo(DelaysMs(NetworkProfile.Wifi.Up(5)).Take(100)));
             Assert.That(DelaysMs(NetworkProfile.Wifi.Up(5)).Take(100), Is.Not.EqualTo(DelaysMs(NetworkProfile.Wifi.Up(6)).Take(100)));
         }
 
         [Test]
-        public void Named_UnknownName_ListsWhatIsAllowed()
+        public void Named_UnknownName_ThrowsWithAllNames()
         {
             var error = Assert.Throws<InputException>(() => NetworkProfile.Named("5g"));
 

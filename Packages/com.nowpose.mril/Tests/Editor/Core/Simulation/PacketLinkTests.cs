@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Simulation
         [TestCase("lossy", 0.02)]
         [TestCase("cellular", 0)]
         [TestCase("bad", 0.05)]
-        public void Loss_ManyPackets_IsThatOfTheProfile(string name, double loss)
+        public void Loss_ManyPackets_EqualsTheProfiles(string name, double loss)
         {
             var lost = Packets(Link(name, 3), 100_000, 0.01).Average(p => p.Arrived ? 0.0 : 1);
 
@@ -52,7 +52,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Order_NotKept_PacketsOvertakeEachOther()
+        public void Order_NotKept_PacketsOvertake()
         {
             var link = new PacketLink(LinkProfile.Bad, Start, 5, keepsOrder: false);
 
@@ -81,7 +81,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Stall_BothDirections_StallTogether()
+        public void Stall_BothDirections_AreSimultaneous()
         {
             var during = Start + TimeSpan.FromSeconds(9);
 
@@ -92,14 +92,14 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void TrySend_SameSeed_IsTheSame()
+        public void TrySend_SameSeed_Repeats()
         {
             Assert.That(Packets(Link("bad", 5), 100, 0.1), Is.EqualTo(Packets(Link("bad", 5), 100, 0.1)));
             Assert.That(Packets(Link("bad", 5), 100, 0.1), Is.Not.EqualTo(Packets(Link("bad", 6), 100, 0.1)));
         }
 
         [Test]
-        public void Named_UnknownName_ListsWhatIsAllowed()
+        public void Named_UnknownName_ThrowsWithAllNames()
         {
             var error = Assert.Throws<InputException>(() => LinkProfile.Named("5g"));
 

@@ -11,7 +11,7 @@ namespace Nowpose.Tests.Core.Simulation
         static readonly HeadsetTime Start = HeadsetTime.FromSeconds(50);
 
         [Test]
-        public void TryReceive_BeforeTheArrival_ReturnsNothing()
+        public void TryReceive_BeforeTheArrival_ReturnsFalse()
         {
             var queue = Queue("cellular");
             queue.TrySend(Start, 1);
@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Simulation
         [TestCase("wifi")]
         [TestCase("bad")]
         [TestCase("roaming")]
-        public void TryReceive_Queue_ReturnsWhatWasNotLostInOrder(string profile)
+        public void TryReceive_Queue_ReturnsDeliveredPacketsInOrder(string profile)
         {
             var queue = Queue(profile);
 

@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core.Simulation
         [TestCase("lossy", 0.92, 5)]
         [TestCase("cellular", 0.92, 8)]
         [TestCase("bad", 0.8, 30)]
-        public void Pose_SlowOrLossyLink_IsCurrentSoonAndCloseToTheRobot(string link, double minReduction, double synchronisedSeconds)
+        public void Pose_SlowOrLossyLink_IsCurrentWithinSecondsAndCloseToTheRobot(string link, double minReduction, double synchronisedSeconds)
         {
             var runs = Runs(link, 30);
 
@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Pose_LinkStalls_IsHeldSoonAndCurrentSoonAfter()
+        public void Pose_LinkStalls_IsHeldAndCurrentAgainWithinHalfASecond()
         {
             var profile = LinkProfile.Roaming;
             foreach (var run in Runs("roaming", 30))

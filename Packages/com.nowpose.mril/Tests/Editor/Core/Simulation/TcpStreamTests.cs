@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Send_LossyLink_KeepsTheOrderAndLosesNothing()
+        public void Send_LossyLink_KeepsTheOrderAndAllMessages()
         {
             var stream = new TcpStream(LinkProfile.Bad, Start, seed: 7, Lengths.Ms(50));
 
@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Send_LostMessage_ArrivesARetransmissionLaterAndBlocksThoseBehind()
+        public void Send_LostMessage_IsRetransmittedAndBlocksLaterOnes()
         {
             var late = DelaysMs(LinkProfile.Lossy, interval: null).Select(delay => delay > 200).ToArray();
 
@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Send_StreamOfMessages_RepairsALossWhenTheNextOneIsAcknowledged()
+        public void Send_StreamOfMessages_RepairsALossWithTheNextAcknowledgement()
         {
             var delays = DelaysMs(LinkProfile.Lossy, Lengths.Ms(50));
 

@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Simulation
         [TestCase(1)]
         [TestCase(2)]
         [TestCase(3)]
-        public void Run_UsualCell_CompensationTakesMostOfTheErrorAway(int seed)
+        public void Run_UsualCell_CompensationRemovesMostOfTheError(int seed)
         {
             var run = new VirtualCellRun(VirtualCellRun.Settings(), seed);
             run.Run(6);
@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Simulation
 
         // A cycle of the cell takes about eleven seconds. Scoring starts at the third second, as in the demo.
         [Test]
-        public void Run_DefaultSettings_FirstCycleAndThirdReachWhatWeStandFor(
+        public void Run_DefaultSettings_FirstAndThirdCycleReachTheirReduction(
             [Values("wifi", "busy-wifi")] string network, [Values(21, 22, 23)] int seed)
         {
             var run = new VirtualCellRun(new VirtualCellSettings(50, 55, 105, 0, 0, NetworkProfile.Named(network)), seed);
@@ -50,7 +50,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Run_OtherFrameRate_BringsTheSame()
+        public void Run_OtherFrameRate_DeliversTheSameSamples()
         {
             var settings = VirtualCellRun.Settings(jitterMs: 80, loss: 0.1);
             var at60 = new VirtualCellRun(settings).Run(10);
@@ -64,7 +64,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Run_OtherSeed_BringsOthers()
+        public void Run_OtherSeed_DeliversOtherSamples()
         {
             var one = new VirtualCellRun(VirtualCellRun.Settings(), seed: 1).Run(3);
             var two = new VirtualCellRun(VirtualCellRun.Settings(), seed: 2).Run(3);
@@ -74,7 +74,7 @@ namespace Nowpose.Tests.Core.Simulation
 
         [TestCase(20)]
         [TestCase(100)]
-        public void Settings_SamplingInterval_ActsFromTheNextSampleOn(double samplingMs)
+        public void Settings_SamplingInterval_AppliesFromTheNextSample(double samplingMs)
         {
             var run = new VirtualCellRun(VirtualCellRun.Settings()).Run(6);
             run.Taken.Clear();
@@ -89,7 +89,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Settings_Latency_IsWhatTheSessionMeasures()
+        public void Settings_Latency_IsMeasuredByTheSession()
         {
             var run = new VirtualCellRun(VirtualCellRun.Settings()).Run(6);
 
@@ -101,7 +101,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Settings_Loss_IsTheShareThatIsMissing()
+        public void Settings_Loss_IsTheShareOfMissingSamples()
         {
             var run = new VirtualCellRun(VirtualCellRun.Settings(loss: 0.3)).Run(60);
 
@@ -111,7 +111,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Settings_JitterBeyondTheInterval_LetsSamplesOvertake()
+        public void Settings_JitterBeyondTheInterval_ReordersSamples()
         {
             var run = new VirtualCellRun(VirtualCellRun.Settings(jitterMs: 200)).Run(20);
 
@@ -124,7 +124,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Clock_SteppedAndFaster_IsFoundByTheSession()
+        public void Clock_SteppedAndFaster_IsFollowedByTheSession()
         {
             var run = new VirtualCellRun(VirtualCellRun.Settings()).Run(20);
             Assert.That(run.Statistics.Clock.Skew, Is.EqualTo(-37e-6).Within(5e-6), "the headset clock is the slower one");
@@ -161,7 +161,7 @@ namespace Nowpose.Tests.Core.Simulation
         [TestCase(50, 55, 105, 0, 1)]
         [TestCase(1000, 2000, 2000, 1000, 0.9)]
         [TestCase(5, 0, 0, 1000, 0.5)]
-        public void Run_ExtremeSettings_ThePoseIsNotCurrentRatherThanWrong(
+        public void Run_ExtremeSettings_PoseIsNotCurrent(
             double samplingMs, double latencyMinMs, double latencyMaxMs, double jitterMs, double loss)
         {
             var run = new VirtualCellRun(VirtualCellRun.Settings()).Run(10);
@@ -175,7 +175,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Run_AfterALongSleep_BringsOnlyWhatIsRecent()
+        public void Run_AfterALongSleep_DeliversOnlyRecentSamples()
         {
             var run = new VirtualCellRun(VirtualCellRun.Settings()).Run(10);
             run.Taken.Clear();

@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Unity.Import
         [TestCase(Robots + "youbot.urdf")]
         [TestCase(Robots + "ur5.urdf")]
         [TestCase(OddAxes)]
-        public void Prefab_OfAnImportedRobot_StandsAsCoreComputes(string path)
+        public void Prefab_OfAnImportedRobot_MatchesForwardKinematics(string path)
         {
             var model = AssetDatabase.LoadAssetAtPath<RobotDescriptionAsset>(path).Read();
             var robot = Object.Instantiate(AssetDatabase.LoadAssetAtPath<GameObject>(path));

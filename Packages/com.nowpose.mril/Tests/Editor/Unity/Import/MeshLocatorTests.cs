@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Unity.Import
         [TestCase("package://other/a.stl", "Packages/other/a.stl")]
         [TestCase("file:///projects/project/Assets/a.stl", "Assets/a.stl")]
         [TestCase("/projects/project/Assets/a.stl", "Assets/a.stl")]
-        public void Find_FileThere_IsFound(string name, string path)
+        public void Find_ExistingFile_ReturnsItsPath(string name, string path)
         {
             var found = Locator(path).Find(name);
 
@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Unity.Import
         }
 
         [Test]
-        public void Find_FileUriWithADrive_IsFound()
+        public void Find_FileUriWithADrive_ReturnsItsPath()
         {
             var locator = new MeshLocator(Urdf, @"C:\me\project", path => path == "Assets/a.stl");
 
@@ -41,7 +41,7 @@ namespace Nowpose.Tests.Unity.Import
         }
 
         [Test]
-        public void Find_PackageInTwoPlaces_TakesTheNearest()
+        public void Find_PackageInTwoPlaces_ReturnsTheNearest()
         {
             var found = Locator("Assets/other/a.stl", "Assets/Robots/other/a.stl").Find("package://other/a.stl");
 
@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Unity.Import
         }
 
         [Test]
-        public void Find_UrdfInAPackage_LooksInAssetsToo()
+        public void Find_UrdfInAPackage_SearchesAssets()
         {
             var locator = new MeshLocator("Packages/com.me.robots/urdf/arm.urdf", "/projects/project", path => path == "Assets/arm/a.stl");
 
@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Unity.Import
         }
 
         [Test]
-        public void Find_NothingThere_NamesAllPlacesOnce()
+        public void Find_MissingFile_NamesAllPlacesOnce()
         {
             var found = Locator().Find("package://other/meshes/a.stl");
 
@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Unity.Import
         [TestCase("package://other/", "names no file in a package")]
         [TestCase("package:///a.stl", "names no file in a package")]
         [TestCase("$(find other)/a.stl", "is not a path; expand the file with xacro first")]
-        public void Find_NoPathInTheProject_SaysWhy(string name, string fault)
+        public void Find_PathOutsideTheProject_ReturnsTheFault(string name, string fault)
         {
             var found = new MeshLocator(Urdf, "/projects/project", path => true).Find(name);
 

@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Unity.Import
         }
 
         [Test]
-        public void Read_BinaryThatBeginsWithSolid_IsReadAsBinary()
+        public void Read_BinaryStartingWithSolid_IsReadAsBinary()
         {
             var triangles = StlReader.Read(Binary("solid exported by some tool", Lower, Upper), "a.stl");
 
@@ -59,10 +59,10 @@ namespace Nowpose.Tests.Unity.Import
             Assert.That(ReadText(Solid(Facet(Lower)) + Solid(Facet(Upper))).Count, Is.EqualTo(2));
         }
 
-        [TestCase(0f, 0f, 0f, 0f, 0f, 0f, 1f, 1f, 1f, TestName = "Read_TwoCornersInOnePlace_LeavesTheTriangleOut")]
-        [TestCase(0f, 0f, 0f, 1f, 1f, 1f, 3f, 3f, 3f, TestName = "Read_CornersOnOneLine_LeavesTheTriangleOut")]
-        [TestCase(100f, 0f, 0f, 200f, 0f, 0f, 150f, 1e-6f, 0f, TestName = "Read_TriangleThinnerThanRounding_LeavesItOut")]
-        public void Read_NoArea_LeavesTheTriangleOut(params float[] corners)
+        [TestCase(0f, 0f, 0f, 0f, 0f, 0f, 1f, 1f, 1f, TestName = "Read_TwoEqualVertices_SkipsTheTriangle")]
+        [TestCase(0f, 0f, 0f, 1f, 1f, 1f, 3f, 3f, 3f, TestName = "Read_CollinearVertices_SkipsTheTriangle")]
+        [TestCase(100f, 0f, 0f, 200f, 0f, 0f, 150f, 1e-6f, 0f, TestName = "Read_TriangleThinnerThanRounding_SkipsTheTriangle")]
+        public void Read_TriangleWithoutArea_IsOmitted(params float[] corners)
         {
             var triangles = ReadText(Solid(Facet(Lower), Facet(corners)));
 
@@ -71,7 +71,7 @@ namespace Nowpose.Tests.Unity.Import
         }
 
         [Test]
-        public void Read_SmallTriangleFarFromTheOrigin_Stays()
+        public void Read_SmallTriangleFarFromTheOrigin_IsKept()
         {
             var corners = new[] { 1000f, 1000f, 1000f, 1000.1f, 1000f, 1000f, 1000f, 1000.1f, 1000f };
 
@@ -96,14 +96,14 @@ namespace Nowpose.Tests.Unity.Import
         [TestCase("solid a\nouter loop\n", "a.stl:2: a loop outside of a facet")]
         [TestCase("solid a\nsolid b\n", "a.stl:2: a solid within a solid")]
         [TestCase("solid a\n\nbox 1 2 3\n", "a.stl:3: 'box' is no word of the format")]
-        public void Read_BadText_SaysWhere(string text, string message) => Refuses(Encoding.UTF8.GetBytes(text), message);
+        public void Read_InvalidText_ThrowsWithThePosition(string text, string message) => Refuses(Encoding.UTF8.GetBytes(text), message);
 
         [Test]
-        public void Read_OnlyTrianglesWithoutArea_SaysHowMany() => Refuses(
+        public void Read_OnlyTrianglesWithoutArea_ThrowsWithTheCount() => Refuses(
             Binary("", new float[9], new float[9]), "a.stl: none of its 2 triangles has an area");
 
         [Test]
-        public void Read_LongWordWithControlCharacters_StaysOneShortLine()
+        public void Read_LongWordWithControlCharacters_IsShownInOneShortLine()
         {
             var error = Assert.Throws<InputException>(() => ReadText("solid a\n\u0001\u0002" + new string('x', 5000) + "\n"));
 
@@ -113,7 +113,7 @@ namespace Nowpose.Tests.Unity.Import
 
         [TestCase("exported")]
         [TestCase("solid exported")]
-        public void Read_BinaryCutShort_SaysWhatIsMissing(string header)
+        public void Read_TruncatedBinary_ThrowsWithTheLengths(string header)
         {
             var content = Binary(header, Lower, Upper);
 
@@ -121,7 +121,7 @@ namespace Nowpose.Tests.Unity.Import
         }
 
         [Test]
-        public void Read_BinaryWithTooFewTrianglesInItsHeader_SaysBothLengths()
+        public void Read_BinaryWithTooSmallCount_ThrowsWithBothLengths()
         {
             var content = Binary("exported", Lower, Upper);
             content[80] = 1;
@@ -130,7 +130,7 @@ namespace Nowpose.Tests.Unity.Import
         }
 
         [Test]
-        public void Read_BinaryWithHugeCount_IsRefusedWithoutReserving()
+        public void Read_BinaryWithHugeCount_IsRefusedWithoutAllocation()
         {
             var content = Binary("exported", Lower);
             content[80] = content[81] = content[82] = content[83] = 0xFF;
@@ -140,7 +140,7 @@ namespace Nowpose.Tests.Unity.Import
 
         [TestCase(float.NaN)]
         [TestCase(float.PositiveInfinity)]
-        public void Read_BinaryWithNoNumber_SaysWhichByteAndTriangle(float bad)
+        public void Read_BinaryWithInvalidNumber_ThrowsWithByteAndTriangle(float bad)
         {
             var corners = (float[])Upper.Clone();
             corners[4] = bad;

@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         [TestCase(-3.0, 18.0, -5, 20)]
         [TestCase(-3.0, -2.0, -5, 0)]
         [TestCase(0.0, 0.0, 0, 1)]
-        public void Range_OfAnyValues_IsRoundAroundThemAndZero(double a, double b, double bottom, double top)
+        public void Range_AnyValues_HasRoundBoundsAndContainsZero(double a, double b, double bottom, double top)
         {
             var series = new RollingSeries(10, 10);
             series.Add(0, a);
@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Range_NothingKnown_IsDrawable()
+        public void Range_UnknownValues_IsNotEmpty()
         {
             var series = new RollingSeries(10, 10);
             series.Add(0, null);

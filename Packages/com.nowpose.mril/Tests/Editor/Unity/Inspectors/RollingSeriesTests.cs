@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Add_BeyondTheWindow_ForgetsTheOld()
+        public void Add_BeyondTheWindow_DropsTheOld()
         {
             var series = new RollingSeries(capacity: 100, seconds: 5);
             for (var i = 0; i <= 20; i++) series.Add(i, i);
@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Add_BeyondTheCapacity_ForgetsTheOldest()
+        public void Add_BeyondTheCapacity_DropsTheOldest()
         {
             var series = new RollingSeries(capacity: 3, seconds: 100);
             for (var i = 0; i < 10; i++) series.Add(i, i);
@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Add_EarlierTime_BeginsAnew()
+        public void Add_EarlierTime_Restarts()
         {
             var series = new RollingSeries(capacity: 10, seconds: 5);
             series.Add(100, 1);
@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Range_WithUnknownValues_IsOfTheKnown()
+        public void Range_WithUnknownValues_CoversTheKnown()
         {
             var series = new RollingSeries(capacity: 10, seconds: 5);
             foreach (var value in new double?[] { null, 3, -2, null }) series.Add(series.Count, value);
@@ -60,7 +60,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Range_NothingKnown_IsNone()
+        public void Range_UnknownValues_ReturnsFalse()
         {
             var series = new RollingSeries(capacity: 10, seconds: 5);
             Assert.That(series.TryGetRange(out _, out _), Is.False);
@@ -73,7 +73,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         [TestCase(1, 5)]
         [TestCase(10, 0)]
         [TestCase(10, double.NaN)]
-        public void Construct_NoRoom_Throws(int capacity, double seconds)
+        public void Constructor_NoCapacity_Throws(int capacity, double seconds)
         {
             Assert.Throws<ArgumentOutOfRangeException>(() => new RollingSeries(capacity, seconds));
         }

@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Unity.Inspectors
     public class SessionRowsTests
     {
         [Test]
-        public void Rows_NothingKnown_SayDashesAndNoNumbers()
+        public void Rows_UnknownValues_AreDashes()
         {
             var rows = SessionRows.Of(new SessionStatistics()).ToDictionary(row => row.Label, row => row.Value);
 
@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         [TestCase(false, false, "as calibrated")]
         [TestCase(true, false, "predicted by the runtime")]
         [TestCase(false, true, "implausible, 8123.40 ms ahead")]
-        public void Rows_DisplayTime_SayWhereItComesFrom(bool isPredicted, bool isImplausible, string expected)
+        public void Rows_DisplayTime_NameItsSource(bool isPredicted, bool isImplausible, string expected)
         {
             var statistics = new SessionStatistics
             {
@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Rows_Reprojection_SayModeAndDepth()
+        public void Rows_Reprojection_NameModeAndDepth()
         {
             var statistics = new SessionStatistics { Reprojection = ReprojectionMode.PlanarManual, DepthSubmission = DepthSubmission.TurnedOff };
 

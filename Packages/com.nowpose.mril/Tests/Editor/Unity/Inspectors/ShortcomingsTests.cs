@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         public void Clean() => _scene.Destroy();
 
         [Test]
-        public void Session_WithoutSettings_SaysSo()
+        public void Session_WithoutSettings_IsReported()
         {
             var session = _scene.New<MrilSession>("Session");
             Assert.That(Of(session).Single().Message, Is.EqualTo("It has no settings and cannot start, unless a script gives it some."));
@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Rig_BelowASession_LacksNothing()
+        public void Rig_BelowASession_IsComplete()
         {
             var session = _scene.New<MrilSession>("Session");
             session.gameObject.SetActive(false);
@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Rig_BesideTheOnlySession_IsOfferedThat()
+        public void Rig_BesideTheOnlySession_OffersThatSession()
         {
             var session = _scene.New<MrilSession>("The Session");
             var rig = _scene.New<RobotRig>("Robot");
@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Rig_BesideTwoSessions_IsOfferedNone()
+        public void Rig_BesideTwoSessions_OffersNone()
         {
             _scene.New<MrilSession>("One");
             _scene.New<MrilSession>("Two");
@@ -62,7 +62,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Gripper_BesideTheOnlyRig_IsOfferedThat()
+        public void Gripper_BesideTheOnlyRig_OffersThatRig()
         {
             _scene.New<RobotRig>("Robot", _scene.New<MrilSession>("Session").transform);
             var gripper = _scene.New<VirtualGripper>("Gripper");
@@ -71,7 +71,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void RenderTimeSource_OnTheSession_LacksNothing()
+        public void RenderTimeSource_OnTheSession_IsComplete()
         {
             var session = _scene.New<MrilSession>("Session");
 
@@ -80,7 +80,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void PanelAndAppearance_WithNothing_SayWhatEachLacks()
+        public void PanelAndAppearance_WithoutReferences_AreReported()
         {
             var panel = _scene.New<StatusPanel>("Panel");
             _scene.New<TextMesh>("Cell", panel.transform);
@@ -90,7 +90,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Appearance_OpaquePartsBelow_IsOfferedASubstitute()
+        public void Appearance_OpaquePartsBelow_OffersASubstitute()
         {
             var appearance = _scene.New<PoseAppearance>("Looks", _scene.New<MrilSession>("Session").transform);
             Assert.That(Of(appearance), Is.Empty);
@@ -108,7 +108,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Several_SomeLacking_AreFixedTogetherAndOnlyThose()
+        public void Several_SomeIncomplete_FixesOnlyThose()
         {
             var session = _scene.New<MrilSession>("Session");
             var below = _scene.New<RobotRig>("Below", session.transform);

@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Unity.Robot
         RobotDescriptionAsset Asset(string urdf) => _scene.Asset<RobotDescriptionAsset>("My Robot").With("_urdf", urdf);
 
         [Test]
-        public void Read_Urdf_IsTheRobot()
+        public void Read_Urdf_ReturnsTheRobot()
         {
             var asset = Asset(UrdfFiles.Text("ur5.urdf"));
 
@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Create_AtRunTime_ReadsTheSame()
+        public void Create_AtRunTime_ReadsTheSameRobot()
         {
             var asset = RobotDescriptionAsset.Create("Scanned", UrdfFiles.Text("ur5.urdf"));
             try
@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Read_NoRobot_NamesTheAssetAndTheLine()
+        public void Read_NotARobot_NamesTheAssetAndTheLine()
         {
             var fault = Assert.Throws<InputException>(() => Asset("<robot name='r'>\n<joint name='j'/>\n</robot>").Read());
 

@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Unity.Robot
         [TestCase("youbot")]
         [TestCase("ur5")]
         [TestCase("odd_axes")]
-        public void Apply_BuiltRig_StandsAsCoreComputes(string robot)
+        public void Apply_BuiltRig_MatchesForwardKinematics(string robot)
         {
             var rig = NewRig();
             rig.transform.SetPositionAndRotation(new Vector3(0.4f, -0.2f, 1.1f), Quaternion.Euler(10, 130, -20));
@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Unity.Robot
 
         [TestCase("youbot")]
         [TestCase("odd_axes")]
-        public void Apply_HierarchyOfTheScene_StandsAsCoreComputes(string robot)
+        public void Apply_HierarchyOfTheScene_MatchesForwardKinematics(string robot)
         {
             var model = UrdfFiles.Robot(robot);
             var rig = NewRig();
@@ -54,7 +54,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Apply_MimicJoints_FollowTheirMasterAsGiven()
+        public void Apply_MimicJoints_UseTheGivenPositions()
         {
             var rig = NewRig();
             rig.Bind(UrdfFiles.Robot("youbot"));
@@ -70,7 +70,7 @@ namespace Nowpose.Tests.Unity.Robot
 
         [TestCase("youbot", "tool_centre_point", "arm_link_5")]
         [TestCase("ur5", "tool0", "wrist_3_link")]
-        public void Bind_Robot_KnowsToolAndFlange(string robot, string tool, string flange)
+        public void Bind_Robot_SetsToolAndFlange(string robot, string tool, string flange)
         {
             var rig = NewRig();
             var bound = 0;
@@ -99,7 +99,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Bind_LinkNestedElsewhere_SaysSo()
+        public void Bind_LinkBelowAnotherParent_Throws()
         {
             var model = UrdfFiles.Robot("ur5");
             var rig = NewRig();
@@ -112,7 +112,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Bind_LinkIsScaled_SaysSo()
+        public void Bind_LinkIsScaled_Throws()
         {
             var model = UrdfFiles.Robot("ur5");
             var rig = NewRig();
@@ -143,7 +143,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Bind_AnotherRobotIsDrawnThere_SaysSo()
+        public void Bind_HierarchyOfAnotherRobot_Throws()
         {
             var rig = NewRig();
             _scene.New<MeshFilter>("visual", _scene.Links(UrdfFiles.Robot("youbot"), rig.transform)["arm_link_2"]);
@@ -155,7 +155,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Bind_ToolAndLabelThere_BuildsTheRobotBeside()
+        public void Bind_ToolAndLabelExist_BuildsTheRobotBesideThem()
         {
             var rig = NewRig();
             _scene.New("Label", rig.transform);
@@ -167,7 +167,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Bind_LinksOfAnotherRigBelow_AreNotTaken()
+        public void Bind_LinksOfAnotherRigBelow_AreIgnored()
         {
             var model = UrdfFiles.Robot("ur5");
             var rig = NewRig();
@@ -180,7 +180,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Bind_AnotherRobot_TakesTheBuiltOneAway()
+        public void Bind_AnotherRobot_RemovesTheBuiltOne()
         {
             var rig = NewRig();
             rig.Bind(UrdfFiles.Robot("ur5"));
@@ -209,7 +209,7 @@ namespace Nowpose.Tests.Unity.Robot
 
         [TestCase("youbot")]
         [TestCase("ur5")]
-        public void Bind_NoHierarchy_NamesWhatHangsOnALinkApart(string robot)
+        public void Bind_NoHierarchy_GivesChildrenOfALinkUniqueNames(string robot)
         {
             var rig = NewRig();
 
@@ -223,7 +223,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Bind_LinksNamedAsWhatShowsThem_AreToldFromIt()
+        public void Bind_LinkNamedLikeAVisual_IsDistinguished()
         {
             var model = UrdfReader.Read(
                 "<robot name='r'><link name='base'><visual><geometry><box size='1 1 1'/></geometry></visual></link><link name='visual'/>"
@@ -272,7 +272,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Bind_LinkOfMeshesOnly_IsABarToEachJointBelow()
+        public void Bind_LinkOfMeshesOnly_IsDrawnAsBarsToItsJoints()
         {
             const string mesh = "<visual><geometry><mesh filename='package://a/b.dae'/></geometry></visual>";
             var model = UrdfFiles.Read("<link name='a'>" + mesh + "</link>" + UrdfFiles.Links("b", "c")
@@ -292,7 +292,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Apply_NotBound_SaysSo()
+        public void Apply_NotBound_Throws()
         {
             Assert.That(Assert.Throws<InvalidOperationException>(() => NewRig().Apply(new double[6])).Message, Does.Contain("'Robot'"));
         }

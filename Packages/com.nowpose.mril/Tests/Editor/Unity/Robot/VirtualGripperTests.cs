@@ -50,7 +50,7 @@ namespace Nowpose.Tests.Unity.Robot
         [TestCase(0, 0.016)]
         [TestCase(0.005, 0.026)]
         [TestCase(0.0115, 0.039)]
-        public void Posed_FingerJointMoves_OpensBothWays(double metres, double opening)
+        public void Posed_FingerJointMoves_OpensBothFingers(double metres, double opening)
         {
             _rig.Bind(UrdfFiles.Robot("youbot"));
             _gripper.Mount(_rig);
@@ -61,7 +61,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Posed_OpenAndClosed_IsAsAtTheStart()
+        public void Posed_OpenedAndClosed_ReturnsToTheStart()
         {
             _rig.Bind(UrdfFiles.Robot("youbot"));
             _gripper.Mount(_rig);
@@ -75,7 +75,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Posed_NotBelowTheFlange_RidesOnIt()
+        public void Posed_NotBelowTheFlange_FollowsIt()
         {
             _rig.Bind(UrdfFiles.Robot("youbot"));
             _gripper.Mount(_rig);
@@ -101,7 +101,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Posed_FlangeNamed_RidesOnThat()
+        public void Posed_FlangeNamed_FollowsThatLink()
         {
             _rig.Bind(UrdfFiles.Robot("youbot"));
             _gripper.With("_flangeLink", "arm_link_4").Mount(_rig);
@@ -112,7 +112,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Bound_RobotWithoutTheJoints_FingersGoBackToRest()
+        public void Bound_RobotWithoutTheJoints_FingersReturnToRest()
         {
             _rig.Bind(UrdfFiles.Robot("youbot"));
             _gripper.Mount(_rig);
@@ -127,7 +127,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Posed_FingersAreLinksOfTheRig_AreLeftToIt()
+        public void Posed_FingersAreLinksOfTheRig_AreNotMoved()
         {
             var model = UrdfFiles.Robot("youbot");
             var links = _scene.Links(model, _rig.transform);
@@ -157,7 +157,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Unmount_FingersOpen_AreAtRestAlsoForAGripperThatRemembersNothing()
+        public void Unmount_FingersOpen_AreAtRestWithoutStoredState()
         {
             _rig.Bind(UrdfFiles.Robot("youbot"));
             var rest = _left.localPosition;
@@ -177,7 +177,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Unmount_FingerDestroyed_PutsTheOtherBack()
+        public void Unmount_FingerDestroyed_ResetsTheOther()
         {
             _rig.Bind(UrdfFiles.Robot("youbot"));
             var rest = _right.localPosition;

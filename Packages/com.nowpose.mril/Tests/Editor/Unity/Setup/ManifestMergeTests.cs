@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [Test]
-        public void Need_NewPackageOfARegistry_AddsBothAndKeepsTheRest()
+        public void Need_NewPackageOfARegistry_AddsBothAndKeepsOtherEntries()
         {
             const string before = "{\n  \"dependencies\": {\n    \"com.unity.ugui\": \"1.0.0\"\n  },\n  \"testables\": [\n    \"a\"\n  ]\n}\n";
 
@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Unity.Setup
         [TestCase("https://example.org/b.git#v2.1.0")]
         [TestCase("https://example.org/all.git?path=/com.unity.b#b-v1.6.0")]
         [TestCase("file:Tarballs/com.unity.b-2.0.1.tgz")]
-        public void Need_VersionThatServes_Stays(string version)
+        public void Need_SufficientVersion_IsKept(string version)
         {
             var before = "{\"dependencies\":{\"com.unity.b\":\"" + version + "\"}}";
 
@@ -90,7 +90,7 @@ namespace Nowpose.Tests.Unity.Setup
 
         [TestCase("file:../b")]
         [TestCase("https://example.org/b.git#0123456789abcdef")]
-        public void Need_VersionThatCannotBeRead_StaysWithANote(string version)
+        public void Need_UnreadableVersion_IsKeptWithANote(string version)
         {
             var before = "{\"dependencies\":{\"com.unity.b\":\"" + version + "\"}}";
 
@@ -101,7 +101,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [Test]
-        public void Need_Exactly_NamesEveryOtherVersion()
+        public void Need_ExactVersion_NamesEveryOther()
         {
             var merge = new ManifestMerge("{\"dependencies\":{\"com.unity.b\":\"2.0.1\"}}", File, ConflictRule.Refuse);
 
@@ -111,7 +111,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [Test]
-        public void Need_Twice_ChangesNothingMore()
+        public void Need_Twice_ChangesNothingTheSecondTime()
         {
             var once = Merge("{}", OpenXr).Text;
 
@@ -122,7 +122,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [Test]
-        public void Need_RegistryThereUnderAnotherName_GetsTheScopes()
+        public void Need_RegistryUnderAnotherName_GetsTheScopes()
         {
             var before = "{\"scopedRegistries\":[{\"name\":\"x\",\"url\":\"" + Url.TrimEnd('/') + "\",\"scopes\":[\"b\"]}]}";
 

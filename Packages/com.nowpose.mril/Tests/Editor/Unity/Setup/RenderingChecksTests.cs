@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Unity.Setup
         [TestCase(false, "Unknown")]
         [TestCase(true, "Advice", GraphicsDeviceType.Direct3D11)]
         [TestCase(true, "Missing", GraphicsDeviceType.Direct3D12, GraphicsDeviceType.Direct3D11)]
-        public void GraphicsApi_List_IsJudgedAndPinned(bool isAutomatic, string state, params GraphicsDeviceType[] apis)
+        public void GraphicsApi_List_IsCheckedAndPinned(bool isAutomatic, string state, params GraphicsDeviceType[] apis)
         {
             var project = new FakeProject { IsGraphicsApiAutomatic = isAutomatic, GraphicsApis = apis };
             var check = new GraphicsApiCheck();
@@ -32,7 +32,7 @@ namespace Nowpose.Tests.Unity.Setup
 
         [TestCase(false, "Good")]
         [TestCase(true, "Advice")]
-        public void GraphicsJobs_Choice_IsJudgedAndTurnedOff(bool isOn, string state)
+        public void GraphicsJobs_Choice_IsCheckedAndTurnedOff(bool isOn, string state)
         {
             _project.UsesGraphicsJobs = isOn;
             var check = new GraphicsJobsCheck();
@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [Test]
-        public void GraphicsJobs_OtherTargetActive_AreNotKnownAndLeftAlone()
+        public void GraphicsJobs_OtherTargetActive_AreUnknownAndUnchanged()
         {
             _project.UsesGraphicsJobs = null;
             var check = new GraphicsJobsCheck();
@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Unity.Setup
         [TestCase(1, "Good")]
         [TestCase(2, "Good")]
         [TestCase(7, "Missing")]
-        public void InputHandling_HoloLens_IsJudgedAndChosen(int value, string state)
+        public void InputHandling_HoloLens_IsCheckedAndSet(int value, string state)
         {
             _project.InputHandling = value;
             var check = new InputHandlingCheck();
@@ -79,7 +79,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [Test]
-        public void InputHandling_NotFound_IsUnknownAndTheFixNamesTheSetting()
+        public void InputHandling_NotFound_IsUnknownAndFixNamesTheSetting()
         {
             _project.InputHandling = null;
             _project.IsInputHandlingWritable = false;
@@ -94,7 +94,7 @@ namespace Nowpose.Tests.Unity.Setup
         [TestCase("UniversalRenderPipelineAsset", "Good", "URP")]
         [TestCase("HDRenderPipelineAsset", "Missing", "HDRP")]
         [TestCase("OwnPipelineAsset", "Unknown", "OwnPipelineAsset")]
-        public void RenderPipeline_Asset_IsNamedWithWhatItMeans(string asset, string state, string words)
+        public void RenderPipeline_Asset_IsNamedWithItsConsequence(string asset, string state, string words)
         {
             _project.RenderPipeline = asset;
             var check = new RenderPipelineCheck();
@@ -106,7 +106,7 @@ namespace Nowpose.Tests.Unity.Setup
 
         [TestCase(true, "Good")]
         [TestCase(false, "Missing")]
-        public void Background_MainCamera_IsJudgedAndCleared(bool isClear, string state)
+        public void Background_MainCamera_IsCheckedAndCleared(bool isClear, string state)
         {
             _project.ClearsToTransparentBlack = isClear;
             var check = new CameraBackgroundCheck();
@@ -121,7 +121,7 @@ namespace Nowpose.Tests.Unity.Setup
         [TestCase(0.1f, "Good", "0.1 m")]
         [TestCase(0.3f, "Good", "0.3 m")]
         [TestCase(0.85f, "Advice", "0.85 m; what is nearer to the eyes is cut off")]
-        public void NearClip_MainCamera_IsJudgedByTheStepOfTheDepth(float near, string state, string found)
+        public void NearClip_MainCamera_IsCheckedByTheDepthResolution(float near, string state, string found)
         {
             _project.NearClipMetres = near;
             var check = new NearClipCheck();
@@ -135,7 +135,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [Test]
-        public void Camera_None_IsUnknownAndNothingIsChanged()
+        public void Camera_None_IsUnknownAndUnchanged()
         {
             foreach (var check in new ProjectCheck[] { new CameraBackgroundCheck(), new NearClipCheck() })
             {

@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Unity.Setup
         [TestCase("6000.2.1b3", "Advice", "Advice")]
         [TestCase("6000.3.0f1", "Advice", "Missing")]
         [TestCase("6000.7.0a1", "Advice", "Missing")]
-        public void Judge_Version_IsAsKnownWithoutAndWithMicrosoftsPlugIn(string version, string without, string with)
+        public void Judge_Version_DependsOnMicrosoftsPlugIn(string version, string without, string with)
         {
             var parsed = UnityVersion.TryParse(version).Value;
 
@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [Test]
-        public void Judge_TooNewForThePlugIn_NamesItAndWhatToUse()
+        public void Judge_TooNewForThePlugIn_NamesItAndTheRemedy()
         {
             var found = UnityBounds.Judge(UnityVersion.TryParse("6000.3.2f1").Value, withMicrosoft: true).Found;
 

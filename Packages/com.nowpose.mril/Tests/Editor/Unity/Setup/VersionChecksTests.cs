@@ -15,13 +15,13 @@ namespace Nowpose.Tests.Unity.Setup
         [TestCase("6000.3.2f1", "Missing")]
         [TestCase("2020.3.1f1", "Missing")]
         [TestCase("dev build", "Unknown")]
-        public void UnityVersion_ForAHoloLens_IsJudgedWithMicrosoftsPlugIn(string version, string state)
+        public void UnityVersion_ForAHoloLens_IsCheckedWithMicrosoftsPlugIn(string version, string state)
         {
             Assert.That(State(new UnityVersionCheck(), new FakeProject { EditorVersion = version }), Is.EqualTo(state));
         }
 
         [Test]
-        public void UnityVersion_ForAndroid_IsJudgedWithoutIt()
+        public void UnityVersion_ForAndroid_IsCheckedWithoutMicrosoftsPlugIn()
         {
             var android = new FakeProject(HeadsetPlatform.AndroidHeadset) { EditorVersion = "6000.3.2f1" };
 
@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Unity.Setup
         [TestCase("4.0.0-pre.2", "3.0.4", "Missing")]
         [TestCase("4.1.0", "2.6.3", "Missing")]
         [TestCase(null, "3.0.4", "Missing")]
-        public void MrtkGeneration_Versions_AreJudged(string mrtk, string interaction, string state)
+        public void MrtkGeneration_Versions_AreChecked(string mrtk, string interaction, string state)
         {
             var project = new FakeProject();
             if (mrtk != null) project.Installed[Core] = mrtk;
@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [Test]
-        public void Mrtk3_AllOfTheTable_IsGood()
+        public void Mrtk3_AllPackagesOfTheTable_IsGood()
         {
             var project = new FakeProject();
             foreach (var package in ProjectNeeds.Mrtk3) project.Installed[package.Name] = PackageVersion.Read(package.Reference).ToString();

@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(0)]
         [TestCase(90)]
         [TestCase(-170)]
-        public void Next_AtFirst_StandsBeforeTheHeadAtOnceUprightAndToBeRead(float yaw)
+        public void Next_FirstFrame_IsInFrontOfTheHeadUprightAndReadable(float yaw)
         {
             _following = default;
             var eyes = new Vector3(1, 1.6f, -2);
@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Unity.Status
             Step(Head(yaw, 20, 15, eyes));
 
             Assert.That(Vector3.Distance(_panel.position, eyes), Is.EqualTo(1.3f).Within(1e-4));
-            Assert.That(Mathf.DeltaAngle(Azimuth(_panel, eyes), yaw), Is.EqualTo(0).Within(0.01), "straight ahead, whatever the nod and tilt");
+            Assert.That(Mathf.DeltaAngle(Azimuth(_panel, eyes), yaw), Is.EqualTo(0).Within(0.01), "straight ahead, ignoring pitch and roll");
             Assert.That(_panel.position.y - eyes.y, Is.EqualTo(-1.3 * Math.Sin(12 * Math.PI / 180)).Within(1e-4));
             Assert.That((_panel.rotation * Vector3.up).y, Is.EqualTo(1).Within(1e-5), "upright");
             var away = _panel.position - eyes;
@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void Next_HeadWithinTheThreshold_DoesNotMoveAtAll()
+        public void Next_HeadWithinTheThreshold_DoesNotMove()
         {
             var random = new System.Random(5);
             var before = _panel;
@@ -70,7 +70,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(-60)]
         [TestCase(179)]
         [TestCase(-179.9f)]
-        public void Next_HeadTurnedBeyond_GlidesOverWithoutAJumpAndSettles(float yaw)
+        public void Next_HeadTurnedBeyondTheThreshold_MovesWithoutAJumpAndSettles(float yaw)
         {
             var fastest = 0f;
             var nearest = float.MaxValue;
@@ -89,7 +89,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void Next_Settled_StaysWhereItIs()
+        public void Next_Settled_DoesNotMove()
         {
             Step(Head(60), 5);
             var settled = _panel;
@@ -101,7 +101,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void Next_HeadTurnsBackWhileItGlides_GoesOnUntilItIsThere()
+        public void Next_HeadTurnsBackDuringTheMove_CompletesTheMove()
         {
             Step(Head(60), 0.1);
             var onTheWay = Azimuth(_panel);
@@ -113,7 +113,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void Next_FramesOfAnyLength_EndAtTheSamePlace([Values(0.004f, 0.016f, 0.1f, 1f)] float frame)
+        public void Next_FramesOfAnyLength_ReachTheSamePlace([Values(0.004f, 0.016f, 0.1f, 1f)] float frame)
         {
             for (var t = 0f; t < 0.5f; t += frame) _panel = _following.Next(_panel, Head(60), Settings, frame);
             for (var t = 0f; t < 8; t += frame) _panel = _following.Next(_panel, Head(60), Settings, frame);
@@ -125,7 +125,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(0, 0, -0.5f)]
         [TestCase(0, 0.5f, 0)]
         [TestCase(3, 0, 3)]
-        public void Next_HeadMovedBeyond_FollowsUpright(float x, float y, float z)
+        public void Next_HeadMovedBeyondTheThreshold_FollowsUpright(float x, float y, float z)
         {
             var head = Head(10, -30, 20, new Vector3(x, y, z));
 
@@ -138,7 +138,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(89, 25)]
         [TestCase(-89, 25)]
         [TestCase(90, -100)]
-        public void HeadingOf_LookingStraightDownOrUp_IsWhereTheFaceWasTurned(float pitch, float yaw)
+        public void HeadingOf_LookingStraightDownOrUp_IsTheYaw(float pitch, float yaw)
         {
             Assert.That(Mathf.DeltaAngle(AroundHead.HeadingOf(Quaternion.Euler(pitch, yaw, 0)), yaw), Is.EqualTo(0).Within(0.1));
         }

@@ -27,13 +27,13 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(-5000, "± < −999 ms")]
         [TestCase(double.NegativeInfinity, "± < −999 ms")]
         [TestCase(double.NaN, "–")]
-        public void Of_Number_IsRoundedToWhatCanBeRead(double number, string expected)
+        public void Of_Number_IsRoundedToReadableDigits(double number, string expected)
         {
             Assert.That(Texts.Of(number), Is.EqualTo(expected));
         }
 
         [Test]
-        public void Of_Unknown_IsADash()
+        public void Of_Unknown_ReturnsADash()
         {
             Assert.That(Texts.Of((double?)null), Is.EqualTo("–"));
             Assert.That(Texts.Of((TimeSpan?)null), Is.EqualTo("–"));
@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void Of_RandomNumbers_AreNearWhatIsShown()
+        public void Of_RandomNumbers_AreRoundedToTheNearest()
         {
             var random = new Random(1);
             for (var i = 0; i < 10_000; i++)
@@ -60,9 +60,9 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void Of_SameNumberTwice_IsTheSameString()
+        public void Of_SameNumberTwice_ReusesTheString()
         {
-            Assert.That(Texts.Of(12.34), Is.SameAs(Texts.Of(12.31)), "made beforehand");
+            Assert.That(Texts.Of(12.34), Is.SameAs(Texts.Of(12.31)), "the texts are created in advance");
         }
     }
 }

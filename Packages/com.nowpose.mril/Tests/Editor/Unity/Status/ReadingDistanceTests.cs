@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Unity.Status
         public void Clear() => _objects.Destroy();
 
         [Test]
-        public void Update_ViewerWalksAbout_LettersStayHalfADegreeAndMoreAndChangeSeldom()
+        public void Update_ViewerMoves_LettersStayAboveHalfADegreeAndRarelyChange()
         {
             var random = new System.Random(3);
             var distance = new ReadingDistance();
@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void At_OneMetre_IsTheSizeThatHalfADegreeNeeds()
+        public void At_OneMetre_IsTheSizeOfHalfADegree()
         {
             Assert.That(LetterSize.At(1) * 1409 / 2048, Is.EqualTo(0.008727).Within(1e-5));
         }
@@ -54,7 +54,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(1)]
         [TestCase(0.01f)]
         [TestCase(7)]
-        public void Face_TextBelowScaledObjects_HasItsSizeInTheWorldAndLooksAtTheViewer(float scale)
+        public void Face_TextBelowScaledObjects_HasItsSizeInTheWorldAndFacesTheViewer(float scale)
         {
             var above = _objects.New("above");
             above.localScale = Vector3.one * scale;
@@ -71,7 +71,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void Facing_ViewerRightBelow_StaysUpright()
+        public void Facing_ViewerDirectlyBelow_StaysUpright()
         {
             Assert.That(Viewer.Facing(new Vector3(0, 2, 0), Vector3.zero), Is.EqualTo(Quaternion.identity));
         }

@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Unity.Status
         static string Row(StatusRow row, params (string Property, object Value)[] values) => Row(row, Statistics(values));
 
         [Test]
-        public void Update_NothingKnown_IsDashes()
+        public void Update_WithoutStatistics_ShowsDashes()
         {
             var texts = new StatusTexts();
 
@@ -59,7 +59,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void Update_JointBeyondItsLimits_IsSaidUnlessSomethingIsWorse()
+        public void Update_JointBeyondItsLimits_IsShownUnlessThereIsAWorseProblem()
         {
             var watch = new LimitWatch(TestRobot.Model);
             for (var i = 0; i < 3; i++) watch.Add(0, 45);
@@ -98,7 +98,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(JointDataState.Fault, "node deleted", "! joint a3: no data since 11:59:56: node deleted")]
         [TestCase(JointDataState.Stale, "", "! joint a3: no data since 11:59:56")]
         [TestCase(JointDataState.Rest, "", "joint a3: assumed at rest since 11:59:56")]
-        public void Update_JointThatIsNotLive_IsNamedWithSinceWhenAndWhy(JointDataState state, string reason, string expected)
+        public void Update_JointNotLive_IsNamedWithBeginAndReason(JointDataState state, string reason, string expected)
         {
             var statistics = Statistics(100, Joint("a3", state, 4, reason));
 
@@ -107,7 +107,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void Update_JointWithoutDataAndAnotherAtRest_NamesTheOneWithoutData()
+        public void Update_OneJointWithoutDataOneAtRest_NamesTheOneWithoutData()
         {
             var statistics = Statistics(100, Joint("a1", JointDataState.Rest, 9), Joint("a3", JointDataState.Stale, 4));
 
@@ -115,7 +115,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void Update_NoSampleOfAnyJointYet_NamesOnlyWhatTheGatewayReports()
+        public void Update_WithoutSamples_NamesOnlyJointsThatTheGatewayReports()
         {
             var silent = Joint("a1", JointDataState.Missing, null);
 
@@ -126,7 +126,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void JointStatusLine_SameStateForLonger_IsTheSameText()
+        public void JointStatusLine_SameState_ReusesTheText()
         {
             var line = new JointStatusLine(isOfMissing: true, () => Noon);
 
@@ -148,7 +148,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void Update_ProfileOfAnotherCondition_IsMarkedAndSaidUnlessLightIsPredicted()
+        public void Update_ProfileOfOtherConditions_IsMarkedUnlessDisplayTimeIsPredicted()
         {
             var conditions = new DisplayConditions(graphicsApi: "Direct3D11", reprojection: ReprojectionMode.Depth);
             var profile = new LatencyProfile(40, 1, conditions, DateTime.UtcNow, CalibrationMethod.Sine, 1);
@@ -168,7 +168,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void Update_NewSession_ClaimsNothing()
+        public void Update_NewSession_ShowsUnknownValues()
         {
             Assert.That(Row(StatusRow.Pose), Does.StartWith("! no positions yet"));
             Assert.That(Row(StatusRow.Clock), Is.EqualTo("! no answer yet|"));
@@ -186,7 +186,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(PoseState.Held, "! held")]
         [TestCase(PoseState.Unsynchronised, "! not synchronised")]
         [TestCase(PoseState.Incomplete, "! no positions yet")]
-        public void Update_Pose_IsInWordsAndMarked(PoseState pose, string value)
+        public void Update_Pose_HasWordsAndAMark(PoseState pose, string value)
         {
             var row = Row(StatusRow.Pose, ("Pose", pose)).Split('|');
 
@@ -200,7 +200,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(ClockState.Converging, "! converging|± 0.35 ms")]
         [TestCase(ClockState.Holdover, "! holdover|± 0.35 ms")]
         [TestCase(ClockState.Unsynchronised, "! no answer yet|")]
-        public void Update_Clock_ShowsItsEstimatedErrorOnceItIsKnown(ClockState state, string expected)
+        public void Update_Clock_ShowsItsEstimatedErrorOnceKnown(ClockState state, string expected)
         {
             var clock = new ClockModel(default, default, 0, Ms(8), state, estimatedError: Ms(0.35));
 
@@ -211,7 +211,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(PoseState.Current, ClockState.Holdover, "current|clock ± 3.1 ms")]
         [TestCase(PoseState.Current, ClockState.Synchronised, "current|")]
         [TestCase(PoseState.Held, ClockState.Coarse, "! held|samples too old or few")]
-        public void Update_PoseByACoarseClock_ShowsTheErrorBesideThePose(PoseState pose, ClockState state, string expected)
+        public void Update_PoseWithACoarseClock_ShowsTheErrorBesideThePose(PoseState pose, ClockState state, string expected)
         {
             var clock = new ClockModel(default, default, 0, Ms(14), state, estimatedError: Ms(3.14));
 
@@ -243,7 +243,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(false, false, "47.0 ms|as set")]
         [TestCase(true, false, "47.0 ms|predicted by the runtime")]
         [TestCase(true, true, "! 47.0 ms|runtime and calibration differ")]
-        public void Update_VisualisationLatency_SaysWhereItComesFrom(bool isPredicted, bool isDoubted, string expected)
+        public void Update_VisualisationLatency_NamesItsSource(bool isPredicted, bool isDoubted, string expected)
         {
             Assert.That(Row(StatusRow.VisualisationLatency, ("VisualisationLatency", Ms(47)), ("IsLightPredicted", isPredicted),
                 ("IsDisplayTimeDoubted", isDoubted)), Is.EqualTo(expected));
@@ -252,7 +252,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(OutsideRangeResponse.Fade)]
         [TestCase(OutsideRangeResponse.GoOn)]
         [TestCase(OutsideRangeResponse.Hold)]
-        public void Update_PoseOutsideRange_SaysWhatStandsAtTheRobot(OutsideRangeResponse response)
+        public void Update_PoseOutsideRange_HasTheWordsOfTheAppearance(OutsideRangeResponse response)
         {
             var row = Row(StatusRow.Pose, ("Pose", PoseState.OutsideRange), ("OutsideRange", response)).Split('|');
 
@@ -276,7 +276,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(RangeState.Unknown, RangeDoubt.TooFewFrames, "–|measuring")]
         [TestCase(RangeState.Unknown, RangeDoubt.BeyondMeasured, "–|beyond what was measured")]
         [TestCase(RangeState.Unknown, RangeDoubt.OtherSource, "–|limit of another source")]
-        public void Update_Range_ShowsWhyItIsNotKnown(RangeState range, object doubt, string expected)
+        public void Update_Range_ShowsTheReasonIfUnknown(RangeState range, object doubt, string expected)
         {
             Assert.That(Row(StatusRow.Range, ("Range", range), ("RangeDoubt", (RangeDoubt)doubt)), Is.EqualTo(expected));
         }
@@ -287,19 +287,19 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(0.874, 0.021, "87 %|± 2 %")]
         [TestCase(-0.12, 0.3, "−12 %|± 30 %")]
         [TestCase(0.874, null, "87 %|")]
-        public void Update_Reduction_HasItsUncertaintyOnceItIsKnown(double reduction, double? uncertainty, string expected)
+        public void Update_Reduction_HasItsUncertaintyOnceKnown(double reduction, double? uncertainty, string expected)
         {
             Assert.That(Row(StatusRow.Reduction, ("ToolError", (DisplayedError?)Error(3, 8, reduction, uncertainty))), Is.EqualTo(expected));
         }
 
         [Test]
-        public void Update_Error_IsWhatIsLeft()
+        public void Update_Error_ShowsTheErrorWithCompensation()
         {
             Assert.That(Row(StatusRow.Error, ("ToolError", (DisplayedError?)Error(3.24, 8.17, 0.9, 0.01))), Is.EqualTo("3.2 mm|95 % below 8.2 mm"));
         }
 
         [Test]
-        public void Update_RobotAtRest_HasAnErrorButNoReduction()
+        public void Update_RobotAtRest_ShowsAnErrorButNoReduction()
         {
             var statistics = Statistics(("ToolError", (DisplayedError?)Error(0, 0, null, null)));
 
@@ -308,7 +308,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void JointErrorLine_SameNumbers_IsTheSameText()
+        public void JointErrorLine_SameNumbers_ReusesTheText()
         {
             var line = new JointErrorLine();
             JointError[] Joints(double? reduction) => new[]
@@ -337,7 +337,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [TestCaseSource(nameof(Links))]
-        public void Update_Connections_ShowTheOneThatIsWorseOff(LinkStatus sync, LinkStatus samples, string value, string message)
+        public void Update_Connections_ShowTheWorseOne(LinkStatus sync, LinkStatus samples, string value, string message)
         {
             var texts = new StatusTexts();
 
@@ -362,13 +362,13 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(RobotDescriptionMatch.Same, "as the gateway's|youBot")]
         [TestCase(RobotDescriptionMatch.Different, "! differs|youBot")]
         [TestCase(RobotDescriptionMatch.Unknown, "–|youBot")]
-        public void Update_Robot_ShowsWhetherTheGatewayDescribesTheSame(object match, string expected)
+        public void Update_Robot_ShowsWhetherTheDescriptionMatches(object match, string expected)
         {
             Assert.That(Row(StatusRow.Robot, Statistics(("RobotDescriptionMatch", (RobotDescriptionMatch)match)), robot: "youBot"), Is.EqualTo(expected));
         }
 
         [Test]
-        public void Update_Problem_IsSaidInLinesThatFitAndGoesAgain()
+        public void Update_Problem_IsWrappedAndRemovedAgain()
         {
             var texts = new StatusTexts();
             texts.Update(null, null, null, "visualisation latency: 900 ms is out of range; allowed are 0 to 500 ms; calibrate it for this device");

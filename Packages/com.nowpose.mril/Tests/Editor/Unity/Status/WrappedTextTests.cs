@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase("WWWW iiii", "WWWW\niiii")]
         [TestCase("00000000 00", "0000000\n0 00")]
         [TestCase("00 00000000", "00\n0000000\n0")]
-        public void Of_Line_IsBrokenBetweenWordsByTheirWidth(string line, string expected)
+        public void Of_Line_IsWrappedBetweenWordsByWidth(string line, string expected)
         {
             Assert.That(WrappedText.Of(line, 4), Is.EqualTo(expected));
         }
@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void Of_AnyWidth_LosesNothingAndNeverExceedsIt([Range(2, 30)] int width)
+        public void Of_AnyWidth_KeepsAllTextWithinTheWidth([Range(2, 30)] int width)
         {
             const string line = "sync: no connection could be made because 192.168.0.20:47010 actively refused it, trying again";
 

@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
         }
 
         [Test]
-        public void Play_NoiseAndOutliers_LocksWhereTheBaseIs()
+        public void Play_NoiseAndOutliers_LocksAtTheBase()
         {
             var played = Locked("noise.txt");
 
@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
         }
 
         [Test]
-        public void Play_StalePosesSaidToBeTracked_DoNotMoveIt()
+        public void Play_StalePosesMarkedAsTracked_DoNotMoveTheBase()
         {
             var played = Locked("stale.txt");
 
@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
         }
 
         [Test]
-        public void Play_JumpsToTheOrigin_DoNotMoveIt()
+        public void Play_JumpsToTheOrigin_DoNotMoveTheBase()
         {
             var played = new MarkerSequence("origin.txt");
             played.Play(0.3);
@@ -63,7 +63,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
         }
 
         [Test]
-        public void Play_LostAndBack_StaysLocked()
+        public void Play_LostAndFoundAgain_StaysLocked()
         {
             var played = Locked("lost-and-back.txt");
             var before = played.Tracker.Markers[0].Sightings;
@@ -74,7 +74,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
         }
 
         [Test]
-        public void Play_TwoDisagree_DoesNotLockAndNamesThem()
+        public void Play_TwoMarkersDisagree_DoesNotLockAndNamesThem()
         {
             var played = new MarkerSequence("two-disagree.txt");
 
@@ -85,7 +85,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
         }
 
         [Test]
-        public void Play_OnePushed_IsNamedSoonAndNotFollowed()
+        public void Play_OneMarkerPushed_IsNamedWithinASecondAndNotFollowed()
         {
             var played = Locked("one-moved.txt", 6);
             var before = played.Tracker.Base.Value;

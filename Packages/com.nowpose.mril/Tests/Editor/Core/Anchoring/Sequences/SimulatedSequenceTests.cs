@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
         [TestCase("lost-and-back.txt")]
         [TestCase("two-disagree.txt")]
         [TestCase("one-moved.txt")]
-        public void LinesOf_File_AreThoseThatItHas(string file)
+        public void LinesOf_File_MatchTheStoredLines(string file)
         {
             var path = Path.Combine(Here(), file);
             // If the variable is set, the test writes the files again.

@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
 
         [TestCase(250)]
         [TestCase(-80)]
-        public void MmPerS_ConstantSpeedAndNoise_IsThatSpeed(double mmPerS)
+        public void MmPerS_NoisyConstantSpeed_IsThatSpeed(double mmPerS)
         {
             var random = new Random(2);
 
@@ -27,13 +27,13 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void IsConstant_Accelerating_IsNot()
+        public void IsConstant_Accelerating_IsFalse()
         {
             Assert.That(Moved(t => 250 * t * t).IsConstant, Is.False);
         }
 
         [Test]
-        public void MmPerS_FewFrames_IsNotKnown()
+        public void MmPerS_FewFrames_IsNull()
         {
             Assert.That(Moved(t => 250 * t, 29).MmPerS, Is.Null);
             Assert.That(Moved(t => 250 * t, 29).IsConstant, Is.False);
@@ -41,7 +41,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Add_ClockWentBack_BeginsAnew()
+        public void Add_ClockWentBack_DiscardsEarlierFrames()
         {
             var speed = Moved(t => 250 * t);
 

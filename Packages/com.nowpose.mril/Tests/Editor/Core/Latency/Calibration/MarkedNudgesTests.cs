@@ -7,7 +7,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
     public class MarkedNudgesTests
     {
         [Test]
-        public void Result_SpeedsThatDifferALittle_IsExactAllTheSame()
+        public void Result_SlightlyDifferentSpeeds_IsExact()
         {
             var marks = new MarkedNudges(40);
             marks.Add(0.020 * 250 + 3, 250);
@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Add_Directions_AreThoseOfTheSpeed()
+        public void Add_SignedSpeed_CountsTheDirection()
         {
             var marks = new MarkedNudges(40);
             marks.Add(5, 250);
@@ -32,7 +32,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         [TestCase(19, "nudge: the tool moves at 19 mm/s along the axis; mark at 20 mm/s or more")]
         [TestCase(double.NaN, "nudge: the tool moves at NaN mm/s along the axis; mark at 20 mm/s or more")]
         [TestCase(-200, "nudge: the tool moves at 200 mm/s, and moved at 250 mm/s in the marks before; keep one speed, or clear them")]
-        public void Add_SpeedThatWillNotDo_IsRefusedAndTheMarksStay(double speedMmPerS, string message)
+        public void Add_InvalidSpeed_ThrowsAndKeepsTheMarks(double speedMmPerS, string message)
         {
             var marks = new MarkedNudges(40);
             marks.Add(5, 250);
@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Result_NoMark_SaysWhatIsMissing()
+        public void Result_NoMark_NamesTheMissingDirection()
         {
             var marks = new MarkedNudges(40);
             marks.Add(5, 250);

@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Result_MarksByAnEye_ScatterAsTheSpreadSays([Values(2.0, 5.0)] double eyeMm)
+        public void Result_NoisyMarks_ScatterMatchesTheSpread([Values(2.0, 5.0)] double eyeMm)
         {
             const int runs = 400, repeats = 6;
             var random = new Random(11);
@@ -47,7 +47,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Result_OneMarkEach_SpreadsByWhatAnEyeSees()
+        public void Result_OneMarkEach_HasTheSpreadOfTheEyesResolution()
         {
             var nudge = new NudgeCalibration(500, 40);
             nudge.AddForward(3);
@@ -67,7 +67,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Result_DirectionsMixedUp_IsNoLatency()
+        public void Result_DirectionsSwapped_Throws()
         {
             var nudge = new NudgeCalibration(500, 40);
             nudge.AddForward(-30);
@@ -80,14 +80,14 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         [TestCase(0, 40, "speed of the tool: 0 mm/s is out of range; allowed are 1 to 10000 mm/s")]
         [TestCase(double.NaN, 40, "speed of the tool: NaN mm/s is out of range; allowed are 1 to 10000 mm/s")]
         [TestCase(500, -1, "visualisation latency: -1 ms is out of range; allowed are 0 to 500 ms")]
-        public void NudgeCalibration_BadSetting_SaysWhatIsWrong(double speedMmPerS, double toldMs, string message)
+        public void Constructor_InvalidSetting_ThrowsWithTheReason(double speedMmPerS, double toldMs, string message)
         {
             Assert.That(Assert.Throws<InputException>(() => new NudgeCalibration(speedMmPerS, toldMs)).Message, Is.EqualTo(message));
         }
 
         [TestCase(double.NaN)]
         [TestCase(-1001)]
-        public void AddForward_BadOffset_IsRefused(double offsetMm)
+        public void AddForward_InvalidOffset_Throws(double offsetMm)
         {
             Assert.Throws<InputException>(() => new NudgeCalibration(500, 40).AddForward(offsetMm));
         }

@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
 
         [TestCase(30)]
         [TestCase(100)]
-        public void Fit_SweepsOverTheLimit_FindItWithinSixPercentBelowAndTwoAbove(int perLoad)
+        public void Fit_SweepsOverTheLimit_FindTheLimitWithinSixPercentBelowAndTwoAbove(int perLoad)
         {
             var near = CountNear(new SimulatedPictures { PerLoad = perLoad }, out var limits);
 
@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Fit_CoarseLoadsAndFewPictures_StillFindIt()
+        public void Fit_CoarseLoadsAndFewPictures_FindsTheLimit()
         {
             var coarse = new SimulatedPictures { PerLoad = 20, Loads = Enumerable.Range(0, 11).Select(i => 200_000.0 * i).ToArray() };
 
@@ -41,7 +41,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         [TestCase(0.001)]
         [TestCase(0.003)]
         [TestCase(0.01)]
-        public void Fit_CoarseLoadsOfSteadyRenderTime_StillFindIt(double scatter)
+        public void Fit_CoarseLoadsOfSteadyRenderTime_FindsTheLimit(double scatter)
         {
             var steady = new SimulatedPictures
             {
@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Fit_OneInTwentyMisreadAndThreeInAHundredSlow_StillFindIt()
+        public void Fit_FivePercentMisreadAndThreePercentSlow_FindsTheLimit()
         {
             var spoiled = new SimulatedPictures { Misread = 0.05, Display = new DisplayPipelineSettings(spikeChance: 0.03) };
 
@@ -61,7 +61,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Fit_PicturesMisreadByAsMuchAsACodeCanBe_AreLeftOutLikeOthers()
+        public void Fit_PicturesMisreadByUpToAPeriod_AreRejected()
         {
             foreach (var seed in Enumerable.Range(1, 20))
             {
@@ -79,7 +79,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
 
         // On a display that is lit all the time, each frame is seen up to half a refresh before or after its middle.
         [Test]
-        public void Fit_LatencyThatScattersByHalfARefresh_FindsTheLimitAllTheSame()
+        public void Fit_LatencyScattersByHalfARefresh_FindsTheLimit()
         {
             var near = CountNear(new SimulatedPictures { NoiseMs = 4 }, out var limits);
 
@@ -89,7 +89,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         [TestCase(30, 0.02, 0.01)]
         [TestCase(30, 0.05, 0.01)]
         [TestCase(100, 0.02, 0.03)]
-        public void Fit_LoadsThatNeverReachTheLimit_InventNone(int perLoad, double misread, double spikeChance)
+        public void Fit_LoadsBelowTheLimit_FindsNoLimit(int perLoad, double misread, double spikeChance)
         {
             var plateau = new SimulatedPictures { PerLoad = perLoad, Loads = BelowTheLimit, Misread = misread, Display = new DisplayPipelineSettings(spikeChance: spikeChance) };
 
@@ -105,7 +105,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Fit_Sweeps_GiveThePlateauWithinATenthOfAMillisecondAndItsSpread()
+        public void Fit_Sweeps_FindThePlateauAndItsSpread()
         {
             foreach (var seed in Enumerable.Range(1, 20))
             {
@@ -118,7 +118,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Fit_ASharpTurn_IsFoundBetweenTheLastGoodAndTheFirstBad()
+        public void Fit_StepOfTheLatency_IsFoundBetweenTheNeighbouringPairs()
         {
             var pairs = Enumerable.Range(0, 200).Select(i => new LatencyPair(5 + 0.1 * i, i < 100 ? 40 : 57)).ToArray();
 
@@ -131,7 +131,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Fit_PlateauToTheEnd_IsValidToTheGreatestRenderTimeSeen()
+        public void Fit_PlateauToTheEnd_IsValidToTheMaximumRenderTime()
         {
             var fit = RangeFit.Fit(Enumerable.Range(0, 60).Select(i => new LatencyPair(4 + 0.1 * i, 40 + i % 3)).ToArray());
 
@@ -140,14 +140,14 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Fit_TooFewPairs_SaysHowManyAreNeeded() =>
+        public void Fit_TooFewPairs_StatesTheMinimum() =>
             Assert.That(() => RangeFit.Fit(new LatencyPair[19]), Throws.TypeOf<InputException>().With.Message.Contains("19").And.Message.Contains("20"));
 
         // A source that counts whole milliseconds or frames: the limit must not lie within a group of equal render times.
         [TestCase(1)]
         [TestCase(2)]
         [TestCase(1000 / 60.0)]
-        public void Fit_RenderTimesInSteps_SplitBetweenStepsOnly(double stepMs)
+        public void Fit_RenderTimesInSteps_SplitsOnlyBetweenSteps(double stepMs)
         {
             foreach (var seed in Enumerable.Range(1, 20))
             {
@@ -163,7 +163,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Fit_RenderTimeThatNeverMoves_InventsNoLimit()
+        public void Fit_ConstantRenderTime_FindsNoLimit()
         {
             var pairs = new SimulatedPictures().Take(1).Select(pair => new LatencyPair(8, pair.VisuMs)).ToArray();
 
@@ -181,7 +181,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Fit_NoiseWithoutAPlateau_SaysThatThereIsNone()
+        public void Fit_NoiseWithoutAPlateau_Throws()
         {
             var random = new Random(4);
             var noise = Enumerable.Range(0, 300).Select(i => new LatencyPair(4 + 0.05 * i, 20 + 60 * random.NextDouble())).ToArray();
@@ -191,7 +191,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
 
         [TestCase(21, false)]
         [TestCase(5, true)]
-        public void Fit_LoadsFarApart_SaysHowFarTheLimitIsOpen(int loads, bool isOpen)
+        public void Fit_LoadsFarApart_StatesTheRangeOfTheLimit(int loads, bool isOpen)
         {
             var pictures = new SimulatedPictures { Loads = Enumerable.Range(0, loads).Select(i => 2e6 * i / (loads - 1)).ToArray() };
 
@@ -206,7 +206,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
 
         // Any input gives either a plausible result or one line that states why there is none.
         [Test]
-        public void Fit_AnyPairs_GivesAResultWithinThemOrSaysWhyNot()
+        public void Fit_AnyPairs_ReturnsAResultWithinThemOrThrows()
         {
             var refused = 0;
             for (var seed = 0; seed < 500; seed++)
@@ -237,7 +237,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         [TestCase(double.PositiveInfinity, 40, "render_ms", "0.001 to 1000 ms")]
         [TestCase(5, double.NaN, "visu_ms", "-65536 to 65536 ms")]
         [TestCase(5, 65_537, "visu_ms", "-65536 to 65536 ms")]
-        public void Pair_NoMeasurement_NamesTheFieldAndItsRange(double renderMs, double visuMs, string field, string range) =>
+        public void Pair_InvalidMeasurement_NamesFieldAndRange(double renderMs, double visuMs, string field, string range) =>
             Assert.That(
                 () => new LatencyPair(renderMs, visuMs),
                 Throws.TypeOf<InputException>().With.Message.Contains(field).And.Message.Contains(range));

@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         double LoadedMs() => LatencyProfileFile.Load(_path).Visualisation.Length.TotalMilliseconds;
 
         [Test]
-        public void Save_NewAndOverAnOldOne_IsLoadedAndLeavesNothingElse()
+        public void Save_NewAndExistingFile_IsLoadedWithoutOtherFiles()
         {
             LatencyProfileFile.Save(_path, Profile(40));
             var first = LoadedMs();
@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         }
 
         [Test]
-        public void Load_EndedBetweenWritingAndReplacing_IsTheLastGoodOne()
+        public void Load_SaveInterruptedBeforeReplacing_ReturnsTheFormerProfile()
         {
             LatencyProfileFile.Save(_path, Profile(40));
             File.WriteAllText(_path + ".new", Half(LatencyProfileJson.Write(Profile(50))));
@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         }
 
         [Test]
-        public void Save_CannotWrite_SaysSoAndTheOldOneStays()
+        public void Save_CannotWrite_ThrowsAndKeepsTheFormerProfile()
         {
             LatencyProfileFile.Save(_path, Profile(40));
             Directory.CreateDirectory(_path + ".new");
@@ -69,7 +69,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         }
 
         [Test]
-        public void Load_NoFile_SaysSoInOneLine()
+        public void Load_NoFile_ThrowsInOneLine()
         {
             var fault = Assert.Throws<InputException>(() => LatencyProfileFile.Load(_path));
 
@@ -77,7 +77,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         }
 
         [Test]
-        public void Load_TornFile_NamesIt()
+        public void Load_TruncatedFile_NamesIt()
         {
             LatencyProfileFile.Save(_path, Profile(40));
             File.WriteAllText(_path, Half(File.ReadAllText(_path)));
@@ -87,7 +87,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         }
 
         [Test]
-        public void Load_HugeFile_IsNotEvenRead()
+        public void Load_HugeFile_IsRefusedUnread()
         {
             Directory.CreateDirectory(_folder);
             File.WriteAllBytes(_path, new byte[1_000_000]);

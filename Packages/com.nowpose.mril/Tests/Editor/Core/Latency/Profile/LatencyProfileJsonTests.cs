@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         static string FaultOf(string text) => Assert.Throws<InputException>(() => LatencyProfileJson.Read(text, "profile.json")).Message;
 
         [Test]
-        public void Read_Written_IsTheSame([Values(CalibrationMethod.VisibleLight, CalibrationMethod.Sine, CalibrationMethod.Nudge, CalibrationMethod.Manual)] object method)
+        public void Read_Written_RoundTrips([Values(CalibrationMethod.VisibleLight, CalibrationMethod.Sine, CalibrationMethod.Nudge, CalibrationMethod.Manual)] object method)
         {
             var random = new Random((int)(CalibrationMethod)method);
             for (var i = 0; i < 200; i++)
@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         }
 
         [Test]
-        public void Read_ConditionsAndHeadMotion_AreThoseThatWereWritten(
+        public void Read_ConditionsAndHeadMotion_RoundTrip(
             [Values] ReprojectionMode reprojection, [Values(null, true, false)] bool? rewrites)
         {
             var conditions = new DisplayConditions(
@@ -90,7 +90,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         }
 
         [Test]
-        public void Read_NothingKnownOfRenderTimes_IsAProfileWithoutRange()
+        public void Read_NoRenderTimes_HasNoRange()
         {
             var text = Good.Replace(@"""limit_render_ms"": 15.0, ""valid_to_render_ms"": 15.0, ""render_source"": ""display_gpu_time""",
                 @"""limit_render_ms"": null, ""render_source"": null");
@@ -107,7 +107,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         }
 
         [TestCase(@"""version"": 1", @"""version"": 2, ""lengths"": {}", "profile.json: latency profile of version 2, this Nowpose reads up to 1; "
-            + "update Nowpose or calibrate anew", TestName = "Read_NewerVersion_SaysWhatToDo")]
+            + "update Nowpose or calibrate anew", TestName = "Read_NewerVersion_NamesTheRemedy")]
         [TestCase(@"""version"": 1", @"""version"": 0", "profile.json: version: 0 is out of range; allowed is 1")]
         [TestCase(@"""version"": 1,", "", "profile.json: version is missing")]
         [TestCase("nowpose-latency-profile", "other", "profile.json: no latency profile; its format is 'other', not 'nowpose-latency-profile'")]
@@ -124,7 +124,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         [TestCase("2026-11-20T13:00:00Z", "yesterday", "profile.json: measured: 'yesterday' is no date; write it as 2026-11-20T13:00:00Z")]
         [TestCase(@"""measurements"": 300", @"""measurements"": 2.5", "profile.json: measurements must be a whole number")]
         [TestCase(@"""display_hz"": 60", @"""display_hz"": 60, ""display_hz"": 90", "profile.json: display_hz stands there twice")]
-        public void Read_Spoiled_SaysWhatIsWrong(string part, string instead, string message)
+        public void Read_InvalidValue_ThrowsWithTheReason(string part, string instead, string message)
         {
             Assert.That(Good, Does.Contain(part), "the test spoils something");
 
@@ -132,14 +132,14 @@ namespace Nowpose.Tests.Core.Latency.Profile
         }
 
         [Test]
-        public void Read_AnyFieldGone_IsRefusedUnlessItMayBeUnknown()
+        public void Read_RequiredFieldMissing_IsRefused()
         {
             foreach (var field in new[] { "visu_ms", "visu_spread_ms", "device", "display_hz", "measured", "method", "measurements" })
                 Assert.That(FaultOf(Good.Replace("\"" + field + "\"", "\"other\"")), Is.EqualTo("profile.json: " + field + " is missing"));
         }
 
         [Test]
-        public void Read_CutOffAnywhere_IsRefusedInOneLine()
+        public void Read_TruncatedAnywhere_IsRefusedInOneLine()
         {
             for (var length = 0; length < Good.Length; length++)
                 Assert.That(FaultOf(Good.Substring(0, length)), Does.StartWith("profile.json: ").And.Not.Contains("\n"), length + " characters");
@@ -151,13 +151,13 @@ namespace Nowpose.Tests.Core.Latency.Profile
         [TestCase("visu_ms = 40")]
         [TestCase("{\"visu_ms\": 1e999999}")]
         [TestCase("\0\0\0\0\0\0\0\0")]
-        public void Read_SomethingElse_IsRefusedInOneLine(string text)
+        public void Read_OtherContent_IsRefusedInOneLine(string text)
         {
             Assert.That(FaultOf(text), Does.StartWith("profile.json: ").And.Not.Contains("\n"));
         }
 
         [Test]
-        public void Read_RandomlySpoiled_NeverThrowsAnythingElse()
+        public void Read_RandomlyDamaged_ThrowsOnlyInputExceptions()
         {
             var random = new Random(5);
             var refused = 0;

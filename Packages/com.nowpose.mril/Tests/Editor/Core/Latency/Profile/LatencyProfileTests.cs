@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
             new LatencyProfile(visuMs, spreadMs, device, displayHz, Measured, CalibrationMethod.VisibleLight, measurements, limitMs, source, validToMs);
 
         [Test]
-        public void LatencyProfile_Limit_IsTheRangeAndWhatItIsValidTo()
+        public void LatencyProfile_Limit_SetsRangeAndValidity()
         {
             var profile = Profile();
 
@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         }
 
         [Test]
-        public void LatencyProfile_LimitNotReached_HasNoRangeButSaysHowFarItWasSeen()
+        public void LatencyProfile_LimitNotReached_HasNoRangeButItsMeasuredMaximum()
         {
             var profile = Profile(limitMs: null, validToMs: 12.5);
 
@@ -41,7 +41,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         [TestCase(40, 1, "HoloLens 2", 60, -1, 15, 15, "measurements: -1 is out of range; allowed are 0 to 2147483647")]
         [TestCase(40, 1, "HoloLens 2", 60, 300, 0, 15, "render time limit: 0 ms is out of range; allowed are 0.1 to 1000 ms")]
         [TestCase(40, 1, "HoloLens 2", 60, 300, 15, double.NaN, "greatest render time seen: NaN ms is out of range; allowed are 0.1 to 1000 ms")]
-        public void LatencyProfile_BadValue_SaysWhatIsWrong(
+        public void LatencyProfile_InvalidValue_ThrowsWithTheReason(
             double visuMs, double spreadMs, string device, double displayHz, int measurements, double limitMs, double validToMs, string message)
         {
             var fault = Assert.Throws<InputException>(
@@ -62,19 +62,19 @@ namespace Nowpose.Tests.Core.Latency.Profile
         [TestCase(null, double.NaN, null)]
         [TestCase("Quest 3", 60, "latency profile is of device 'HoloLens 2', this one is 'Quest 3'; calibrate this one")]
         [TestCase("HoloLens 2", 72, "latency profile was measured at 60 Hz, this display shows 72 Hz; calibrate at this rate")]
-        public void RefusalFor_Device_NamesBothWhereItDoesNotFit(string device, double displayHz, string refusal)
+        public void RefusalFor_OtherDevice_NamesBoth(string device, double displayHz, string refusal)
         {
             Assert.That(Profile().RefusalFor(device, displayHz), Is.EqualTo(refusal));
         }
 
         [Test]
-        public void RefusalFor_ProfileThatKnowsNeither_RefusesNone()
+        public void RefusalFor_ProfileWithoutDeviceAndRate_IsNull()
         {
             Assert.That(Profile(device: null, displayHz: double.NaN).RefusalFor("Quest 3", 72), Is.Null);
         }
 
         [Test]
-        public void RenderTimeSourceNames_AllSources_ComeBack([Values] RenderTimeSourceKind source)
+        public void RenderTimeSourceNames_AllSources_RoundTrip([Values] RenderTimeSourceKind source)
         {
             Assert.That(RenderTimeSourceNames.TryParse(RenderTimeSourceNames.NameOf(source), out var parsed), Is.True);
             Assert.That(parsed, Is.EqualTo(source));

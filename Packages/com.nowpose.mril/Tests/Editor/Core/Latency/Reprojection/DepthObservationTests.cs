@@ -10,12 +10,12 @@ namespace Nowpose.Tests.Core.Latency.Reprojection
         [TestCase(true, true, true, true, true, DepthSubmission.Active)]
         [TestCase(false, true, true, true, true, DepthSubmission.Unknown, TestName = "Judge_NoDisplay_IsUnknown")]
         [TestCase(true, false, true, true, true, DepthSubmission.TurnedOff)]
-        [TestCase(true, true, false, true, true, DepthSubmission.NotSupported, TestName = "Judge_OnlyTicked_IsNotSupported")]
+        [TestCase(true, true, false, true, true, DepthSubmission.NotSupported, TestName = "Judge_TurnedOnButNotSupported_IsNotSupported")]
         [TestCase(true, true, true, false, true, DepthSubmission.NoMainCamera)]
         [TestCase(true, true, true, true, false, DepthSubmission.NotRequested)]
         [TestCase(true, true, true, true, null, DepthSubmission.Unknown, TestName = "Judge_BeforeTheFirstFrame_IsUnknown")]
         [TestCase(true, false, false, false, false, DepthSubmission.TurnedOff, TestName = "Judge_AllMissing_NamesTheFirst")]
-        public void Judge_ChainOfConditions_NamesTheBrokenLink(
+        public void Judge_EachMissingCondition_ReturnsIt(
             bool isRunning, bool isTurnedOn, bool isSupported, bool hasMainCamera, bool? isRequested, DepthSubmission expected)
         {
             var observation = new DepthObservation(isRunning, isTurnedOn, isSupported, hasMainCamera, isRequested);
@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Core.Latency.Reprojection
         }
 
         [Test]
-        public void ProblemOf_EveryState_NamesWhatToDoUnlessNothingIsWrong([Values] DepthSubmission depth)
+        public void ProblemOf_EveryState_NamesTheRemedyOfAProblem([Values] DepthSubmission depth)
         {
             var problem = DepthSubmissionWords.ProblemOf(depth);
 
@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Latency.Reprojection
         }
 
         [Test]
-        public void NameOf_AllStates_AreDifferentWords()
+        public void NameOf_AllStates_AreUnique()
         {
             var names = new List<string>();
             for (var depth = DepthSubmission.Unknown; depth <= DepthSubmission.NotRequested; depth++) names.Add(DepthSubmissionWords.NameOf(depth));

@@ -26,7 +26,7 @@ namespace Nowpose.Tests.Core.Latency.Reprojection
 
         [TestCase(1.0, false)]
         [TestCase(1.25, true)]
-        public void Follow_NewState_CountsAfterASecond(double seconds, bool isKnown)
+        public void Follow_NewState_AppliesAfterASecond(double seconds, bool isKnown)
         {
             Observe(seconds, DepthSubmission.TurnedOff);
 
@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Latency.Reprojection
         }
 
         [Test]
-        public void Follow_CameraChangedForAMoment_ReportsNothing()
+        public void Follow_CameraChangedBriefly_ReportsNothing()
         {
             Observe(3, DepthSubmission.Active);
 

@@ -28,42 +28,42 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Gpu_InTheUsualSweep_SeesLoad() => AllAre(LoadSight.Seen, Usual, sweep => (t, v) => sweep.GpuMs(t, v));
+        public void Gpu_UsualSweep_SeesLoad() => AllAre(LoadSight.Seen, Usual, sweep => (t, v) => sweep.GpuMs(t, v));
 
         [Test]
-        public void Gpu_InAShortSweepOfSmallLoads_SeesLoad() =>
+        public void Gpu_ShortSweepOfSmallLoads_SeesLoad() =>
             AllAre(LoadSight.Seen, new SweepPlan(300_000, 5, 2, 0), sweep => (t, v) => sweep.GpuMs(t, v));
 
         // Half a second per load is too short to estimate drift, which must not count against the source.
         [Test]
-        public void Gpu_InASweepUpOfHalfASecondEach_SeesLoad() => AllAre(
+        public void Gpu_SweepUpWithHalfASecondPerLoad_SeesLoad() => AllAre(
             LoadSight.Seen, new SweepPlan(steps: 21, secondsPerLoad: 0.5, settleSeconds: 0, goesDown: false), sweep => (t, v) => sweep.GpuMs(t, v));
 
         [Test]
-        public void Gpu_ThatDriftsDownAsItGoesUp_SeesLoad() =>
+        public void Gpu_DriftsDownWhileTheLoadRises_SeesLoad() =>
             AllAre(LoadSight.Seen, Upwards, sweep => (t, v) => Math.Max(0.1, sweep.GpuMs(t, v) - 0.03 * t));
 
         // Readbacks are polled once a frame.
         [TestCase(60)]
         [TestCase(90)]
-        public void Completion_InWholeFrames_SeesLoad(int hertz) => AllAre(
+        public void Completion_RoundedToFrames_SeesLoad(int hertz) => AllAre(
             LoadSight.Seen, Usual, sweep => (t, v) => Math.Ceiling(sweep.GpuMs(t, v) * hertz / 1000) * 1000 / hertz);
 
         [Test]
-        public void Gpu_WithATimeInEveryFourthFrame_SeesLoad() =>
+        public void Gpu_TimeInEveryFourthFrame_SeesLoad() =>
             AllAre(LoadSight.Seen, Usual, sweep => (t, v) => sweep.GpuMs(t, v) is double ms && Math.Round(t * 60) % 4 == 0 ? ms : (double?)null);
 
         [Test]
         public void Camera_Flat_CannotSeeLoad() => AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep));
 
         [Test]
-        public void Camera_FlatInAShortSweep_CannotSeeLoad() => AllAre(
+        public void Camera_FlatShortSweep_CannotSeeLoad() => AllAre(
             LoadSight.Unseen, new SweepPlan(steps: 4, secondsPerLoad: 0.5), sweep => (t, v) => Flat(sweep));
 
         [TestCase(0.01)]
         [TestCase(0.05)]
         [TestCase(-0.01)]
-        public void Camera_WithALinearDrift_CannotSeeLoad(double msPerSecond)
+        public void Camera_LinearDrift_CannotSeeLoad(double msPerSecond)
         {
             AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep) + (msPerSecond < 0 ? 2 : 0) + msPerSecond * t);
             AllAre(LoadSight.Unseen, Upwards, sweep => (t, v) => Flat(sweep) + (msPerSecond < 0 ? 2 : 0) + msPerSecond * t);
@@ -71,22 +71,22 @@ namespace Nowpose.Tests.Core.Latency.Sweep
 
         [TestCase(20)]
         [TestCase(60)]
-        public void Camera_ThatGrowsWarm_CannotSeeLoad(double timeConstantSeconds) => AllAre(
+        public void Camera_WarmsUp_CannotSeeLoad(double timeConstantSeconds) => AllAre(
             LoadSight.Unseen, Upwards, sweep => (t, v) => Flat(sweep) + 1 - Math.Exp(-t / timeConstantSeconds));
 
         // A processor that changes its speed. In a sweep in one direction this looks like an effect of the load.
         [TestCase(30)]
         [TestCase(60)]
         [TestCase(100)]
-        public void Camera_ThatStepsOnce_CannotSeeLoad(double atSeconds) =>
+        public void Camera_StepsOnce_CannotSeeLoad(double atSeconds) =>
             AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep) + (t < atSeconds ? 0 : 0.8));
 
         [Test]
-        public void Camera_ThatMovesALittleWithTheLoad_CannotSeeIt() =>
+        public void Camera_ChangesSlightlyWithTheLoad_CannotSeeLoad() =>
             AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep) + 0.1 * v / SweepPlan.GreatestVertices);
 
         [Test]
-        public void Unseen_Words_AreOneLineWithNumbersAndAdvice()
+        public void Words_LoadNotSeen_AreOneLineWithNumbersAndRemedy()
         {
             var sweep = new SimulatedSweep(Usual, 1);
 
@@ -97,7 +97,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Seen_Words_SayFromWhereToWhere()
+        public void Words_LoadSeen_StateTheRange()
         {
             var sweep = new SimulatedSweep(Usual, 1) { Source = RenderTimeSourceKind.DisplayGpuTime };
 
@@ -108,7 +108,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void OneLoad_IsTooLittle()
+        public void Judge_OneLoad_IsUnclear()
         {
             var sweep = new SimulatedSweep(Usual, 1);
 
@@ -120,7 +120,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void FewRows_AreTooLittle()
+        public void Judge_FewRows_IsUnclear()
         {
             var sweep = new SimulatedSweep(Usual, 1);
             var frame = 0;
@@ -131,7 +131,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void NoRenderTimes_AreSaidToBeMissing()
+        public void Judge_NoRenderTimes_StatesThatTheyAreMissing()
         {
             var judged = LoadSensitivity.Judge(new SimulatedSweep(Usual, 1).Rows((t, v) => null));
 
@@ -140,13 +140,13 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void NoRows_AreSaidToHaveNoRenderTimes()
+        public void Judge_NoRows_StatesThatRenderTimesAreMissing()
         {
             Assert.That(LoadSensitivity.Judge(Array.Empty<SweepRow>()).Words, Does.StartWith("nothing measured"));
         }
 
         [Test]
-        public void Gpu_InAnyOrderOfLoads_SeesLoad()
+        public void Gpu_AnyOrderOfLoads_SeesLoad()
         {
             var sweep = new SimulatedSweep(Usual, 3);
             var rows = sweep.Rows((t, v) => sweep.GpuMs(t, v));

@@ -32,7 +32,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Rows_OfAllLoads_AreInTheFileAndJudged()
+        public void Add_AllLoads_WritesAndEvaluatesThem()
         {
             var sweep = new SimulatedSweep(new SweepPlan(2_000_000, 4, 1, 0), 1) { Source = RenderTimeSourceKind.DisplayGpuTime };
             var rows = sweep.Rows((t, v) => sweep.GpuMs(t, v));
@@ -54,7 +54,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Rows_OfALoadThatDoesNotEnd_AreWrittenWhenTheRoomIsFull()
+        public void Add_LoadDoesNotEnd_WritesFullBuffers()
         {
             var file = NewFile();
 
@@ -76,7 +76,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void NoRows_MakeNoFile()
+        public void Finish_NoRows_CreatesNoFile()
         {
             var file = NewFile();
 
@@ -87,7 +87,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void File_ThatCannotBeMade_IsOneLineAndNoVerdict()
+        public void Finish_FileCannotBeCreated_HasAProblemInOneLineAndNoResult()
         {
             File.WriteAllText(_folder, "a file where the folder should be");
             var file = NewFile();

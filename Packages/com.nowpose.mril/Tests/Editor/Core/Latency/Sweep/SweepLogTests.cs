@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
             new SweepRow(ControlTime.FromNanoseconds(1_700_000_000_123_456_700), 300_000, renderMs, source, device, 60);
 
         [Test]
-        public void Row_Written_IsOneLineOfThatForm()
+        public void Row_Written_HasTheDocumentedFormat()
         {
             Assert.That(Text(Row()), Is.EqualTo(Header + "1700000000123456700,300000,7.25,display_gpu_time,HoloLens 2,60\n"));
         }
@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         [TestCase(RenderTimeSourceKind.GpuCompletion, null, "HoloLens 2")]
         [TestCase(RenderTimeSourceKind.CameraCpu, 0.6251, "")]
         [TestCase(RenderTimeSourceKind.EngineGpuTime, 16.6667, "PC \"lab\", left")]
-        public void Row_Written_IsReadAsItWas(RenderTimeSourceKind source, double? renderMs, string device)
+        public void Row_Written_RoundTrips(RenderTimeSourceKind source, double? renderMs, string device)
         {
             var row = Row(renderMs, source, device);
 
@@ -55,7 +55,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
             "HoloLens 2", 60, "Direct3D11", "MultiThreaded", "built-in", false, "PrioritizeRendering", ReprojectionMode.Depth);
 
         [Test]
-        public void Conditions_Written_AreReadWithoutThoseOfTheRows()
+        public void Conditions_Written_AreReadExceptThoseOfTheRows()
         {
             var text = new StringWriter();
             SweepLog.WriteHeader(text, Conditions);
@@ -70,7 +70,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Conditions_LogOfAnOlderVersion_AreNotKnown()
+        public void Conditions_LogOfAnOlderVersion_AreUnknown()
         {
             SweepLogReader.Read(new StringReader(Text(Row())), "sweep.csv", out var conditions);
 
@@ -87,13 +87,13 @@ namespace Nowpose.Tests.Core.Latency.Sweep
 
         [TestCase("# reprojection: sideways\n", "sweep.csv: reprojection: 'sideways' is not allowed")]
         [TestCase("# graphics_api: Vulkan\nother\n", "sweep.csv:2: the header is 'other'")]
-        public void Conditions_Wrong_AreRefused(string text, string message)
+        public void Conditions_Invalid_AreRefused(string text, string message)
         {
             Assert.That(() => Read(text + Header), Throws.TypeOf<InputException>().With.Message.StartsWith(message));
         }
 
         [Test]
-        public void Text_OfAnotherProgram_MayHaveOtherLineEndsAndAnUnknownDisplayRate()
+        public void Text_OtherLineEndsAndUnknownDisplayRate_IsRead()
         {
             var read = Read(Header.Replace("\n", "\r\n") + "5,0,,,,\r\n\r\n");
 
@@ -115,7 +115,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         [TestCase(Header + "5,0,4,gpu,x,60\n", "sweep.csv:2: source: 'gpu' is no source of a render time; known are display_gpu_time, ")]
         [TestCase(Header + "5,0,4,,x,60\n", "sweep.csv:2: render_ms: its source is missing")]
         [TestCase(Header + "5,0,4,camera_cpu,x,0\n", "sweep.csv:2: display rate: 0 Hz is out of range")]
-        public void Text_Wrong_IsRefusedInOneLineWithItsPlace(string text, string message)
+        public void Text_Invalid_IsRefusedInOneLineWithItsPlace(string text, string message)
         {
             var fault = Assert.Throws<InputException>(() => Read(text));
 

@@ -8,7 +8,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
     public class SweepPlanTests
     {
         [Test]
-        public void Loads_Up_GoFromNoneToTheGreatest()
+        public void Loads_Up_RiseFromZeroToTheMaximum()
         {
             var plan = new SweepPlan(1_000_000, 4, goesDown: false);
 
@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Loads_UpAndDown_TurnAtTheGreatestAndEndWithNone()
+        public void Loads_UpAndDown_TurnAtTheMaximumAndEndAtZero()
         {
             var plan = new SweepPlan(steps: 3);
 
@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Duration_IsOfAllLoadsWithTheTimeToSettle()
+        public void Duration_AllLoads_IncludesTheTimeToSettle()
         {
             var plan = new SweepPlan(steps: 10, secondsPerLoad: 5, settleSeconds: 1);
 
@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         [TestCase(2_000_000, 1, 5, 1, "steps of the sweep: 1 is out of range; allowed are 2 to 100")]
         [TestCase(2_000_000, 10, 0, 1, "time of a load: 0 s is out of range")]
         [TestCase(2_000_000, 10, 5, double.NaN, "time for a load to settle: NaN s is out of range")]
-        public void Plan_OutOfRange_IsRefusedByName(int most, int steps, double seconds, double settle, string message)
+        public void Constructor_OutOfRange_ThrowsWithTheName(int most, int steps, double seconds, double settle, string message)
         {
             Assert.That(() => new SweepPlan(most, steps, seconds, settle), Throws.TypeOf<InputException>().With.Message.StartsWith(message));
         }

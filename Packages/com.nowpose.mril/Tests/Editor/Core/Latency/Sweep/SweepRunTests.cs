@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         static HeadsetTime At(double seconds) => HeadsetTime.FromSeconds(seconds);
 
         [Test]
-        public void Loads_AreShownInOrderForTheirTime()
+        public void Advance_AllLoads_ShowsThemInOrderForTheirTime()
         {
             var run = new SweepRun(Plan);
             var frames = new int[3];
@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Time_CountsFromTheFirstReadyFrame()
+        public void Advance_FramesBeforeReady_DoNotCount()
         {
             var run = new SweepRun(Plan);
             for (var t = 0.0; t < 100; t += Frame) run.Advance(At(t), isReady: false);
@@ -43,7 +43,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Time_OfALoadThatWasInterrupted_BeginsAnew()
+        public void Advance_LoadInterrupted_RestartsItsTime()
         {
             var run = new SweepRun(Plan);
             run.Advance(At(0), isReady: true);
@@ -55,7 +55,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Done_StaysSo()
+        public void Advance_AfterTheEnd_StaysDone()
         {
             var run = new SweepRun(Plan);
             for (var t = 0.0; !run.IsDone; t += 1) run.Advance(At(t), isReady: true);
@@ -65,6 +65,6 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Plan_Missing_IsRefused() => Assert.That(() => new SweepRun(null), Throws.TypeOf<ArgumentNullException>());
+        public void Constructor_NoPlan_Throws() => Assert.That(() => new SweepRun(null), Throws.TypeOf<ArgumentNullException>());
     }
 }

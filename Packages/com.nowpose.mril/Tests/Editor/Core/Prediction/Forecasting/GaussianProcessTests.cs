@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         [TestCase(0, 0.1, 0.2, 0.3, 0.4)]
         [TestCase(0, 0.013, 0.09, 0.1, 0.161)]
         [TestCase(0, 0.2, 0.21, 0.55, 1.3)]
-        public void AtAndDeviationAt_AnyIntervals_AreTheTextbooks(params double[] times)
+        public void AtAndDeviationAt_AnyIntervals_EqualTheTextbookFormula(params double[] times)
         {
             const double epoch = 5;
             for (var seed = 1; seed <= 10; seed++)
@@ -62,7 +62,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         }
 
         [Test]
-        public void At_MotionThatTurnsBack_StandsFromThereOn()
+        public void At_MotionReverses_StopsAtTheReversal()
         {
             var times = Enumerable.Range(0, 5).Select(i => i * 0.05).ToArray();
             var motion = Motion(times, times.Select(t => 1 - Math.Pow(0.25 - t, 2)).ToArray());
@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         }
 
         [Test]
-        public void DeviationAt_FurtherAhead_IsMore()
+        public void DeviationAt_LongerHorizon_IsLarger()
         {
             var process = new GaussianProcess(stopsAtReversal: false);
             var times = Enumerable.Range(0, 5).Select(i => i * 0.05).ToArray();

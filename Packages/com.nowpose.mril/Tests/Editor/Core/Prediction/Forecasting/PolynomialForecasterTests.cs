@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         [TestCase(1, 1)]
         [TestCase(2, 2)]
         [TestCase(3, 3)]
-        public void At_MotionOfAHigherDegree_IsMissed(int degree, int history)
+        public void At_MotionOfAHigherDegree_HasAnError(int degree, int history)
         {
             var predictor = TestPredictors.Polynomial(degree, history).Fed(UnevenTimes, t => Math.Pow(t, degree + 1));
 
@@ -99,7 +99,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         }
 
         [Test]
-        public void At_FewSamples_UsesTheHighestDegreeTheyAllow()
+        public void At_FewSamples_UsesTheHighestPossibleDegree()
         {
             var predictor = TestPredictors.Polynomial(3, 5);
             // The samples follow t², so the forecast is exact from the third sample on.

@@ -19,7 +19,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         [TestCase(-500)]
         [TestCase(150)]
         [TestCase(-40)]
-        public void At_MoveThatBrakes_IsKnownToItsEnd(double stroke)
+        public void At_BrakingMove_IsPredictedToItsEnd(double stroke)
         {
             var move = new SevenPhaseProfile(stroke, 1000, 5000, 50_000);
             var predictor = TestPredictors.Of(new ProfileForecaster(Limits), Limits);
@@ -32,7 +32,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         }
 
         [Test]
-        public void At_MoveThatHasJustBegun_GoesOnUnderTheLimits()
+        public void At_StartOfAMove_IsContinuedWithinTheLimits()
         {
             var move = new SevenPhaseProfile(500, 1000, 5000, 50_000);
             var predictor = TestPredictors.Of(new ProfileForecaster(Limits), Limits);
@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         }
 
         [Test]
-        public void At_MotionThatIsNoSuchMove_SaysNothing()
+        public void At_OtherMotion_IsNotPredicted()
         {
             var predictor = TestPredictors.Of(new ProfileForecaster(Limits), Limits);
             var said = 0;
@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         }
 
         [Test]
-        public void At_Rest_IsRest()
+        public void At_Rest_StaysAtRest()
         {
             var predictor = TestPredictors.Of(new ProfileForecaster(Limits), Limits);
             for (var k = 0; k < 10; k++) predictor.Add(k * Interval, 3);
@@ -67,7 +67,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         }
 
         [Test]
-        public void Constructor_LimitMissing_Refuses()
+        public void Constructor_LimitMissing_Throws()
         {
             Assert.Throws<ArgumentException>(() => new ProfileForecaster(new PredictionLimits(velocity: 1, acceleration: 1)).ToString());
             Assert.That(ProfileForecaster.HasLimits(Limits));

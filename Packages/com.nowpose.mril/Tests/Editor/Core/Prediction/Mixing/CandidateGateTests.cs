@@ -28,7 +28,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void At_CandidateThatIsRight_SpeaksAfterADozenScores()
+        public void At_AccurateCandidate_IsUsedAfterADozenScores()
         {
             Feed(0, 10);
             Assert.That(IsOpen, Is.False);
@@ -41,7 +41,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void At_CandidateThatIsWrong_NeverSpeaks()
+        public void At_InaccurateCandidate_IsNeverUsed()
         {
             _candidate.Error = 0.5;
             for (var k = 0; k < 200; k++)
@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void At_CandidateThatBecomesWrong_IsSilencedWithinASecond()
+        public void At_CandidateBecomesInaccurate_IsRejectedWithinASecond()
         {
             Feed(0, 100);
             Assert.That(IsOpen);
@@ -65,7 +65,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void At_CandidateThatDoesNotSolve_TheMixtureSpeaks()
+        public void At_CandidateWithoutSolution_UsesTheMixture()
         {
             Feed(0, 99);
             _candidate.IsSilent = true;
@@ -75,7 +75,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void At_Rest_ProvesNothing()
+        public void At_Rest_DoesNotOpenTheGate()
         {
             _candidate.Rest = 3;
             for (var k = 0; k < 200; k++) _gated.Add(k * Interval, 3);
@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void ShareOfSquare_OfTwoThatAreRight_IsTheLessForTheBetter()
+        public void ShareOfSquare_TwoAccurateCandidates_IsSmallerForTheBetter()
         {
             var worse = new CandidateGate(_candidate, 0.3);
             for (var i = 0; i < 20; i++)
@@ -99,7 +99,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void Score_BeyondTheRangeOfNumbers_LeavesNothing()
+        public void Score_NotFinite_IsIgnored()
         {
             for (var i = 0; i < 20; i++) _gate.Score(0.1, 1, 1, wasStill: false);
 
@@ -110,7 +110,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void Reset_ForgetsTheRecord()
+        public void Reset_OpenGate_ClosesIt()
         {
             Feed(0, 100);
 

@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         [TestCase(double.NaN)]
         [TestCase(-0.5)]
         [TestCase(2)]
-        public void At_ConstantVelocity_IsWithoutBiasFromTheThirdSampleOn(double velocityBefore)
+        public void At_ConstantVelocity_IsUnbiasedFromTheThirdSample(double velocityBefore)
         {
             foreach (var interval in new[] { 0.01, 0.02, 0.0333, 0.05, 0.1 })
             {
@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void At_EndlessAcceleration_ComesNearerThanALine()
+        public void At_ConstantAcceleration_ErrsLessThanALine()
         {
             var predictor = Fed(30, t => 0.4 * t * t);
             var t = 29 * Interval + 0.15;
@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void At_BeforeAndAfterTheFirstSample_SaysSo()
+        public void At_BeforeAndAfterTheFirstSample_IsNoneThenHeld()
         {
             var predictor = Mixed();
 
@@ -71,7 +71,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void At_AfterAPause_NothingIsPredictedAcrossIt()
+        public void At_AfterAPause_IsHeld()
         {
             var predictor = Fed(Mixed(new PredictionLimits(maximumGap: 0.5)), 60, t => t);
             var after = 59 * Interval + 2;
@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void At_PositionLimits_AreKept()
+        public void At_PositionLimits_AreRespected()
         {
             var predictor = Fed(Mixed(new PredictionLimits(upper: 2.96)), 60, t => t);
 
@@ -90,7 +90,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void Add_OvertakenSample_TableIsAsIfItHadComeInOrder()
+        public void Add_OvertakenSample_PredictsAsInOrder()
         {
             var inOrder = Mixed();
             var overtaken = Mixed();
@@ -104,7 +104,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void Reset_IsLikeANewOne()
+        public void Reset_AfterSamples_IsLikeNew()
         {
             var used = Fed(300, t => Math.Sin(5 * t));
             used.Reset();
@@ -120,7 +120,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
 
         [TestCase(1e-3)]
         [TestCase(1e3)]
-        public void At_OtherUnit_IsTheSameMotion(double unit)
+        public void At_OtherUnit_ScalesThePrediction(double unit)
         {
             var plain = Fed(100, Wave);
             var scaled = Fed(100, t => unit * Wave(t));
@@ -130,7 +130,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void At_AbsurdSamples_IsStillFinite()
+        public void At_ExtremeSamples_IsFinite()
         {
             var values = new[] { 0, 1e300, -1e300, double.Epsilon, 1e-300, double.MaxValue, -double.MaxValue, 5, 5, 5 };
             var random = new Random(3);
@@ -149,7 +149,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
 
         // The window straddles an emergency stop: a polynomial through it overshoots, while the change point detector cuts the window.
         [Test]
-        public void At_RightAfterAnEmergencyStop_ErrsFarLessThanAQuadratic()
+        public void At_EmergencyStop_ErrsFarLessThanAQuadratic()
         {
             double Stopped(double t) => Math.Min(t, 2.512);
             var stacked = Fed(Mixed(), 53, Stopped);
@@ -162,7 +162,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         // The displayed joint must not tremble at rest. A quadratic amplifies the noise fifteen times when it extrapolates.
         [TestCase(0.05, 0.0001)]
         [TestCase(0.02, 0.0005)]
-        public void At_NoisyRestAfterMotion_IsNearlyAsQuietAsTheSamples(double interval, double noise)
+        public void At_NoisyRestAfterMotion_HardlyAmplifiesTheNoise(double interval, double noise)
         {
             var random = new Random(5);
             var predictor = Mixed();
@@ -180,7 +180,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void At_VelocityAndAccelerationAreTold_AreUsed()
+        public void At_VelocityAndAccelerationProvided_AreUsed()
         {
             var move = new SevenPhaseProfile(1, 2, 10, 100);
             double Place(double t) => Math.Floor(t / 2) + move.PositionAt(t % 2);
@@ -201,7 +201,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void At_VelocityToldIsAlwaysZero_IsNotBelievedForLong()
+        public void At_ProvidedVelocityIsAlwaysZero_IsSoonIgnored()
         {
             var lied = Mixed();
             double squares = 0, held = 0;

@@ -9,7 +9,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         const double Interval = 0.05;
 
         [Test]
-        public void At_SpeedLimit_NoPredictionIsFaster()
+        public void At_SpeedLimit_LimitsThePrediction()
         {
             // The joint accelerates and reaches its limit just after the newest sample.
             var free = Fed(PredictionLimits.Unlimited);
@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void At_AccelerationLimit_SpeedChangesNoFaster()
+        public void At_AccelerationLimit_LimitsTheChangeOfSpeed()
         {
             var limited = Fed(With(acceleration: 0.2));
             var newest = limited.NewestTime;
@@ -32,7 +32,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void At_JointFasterThanItsLimit_IsBelieved()
+        public void At_SamplesFasterThanTheLimit_AreFollowed()
         {
             var predictor = Predictors.Adaptive(With(velocity: 0.1), MixerTests.WithoutRepetition);
             for (var k = 0; k < 40; k++) predictor.Add(k * Interval, 2 * k * Interval);

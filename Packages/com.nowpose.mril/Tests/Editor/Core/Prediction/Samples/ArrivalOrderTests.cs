@@ -98,7 +98,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Add_SamplesSentAgain_AreDuplicatesHoweverMany()
+        public void Add_SamplesRepeated_AreDuplicates()
         {
             var joint = FedJoint();
             var before = joint.At((Newest + 5) * Interval).Position;
@@ -110,7 +110,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Add_WaitingSampleSentAgain_IsADuplicate()
+        public void Add_WaitingSampleRepeated_IsADuplicate()
         {
             var joint = NewJoint();
             joint.Add(Sample(1));
@@ -121,7 +121,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
         // At rest after a move; the overtaken samples differ by one encoder count.
         [Test]
-        public void Add_OvertakenAtRestByOneCount_NeverStartsAnew()
+        public void Add_OvertakenAtRestByOneCount_DoesNotRestart()
         {
             var joint = NewJoint();
             for (var i = 0; i < 50; i++) joint.Add(i * Interval, Math.Min(0.5, 0.02 * i));
@@ -134,7 +134,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
         [TestCase(false)]
         [TestCase(true)]
-        public void Add_PairsOvertakenInTheNoiseAtRest_HardlyEverStartAnew(bool isEndless)
+        public void Add_PairsOvertakenInNoiseAtRest_RarelyRestart(bool isEndless)
         {
             const int pairs = 2000;
             var random = new Random(77);
@@ -155,7 +155,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Add_SameStampWithAnotherPosition_IsDroppedAsItSays()
+        public void Add_SameStampWithAnotherPosition_IsDropped()
         {
             var joint = FedJoint();
             var inOrder = FedJoint();
@@ -168,7 +168,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Add_AbsurdLateSample_ForgetsNothing()
+        public void Add_ExtremeLateSample_KeepsTheHistory()
         {
             var joint = FedJoint();
             var inOrder = FedJoint();
@@ -181,7 +181,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Add_SampleOfLongAgo_IsOfNoUse()
+        public void Add_SampleOlderThanTheHistory_IsTooOld()
         {
             var joint = FedJoint();
             var inOrder = FedJoint();
@@ -194,7 +194,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Add_OvertakenSample_WaitsForTheNextOne()
+        public void Add_OvertakenSample_WaitsForTheNext()
         {
             var joint = TestPredictors.Polynomial(1, 1);
             joint.Add(0, 0);
@@ -206,7 +206,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Add_TwoSourcesOfWhichOneLags_NeverStartsAnew()
+        public void Add_TwoSourcesOneLagging_DoesNotRestart()
         {
             var joint = FedJoint();
             for (var i = 1; i <= 500; i++)
@@ -219,7 +219,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
         [TestCase(0.02)]
         [TestCase(0.01)]
-        public void Add_DelaysOfAWirelessNetwork_NeverStartAnewAndKeepEverySample(double interval)
+        public void Add_DelaysOfAWirelessNetwork_DoNotRestartAndKeepAllSamples(double interval)
         {
             const int seed = 41;
             var random = new Random(seed);

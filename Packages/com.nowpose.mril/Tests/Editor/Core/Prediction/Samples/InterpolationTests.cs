@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         [TestCase(10.18)]
         [TestCase(9)]
         [TestCase(10.32)]
-        public void At_QuadraticMotion_IsExactWhereverItTurns(double turn)
+        public void At_QuadraticMotion_IsExactForAnyTurningPoint(double turn)
         {
             Func<double, double> motion = t => 0.3 + 2 * (t - turn) * (t - turn);
 
@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void At_SmoothMotion_IsFarBetterThanStraightLines()
+        public void At_SmoothMotion_ErrsFarLessThanLinearInterpolation()
         {
             Func<double, double> motion = t => Math.Sin(5 * t);
 
@@ -63,7 +63,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void At_SampleTimes_AreTheSamplesWithoutAKinkBetween()
+        public void At_SampleTimes_EqualsTheSamplesWithoutAKink()
         {
             Func<double, double> motion = t => Math.Sin(40 * t) + (t > 10.2 ? 1 : 0);
             var predictor = Of(motion);
@@ -78,7 +78,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void At_WhereTheDisplayOvertakesTheSamples_DoesNotJump()
+        public void At_DisplayOvertakesTheSamples_DoesNotJump()
         {
             // A section fitted by least squares does not pass through its newest sample.
             Func<double, double> motion = t => Math.Sin(30 * t);
@@ -102,7 +102,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void At_BeforeALongGap_IsNotDrawnAcrossIt()
+        public void At_LongGap_IsNotInterpolated()
         {
             var predictor = New(1, 1, new PredictionLimits(maximumGap: 0.5)).Fed(new[] { 1, 1.05, 3, 3.05 }, t => t > 2 ? 5 : 0);
 
@@ -111,7 +111,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void At_OvertakenSample_IsInItsPlace()
+        public void At_OvertakenSample_IsUsedInOrder()
         {
             Func<double, double> motion = t => (t - 10) * (t - 10);
             var predictor = New(2, 6);
@@ -134,7 +134,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void At_BeyondTheJointsLimit_IsWithinIt()
+        public void At_BeyondTheJointsLimit_IsClamped()
         {
             var predictor = Of(t => 50 * (t - 10.18) * (t - 10.18), limits: new PredictionLimits(lower: 0.02, upper: 1));
 
@@ -142,7 +142,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Reset_ForgetsTheSamples()
+        public void Reset_AfterSamples_ClearsThem()
         {
             var predictor = Of(t => t);
 

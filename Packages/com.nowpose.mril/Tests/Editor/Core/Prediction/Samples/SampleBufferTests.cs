@@ -10,7 +10,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         [TestCase(0.010, 100)]
         [TestCase(0.050, 100)]
         [TestCase(0.002, 34)]
-        public void Add_FastSource_KeepsWhatTellsSomething(double interval, int expected)
+        public void Add_FastSource_ThinsTheHistory(double interval, int expected)
         {
             var buffer = new SampleBuffer(200, isEndless: false, corrects: false, thins: true);
             var changes = 0;
@@ -26,7 +26,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
         // Scatter alone can make a corrected stamp older than the previous one, so the newest sample keeps its own stamp.
         [Test]
-        public void Add_ScatteredStamps_TheNewestIsAsItCame()
+        public void Add_ScatteredStamps_KeepsTheNewestUnchanged()
         {
             var random = new Random(21);
             var buffer = new SampleBuffer(24, isEndless: false, corrects: true, thins: true);
@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Add_AngleThatComesBackFromPi_GoesOnByWholeTurns()
+        public void Add_AngleWrapsAtPi_UnwrapsByWholeTurns()
         {
             var buffer = new SampleBuffer(4, isEndless: true, corrects: false, thins: false);
             foreach (var (time, position) in new[] { (0.0, 3.0), (0.1, -3.0), (0.2, -2.7) }) buffer.Add(new JointSample(time, position));
@@ -55,7 +55,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         [TestCase(0.001)]
         [TestCase(0.002)]
         [TestCase(0.004)]
-        public void Adaptive_FastSource_LearnsToo(double interval)
+        public void Adaptive_FastSource_Learns(double interval)
         {
             var random = new Random(8);
             var adaptive = new DisplayedJoint(Predictors.Create("adaptive", PredictionLimits.Unlimited));

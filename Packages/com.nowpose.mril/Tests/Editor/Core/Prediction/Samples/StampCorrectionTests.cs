@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         [TestCase(0.100, 0.010, 0.01)]
         [TestCase(0.050, 0.010, 0.02)]
         [TestCase(0.0333, 0.004, 0.02)]
-        public void Correct_PeriodicSourceWithScatteredStamps_TakesMostOfTheScatterAway(double interval, double scatter, double loss)
+        public void Correct_PeriodicSourceWithScatteredStamps_RemovesMostOfTheScatter(double interval, double scatter, double loss)
         {
             // The standard deviation of uniform scatter is its half-width divided by √3.
             Assert.That(RmsErrorOfTheLast200(interval, scatter, 0, loss), Is.LessThan(0.32 * scatter / Math.Sqrt(3)), "seed " + Seed);
@@ -37,13 +37,13 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Correct_ExactStamps_AreLeftAlone()
+        public void Correct_ExactStamps_AreUnchanged()
         {
             Assert.That(RmsErrorOfTheLast200(0.050, 0, 0, 0.05), Is.EqualTo(0));
         }
 
         [Test]
-        public void Correct_StampsWithoutABeat_AreLeftAlone()
+        public void Correct_StampsWithoutAPeriod_AreUnchanged()
         {
             var touched = 0;
             for (double t = 0, i = 0; i < 500; i++)
@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Correct_OvertakenSample_GoesToItsBeat()
+        public void Correct_OvertakenSample_GetsItsPeriodicTime()
         {
             for (var k = 0; k < 100; k++)
                 if (k != 97) Correct(Scattered(k * 0.05, 0.005), k * 0.05);
@@ -68,7 +68,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Correct_BeatThatStartsAnewAfterAPause_IsFoundAgain()
+        public void Correct_PeriodAfterAPause_IsEstimatedAgain()
         {
             for (var k = 0; k < 100; k++) Correct(Scattered(k * 0.05, 0.005), k * 0.05);
 
@@ -77,7 +77,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
         [TestCase(0.05, 0.02)]
         [TestCase(0.1, 0.05)]
-        public void Correct_SourceBecomesFaster_IsFollowedAtOnce(double before, double after)
+        public void Correct_SourceBecomesFaster_IsFollowedImmediately(double before, double after)
         {
             double TimeOf(int k) => Math.Min(k + 1, 200) * before + Math.Max(k - 199, 0) * after;
 
@@ -85,13 +85,13 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Correct_StampThatIsLateNowAndThen_IsPutOnTheBeat()
+        public void Correct_OccasionallyLateStamps_GetTheirPeriodicTime()
         {
             Assert.That(WorstError(400, 100, k => k * 0.05, t => t + (_random.NextDouble() < 0.05 ? 0.02 : 0)), Is.LessThan(0.004), "seed " + Seed);
         }
 
         [Test]
-        public void Reset_ForgetsTheBeat()
+        public void Reset_AfterStamps_ClearsThePeriod()
         {
             for (var k = 0; k < 100; k++) Correct(Scattered(k * 0.05, 0.005), k * 0.05);
 

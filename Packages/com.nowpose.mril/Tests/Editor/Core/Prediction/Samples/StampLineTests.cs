@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         [TestCase(0.1, 900_000)]
         [TestCase(0.01, 1_000_000)]
         [TestCase(1 / 30.0, 300_000)]
-        public void Add_ExactStampsForHours_TheLineIsExact(double interval, int stamps)
+        public void Add_ExactStampsForHours_LineIsExact(double interval, int stamps)
         {
             const double epoch = 123.456;
             for (var k = 0; k < stamps; k++) _line.Add(epoch + k * interval);
@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
         [TestCase(0.05, 0)]
         [TestCase(0.02, 0.05)]
-        public void Add_ScatteredStampsOfWhichSomeAreLost_EstimatesTheBeat(double interval, double loss)
+        public void Add_ScatteredAndLostStamps_EstimatesThePeriod(double interval, double loss)
         {
             var (last, squares, count) = (0.0, 0.0, 0);
             for (var k = 0; k < 20_000; k++)
@@ -62,7 +62,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Add_AnotherInterval_IsFoundAgain()
+        public void Add_AnotherInterval_IsEstimated()
         {
             for (var k = 0; k < 200; k++) _line.Add(k * 0.05);
             for (var k = 0; k < 150; k++) _line.Add(10 + k * 0.035);
@@ -72,7 +72,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Add_LongPause_StartsAnew()
+        public void Add_LongPause_IsUnknown()
         {
             for (var k = 0; k < 200; k++) _line.Add(k * 0.05);
 
