@@ -7,6 +7,9 @@ sealed class ReaderProgress : IDisposable
 {
     const int PayloadBytes = sizeof(long);
 
+    /// <summary>Minimum read rate. A slower client may be closed while a long message is being sent to it.</summary>
+    const double MinBytesPerSecond = 3000;
+
     /// <summary>Time from the message that makes a ping due to the ping.</summary>
     /// <remarks>A sample goes to all clients at once. Immediate pings and their pongs delayed the sample for the last clients.</remarks>
     internal static readonly TimeSpan PingDelay = TimeSpan.FromMilliseconds(5);
@@ -48,8 +51,7 @@ sealed class ReaderProgress : IDisposable
     TimeSpan Now => _time.GetElapsedTime(_start);
 
     /// <summary>Gets the timeout for a client to read a number of bytes and to answer.</summary>
-    /// <remarks>A client that reads slower than assumed may be closed while a long message is being sent to it.</remarks>
-    public TimeSpan Patience(long bytes) => _pongTimeout + TimeSpan.FromSeconds(bytes / SendWindow.AssumedBytesPerSecond);
+    public TimeSpan Patience(long bytes) => _pongTimeout + TimeSpan.FromSeconds(bytes / MinBytesPerSecond);
 
     /// <summary>End of the last time in which messages had to wait for the client, a count of the time provider.</summary>
     public long WaitedUntil { get; private set; } = long.MinValue;
