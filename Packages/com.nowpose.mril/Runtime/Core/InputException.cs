@@ -19,11 +19,15 @@ namespace Nowpose
         {
             if (message == null) return null;
             if (message.Length > longest)
-                message = message.Substring(0, longest * 6 / 10) + " … " + message.Substring(message.Length - longest * 3 / 10);
+                message = message.Substring(0, Boundary(message, longest * 6 / 10)) + " … " + message.Substring(Boundary(message, message.Length - longest * 3 / 10));
             var letters = message.ToCharArray();
             for (var i = 0; i < letters.Length; i++)
                 if (char.IsControl(letters[i]) || letters[i] == '\u2028' || letters[i] == '\u2029') letters[i] = ' ';
             return new string(letters);
         }
+
+        // A cut between the two halves of a surrogate pair would leave characters that no UTF-8 text can contain.
+        static int Boundary(string text, int index) =>
+            index > 0 && index < text.Length && char.IsHighSurrogate(text[index - 1]) ? index - 1 : index;
     }
 }

@@ -39,7 +39,7 @@ namespace Nowpose.Kinematics
             var owner = at.AncestorsAndSelf().First(e => e.Parent?.Parent == null);
             var subject = owner.Name.LocalName + (Named(owner, out var name) ? " " + Quote(name) : "");
             if (at != owner) subject += " <" + at.Name.LocalName + ">";
-            return new InputException(OneLine(_name + ":" + ((IXmlLineInfo)at).LineNumber + ": " + subject + ": " + message));
+            return new InputException(_name + ":" + ((IXmlLineInfo)at).LineNumber + ": " + subject + ": " + message);
         }
 
         public string RequiredName(XElement element, string attribute)
@@ -110,9 +110,8 @@ namespace Nowpose.Kinematics
             // The reader reports a line before that of the document type.
             var line = isDtd ? 1 + text.Take(text.IndexOf("<!DOCTYPE", StringComparison.Ordinal)).Count(c => c == '\n') : e.LineNumber;
             var reason = isDtd ? "a document type (DTD) with its entities is not allowed in a URDF" : "not well-formed XML: " + e.Message;
-            return new InputException(OneLine(_name + ":" + Math.Max(1, line) + ": " + reason), e);
+            return new InputException(_name + ":" + Math.Max(1, line) + ": " + reason, e);
         }
 
-        static string OneLine(string text) => new string(text.Select(c => char.IsControl(c) ? ' ' : c).ToArray());
     }
 }

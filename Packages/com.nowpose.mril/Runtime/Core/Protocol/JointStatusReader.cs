@@ -31,7 +31,7 @@ namespace Nowpose.Protocol
             report = default;
             var parts = value.Split(' ', 3);
             if (parts.Length < 2 || !JointDataStates.TryRead(parts[0], out var state) || !TryReadTime(parts[1], out var since)) return false;
-            report = new JointReport(joint, state, since, parts.Length < 3 ? "" : OneLine(parts[2].Trim()));
+            report = new JointReport(joint, state, since, parts.Length < 3 ? "" : InputException.OneLine(parts[2].Trim(), MaxReasonLength));
             return true;
         }
 
@@ -44,15 +44,6 @@ namespace Nowpose.Protocol
             // Negative for a joint that stopped before the epoch of a control clock that starts at zero.
             time = new ControlTime(new TimeSpan((long)(seconds * TimeSpan.TicksPerSecond)));
             return true;
-        }
-
-        static string OneLine(string reason)
-        {
-            if (reason.Length > MaxReasonLength) reason = reason.Substring(0, MaxReasonLength - 1) + "…";
-            var letters = reason.ToCharArray();
-            for (var i = 0; i < letters.Length; i++)
-                if (char.IsControl(letters[i])) letters[i] = ' ';
-            return new string(letters);
         }
     }
 }

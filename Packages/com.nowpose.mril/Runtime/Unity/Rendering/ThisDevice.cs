@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using System.Linq;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using UnityEngine;
@@ -28,11 +27,8 @@ namespace Nowpose.Unity.Rendering
         }
 
         /// <summary>Replaces characters that a profile does not accept: a session must not fail because of a device name.</summary>
-        internal static string OneLine(string name)
-        {
-            var line = string.Concat(name.Select(letter => char.IsControl(letter) ? ' ' : letter));
-            return line.Length <= DisplayConditions.MaxTextLength ? line : line.Substring(0, DisplayConditions.MaxTextLength);
-        }
+        internal static string OneLine(string name) =>
+            InputException.OneLine(name, DisplayConditions.MaxTextLength);
 
         static string RenderPipeline
         {

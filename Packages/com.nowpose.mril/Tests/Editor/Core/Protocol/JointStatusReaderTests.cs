@@ -79,8 +79,8 @@ namespace Nowpose.Tests.Core.Protocol
         {
             var reason = Read(Message(("a3", "fault 1 deleted\\nby " + new string('x', 1000)))).Single().Reason;
 
-            Assert.That(reason.Length, Is.EqualTo(256));
-            Assert.That(reason, Does.StartWith("deleted by xxx").And.EndsWith("x…"));
+            Assert.That(reason.Length, Is.InRange(200, 256));
+            Assert.That(reason, Does.StartWith("deleted by xxx").And.Contain("x … x"));
         }
     }
 }
