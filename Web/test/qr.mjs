@@ -5,7 +5,7 @@ import { drawn } from './drawn.mjs';
 /** Reads the code in a picture of 8-bit greys, row by row; null if none is found. */
 export function readGreys(greys, width, height) {
   const pixels = new Uint8ClampedArray(width * height * 4);
-  greys.forEach((grey, i) => pixels.set([grey, grey, grey, 255], 4 * i));
+  greys.forEach((grey, i) => pixels.fill(grey, 4 * i, 4 * i + 3).fill(255, 4 * i + 3, 4 * i + 4));
   return jsQR(pixels, width, height, { inversionAttempts: 'dontInvert' })?.data ?? null;
 }
 
@@ -25,6 +25,7 @@ export const readElement = locator => drawn(() => readScreenshot(locator), text 
 
 async function readScreenshot(locator) {
   const png = (await locator.screenshot()).toString('base64');
+  // The greys come back as Base64 too: an array of a million numbers takes seconds to serialise.
   const { greys, width, height } = await locator.page().evaluate(async base64 => {
     const bytes = Uint8Array.from(atob(base64), c => c.charCodeAt(0));
     const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
@@ -32,7 +33,9 @@ async function readScreenshot(locator) {
     const context = canvas.getContext('2d');
     context.drawImage(bitmap, 0, 0);
     const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-    return { greys: Array.from({ length: data.length / 4 }, (_, i) => data[4 * i]), width: bitmap.width, height: bitmap.height };
+    let greys = '';
+    for (let i = 0; i < data.length; i += 4) greys += String.fromCharCode(data[i]);
+    return { greys: btoa(greys), width: bitmap.width, height: bitmap.height };
   }, png);
-  return readGreys(greys, width, height);
+  return readGreys(Buffer.from(greys, 'base64'), width, height);
 }
