@@ -39,7 +39,7 @@ sealed class PathCell
         _isSkewLimited = sizeMs >= MinSizeForSkewMs;
         _errorMs = runs.Max(run => run.ErrorMs);
         SkewPpm = runs.Max(run => run.SkewPpm);
-        _within = runs.Average(run => run.Within);
+        _within = runs.Min(run => run.Within);
     }
 
     /// <summary>Maximum deviation of the skew from its value before the change, ppm.</summary>
@@ -62,7 +62,7 @@ sealed class PathCell
         }
     }
 
-    /// <summary>Gets relative error, skew, and share within the stated uncertainty; ** marks a missed limit.</summary>
+    /// <summary>Gets relative error, skew, and minimum share within the stated uncertainty; ** marks a missed limit.</summary>
     public override string ToString()
     {
         var text = Text($"{_errorMs:0.00} / {_physicsMs:0.##} ms, {SkewPpm:0.0} ppm, {100 * _within:0} %");

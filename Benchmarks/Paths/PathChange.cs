@@ -18,5 +18,8 @@ sealed record PathChange(string Name, Func<double, (double Up, double Down)> Ext
         new("both longer", since => since < 0 ? (0, 0) : (1, 0.5), 0.25),
         new("longer and back", since => (since is < 0 or > Stay ? 0 : 1, 0), 0.5),
         new("shorter than ever", since => (since < 0 ? 1 : 0, 0), 0.5),
+        new("requests longer, replies shorter", since => since < 0 ? (0, 0.25) : (1, 0), 0.625),
+        new("requests shorter, replies longer", since => since < 0 ? (0.25, 0) : (0, 1), 0.625),
+        new("requests much shorter, replies longer", since => since < 0 ? (1, 0) : (0, 0.25), 0.625),
     ];
 }

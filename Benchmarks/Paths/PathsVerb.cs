@@ -51,7 +51,7 @@ static class PathsVerb
         Console.WriteLine();
         Console.WriteLine(
             "Greatest error / half the difference of the changes of both directions, greatest distance of the skew from its value before, and "
-            + "the share of the time in which the error was within the stated ±; from 5 s after the change on. ** misses a limit.");
+            + "the share of the time in which the error was within the stated ±, of the worst run; from 5 s after the change on. ** misses a limit.");
         foreach (var line in missed) Console.Error.WriteLine("error: " + line);
         return missed.Count == 0 ? ExitStatus.Done : ExitStatus.Failed;
     }

@@ -18,7 +18,7 @@ static class DemoProgress
     {
         var statistics = session.Statistics(now);
         var latency = statistics.ApplicationLatency is TimeSpan l ? FormattableString.Invariant($", L_app {l.TotalMilliseconds:0} ms") : "";
-        return $"clock {statistics.Clock.State.Word()}, pose {PoseStateName.Of(statistics.Pose, statistics.Clock)}{latency}, {statistics.Samples} samples";
+        return $"clock {statistics.Clock.State.Word()}, pose {PoseStateName.Of(statistics)}{latency}, {statistics.Samples} samples";
     }
 
     static void Lines(double seconds, Action<Action<double, Func<string>>> work)

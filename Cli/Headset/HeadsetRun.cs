@@ -77,7 +77,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         var statistics = session.Statistics(_clock.Now);
         var missing = statistics.JointStatuses.Where(joint => joint.IsMissing).ToList();
         return (
-            PoseStateName.Of(statistics.Pose, statistics.Clock), [.. missing.Select(joint => joint.Joint)],
+            PoseStateName.Of(statistics), [.. missing.Select(joint => joint.Joint)],
             HeadsetVerdict.ReasonOf(statistics, missing));
     }
 
@@ -111,7 +111,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         var now = _clock.Now;
         var statistics = session.Statistics(now);
         var clock = statistics.Clock;
-        var pose = _poses.Result(PoseStateName.Of(statistics.Pose, clock));
+        var pose = _poses.Result(PoseStateName.Of(statistics));
         var outages = _outages.Result();
         var result = new HeadsetResult(
             length.TotalSeconds, _frames, robot.Name, statistics.Samples, statistics.Dropped,

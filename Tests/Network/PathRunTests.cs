@@ -26,7 +26,13 @@ public class PathRunTests
     static IEnumerable<TestCaseData> Changes =>
         from link in LinkProfile.All
         from change in PathChange.All
+        where !IsHidden(link, change)
         select new TestCaseData(link.Name, change.Name);
+
+    // The smaller part of an opposite change, 1 ms, is lost in the delays of these links: the skew moves by up to 8 ppm on `bad`.
+    static bool IsHidden(LinkProfile link, PathChange change) =>
+        (link == LinkProfile.Bad || link == LinkProfile.Roaming)
+        && change.Name is ("requests longer, replies shorter" or "requests shorter, replies longer");
 
     /// <summary>The limits of the verb `paths`, which runs more seeds and sizes. For the skew, 5 ppm apply where it allows more.</summary>
     [TestCaseSource(nameof(Changes))]
@@ -89,11 +95,17 @@ public class PathRunTests
         Assert.That(run.ErrorMs, Is.LessThan(0.5));
     }
 
-    /// <summary>Requests become longer by 4 ms and replies shorter by 1 ms: an error of 2.5 ms cannot be excluded, and the stated ± includes it.</summary>
+    /// <summary>
+    /// One direction becomes longer and the other one shorter: an error of half the sum cannot be excluded, and the stated ± includes it. The
+    /// round trips show that no clock has stepped, on noisy links only after more exchanges.
+    /// </summary>
     [Test]
-    public void Play_RequestsLongerAndRepliesShorter_IsNoStepOfTheClock([Values("clean", "wifi")] string link, [Range(8000, 8003)] int seed)
+    public void Play_DirectionsChangeOppositely_IsNoStepOfTheClock(
+        [Values("clean", "wifi", "cellular")] string link,
+        [Values("requests longer, replies shorter", "requests shorter, replies longer", "requests much shorter, replies longer")] string name,
+        [Range(8000, 8003)] int seed)
     {
-        var change = new PathChange("requests longer, replies shorter", since => since < 0 ? (0, 0.25) : (1, 0), 0.625);
+        var change = Named(name);
 
         var run = PathRun.Play(LinkProfile.Named(link), change, SizeMs, ClockEstimators.Default, seed);
 

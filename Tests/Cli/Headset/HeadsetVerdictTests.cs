@@ -16,7 +16,7 @@ public class HeadsetVerdictTests
         foreach (var (seconds, state) in parts)
             for (var end = frame + (int)(seconds * FramesPerSecond); frame < end; frame++)
                 count.Add(TimeSpan.FromSeconds(frame / FramesPerSecond), state);
-        return count.Result(PoseStateName.Of(parts[^1].State, new ClockModel(default, default, 0, default, ClockState.Synchronised)));
+        return count.Result(PoseStateName.Of(parts[^1].State, isClockCoarse: false));
     }
 
     static SessionStatistics Statistics(long samples = 100, params JointStatus[] joints)

@@ -323,6 +323,7 @@ namespace Nowpose.Session
             lock (_gate)
             {
                 _measurements.Fill(into, now);
+                into.ClockSettings = _settings.Clock;
                 into.RobotDescriptionMatch = RobotDescriptionMatch;
                 into.BeyondLimits = _tracks.Limits.Present;
                 into.CurrentShare = _currentShare.Value;

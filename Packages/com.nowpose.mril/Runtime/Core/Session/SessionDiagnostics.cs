@@ -64,7 +64,7 @@ namespace Nowpose.Session
         {
             if (statistics.Pose == PoseState.Current) return (0, "");
             var missing = MissingJoints(statistics);
-            var pose = "the pose is " + PoseStateName.Of(statistics.Pose, statistics.Clock);
+            var pose = "the pose is " + PoseStateName.Of(statistics);
             return missing.Length == 0 ? (1, pose) : (2, pose + "; missing joints: " + missing);
         }
 
@@ -73,7 +73,7 @@ namespace Nowpose.Session
 
         static void AddPose(SessionStatistics statistics, Action<string, string> add)
         {
-            add("pose", PoseStateName.Of(statistics.Pose, statistics.Clock));
+            add("pose", PoseStateName.Of(statistics));
             if (statistics.CurrentShare.HasValue) add("current_share", Number(statistics.CurrentShare.Value));
             add("missing_joints", MissingJoints(statistics));
             foreach (var joint in statistics.JointStatuses) add("joint_status/" + joint.Joint, joint.Description);

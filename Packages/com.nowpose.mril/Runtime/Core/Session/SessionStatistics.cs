@@ -4,6 +4,7 @@ using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Latency.DisplayTime;
 using Nowpose.Network;
+using Nowpose.Sync;
 
 namespace Nowpose.Session
 {
@@ -14,6 +15,11 @@ namespace Nowpose.Session
         JointError[] _jointErrors = Array.Empty<JointError>();
 
         public ClockModel Clock { get; internal set; }
+
+        internal ClockSettings ClockSettings { get; set; } = ClockSettings.Default;
+
+        /// <summary>Whether a display that uses <see cref="Clock"/> must also show its estimated error, by the session's settings.</summary>
+        internal bool IsClockCoarse => ClockSettings.IsCoarse(Clock);
 
         /// <summary>Φ at the time of the snapshot.</summary>
         public ClockOffset? Offset { get; internal set; }

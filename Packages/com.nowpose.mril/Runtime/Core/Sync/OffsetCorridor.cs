@@ -47,6 +47,13 @@ namespace Nowpose.Sync
             Greatest = _rowAbove = _slackestBelow = double.PositiveInfinity;
         }
 
+        public void CopyFrom(OffsetCorridor other)
+        {
+            (Count, Least, Greatest) = (other.Count, other.Least, other.Greatest);
+            (_sumBelow, _sumAbove, _rowBelow, _rowAbove) = (other._sumBelow, other._sumAbove, other._rowBelow, other._rowAbove);
+            (_slackestBelow, _slackestAbove) = (other._slackestBelow, other._slackestAbove);
+        }
+
         public void Add(in ClockLine line, in OffsetBounds bounds)
         {
             var (below, above) = Beside(line, bounds);

@@ -111,7 +111,7 @@ namespace Nowpose.Unity.Status
         void UpdateTimes(SessionStatistics statistics)
         {
             var clock = statistics.Clock;
-            var isCoarse = statistics.Pose == PoseState.Current && ClockSettings.Default.IsCoarse(clock);
+            var isCoarse = statistics.Pose == PoseState.Current && statistics.IsClockCoarse;
             Set(StatusRow.Pose, PoseOf(statistics), isCoarse ? CoarseClock.Of(clock.EstimatedError) : ReasonOf(statistics.Pose));
             Set(StatusRow.Clock, ClockOf(clock.State), clock.IsKnown ? Bounds.Of(clock.EstimatedError) : "");
             Set(StatusRow.Horizon, Milliseconds.Of(statistics.Horizon), "");

@@ -8,7 +8,10 @@ namespace Nowpose.Anchoring.Tracking
     /// <summary>Whether the relative poses of markers are as measured at the base and, if not, which marker is wrong.</summary>
     readonly struct MarkerAgreement
     {
-        /// <summary>Share of one marker's error in its own misfit: a fit distributes the error, half each with two markers.</summary>
+        /// <summary>
+        /// Share of one marker's position error in its own misfit: a fit distributes the error, half each with two markers. The angle of a
+        /// print has no such share: mainly the positions determine the rotation of the base, so its error is in its own misfit.
+        /// </summary>
         const double Shared = 0.5;
 
         /// <summary>Factors on the tolerances: the pose of a print at the base is measured less accurately than a later movement of it.</summary>

@@ -39,7 +39,15 @@ namespace Nowpose.Session.Hindcast
 
         static double Reduction(double displayed, double held) => 1 - Math.Sqrt(displayed / held);
 
-        // Quantile of Student's distribution from its first terms in 1/ν (Abramowitz & Stegun 26.7.5): 4 % too small at ν = 3.
-        static double Student95(int freedom) => 1.960 + 2.372 / freedom + 2.823 / ((double)freedom * freedom);
+        /// <summary>
+        /// Returns the 97.5 % quantile of Student's distribution. MathNet's would search it iteratively, on the thread of the frames.
+        /// </summary>
+        /// <remarks>The series in 1/ν of Abramowitz &amp; Stegun 26.7.5 up to 1/ν⁴: 0.12 % too small at ν = 3, less above.</remarks>
+        /// <param name="freedom">Degrees of freedom ν, 3 or more.</param>
+        internal static double Student95(int freedom)
+        {
+            var inverse = 1.0 / freedom;
+            return 1.95996 + inverse * (2.37227 + inverse * (2.82250 + inverse * (2.55585 + inverse * 1.58954)));
+        }
     }
 }

@@ -31,6 +31,9 @@ namespace Nowpose.Sync.Envelope
         /// </summary>
         static readonly TimeSpan MinDuration = TimeSpan.FromSeconds(6), MinDurationScattered = TimeSpan.FromSeconds(30);
 
+        /// <summary>Minimum duration after a change of the other direction, with frequent exchanges that soon outweigh the earlier ones.</summary>
+        static readonly TimeSpan MinDurationExpected = TimeSpan.FromSeconds(3);
+
         /// <summary>
         /// Maximum relative increase of the median lateness of a window over that of the earlier exchanges, times the square root of the
         /// window's length. Above it, the delays scatter more. About two standard errors of the median of exponential delays.
@@ -154,16 +157,17 @@ namespace Nowpose.Sync.Envelope
         bool FindLonger(LeastDelay other, int count, double skewError, double resolution)
         {
             // After a change of the path in one direction, a change in both is likely, by unequal amounts.
-            var isExpected = other._excess > 0 && other._sinceChange <= MaxWindow;
+            var isExpected = (other._excess > 0 && other._sinceChange <= MaxWindow) || other._sinceShorter > 0;
+            var minDuration = isExpected ? MinDurationExpected : MinDuration;
             var minChange = isExpected ? MinChange / 2 : MinChange;
             var significance = isExpected ? ExpectedSignificance : Significance;
             foreach (var least in Windows)
             {
                 var window = least;
-                while (window < Math.Min(MaxWindow, count) && Duration(window) < MinDuration) window++;
+                while (window < Math.Min(MaxWindow, count) && Duration(window) < minDuration) window++;
                 if (count < window + MinEarlier) return false;
                 var duration = Duration(window);
-                if (duration < MinDuration) continue;
+                if (duration < minDuration) continue;
                 var earlier = Math.Min(count, window + MaxEarlier);
                 var reference = Max(window, earlier);
                 var late = reference - Max(0, window);

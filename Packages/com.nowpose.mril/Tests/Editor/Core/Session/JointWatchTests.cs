@@ -4,6 +4,7 @@ using System.Linq;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Simulation;
+using Nowpose.Sync;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session
@@ -259,7 +260,23 @@ namespace Nowpose.Tests.Core.Session
         {
             var error = TimeSpan.FromTicks((long)(errorMs * TimeSpan.TicksPerMillisecond));
 
-            Assert.That(PoseStateName.Of(pose, new ClockModel(default, default, 0, error, state)), Is.EqualTo(expected));
+            var statistics = new SessionStatistics { Pose = pose, Clock = new ClockModel(default, default, 0, error, state) };
+
+            Assert.That(PoseStateName.Of(statistics), Is.EqualTo(expected));
+        }
+
+        [TestCase(5, "current")]
+        [TestCase(1, "coarse")]
+        public void PoseStateName_Holdover_FollowsTheSessionsOwnLimit(double errorToSynchroniseMs, string expected)
+        {
+            var statistics = new SessionStatistics
+            {
+                Pose = PoseState.Current,
+                Clock = new ClockModel(default, default, 0, TimeSpan.FromMilliseconds(3), ClockState.Holdover),
+                ClockSettings = new ClockSettings(errorToSynchroniseMs: errorToSynchroniseMs),
+            };
+
+            Assert.That(PoseStateName.Of(statistics), Is.EqualTo(expected));
         }
     }
 }

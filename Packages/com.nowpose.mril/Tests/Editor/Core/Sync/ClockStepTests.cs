@@ -113,6 +113,42 @@ namespace Nowpose.Tests.Core.Sync
             }
         }
 
+        /// <summary>Both bounds move in the direction of a step, but by different amounts: the minimum round-trip time changes.</summary>
+        [Test]
+        public void Steps_DirectionsThatChangeOppositelyByDifferentAmounts_AreNone(
+            [Values("lan", "wifi", "busy-wifi")] string network, [Values(4.0, 1.0)] double longer, [Values(true, false)] bool isUpLonger)
+        {
+            var shorter = 5 - longer;
+            for (var seed = FirstSeed; seed < FirstSeed + 6; seed++)
+            {
+                var link = Link(network, seed);
+                if (isUpLonger) link.LongerDownMs = shorter;
+                else link.LongerUpMs = shorter;
+                var run = new SyncRun(new EnvelopeClockEstimator());
+                run.Run(link, 0, 90);
+                (link.LongerUpMs, link.LongerDownMs) = isUpLonger ? (longer, 0.0) : (0.0, longer);
+                run.Run(link, 90, 120);
+
+                Assert.That(run.Clock.Steps, Is.EqualTo(0), "seed " + seed);
+                var outside = run.Instants.Where(i => i.At > 95 && Math.Abs(i.ErrorMs) > i.Model.EstimatedError.TotalMilliseconds).ToArray();
+                Assert.That(outside.Select(i => (i.At, i.ErrorMs, i.Model.EstimatedError)), Is.Empty, "seed " + seed);
+            }
+        }
+
+        /// <summary>The exchanges are the same as with a step of 4 ms, so nothing can tell the two apart.</summary>
+        [Test]
+        public void Steps_DirectionsThatChangeOppositelyByTheSameAmount_AreCounted()
+        {
+            var link = Link("wifi", FirstSeed);
+            link.LongerDownMs = 4;
+            var run = new SyncRun(new EnvelopeClockEstimator());
+            run.Run(link, 0, 90);
+            (link.LongerUpMs, link.LongerDownMs) = (4, 0);
+            run.Run(link, 90, 120);
+
+            Assert.That(run.Clock.Steps, Is.EqualTo(1), "seed " + FirstSeed);
+        }
+
         [TestCase(300)]
         [TestCase(-600)]
         public void Steps_OtherMachinesClockAfterAStep_AreNoMoreThanThatOne(double skewPpm)

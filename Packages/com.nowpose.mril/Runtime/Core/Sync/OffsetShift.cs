@@ -1,0 +1,93 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Sync.Envelope;
+
+namespace Nowpose.Sync
+{
+    /// <summary>
+    /// Exchanges since one of them broke a bound, relative to the line and the bounds before it. They show whether the other bound has
+    /// moved by the same amount, as with a clock step. Single-threaded; allocates nothing after construction.
+    /// </summary>
+    sealed class OffsetShift
+    {
+        /// <summary>Minimum number of exchanges that determine a step, and how many of them must break the bound.</summary>
+        public const int FewestExchanges = 15;
+
+        const int Violations = 3;
+
+        /// <summary>Maximum number of exchanges: three seconds at the quick pace. What they do not decide is a change of the path.</summary>
+        const int MostExchanges = 60;
+
+        /// <summary>Minimum step, s; and in mean latenesses divided by the number of older exchanges, which is the accuracy of the bounds.</summary>
+        const double LeastShift = 0.15e-3, LatenessShare = 10;
+
+        /// <summary>
+        /// Minimum ratio of the smaller movement to the larger one. A step moves both bounds by the same amount, so the minimum round-trip
+        /// time stays the same, while the two directions of a path change by different amounts.
+        /// </summary>
+        const double CommonShare = 0.8;
+
+        /// <summary>
+        /// Part of the other bound's movement that late packets may cause, relative to the maximum lateness of the best of as many packets
+        /// before. The maximum itself would hide steps of half a millisecond over WiFi.
+        /// </summary>
+        const double RowShare = 0.75;
+
+        readonly int _sign;
+        readonly OffsetCorridor _past = new OffsetCorridor(FewestExchanges);
+        readonly List<SyncExchange> _since = new List<SyncExchange>(MostExchanges);
+        ClockLine _line;
+        int _violations;
+        double _broken, _other;
+
+        /// <param name="sign">1 for an offset that rises, which breaks the lower bound; −1 for one that falls.</param>
+        public OffsetShift(int sign) => _sign = sign;
+
+        /// <summary>Exchanges since the first that broke the bound; empty while none does.</summary>
+        public List<SyncExchange> Since => _since;
+
+        /// <summary>Maximum violation of the bound, s; zero while no exchange breaks it.</summary>
+        public double Broken => _since.Count == 0 ? 0 : _broken;
+
+        public void Reset() => _since.Clear();
+
+        /// <returns>Whether a clock has stepped.</returns>
+        /// <param name="line">The line without the exchange.</param>
+        /// <param name="past">Bounds relative to the line, without the newest exchanges.</param>
+        public bool Judge(in SyncExchange exchange, in ClockLine line, OffsetCorridor past)
+        {
+            if (_since.Count == MostExchanges) _since.Clear();
+            if (_since.Count == 0)
+            {
+                if (Violation(exchange, line, past) <= Margin(exchange, line, past)) return false;
+                // From now on, the exchanges move the line as well.
+                _line = line;
+                _past.CopyFrom(past);
+                (_violations, _broken, _other) = (0, 0, double.PositiveInfinity);
+            }
+            var margin = Margin(exchange, _line, _past);
+            var (below, above) = OffsetCorridor.Beside(_line, new OffsetBounds(exchange));
+            var violation = Violation(exchange, _line, _past);
+            _since.Add(exchange);
+            if (violation > margin) _violations++;
+            _broken = Math.Max(_broken, violation);
+            _other = Math.Min(_other, _sign > 0 ? above - _past.Greatest : _past.Least - below);
+            if (_since.Count < FewestExchanges || _violations < Violations) return false;
+            // The best of more packets is less late.
+            var byChance = RowShare * (_sign > 0 ? _past.RowAbove : _past.RowBelow) * FewestExchanges / _since.Count;
+            return _other - byChance > Math.Max(margin, CommonShare * _broken)
+                && CommonShare * _other <= _broken + ClockTicks.Seconds(exchange.Resolution);
+        }
+
+        double Violation(in SyncExchange exchange, in ClockLine line, OffsetCorridor past)
+        {
+            var (below, above) = OffsetCorridor.Beside(line, new OffsetBounds(exchange));
+            return _sign > 0 ? below - past.Least : past.Greatest - above;
+        }
+
+        // A clock with a coarse resolution appears to step by its resolution occasionally.
+        static double Margin(in SyncExchange exchange, in ClockLine line, OffsetCorridor past) =>
+            Math.Max(LeastShift + ClockTicks.Seconds(exchange.Resolution), LatenessShare * past.Lateness / past.Count)
+            + line.SkewError * ClockTicks.Seconds(exchange.T4 - line.Reference);
+    }
+}
