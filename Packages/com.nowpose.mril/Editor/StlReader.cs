@@ -32,7 +32,7 @@ namespace Nowpose.Editor
             var triangles = StlBinary.Recognises(content) ? StlBinary.Read(content, sourceName) : StlText.Read(content, sourceName);
             if (triangles.Count > 0) return triangles;
             throw new InputException(sourceName + ": " + (triangles.Degenerate == 0
-                ? "there is no triangle in it"
+                ? "the mesh has no triangles"
                 : "none of its " + triangles.Degenerate + " triangles has an area"));
         }
 

@@ -24,7 +24,7 @@ namespace Nowpose.Editor.Import
         {
             if (content.Length < Start)
                 throw new InputException(sourceName + ", byte " + content.Length + ": the file ends within its header of "
-                    + Start + " bytes; it is no STL file, or cut short");
+                    + Start + " bytes; it is not an STL file, or it is cut short");
             var count = Count(content);
             if (count > StlReader.MostTriangles) throw StlReader.TooMany(sourceName + ", byte " + Header, count);
             if (content.Length != LengthFor(count))

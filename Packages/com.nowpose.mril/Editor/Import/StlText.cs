@@ -8,7 +8,7 @@ namespace Nowpose.Editor.Import
     /// <summary>ASCII STL: one or more blocks of solid … facet … vertex … endsolid, one keyword per line.</summary>
     sealed class StlText
     {
-        const int LongestQuote = 40;
+        const int MaxQuoteLength = 40;
 
         readonly string _sourceName;
         readonly StlTriangles _triangles = new StlTriangles();
@@ -51,7 +51,7 @@ namespace Nowpose.Editor.Import
                 case "vertex": Vertex(words); break;
                 case "outer":
                 case "endloop": Require(_inFacet, "a loop outside of a facet"); break;
-                default: throw Error("'" + Shortened(words[0]) + "' is no word of the format");
+                default: throw Error("'" + Shortened(words[0]) + "' is not a keyword of the STL format");
             }
         }
 
@@ -104,9 +104,9 @@ namespace Nowpose.Editor.Import
 
         static string Shortened(string word)
         {
-            var text = new StringBuilder(word, 0, Math.Min(word.Length, LongestQuote), LongestQuote + 1);
+            var text = new StringBuilder(word, 0, Math.Min(word.Length, MaxQuoteLength), MaxQuoteLength + 1);
             for (var i = 0; i < text.Length; i++) if (char.IsControl(text[i])) text[i] = ' ';
-            return text.Append(word.Length > LongestQuote ? "…" : "").ToString();
+            return text.Append(word.Length > MaxQuoteLength ? "…" : "").ToString();
         }
     }
 }

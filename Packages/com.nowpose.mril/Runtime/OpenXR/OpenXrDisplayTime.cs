@@ -23,7 +23,7 @@ namespace Nowpose.OpenXR
     [DisallowMultipleComponent]
     public sealed class OpenXrDisplayTime : MonoBehaviour, IDisplayTimeSource
     {
-        [SerializeField, Tooltip("The session that is told. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session that receives the times. Empty: the one on this object or a parent.")]
         MrilSession _session = null;
 
         MrilSession _target;

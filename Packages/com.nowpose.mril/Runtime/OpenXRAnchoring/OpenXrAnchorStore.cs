@@ -69,14 +69,14 @@ namespace Nowpose.OpenXR
         {
             var manager = _anchors.Manager;
             var subsystem = manager != null ? manager.subsystem : null;
-            if (subsystem != _of) StartAnew(subsystem);
+            if (subsystem != _of) Restart(subsystem);
             if (_store != null || subsystem == null) return;
             if (_loading != null) Take();
             else if (_anchors.IsRunning && Time.unscaledTime >= _next) Ask();
         }
 
         // The runtime was restarted, so its store is a new one.
-        void StartAnew(XRAnchorSubsystem subsystem)
+        void Restart(XRAnchorSubsystem subsystem)
         {
             _of = subsystem;
             _store = null;

@@ -24,7 +24,7 @@ namespace Nowpose.Unity
     public sealed class LoadSweep : MonoBehaviour
     {
         /// <summary>Capacity for rows: maximum display rate in Hz, and maximum time to build a load, in s.</summary>
-        const int MostHz = 144, SecondsToBuild = 3;
+        const int MaxHz = 144, SecondsToBuild = 3;
 
         [SerializeField, Tooltip("The session whose frames are logged. Empty: the one on this object or above.")]
         MrilSession _session = null;
@@ -35,9 +35,9 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("What measures the render time. Empty: the one on the session's object or below.")]
         RenderTimeSource _renderTime = null;
 
-        [SerializeField, Range(1000, SweepPlan.GreatestVertices), Tooltip("The greatest load, vertices. 2000000: more than headsets draw in time, so "
+        [SerializeField, Range(1000, SweepPlan.MaxVertices), Tooltip("The greatest load, vertices. 2000000: more than headsets draw in time, so "
             + "that the limit is among the loads.")]
-        int _mostVertices = SweepPlan.GreatestVertices;
+        int _mostVertices = SweepPlan.MaxVertices;
 
         [SerializeField, Range(2, 100), Tooltip("Loads from none to the greatest, in equal steps. 10 place the limit within 5 %, 20 within 2 %.")]
         int _steps = 10;
@@ -55,7 +55,7 @@ namespace Nowpose.Unity
             + "device portal; or a full path. It is made where there is none.")]
         string _folder = "calibration";
 
-        [SerializeField, Tooltip("Start as soon as this component is enabled. Off, for somebody has to set up the camera first.")]
+        [SerializeField, Tooltip("Start as soon as this component is enabled. Off, because the camera must be set up first.")]
         bool _startOnEnable = false;
 
         [SerializeField, Tooltip("A text that says how far it is. Empty: none.")]
@@ -76,7 +76,7 @@ namespace Nowpose.Unity
         DisplayConditions _conditions;
         double _displayHz;
         int _verticesBefore;
-        (int Index, int Phase) _told;
+        (int Index, int Phase) _logged;
 
         /// <summary>Raised when <see cref="Words"/> changes.</summary>
         public event Action Progressed;
@@ -93,7 +93,7 @@ namespace Nowpose.Unity
         /// <summary>Whether the render time of the last sweep depends on the load; null until a sweep is complete.</summary>
         public LoadSensitivity Verdict { get; private set; }
 
-        /// <summary>Why a requested sweep did not start or ended early, in one line; null if there is no problem.</summary>
+        /// <summary>Why a requested sweep did not start or ended early, in one line; null without a problem.</summary>
         public string Problem { get; private set; }
 
         /// <summary>Completes when the log of the last sweep is closed.</summary>
@@ -157,12 +157,12 @@ namespace Nowpose.Unity
             }
             _conditions = Conditions;
             _displayHz = _conditions.DisplayHz ?? double.NaN;
-            _file = new SweepFile(Path, (int)((_plan.TimePerLoad.TotalSeconds + SecondsToBuild) * MostHz), _conditions);
+            _file = new SweepFile(Path, (int)((_plan.TimePerLoad.TotalSeconds + SecondsToBuild) * MaxHz), _conditions);
             _run = new SweepRun(_plan);
             _verticesBefore = _generator.Vertices;
             _generator.Vertices = _run.Vertices;
             _frame = null;
-            _told = (-1, 0);
+            _logged = (-1, 0);
             _source.Shown += Keep;
             ConsoleLog.Say(this, SweepWords.Begun(_plan, Path));
         }
@@ -267,8 +267,8 @@ namespace Nowpose.Unity
         void TellPhase()
         {
             var phase = !(_frame is SweepFrame frame) || !frame.Control.HasValue ? 1 : frame.IsShown ? 3 : 2;
-            if (_told == (_run.Index, phase)) return;
-            _told = (_run.Index, phase);
+            if (_logged == (_run.Index, phase)) return;
+            _logged = (_run.Index, phase);
             Tell(phase == 1 ? SweepWords.WaitingForClock : phase == 2 ? SweepWords.Building(_run.Vertices) : SweepWords.Showing(_run, _plan));
         }
 

@@ -22,7 +22,7 @@ namespace Nowpose.Unity
     {
         const int Display = 0, Engine = 1, Completion = 2, Cameras = 3;
 
-        [SerializeField, Tooltip("The session that is told. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session that receives the times. Empty: the one on this object or a parent.")]
         MrilSession _session = null;
 
         readonly GpuTimes _gpu = new GpuTimes();

@@ -17,10 +17,10 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Name or address of the gateway. 127.0.0.1 is this machine: a gateway beside the editor.")]
         string _host = "127.0.0.1";
 
-        [SerializeField, Tooltip("TCP port of the clock synchronisation, 1 to 65535. 47010 is what the gateway listens on unless told otherwise.")]
+        [SerializeField, Tooltip("TCP port of the clock synchronisation, 1 to 65535. 47010 is what the gateway listens on by default.")]
         int _syncPort = ProtocolLimits.SyncPort;
 
-        [SerializeField, Tooltip("Port of the joint positions, 1 to 65535. 47011 is what the gateway listens on unless told otherwise.")]
+        [SerializeField, Tooltip("Port of the joint positions, 1 to 65535. 47011 is what the gateway listens on by default.")]
         int _webSocketPort = ProtocolLimits.WebSocketPort;
 
         [SerializeField, Tooltip("The gateway's public key as the gateway prints it, sha256/…=. With it both connections are encrypted and trust "

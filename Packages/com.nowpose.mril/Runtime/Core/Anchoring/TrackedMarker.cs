@@ -162,7 +162,7 @@ namespace Nowpose.Anchoring
         }
 
         /// <summary>Excludes the marker because other markers contradict its measured pose.</summary>
-        internal void Doubt()
+        internal void Exclude()
         {
             IsPart = HasMoved = false;
             IsDoubted = true;

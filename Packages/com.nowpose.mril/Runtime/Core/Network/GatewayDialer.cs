@@ -107,7 +107,7 @@ namespace Nowpose.Network
                 await secure.AuthenticateAsClientAsync(
                     _settings.Host, null, SslProtocols.None, checkCertificateRevocation: false).ConfigureAwait(false);
                 if (secure.SslProtocol < SslProtocols.Tls12)
-                    throw new GatewayRefusalException("TLS: the gateway speaks only " + secure.SslProtocol + "; 1.2 or 1.3 is needed");
+                    throw new GatewayRefusalException("TLS: the gateway supports only " + secure.SslProtocol + "; 1.2 or 1.3 is needed");
                 return secure;
             }
             catch (AuthenticationException failure)

@@ -160,8 +160,8 @@ namespace Nowpose.Pairing
                 Learn(known.With(seen.Cell));
                 return;
             }
-            if (!seen.IsTooManyTold) FailForNow(PairingWords.TooMany(known.Cell));
-            seen.IsTooManyTold = true;
+            if (!seen.IsTooManyReported) FailForNow(PairingWords.TooMany(known.Cell));
+            seen.IsTooManyReported = true;
         }
 
         void Learn(PairedCell cell)

@@ -31,7 +31,7 @@ namespace Nowpose.Recording
         volatile bool _isStopping;
         volatile string _problem;
         volatile RecordingState _state;
-        long _written, _lostTold;
+        long _written, _lostWritten;
 
         /// <param name="line">Contains the first line already.</param>
         /// <param name="recordLine">Writes into <paramref name="line"/>.</param>
@@ -119,9 +119,9 @@ namespace Nowpose.Recording
                 if (!TryPut(stream)) return false;
             }
             var lost = _ring.Lost;
-            if (lost == _lostTold) return true;
-            _line.Begin("lost").Add("count", lost - _lostTold).End();
-            _lostTold = lost;
+            if (lost == _lostWritten) return true;
+            _line.Begin("lost").Add("count", lost - _lostWritten).End();
+            _lostWritten = lost;
             return TryPut(stream);
         }
 

@@ -79,12 +79,12 @@ namespace Nowpose.Session
         /// <param name="displayTime">Null while the clock is unsynchronised.</param>
         /// <param name="isJointReportedMissing">Whether the gateway reports that a joint of the robot has no data.</param>
         internal void Update(
-            HeadsetTime start, ControlTime? displayTime, in ClockModel clock, bool isTimeTrusted, RangeState range, bool isDisplayTimeDoubted,
+            HeadsetTime start, ControlTime? displayTime, in ClockModel clock, bool isTimeTrusted, RangeState range, bool isDisplayTimeInconsistent,
             bool isJointReportedMissing)
         {
             ClockState = clock.State;
             ClockError = clock.EstimatedError;
-            IsDisplayTimeDoubted = isDisplayTimeDoubted;
+            IsDisplayTimeDoubted = isDisplayTimeInconsistent;
             Start = start;
             IsTimeTrusted = isTimeTrusted;
             Range = range;

@@ -78,7 +78,7 @@ namespace Nowpose.Session
         public RangeState Range { get; internal set; }
 
         /// <summary>Reason why <see cref="Range"/> is unknown.</summary>
-        internal RangeDoubt RangeDoubt { get; set; }
+        internal RangeUnknownReason RangeUnknownReason { get; set; }
 
         /// <summary>
         /// Error of the displayed tool relative to its true position from later samples, over the newest ten seconds, mm. Excludes errors

@@ -49,7 +49,8 @@ namespace Nowpose.Unity.Session
             if ((change & SessionChange.LeftRange) != 0)
                 Debug.LogWarning(ConsoleLog.Prefix + "render time beyond the constant-latency range; poses are late by an unknown time", _context);
             if ((change & SessionChange.DisplayTimeDoubted) != 0)
-                Debug.LogWarning(ConsoleLog.Prefix + "display times of the runtime and the calibrated L_visu differ by more than 5 ms; calibrate anew", _context);
+                Debug.LogWarning(
+                    ConsoleLog.Prefix + "display times of the runtime and the calibrated L_visu differ by more than 5 ms; calibrate again", _context);
             if ((change & SessionChange.DisplayTimeImplausible) != 0) Warn(DisplayWords.ImplausibleTimes(session?.DisplayTimeAhead));
             if ((change & SessionChange.DisplayTimePlausible) != 0)
                 Debug.Log(ConsoleLog.Prefix + "display times of the runtime are plausible again, and used", _context);

@@ -148,7 +148,7 @@ namespace Nowpose.Prediction.Mixing
             FillForecasts(motion, into.Tables);
             FillMixture(motion, into.Tables);
             var speaker = Mixture;
-            var leastShare = double.PositiveInfinity;
+            var minShare = double.PositiveInfinity;
             for (var i = 0; i < _candidates.Length; i++)
             {
                 var (candidate, forecast) = (_candidates[i], Mixture + 1 + i);
@@ -156,7 +156,7 @@ namespace Nowpose.Prediction.Mixing
                 if (!into.Speaks(forecast)) continue;
                 candidate.Forecaster.Fill(into.Tables, forecast * ForecastTable.Points, _points);
                 var share = candidate.ShareOfSquare(into.WasStill);
-                if (share < leastShare) (speaker, leastShare) = (forecast, share);
+                if (share < minShare) (speaker, minShare) = (forecast, share);
             }
             Array.Copy(into.Tables, speaker * ForecastTable.Points, _table, 0, ForecastTable.Points);
         }

@@ -50,7 +50,7 @@ namespace Nowpose.Session.Hindcast
                 frame.IsLost |= !isKnown;
                 frame.Missing--;
                 ref var values = ref _joints[index * _jointCount + joint];
-                values.Truth = span.At(frame.At, out values.Doubt);
+                values.Truth = span.At(frame.At, out values.Uncertainty);
             }
         }
 
@@ -89,7 +89,7 @@ namespace Nowpose.Session.Hindcast
 
         public struct JointValues
         {
-            public double Displayed, Held, Truth, Doubt;
+            public double Displayed, Held, Truth, Uncertainty;
         }
     }
 }

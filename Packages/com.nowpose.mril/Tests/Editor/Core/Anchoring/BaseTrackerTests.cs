@@ -54,12 +54,12 @@ namespace Nowpose.Tests.Core.Anchoring
             var cell = SimulatedMarkers.One(1, 0);
             cell.Noisy();
             cell.OutlierShare = 0;
-            var told = cell.Now;
+            var reported = cell.Now;
             // The sighting is renewed twice a second, as by devices that read codes.
             cell.Change = sighting =>
             {
-                if (sighting.LastSeen - told >= Lengths.Seconds(0.5)) told = sighting.LastSeen;
-                return new MarkerSighting("1", "a", sighting.Pose, 0, told, MarkerTracking.Tracking);
+                if (sighting.LastSeen - reported >= Lengths.Seconds(0.5)) reported = sighting.LastSeen;
+                return new MarkerSighting("1", "a", sighting.Pose, 0, reported, MarkerTracking.Tracking);
             };
 
             var took = cell.RunUntilLocked(20);
@@ -104,7 +104,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
             Assert.That(cell.Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0));
             Assert.That(cell.Tracker.Markers[0].Fault, Is.EqualTo(SightingFault.Old));
-            Assert.That(cell.Tracker.Markers[0].Ignored[SightingFault.Old], Is.EqualTo(1), "one old sighting, told 300 times");
+            Assert.That(cell.Tracker.Markers[0].Ignored[SightingFault.Old], Is.EqualTo(1), "one old sighting, reported 300 times");
         }
 
         [Test]

@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Words(3);
             _cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866, 0.25, 0, 0, 0, 2);
 
-            Assert.That(Words(3), Does.Match("^marker 'b', (99|100|101) mm, 0\\.\\d° from where it belongs: put it back, or lock anew$"));
+            Assert.That(Words(3), Does.Match("^marker 'b', (99|100|101) mm, 0\\.\\d° from where it belongs: put it back, or lock again$"));
             _cell.Tracker.Relock();
             Assert.That(Words(3), Does.Match("^locked by 2 markers, moved by 0\\.\\d mm, 0\\.\\d\\d°; "
                 + "marker 'b' is (99|100|101) mm, 0\\.\\d° from where the others say$"));
@@ -104,7 +104,7 @@ namespace Nowpose.Tests.Core.Anchoring
             _cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866 - 0.0433, 0.175, 0, 0, 0, 2);
 
             Assert.That(
-                Words(3), Does.Match("^marker 'a' and marker 'b' contradict each other by (49|50|51) mm, \\d\\.\\d°: measure their places anew$"));
+                Words(3), Does.Match("^marker 'a' and marker 'b' contradict each other by (49|50|51) mm, \\d\\.\\d°: measure their places again$"));
         }
 
         [Test]

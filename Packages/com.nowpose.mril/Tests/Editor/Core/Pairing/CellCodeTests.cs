@@ -179,7 +179,7 @@ namespace Nowpose.Tests.Core.Pairing
             Assert.Throws<InputException>(() => CellCode.Parse("nowpose:cell/1?n=a&p=" + PinText + "&h=" + host));
             var error = Assert.Throws<InputException>(() => new CellCode("a", host, Pin));
 
-            Assert.That(error.Message, Does.Contain("is no host"));
+            Assert.That(error.Message, Does.Contain("is not a host"));
         }
 
         [TestCase("Pr%C3%BCfzelle%203", "Prüfzelle 3")]

@@ -256,8 +256,8 @@ namespace Nowpose.Tests.Core.Recording
 
                 var text = System.Text.Encoding.UTF8.GetString(bytes.ToArray());
                 var lines = text.Split(new[] { '\n' }, StringSplitOptions.RemoveEmptyEntries).Select(JObject.Parse).ToList();
-                var told = lines.Where(l => (string)l["kind"] == "lost").Sum(l => (long)l["count"]);
-                Assert.That(told, Is.EqualTo(recorder.LostLines).And.GreaterThan(2000));
+                var reported = lines.Where(l => (string)l["kind"] == "lost").Sum(l => (long)l["count"]);
+                Assert.That(reported, Is.EqualTo(recorder.LostLines).And.GreaterThan(2000));
                 Assert.That(lines.Count(l => (string)l["kind"] == "frame"), Is.GreaterThan(2000));
             }
         }

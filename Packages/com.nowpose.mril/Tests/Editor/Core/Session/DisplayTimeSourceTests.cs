@@ -92,7 +92,7 @@ namespace Nowpose.Tests.Core.Session
 
         [TestCase(46.5, 40, true)]
         [TestCase(40, 46.5, false)]
-        public void DisplayTimeSource_FrameComputedTwice_ComparesOnlyTheSecond(double lastMs, double firstMs, bool isDoubted)
+        public void DisplayTimeSource_FrameComputedTwice_ComparesOnlyTheSecond(double lastMs, double firstMs, bool isInconsistent)
         {
             var simulated = Running(null);
             var ms = lastMs;
@@ -107,7 +107,7 @@ namespace Nowpose.Tests.Core.Session
 
             var statistics = simulated.Session.Statistics(default);
             Assert.That(statistics.DisplayTimeDifference.Value.TotalMilliseconds, Is.EqualTo(lastMs - 40).Within(1e-3));
-            Assert.That(statistics.IsDisplayTimeDoubted, Is.EqualTo(isDoubted));
+            Assert.That(statistics.IsDisplayTimeDoubted, Is.EqualTo(isInconsistent));
         }
 
         [Test]

@@ -83,7 +83,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
 
         [Test]
         public void Camera_ChangesSlightlyWithTheLoad_CannotSeeLoad() =>
-            AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep) + 0.1 * v / SweepPlan.GreatestVertices);
+            AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep) + 0.1 * v / SweepPlan.MaxVertices);
 
         [Test]
         public void Words_LoadNotSeen_AreOneLineWithNumbersAndRemedy()
