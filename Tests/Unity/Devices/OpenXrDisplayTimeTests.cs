@@ -266,7 +266,7 @@ public sealed class OpenXrDisplayTimeTests
 
         Run(4);
 
-        Assert.That(_session.Statistics.IsDisplayTimeDoubted);
+        Assert.That(_session.Statistics.IsDisplayTimeInconsistent);
         Assert.That(_session.Statistics.DisplayTimeDifference.Value.TotalMilliseconds, Is.EqualTo(7).Within(0.01));
         Assert.That(_session.Statistics.VisualisationLatency.TotalMilliseconds, Is.EqualTo(47).Within(0.01));
         Assert.That(_cell.Messages.Count(m => m.Contains("differ by more than 5 ms")), Is.EqualTo(1));

@@ -129,7 +129,7 @@ public sealed class StatusPanelViewTests(string scene)
         foreach (var method in Enum.GetValues<CalibrationMethod>())
             yield return State($"{method}", ("Profile", new LatencyProfile(40.2, 1, "", 0, new DateTime(2026, 12, 28), method, 3)));
         yield return State("predicted", ("IsLightPredicted", true));
-        yield return State("inconsistent", ("IsDisplayTimeDoubted", true));
+        yield return State("inconsistent", ("IsDisplayTimeInconsistent", true));
         foreach (var source in Enum.GetValues<RenderTimeSourceKind>()) yield return State($"{source}", ("RenderTimeSource", source));
         foreach (var range in Enum.GetValues<RangeState>()) yield return State($"{range}", ("Range", range));
         foreach (var reason in Enum.GetValues<RangeUnknownReason>()) yield return State($"{reason}", ("RangeUnknownReason", reason));

@@ -58,7 +58,7 @@ namespace Nowpose.Editor.Import
         void BeginFacet()
         {
             Require(_inSolid && !_inFacet, "a facet outside of a solid, or within another facet");
-            if (++_facets > StlReader.MostTriangles) throw StlReader.TooMany(Here, _facets);
+            if (++_facets > StlReader.MaxTriangles) throw StlReader.TooMany(Here, _facets);
             _inFacet = true;
             _read = 0;
         }

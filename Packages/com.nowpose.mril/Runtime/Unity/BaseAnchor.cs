@@ -65,7 +65,7 @@ namespace Nowpose.Unity
         MrilSession _session;
         BaseAnchorState _loggedState;
         string _loggedWords = "", _fault, _loggedProblem;
-        MarkerQuarrel _loggedConflict;
+        MarkerConflict _loggedConflict;
         bool _loggedCorrected;
         bool _isGiven;
 
@@ -103,7 +103,7 @@ namespace Nowpose.Unity
         }
 
         /// <summary>Starts a new search for the base by its markers; until it succeeds, the base keeps its place and looks not locked.</summary>
-        /// <remarks>If there are no markers, a pose restored from an earlier run is accepted.</remarks>
+        /// <remarks>Without markers, a pose restored from an earlier run is accepted.</remarks>
         public void Relock()
         {
             Tracker?.Relock();
@@ -191,7 +191,7 @@ namespace Nowpose.Unity
         bool IsNews()
         {
             if (Tracker == null) return false;
-            var (problem, conflict, isCorrected) = (Tracker.Problem, Tracker.Quarrel, Tracker.IsCorrected);
+            var (problem, conflict, isCorrected) = (Tracker.Problem, Tracker.Conflict, Tracker.IsCorrected);
             var isNews = (problem != null && problem != _loggedProblem) || (conflict != null && !conflict.IsOf(_loggedConflict))
                 || (isCorrected && !_loggedCorrected);
             (_loggedProblem, _loggedConflict, _loggedCorrected) = (problem, conflict, isCorrected);

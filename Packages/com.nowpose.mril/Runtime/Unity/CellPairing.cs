@@ -91,7 +91,7 @@ namespace Nowpose.Unity
             if (_source != null) Flow?.See(text?.Trim(), _source.HeadsetClock.Now);
         }
 
-        // Null while disabled, and if there is no session.
+        // Null while disabled, and without a session.
         PairingFlow Flow { get; set; }
 
         void OnEnable()

@@ -23,7 +23,7 @@ namespace Nowpose.Unity
             + "device portal; or a full path. It is made where there is none.")]
         string _folder = "recordings";
 
-        [SerializeField, Tooltip("Greatest size of one file in megabytes, 0.001 to 100000; then it ends, and says so. 500 MB are five hours "
+        [SerializeField, Tooltip("Maximum size of one file in megabytes, 0.001 to 100000; then the recording ends with a message. 500 MB are five hours "
             + "of a usual session.")]
         double _maximumMegabytes = 500;
 

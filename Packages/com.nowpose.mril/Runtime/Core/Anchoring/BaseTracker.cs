@@ -64,7 +64,10 @@ namespace Nowpose.Anchoring
         public double CorrectedRadians { get; private set; }
 
         /// <summary>Markers that contradict each other, with their deviation; null without a conflict.</summary>
-        public MarkerQuarrel Quarrel => _attempt.Conflict;
+        public MarkerConflict Conflict => _attempt.Conflict;
+
+        [Obsolete("use Conflict")]
+        public MarkerQuarrel Quarrel => (MarkerQuarrel)_attempt.Conflict;
 
         /// <summary>Whether the device has moved the base since the newest lock by more than a marker's tolerance.</summary>
         public bool IsCorrected => CorrectedMetres > _settings.ToleranceMetres || CorrectedRadians > _settings.ToleranceRadians;
@@ -226,7 +229,7 @@ namespace Nowpose.Anchoring
                 var belongs = IsWatching ? marker.PlaceAt(Base.Value) : (RigidTransform?)null;
                 if (!marker.Take(sighting, now, head, belongs)) continue;
                 _isNews = true;
-                if (Base is RigidTransform locked && IsWatching && !marker.IsDoubted) marker.Compare(locked);
+                if (Base is RigidTransform locked && IsWatching && !marker.IsContradicted) marker.Compare(locked);
             }
             return false;
         }

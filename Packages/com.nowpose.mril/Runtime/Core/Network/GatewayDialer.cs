@@ -23,7 +23,7 @@ namespace Nowpose.Network
             _trust = new ServerTrust(settings.Pin);
         }
 
-        /// <exception cref="GatewayRefusalException">The certificate is not trusted, or there was no answer in time.</exception>
+        /// <exception cref="GatewayRefusalException">The certificate is not trusted, or the gateway did not answer in time.</exception>
         /// <exception cref="SocketException">The gateway refused the connection, or the network is down.</exception>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
         public async Task<Stream> OpenAsync(int port, CancellationToken cancel)

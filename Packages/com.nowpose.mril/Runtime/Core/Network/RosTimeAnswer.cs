@@ -20,7 +20,7 @@ namespace Nowpose.Network
         /// <summary>Time at which its last byte was read.</summary>
         public HeadsetTime Arrival { get; }
 
-        /// <summary>Why there is no time, and what to do; null if there is one.</summary>
+        /// <summary>Why the time is unknown, and what to do; null if it is known.</summary>
         public string Problem { get; }
 
         static string ProblemOf(RosbridgeMessage response, DropReason fault)

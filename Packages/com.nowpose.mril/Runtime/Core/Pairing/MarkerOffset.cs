@@ -54,7 +54,7 @@ namespace Nowpose.Pairing
         public RigidTransform ToPose() => RigidTransform.FromXyzRpy(
             _numbers[0], _numbers[1], _numbers[2], Radians(_numbers[3]), Radians(_numbers[4]), Radians(_numbers[5]));
 
-        /// <summary>Formats the offset for <see cref="Parse"/>: three numbers ("0.25,-0.1,0") if there is no rotation, else six.</summary>
+        /// <summary>Formats the offset for <see cref="Parse"/>: three numbers ("0.25,-0.1,0") without a rotation, else six.</summary>
         public override string ToString()
         {
             var count = _numbers[3] == 0 && _numbers[4] == 0 && _numbers[5] == 0 ? 3 : Numbers;

@@ -73,7 +73,7 @@ namespace Nowpose.Recording
             _session.Clock.Judged -= OnExchange;
             _session.Intake.SampleJudged -= OnSample;
             _session.Intake.PlanJudged -= OnPlan;
-            _session.StartedAnew -= OnRestarted;
+            _session.Restarted -= OnRestarted;
             _session.Ticked -= OnFrame;
             _writer.Stop();
         }
@@ -83,7 +83,7 @@ namespace Nowpose.Recording
             _session.Clock.Judged += OnExchange;
             _session.Intake.SampleJudged += OnSample;
             _session.Intake.PlanJudged += OnPlan;
-            _session.StartedAnew += OnRestarted;
+            _session.Restarted += OnRestarted;
             _session.Ticked += OnFrame;
         }
 

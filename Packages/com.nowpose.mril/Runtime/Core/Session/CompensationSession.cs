@@ -111,7 +111,14 @@ namespace Nowpose.Session
         /// Raised when all samples are removed because the clock stepped or became known; within <see cref="Tick"/>, before new samples are
         /// processed.
         /// </summary>
-        public event Action<HeadsetTime, ClockModel> StartedAnew;
+        public event Action<HeadsetTime, ClockModel> Restarted;
+
+        [Obsolete("use Restarted")]
+        public event Action<HeadsetTime, ClockModel> StartedAnew
+        {
+            add => Restarted += value;
+            remove => Restarted -= value;
+        }
 
         /// <summary>Provides the computed frame; raised at the end of each <see cref="Tick"/>.</summary>
         /// <remarks>
@@ -363,7 +370,7 @@ namespace Nowpose.Session
             _tracks.Reset();
             _latency.Reset();
             _hindcast.Reset();
-            StartedAnew?.Invoke(now, clock);
+            Restarted?.Invoke(now, clock);
         }
     }
 }

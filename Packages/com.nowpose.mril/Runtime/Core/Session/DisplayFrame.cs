@@ -56,7 +56,10 @@ namespace Nowpose.Session
         public OutsideRangeResponse OutsideRange { get; }
 
         /// <summary>Whether the runtime's display times contradict the calibration, see <see cref="DisplayTimeCheck"/>.</summary>
-        public bool IsDisplayTimeDoubted { get; private set; }
+        public bool IsDisplayTimeInconsistent { get; private set; }
+
+        [Obsolete("use IsDisplayTimeInconsistent")]
+        public bool IsDisplayTimeDoubted => IsDisplayTimeInconsistent;
 
         /// <summary>Whether the runtime's display times have been implausible for a second, see <see cref="SessionChange"/>.</summary>
         public bool IsDisplayTimeImplausible { get; internal set; }
@@ -84,7 +87,7 @@ namespace Nowpose.Session
         {
             ClockState = clock.State;
             ClockError = clock.EstimatedError;
-            IsDisplayTimeDoubted = isDisplayTimeInconsistent;
+            IsDisplayTimeInconsistent = isDisplayTimeInconsistent;
             Start = start;
             IsTimeTrusted = isTimeTrusted;
             Range = range;

@@ -59,7 +59,7 @@ namespace Nowpose.Session
             into.Profile = _light.Profile;
             into.IsLightPredicted = _light.IsPredicted;
             into.DisplayTimeDifference = _light.Difference;
-            into.IsDisplayTimeDoubted = _light.IsInconsistent;
+            into.IsDisplayTimeInconsistent = _light.IsInconsistent;
             into.DisplayTimeAhead = _light.Ahead;
             into.IsDisplayTimeImplausible = _light.IsImplausible;
             into.Horizon = _frame.Horizon;

@@ -45,7 +45,10 @@ namespace Nowpose.Session
         public TimeSpan? DisplayTimeDifference { get; internal set; }
 
         /// <summary>Whether that difference lasts and is too large, see <see cref="DisplayTimeCheck"/>.</summary>
-        public bool IsDisplayTimeDoubted { get; internal set; }
+        public bool IsDisplayTimeInconsistent { get; internal set; }
+
+        [Obsolete("use IsDisplayTimeInconsistent")]
+        public bool IsDisplayTimeDoubted => IsDisplayTimeInconsistent;
 
         /// <summary>Newest display time from the source minus its frame's start, used or not; null without one.</summary>
         public TimeSpan? DisplayTimeAhead { get; internal set; }

@@ -21,12 +21,12 @@ namespace Nowpose.Session
         /// <summary>Returns the changes of a frame.</summary>
         public SessionChange Changed(DisplayFrame frame) =>
             Changed(
-                frame.Start, frame.State, frame.IsTimeTrusted, frame.Range, frame.IsDisplayTimeDoubted, frame.IsDisplayTimeImplausible);
+                frame.Start, frame.State, frame.IsTimeTrusted, frame.Range, frame.IsDisplayTimeInconsistent, frame.IsDisplayTimeImplausible);
 
         /// <summary>Returns the changes of a frame that is given by its properties.</summary>
         /// <param name="at">Start of the frame, not earlier than that of the previous frame.</param>
         /// <param name="isTimeTrusted">Value of <see cref="DisplayFrame.IsTimeTrusted"/>.</param>
-        /// <param name="isDisplayTimeInconsistent">Value of <see cref="DisplayFrame.IsDisplayTimeDoubted"/>, which does not flicker.</param>
+        /// <param name="isDisplayTimeInconsistent">Value of <see cref="DisplayFrame.IsDisplayTimeInconsistent"/>, which does not flicker.</param>
         /// <param name="isDisplayTimeImplausible">Value of <see cref="DisplayFrame.IsDisplayTimeImplausible"/>, which does not flicker.</param>
         public SessionChange Changed(
             HeadsetTime at, PoseState pose, bool isTimeTrusted, RangeState range, bool isDisplayTimeInconsistent = false,

@@ -26,7 +26,7 @@ namespace Nowpose.Unity.Session
 
         /// <summary>Returns the current problem. Allocates nothing.</summary>
         /// <param name="statistics">Null without a session.</param>
-        /// <returns>Null if there is no problem.</returns>
+        /// <returns>Null without a problem.</returns>
         public static string ProblemOf(SessionStatistics statistics)
         {
             if (statistics == null) return null;

@@ -79,7 +79,7 @@ namespace Nowpose.Unity.Status
         /// <param name="statistics">Null without a session.</param>
         /// <param name="settings">Null if they are unknown.</param>
         /// <param name="robot">Name of the robot; null if it is unknown.</param>
-        /// <param name="problem">Why there is no session; null without a problem.</param>
+        /// <param name="problem">Why no session exists; null without a problem.</param>
         /// <param name="anchor">Anchor of the base; null for none.</param>
         /// <param name="pairing">Pairing of the session; null for none.</param>
         public void Update(
@@ -121,7 +121,7 @@ namespace Nowpose.Unity.Status
         {
             var percentile = statistics.ApplicationLatency95;
             Set(StatusRow.ApplicationLatency, Milliseconds.Of(statistics.ApplicationLatency), percentile.HasValue ? Percentiles.Of(percentile) : "");
-            var isUncertain = statistics.IsDisplayTimeDoubted || statistics.IsDisplayTimeImplausible || IsMismatched(statistics);
+            var isUncertain = statistics.IsDisplayTimeInconsistent || statistics.IsDisplayTimeImplausible || IsMismatched(statistics);
             var visualisation = isUncertain ? MarkedMilliseconds : Milliseconds;
             Set(StatusRow.VisualisationLatency, visualisation.Of(statistics.VisualisationLatency), _origin.Of(statistics));
             Set(StatusRow.RenderTime, Milliseconds.Of(statistics.RenderTime), RenderTimeWords.NameOf(statistics.RenderTimeSource));

@@ -54,7 +54,7 @@ namespace Nowpose.Anchoring.Tracking
         {
             var isCorrected = tracker.IsCorrected;
             return new Subject(
-                Kind.Locked, tracker.Lock, tracker.Quarrel, tracker.Problem, isCorrected ? Mm(tracker.CorrectedMetres) : 0,
+                Kind.Locked, tracker.Lock, tracker.Conflict, tracker.Problem, isCorrected ? Mm(tracker.CorrectedMetres) : 0,
                 isCorrected ? Tenths(tracker.CorrectedRadians) : 0, isCorrected ? 1 : 0);
         }
 
@@ -62,7 +62,7 @@ namespace Nowpose.Anchoring.Tracking
         {
             _searching ??= now;
             if (tracker.IsBeingPlaced) return new Subject(Kind.BeingPlaced);
-            if (tracker.Quarrel is MarkerQuarrel conflict)
+            if (tracker.Conflict is MarkerConflict conflict)
                 return new Subject(Kind.Conflict, conflict.Marker, conflict.Other, null, Mm(conflict.Metres), Tenths(conflict.Radians));
             TrackedMarker newest = null;
             var seen = 0;
@@ -70,11 +70,11 @@ namespace Nowpose.Anchoring.Tracking
             {
                 var marker = tracker.Markers[i];
                 if (marker.IsFresh(now)) seen++;
-                if (!(marker.LastTold is HeadsetTime reported) || now - reported > InView) continue;
+                if (!(marker.LastReported is HeadsetTime reported) || now - reported > InView) continue;
                 if (marker.IsFresh(now) && marker.IsReady && marker.IsMoving) return new Subject(Kind.Moving, marker.Marker);
                 if (marker.IsFresh(now) && marker.IsReady && marker.SpreadMetres is double spread && spread > 0)
                     return new Subject(Kind.Scatters, marker.Marker, null, null, Mm(spread), Tenths(marker.SpreadRadians.Value));
-                if (newest == null || reported > newest.LastTold) newest = marker;
+                if (newest == null || reported > newest.LastReported) newest = marker;
             }
             if (seen > 0) return new Subject(Kind.Gathers, null, null, null, seen, 0);
             return newest != null && newest.Fault != SightingFault.None
@@ -150,7 +150,7 @@ namespace Nowpose.Anchoring.Tracking
             var text = locked.Markers == 0 ? "placed by hand" : "locked by " + locked.Markers + (locked.Markers == 1 ? " marker" : " markers");
             if (locked.ChangeMetres > 0 || locked.ChangeRadians > 0)
                 text += ", moved by " + Number(1000 * locked.ChangeMetres, "0.0") + " mm, " + Number(Degrees(locked.ChangeRadians), "0.00") + "°";
-            if (tracker.Quarrel is MarkerQuarrel conflict)
+            if (tracker.Conflict is MarkerConflict conflict)
                 text += "; " + Name(conflict.Marker) + " is " + Mm(conflict.Metres) + " mm, " + Number(Degrees(conflict.Radians), "0.0")
                     + "° from where the others say";
             if (tracker.IsCorrected)

@@ -239,7 +239,7 @@ namespace Nowpose.Prediction.Mixing
             return isTelling || snapshot.WasAtRest;
         }
 
-        /// <param name="isOfOneMotion">Whether there is no change point between forecast and sample, so that the threshold adapts.</param>
+        /// <param name="isOfOneMotion">Whether no change point lies between forecast and sample, so that the threshold adapts.</param>
         /// <param name="greatest">The larger error of hold and mixture, limited by the threshold.</param>
         /// <returns>The outlier threshold.</returns>
         double FillErrors(ForecastSnapshots.Snapshot snapshot, double ahead, double truth, bool isOfOneMotion, out double greatest)

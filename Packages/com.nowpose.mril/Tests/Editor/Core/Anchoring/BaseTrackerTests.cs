@@ -292,12 +292,12 @@ namespace Nowpose.Tests.Core.Anchoring
             cell.Noisy();
             cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.24, 0, 0, 0, 0, 0);
             cell.Run(4);
-            Assert.That(cell.Tracker.Quarrel, Is.Not.Null);
+            Assert.That(cell.Tracker.Conflict, Is.Not.Null);
 
             cell.IsInView = payload => payload == "a";
 
             Assert.That(cell.RunUntilLocked(16), Is.Not.Null);
-            Assert.That(cell.Tracker.Quarrel, Is.Null);
+            Assert.That(cell.Tracker.Conflict, Is.Null);
         }
 
         [Test]
@@ -426,9 +426,9 @@ namespace Nowpose.Tests.Core.Anchoring
 
             Assert.That(cell.RunUntilLocked(5), Is.Null);
 
-            Assert.That(cell.Tracker.Quarrel.Marker.Payload, Is.EqualTo("a"));
-            Assert.That(cell.Tracker.Quarrel.Other.Payload, Is.EqualTo("b"));
-            Assert.That(cell.Tracker.Quarrel.Metres, Is.EqualTo(0.04).Within(0.003));
+            Assert.That(cell.Tracker.Conflict.Marker.Payload, Is.EqualTo("a"));
+            Assert.That(cell.Tracker.Conflict.Other.Payload, Is.EqualTo("b"));
+            Assert.That(cell.Tracker.Conflict.Metres, Is.EqualTo(0.04).Within(0.003));
         }
 
         [TestCase(0.04, 0, 0)]
@@ -444,9 +444,9 @@ namespace Nowpose.Tests.Core.Anchoring
 
                 Locked(cell);
 
-                Assert.That(cell.Tracker.Quarrel.Marker.Payload, Is.EqualTo("c"), "seed " + seed);
-                Assert.That(cell.Tracker.Quarrel.Other, Is.Null);
-                Assert.That(cell.Tracker.Quarrel.Metres, Is.EqualTo(Math.Sqrt(x * x + y * y + z * z)).Within(0.005), "seed " + seed);
+                Assert.That(cell.Tracker.Conflict.Marker.Payload, Is.EqualTo("c"), "seed " + seed);
+                Assert.That(cell.Tracker.Conflict.Other, Is.Null);
+                Assert.That(cell.Tracker.Conflict.Metres, Is.EqualTo(Math.Sqrt(x * x + y * y + z * z)).Within(0.005), "seed " + seed);
                 Assert.That(cell.Tracker.Lock.Markers, Is.EqualTo(2));
                 Assert.That(cell.ErrorAt().Metres, Is.LessThan(0.002), "seed " + seed);
                 cell.Run(3);

@@ -26,7 +26,7 @@ namespace Nowpose.Tests.Core.Session
                 new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Lengths.Ms(40))), TestRobot.Model, new SetClock());
             _session.Clock.Judged += (in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault) => _events.Add(verdict + " " + fault);
             _session.Intake.SampleJudged += (arrival, reason) => _events.Add("sample " + reason);
-            _session.StartedAnew += (at, clock) => _events.Add("restarted " + clock.IsKnown);
+            _session.Restarted += (at, clock) => _events.Add("restarted " + clock.IsKnown);
             _session.Ticked += frame => _events.Add("frame");
         }
 
@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Core.Session
 
         [TestCase("elbow", 0, "DuplicateSample")]
         [TestCase("elbow", 5000, "StampInFuture")]
-        [TestCase("nobody", 0, "UnknownJoint")]
+        [TestCase("unknown", 0, "UnknownJoint")]
         public void Sample_Dropped_RaisesAnEventWithTheReason(string joint, double aheadMs, string reason)
         {
             _session.Clock.Add(Exchange(Start), out _);

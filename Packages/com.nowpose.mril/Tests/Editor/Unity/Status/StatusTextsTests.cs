@@ -246,7 +246,7 @@ namespace Nowpose.Tests.Unity.Status
         public void Update_VisualisationLatency_NamesItsSource(bool isPredicted, bool isInconsistent, string expected)
         {
             Assert.That(Row(StatusRow.VisualisationLatency, ("VisualisationLatency", Ms(47)), ("IsLightPredicted", isPredicted),
-                ("IsDisplayTimeDoubted", isInconsistent)), Is.EqualTo(expected));
+                ("IsDisplayTimeInconsistent", isInconsistent)), Is.EqualTo(expected));
         }
 
         [TestCase(OutsideRangeResponse.Fade)]

@@ -1,0 +1,36 @@
+namespace Nowpose.Anchoring
+{
+    /// <summary>Markers whose relative poses differ from those measured at the base.</summary>
+    public class MarkerConflict
+    {
+        internal MarkerConflict(BaseMarker marker, BaseMarker other, double metres, double radians)
+        {
+            Marker = marker;
+            Other = other;
+            Metres = metres;
+            Radians = radians;
+        }
+
+        internal static MarkerConflict Of(BaseMarker marker, BaseMarker other, double metres, double radians)
+        {
+            // BaseTracker.Quarrel returns the same object under its former type.
+#pragma warning disable CS0618
+            return new MarkerQuarrel(marker, other, metres, radians);
+#pragma warning restore CS0618
+        }
+
+        /// <summary>Whether the same markers are in conflict, regardless of the amount.</summary>
+        public bool IsOf(MarkerConflict other) => other != null && Marker == other.Marker && Other == other.Other;
+
+        /// <summary>The marker that contradicts the others.</summary>
+        public BaseMarker Marker { get; }
+
+        /// <summary>Second marker of the conflict if it is unclear which of the two is wrong; otherwise null.</summary>
+        public BaseMarker Other { get; }
+
+        /// <summary>Deviation of the marker, or of the two from each other.</summary>
+        public double Metres { get; }
+
+        public double Radians { get; }
+    }
+}
