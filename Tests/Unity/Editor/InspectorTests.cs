@@ -76,7 +76,7 @@ public sealed class InspectorTests : EditorFixture
         editor.OnInspectorGUI();
 
         Assert.That(editor, Is.InstanceOf<LatencyProfileLoaderEditor>());
-        Assert.That(GuiRecorder.Texts, Does.Contain("Profile: none, as the settings say"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Profile: none; the settings apply"));
     }
 
     [Test]

@@ -84,7 +84,7 @@ namespace Nowpose.Editor.Import
         {
             _context.DependsOnArtifact(path);
             var model = AssetDatabase.LoadAssetAtPath<GameObject>(path);
-            if (model == null) throw new InputException("mesh " + path + ": Unity has not imported it; its own import log says why");
+            if (model == null) throw new InputException("mesh " + path + ": Unity has not imported it; see its import log for the reason");
             var turn = TurnOf(path);
             var shown = new GameObject();
             var axes = new GameObject("axes").transform;

@@ -58,7 +58,7 @@ namespace Nowpose.Mrtk3
             _recognition = XRSubsystemHelpers.KeywordRecognitionSubsystem;
             if (_recognition != null || _isReported || Time.unscaledTime - _since <= PatienceSeconds) return;
             _isReported = true;
-            ConsoleLog.Say(this, "voice commands '" + name + "': no keyword recognition runs; the menu does the same");
+            ConsoleLog.Info(this, "voice commands '" + name + "': no keyword recognition runs; the menu does the same");
         }
 
         // Checked in each frame: another component that unregisters the same keyword removes all its listeners.

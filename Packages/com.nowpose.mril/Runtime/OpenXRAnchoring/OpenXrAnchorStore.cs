@@ -112,7 +112,7 @@ namespace Nowpose.OpenXR
                 Problem = null;
             }
             else if (loading.Exception != null) Fail(LoadingAll, loading.Exception.GetBaseException());
-            else if (_asked == AskedInVain) Say("the runtime gives no store of anchors; they are lost with the next start");
+            else if (_asked == AskedInVain) Report("the runtime gives no store of anchors; they are lost with the next start");
         }
 
         // Catches every exception, because the plugin calls native code of the system.
@@ -139,9 +139,9 @@ namespace Nowpose.OpenXR
             return false;
         }
 
-        void Fail(string what, Exception fault) => Say("cannot " + what + ": " + fault.Message);
+        void Fail(string what, Exception fault) => Report("cannot " + what + ": " + fault.Message);
 
-        void Say(string problem)
+        void Report(string problem)
         {
             if (problem == Problem) return;
             Problem = problem;

@@ -28,7 +28,7 @@ namespace Nowpose.OpenXR
         /// <summary>Marker frame in the code's frame, in URDF axes of that frame.</summary>
         static readonly RigidTransform MarkerInCode = RigidTransform.FromXyzRpy(0, 0, 0, -Math.PI / 2, 0, -Math.PI / 2);
 
-        [SerializeField, Tooltip("The session whose clock tells when a code was seen. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session whose clock determines when a code was seen. Empty: the one on this object or above.")]
         MrilSession _session = null;
 
         [SerializeField, Tooltip("The XR Origin, which is given an AR Marker Manager unless it has one. Empty: the one above the main camera.")]

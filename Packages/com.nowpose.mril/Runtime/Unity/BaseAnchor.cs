@@ -65,7 +65,7 @@ namespace Nowpose.Unity
         MrilSession _session;
         BaseAnchorState _loggedState;
         string _loggedWords = "", _fault, _loggedProblem;
-        MarkerConflict _loggedConflict;
+        MarkerQuarrel _loggedConflict;
         bool _loggedCorrected;
         bool _isGiven;
 
@@ -99,7 +99,7 @@ namespace Nowpose.Unity
             Tracker?.Use(cell, markers);
             if (Tracker != null) _fault = null;
             _isGiven = true;
-            Tell();
+            Notify();
         }
 
         /// <summary>Starts a new search for the base by its markers; until it succeeds, the base keeps its place and looks not locked.</summary>
@@ -107,7 +107,7 @@ namespace Nowpose.Unity
         public void Relock()
         {
             Tracker?.Relock();
-            Tell();
+            Notify();
         }
 
         /// <summary>Moves the base frame to a pose in the world at once. Releases a lock by markers; a running search continues.</summary>
@@ -123,7 +123,7 @@ namespace Nowpose.Unity
                 position, new Quaternion(rotation.x / length, rotation.y / length, rotation.z / length, rotation.w / length));
             Tracker?.Place(UnityPoses.ToRoom(transform.position, transform.rotation));
             Moved?.Invoke();
-            Tell();
+            Notify();
         }
 
         /// <summary>Adjusts the pose along and about the anchor's own axes.</summary>
@@ -154,7 +154,7 @@ namespace Nowpose.Unity
             {
                 Fail(fault);
             }
-            Tell();
+            Notify();
         }
 
         void OnDestroy() => Tracker?.Release();
@@ -174,21 +174,21 @@ namespace Nowpose.Unity
                 transform.SetPositionAndRotation(place.position, place.rotation);
                 _sources.Rest(place, Tracker.Markers);
             }
-            Tell();
+            Notify();
         }
 
-        void Tell()
+        void Notify()
         {
             var (state, words) = (State, Words);
             if (state == _loggedState && ReferenceEquals(words, _loggedWords)) return;
-            var isNews = IsNews();
-            if (state != _loggedState || isNews) AnchorLog.Say(this, state, words, isNews);
+            var isNews = HasNewProblem();
+            if (state != _loggedState || isNews) AnchorLog.Log(this, state, words, isNews);
             (_loggedState, _loggedWords) = (state, words);
             StateChanged?.Invoke();
         }
 
         // Returns whether there is a new problem although the state is the same, so that each is reported once.
-        bool IsNews()
+        bool HasNewProblem()
         {
             if (Tracker == null) return false;
             var (problem, conflict, isCorrected) = (Tracker.Problem, Tracker.Conflict, Tracker.IsCorrected);

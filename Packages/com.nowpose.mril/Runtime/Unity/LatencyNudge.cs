@@ -126,7 +126,7 @@ namespace Nowpose.Unity
             Report = string.Format(
                 CultureInfo.InvariantCulture, "nudge: L_visu {0:0.0} ms ± {1:0.0} ms by {2} marks; the base is misplaced by {3:0.0} mm along {4}",
                 result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, result.Count, result.OffsetMm, _axis);
-            ConsoleLog.Say(this, Report);
+            ConsoleLog.Info(this, Report);
             Clear();
             // The result is in use, saved or not: the shift would correct the robot twice.
             OffsetMm = 0;

@@ -116,7 +116,7 @@ namespace Nowpose.Unity
             Profile = profile;
             From = from;
             _calibrated = null;
-            ConsoleLog.Say(this, "latency profile: " + CalibrationWords.Of(profile) + "; from " + from);
+            ConsoleLog.Info(this, "latency profile: " + CalibrationWords.Of(profile) + "; from " + from);
         }
 
         void Fail(string problem)

@@ -35,11 +35,11 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("What measures the render time. Empty: the one on the session's object or below.")]
         RenderTimeSource _renderTime = null;
 
-        [SerializeField, Range(1000, SweepPlan.MaxVertices), Tooltip("The greatest load, vertices. 2000000: more than headsets draw in time, so "
+        [SerializeField, Range(1000, SweepPlan.MaxVertices), Tooltip("Maximum load, vertices. 2000000: more than headsets draw in time, so "
             + "that the limit is among the loads.")]
         int _mostVertices = SweepPlan.MaxVertices;
 
-        [SerializeField, Range(2, 100), Tooltip("Loads from none to the greatest, in equal steps. 10 place the limit within 5 %, 20 within 2 %.")]
+        [SerializeField, Range(2, 100), Tooltip("Loads from none to the maximum, in equal steps. 10 place the limit within 5 %, 20 within 2 %.")]
         int _steps = 10;
 
         [SerializeField, Range(0.5f, 600), Tooltip("Seconds for which each load is shown. 5: some 40 pictures at eight a second.")]
@@ -58,7 +58,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Start as soon as this component is enabled. Off, because the camera must be set up first.")]
         bool _startOnEnable = false;
 
-        [SerializeField, Tooltip("A text that says how far it is. Empty: none.")]
+        [SerializeField, Tooltip("Text that shows the progress. Empty: none.")]
         TextMesh _text = null;
 
         [SerializeField, Tooltip("It has gone through all loads, the log is written and judged.")]
@@ -120,8 +120,8 @@ namespace Nowpose.Unity
         {
             if (!IsRunning) return;
             End();
-            Tell(SweepWords.Stopped);
-            ConsoleLog.Say(this, "load sweep stopped; what it logged is in " + Path);
+            ShowText(SweepWords.Stopped);
+            ConsoleLog.Info(this, "load sweep stopped; what it logged is in " + Path);
         }
 
         void OnEnable()
@@ -164,7 +164,7 @@ namespace Nowpose.Unity
             _frame = null;
             _logged = (-1, 0);
             _source.Shown += Keep;
-            ConsoleLog.Say(this, SweepWords.Begun(_plan, Path));
+            ConsoleLog.Info(this, SweepWords.Begun(_plan, Path));
         }
 
         // The session may have read the conditions before the display reported its rate.
@@ -192,7 +192,7 @@ namespace Nowpose.Unity
             }
             // Also while a load is built: otherwise a picture of a missing frame could match a frame one code period later.
             if (_frame?.Control != null) _file.Add(_frame.Value.ToRow(_conditions.Device, _displayHz));
-            TellPhase();
+            ShowPhase();
             var isOver = _run.Advance(_frame?.Start ?? default, _frame?.IsReady ?? false);
             _frame = null;
             if (_file.Problem != null) Abandon(_file.Problem);
@@ -204,7 +204,7 @@ namespace Nowpose.Unity
             if (_run.IsDone)
             {
                 _judging = End();
-                Tell(SweepWords.Judging);
+                ShowText(SweepWords.Judging);
                 return;
             }
             _file.EndLoad();
@@ -232,7 +232,7 @@ namespace Nowpose.Unity
         {
             End();
             Problem = problem;
-            Tell(SweepWords.Stopped);
+            ShowText(SweepWords.Stopped);
             ConsoleLog.Warn(this, problem);
         }
 
@@ -257,22 +257,22 @@ namespace Nowpose.Unity
                 ConsoleLog.Warn(this, Problem);
                 return;
             }
-            var said = "load sweep done: " + Verdict.Words + "; log: " + Path;
-            if (Verdict.Sight == LoadSight.Seen) ConsoleLog.Say(this, said);
-            else ConsoleLog.Warn(this, said);
-            Tell(Verdict.Words);
+            var message = "load sweep done: " + Verdict.Words + "; log: " + Path;
+            if (Verdict.Sight == LoadSight.Seen) ConsoleLog.Info(this, message);
+            else ConsoleLog.Warn(this, message);
+            ShowText(Verdict.Words);
             _onDone.Invoke();
         }
 
-        void TellPhase()
+        void ShowPhase()
         {
             var phase = !(_frame is SweepFrame frame) || !frame.Control.HasValue ? 1 : frame.IsShown ? 3 : 2;
             if (_logged == (_run.Index, phase)) return;
             _logged = (_run.Index, phase);
-            Tell(phase == 1 ? SweepWords.WaitingForClock : phase == 2 ? SweepWords.Building(_run.Vertices) : SweepWords.Showing(_run, _plan));
+            ShowText(phase == 1 ? SweepWords.WaitingForClock : phase == 2 ? SweepWords.Building(_run.Vertices) : SweepWords.Showing(_run, _plan));
         }
 
-        void Tell(string words)
+        void ShowText(string words)
         {
             Words = words;
             if (_text != null) _text.text = words;

@@ -242,7 +242,7 @@ namespace Nowpose.Unity
             var frame = Show(isLast: !_used.RewriteBeforeRender);
             if (frame == null) return;
             _log.Follow(Session);
-            Tell(_watch.Changed(frame));
+            Notify(_watch.Changed(frame));
         }
 
         void ShowAgain()
@@ -312,7 +312,7 @@ namespace Nowpose.Unity
         void Leave()
         {
             End();
-            Tell(_watch.End());
+            Notify(_watch.End());
         }
 
         void End()
@@ -331,10 +331,10 @@ namespace Nowpose.Unity
         // Reads the same text only once, so that rigs stay bound to the robot.
         RobotModel ReadRobot() => Robot?.SourceHash == UrdfHash.Of(_robot.Urdf) ? Robot : _robot.Read();
 
-        void Tell(SessionChange change)
+        void Notify(SessionChange change)
         {
             if (change == SessionChange.None) return;
-            _log.Say(change, Session, Statistics);
+            _log.Log(change, Session, Statistics);
             _changes.Enqueue(change);
             // A change caused by a listener is raised after all listeners have received the current one.
             if (_changes.Count > 1) return;

@@ -105,7 +105,7 @@ namespace Nowpose.Unity
                 Fail("session recording '" + name + "': " + fault.Message);
                 return;
             }
-            ConsoleLog.Say(this, "recording the session to " + Path);
+            ConsoleLog.Info(this, "recording the session to " + Path);
         }
 
         void Report()

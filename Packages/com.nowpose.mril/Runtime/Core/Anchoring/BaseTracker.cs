@@ -64,10 +64,10 @@ namespace Nowpose.Anchoring
         public double CorrectedRadians { get; private set; }
 
         /// <summary>Markers that contradict each other, with their deviation; null without a conflict.</summary>
-        public MarkerConflict Conflict => _attempt.Conflict;
+        public MarkerQuarrel Conflict => _attempt.Conflict;
 
         [Obsolete("use Conflict")]
-        public MarkerQuarrel Quarrel => (MarkerQuarrel)_attempt.Conflict;
+        public MarkerQuarrel Quarrel => Conflict;
 
         /// <summary>Whether the device has moved the base since the newest lock by more than a marker's tolerance.</summary>
         public bool IsCorrected => CorrectedMetres > _settings.ToleranceMetres || CorrectedRadians > _settings.ToleranceRadians;

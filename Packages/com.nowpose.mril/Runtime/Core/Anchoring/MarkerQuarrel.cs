@@ -1,11 +1,28 @@
-using System;
-
 namespace Nowpose.Anchoring
 {
-    /// <summary>Former name of <see cref="MarkerConflict"/>.</summary>
-    [Obsolete("use MarkerConflict")]
-    public sealed class MarkerQuarrel : MarkerConflict
+    /// <summary>Markers whose relative poses differ from those measured at the base.</summary>
+    public sealed class MarkerQuarrel
     {
-        internal MarkerQuarrel(BaseMarker marker, BaseMarker other, double metres, double radians) : base(marker, other, metres, radians) { }
+        internal MarkerQuarrel(BaseMarker marker, BaseMarker other, double metres, double radians)
+        {
+            Marker = marker;
+            Other = other;
+            Metres = metres;
+            Radians = radians;
+        }
+
+        /// <summary>Whether the same markers are in conflict, regardless of the amount.</summary>
+        public bool IsOf(MarkerQuarrel other) => other != null && Marker == other.Marker && Other == other.Other;
+
+        /// <summary>The marker that contradicts the others.</summary>
+        public BaseMarker Marker { get; }
+
+        /// <summary>Second marker of the conflict if it is unclear which of the two is wrong; otherwise null.</summary>
+        public BaseMarker Other { get; }
+
+        /// <summary>Deviation of the marker, or of the two from each other.</summary>
+        public double Metres { get; }
+
+        public double Radians { get; }
     }
 }

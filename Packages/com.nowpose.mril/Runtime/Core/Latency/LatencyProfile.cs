@@ -65,7 +65,7 @@ namespace Nowpose.Latency
             HeadMotion = headMotion;
             Range = renderLimitMs.HasValue ? new ConstantLatencyRange(renderLimitMs.Value, renderTimeSource) : null;
             ValidToRenderTime = validToRenderMs.HasValue
-                ? SettingRange.RequireMs(validToRenderMs.Value, MinRenderMs, MaxRenderMs, "greatest render time seen") : Range?.Limit;
+                ? SettingRange.RequireMs(validToRenderMs.Value, MinRenderMs, MaxRenderMs, "maximum render time measured") : Range?.Limit;
             WatchedRange = Range ?? (validToRenderMs.HasValue && renderTimeSource != RenderTimeSourceKind.None
                 ? new ConstantLatencyRange(validToRenderMs.Value, renderTimeSource, isLimitReached: false) : null);
         }

@@ -62,12 +62,12 @@ namespace Nowpose.Latency
             var loads = visits.Select(visit => visit.Vertices).Distinct().Count();
             return new LoadSensitivity(LoadSight.Unclear, source, string.Format(
                 CultureInfo.InvariantCulture,
-                "too little to tell whether {0} sees load: {1} {2} {3} or more render times, 3 are needed; sweep more loads, or longer",
+                "too few data to determine whether {0} sees load: {1} {2} {3} or more render times, 3 are needed; sweep more loads, or longer",
                 RenderTimeSourceNames.NameOf(source), loads, loads == 1 ? "load has" : "loads have", MinRenderTimes));
         }
 
         static string Advice(RenderTimeSourceKind source) => source == RenderTimeSourceKind.CameraCpu
-            ? "it does not see the GPU; switch on Frame Timing Stats in the player settings, or take a device that tells GPU times, and sweep again"
+            ? "it does not see the GPU; switch on Frame Timing Stats in the player settings, or use a device that reports GPU times, and sweep again"
             : "look whether the load is in view and the sweep goes far enough, and sweep again";
 
         static RenderTimeSourceKind SourceOf(IReadOnlyList<SweepRow> rows)

@@ -73,7 +73,7 @@ namespace Nowpose.Pairing
             var key = field[0];
             if (keys.IndexOf(key) < 0) throw Fault("field " + key + " is not known; allowed are " + List(keys));
             if (field.Length == 2) throw Fault(key + " is empty");
-            if (!_values.TryAdd(key, field.Substring(2))) throw Fault(key + " stands there twice");
+            if (!_values.TryAdd(key, field.Substring(2))) throw Fault(key + " occurs twice");
         }
 
         static string List(string keys) => string.Join(", ", keys.ToCharArray());

@@ -99,7 +99,7 @@ namespace Nowpose.Recording
                 var asked = _flushes.Count;
                 if (!TryDrain(stream))
                 {
-                    _problem = "recording " + _settings.Path + " has stopped: it has reached its greatest size, "
+                    _problem = "recording " + _settings.Path + " has stopped: it has reached its maximum size, "
                         + (_settings.MaximumBytes / 1e6).ToString("0.###", CultureInfo.InvariantCulture) + " MB";
                     break;
                 }

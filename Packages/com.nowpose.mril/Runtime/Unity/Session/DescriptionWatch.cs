@@ -26,10 +26,10 @@ namespace Nowpose.Unity.Session
             if (asset != null)
             {
                 log.Warn("the gateway describes robot '" + described.Name + "' by another URDF than asset '" + asset.name
-                    + "' holds; what is shown may stand beside the real robot");
+                    + "' holds; the displayed robot may differ from the real one");
                 return false;
             }
-            log.Say("the gateway describes robot '" + described.Name + "'");
+            log.Info("the gateway describes robot '" + described.Name + "'");
             Robot = described;
             return true;
         }

@@ -103,9 +103,9 @@ namespace Nowpose.Unity.Status
             var fault = obstacle ?? FaultOf(statistics) ?? _missingJoints.Of(statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
                 ?? statistics?.BeyondLimits?.Words ?? DisplayWords.ProblemOf(statistics)
                 ?? (IsMismatched(statistics) ? statistics.ProfileMismatches[0].Words : null);
-            if (guidance != null) Say(guidance, "");
-            else if (fault != null) Say(fault, "! ");
-            else Say(_restingJoints.Of(statistics) ?? (TellsOfJoints && statistics != null ? _joints.Of(statistics.JointErrors) : null), "");
+            if (guidance != null) SetMessage(guidance, "");
+            else if (fault != null) SetMessage(fault, "! ");
+            else SetMessage(_restingJoints.Of(statistics) ?? (TellsOfJoints && statistics != null ? _joints.Of(statistics.JointErrors) : null), "");
         }
 
         void UpdateTimes(SessionStatistics statistics)
@@ -162,7 +162,7 @@ namespace Nowpose.Unity.Status
             _notes[(int)row] = note;
         }
 
-        void Say(string message, string mark)
+        void SetMessage(string message, string mark)
         {
             if (message == _message && _values[(int)StatusRow.Message] != null) return;
             _message = message;

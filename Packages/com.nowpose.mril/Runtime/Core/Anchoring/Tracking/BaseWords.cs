@@ -16,7 +16,7 @@ namespace Nowpose.Anchoring.Tracking
         static readonly TimeSpan Blind = TimeSpan.FromSeconds(10);
 
         readonly AnchoringSettings _settings;
-        Subject _said;
+        Subject _shown;
         HeadsetTime _since;
         HeadsetTime? _searching;
         HeadsetTime _last;
@@ -31,8 +31,8 @@ namespace Nowpose.Anchoring.Tracking
             if (now - _last > Refresh || now < _last) _searching = null;
             _last = now;
             var subject = SubjectOf(tracker, now);
-            if (subject.HasKindOf(_said) && (subject.IsNear(_said) || now - _since < Refresh)) return;
-            (_said, _since) = (subject, now);
+            if (subject.HasKindOf(_shown) && (subject.IsNear(_shown) || now - _since < Refresh)) return;
+            (_shown, _since) = (subject, now);
             Text = TextOf(subject, tracker);
         }
 
@@ -62,7 +62,7 @@ namespace Nowpose.Anchoring.Tracking
         {
             _searching ??= now;
             if (tracker.IsBeingPlaced) return new Subject(Kind.BeingPlaced);
-            if (tracker.Conflict is MarkerConflict conflict)
+            if (tracker.Conflict is { } conflict)
                 return new Subject(Kind.Conflict, conflict.Marker, conflict.Other, null, Mm(conflict.Metres), Tenths(conflict.Radians));
             TrackedMarker newest = null;
             var seen = 0;
@@ -137,7 +137,7 @@ namespace Nowpose.Anchoring.Tracking
                 case SightingFault.TooFar: return "is too far away: go within " + Number(_settings.FarthestMetres, "0.##") + " m";
                 case SightingFault.TooOblique: return "is seen too obliquely: go in front of it";
                 case SightingFault.Behind: return "is behind you: look at it";
-                case SightingFault.OtherSize: return "is not as large as was set";
+                case SightingFault.OtherSize: return "does not have the configured size";
                 case SightingFault.TwoPlaces: return "is in two places: cover one";
                 case SightingFault.Old: return "is not in view any more: look at it";
                 default: return "is not placed by the headset yet: look at it";
@@ -150,9 +150,9 @@ namespace Nowpose.Anchoring.Tracking
             var text = locked.Markers == 0 ? "placed by hand" : "locked by " + locked.Markers + (locked.Markers == 1 ? " marker" : " markers");
             if (locked.ChangeMetres > 0 || locked.ChangeRadians > 0)
                 text += ", moved by " + Number(1000 * locked.ChangeMetres, "0.0") + " mm, " + Number(Degrees(locked.ChangeRadians), "0.00") + "°";
-            if (tracker.Conflict is MarkerConflict conflict)
+            if (tracker.Conflict is { } conflict)
                 text += "; " + Name(conflict.Marker) + " is " + Mm(conflict.Metres) + " mm, " + Number(Degrees(conflict.Radians), "0.0")
-                    + "° from where the others say";
+                    + "° from the place that the other markers show";
             if (tracker.IsCorrected)
                 text += "; moved by the headset by " + Mm(tracker.CorrectedMetres) + " mm, " + Number(Degrees(tracker.CorrectedRadians), "0.0") + "°";
             return text + Because(tracker.Problem);

@@ -47,7 +47,7 @@ namespace Nowpose.Latency.Calibration
         public static RangeFitResult Fit(IReadOnlyList<LatencyPair> pairs)
         {
             if (pairs.Count < MinPairs)
-                throw new InputException("pairs: " + pairs.Count + " are too few to tell a range; take at least " + MinPairs + " pictures");
+                throw new InputException("pairs: " + pairs.Count + " are too few to determine a range; take at least " + MinPairs + " pictures");
             var sorted = pairs.OrderBy(pair => pair.RenderMs).ThenBy(pair => pair.VisuMs).ToArray();
             var plateau = Plateau.Of(sorted.Take(Math.Max(MinPairs / 2, (int)(SeedShare * sorted.Length))));
             var good = new bool[sorted.Length];

@@ -28,7 +28,7 @@ namespace Nowpose.Latency.Profile
             var json = new JsonUtf8Reader(utf8, Nesting);
             json.BeginObject();
             while (json.NextField(out var field))
-                if (!_values.TryAdd(field, Read(ref json))) throw Fault(field + " stands there twice");
+                if (!_values.TryAdd(field, Read(ref json))) throw Fault(field + " occurs twice");
         }
 
         static object Read(ref JsonUtf8Reader json)

@@ -89,7 +89,7 @@ namespace Nowpose.Session.Hindcast
                 var place = joints[i] >= 0 ? _placeOfJoint[joints[i]] : -1;
                 if (place >= 0 && _tracks[place].Add(
                     new TruthSample(message.Stamp, message.Positions[i]), _maximumGap, out var span, out var isKnown))
-                    _frames.Tell(place, span, isKnown);
+                    _frames.SetTruth(place, span, isKnown);
             }
             while (_frames.TryTakeFirst(out var frame, _values)) Judge(frame);
         }

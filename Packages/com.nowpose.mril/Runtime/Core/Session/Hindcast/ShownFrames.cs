@@ -40,7 +40,7 @@ namespace Nowpose.Session.Hindcast
 
         /// <summary>Sets the true position of a joint for the frames within a span.</summary>
         /// <param name="isKnown">False when the interval between the samples is too long to determine the motion.</param>
-        public void Tell(int joint, in TruthSpan span, bool isKnown)
+        public void SetTruth(int joint, in TruthSpan span, bool isKnown)
         {
             for (var i = 0; i < _count; i++)
             {

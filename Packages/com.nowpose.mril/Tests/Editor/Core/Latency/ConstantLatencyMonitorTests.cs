@@ -263,7 +263,7 @@ namespace Nowpose.Tests.Core.Latency
 
         [TestCase(0, RenderTimeSourceKind.DisplayGpuTime, "render time limit: 0 ms is out of range; allowed are 0.1 to 1000 ms")]
         [TestCase(double.NaN, RenderTimeSourceKind.DisplayGpuTime, "render time limit: NaN ms is out of range; allowed are 0.1 to 1000 ms")]
-        [TestCase(15, RenderTimeSourceKind.None, "render time limit: say which source of the render time it was found with; it holds for no other")]
+        [TestCase(15, RenderTimeSourceKind.None, "render time limit: name the source of the render time that it was measured with")]
         public void ConstantLatencyRange_InvalidSetting_ThrowsWithTheReason(double limitMs, RenderTimeSourceKind source, string message)
         {
             Assert.That(Assert.Throws<InputException>(() => new ConstantLatencyRange(limitMs, source)).Message, Is.EqualTo(message));

@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Pairing
         [TestCase(Least + "&s=", "s is empty")]
         [TestCase(Least + "&k=1", "field k is not known")]
         [TestCase(Least + "&N=b", "field N is not known")]
-        [TestCase(Least + "&n=b", "n stands there twice")]
+        [TestCase(Least + "&n=b", "n occurs twice")]
         [TestCase(Least + " ", "U+0020")]
         [TestCase(Least + "\n", "U+000A")]
         [TestCase(Least + "\0", "U+0000")]

@@ -302,7 +302,7 @@ namespace Nowpose.Tests.Core.Recording
             Assert.That(run.Recorder.Ended.Wait(TimeSpan.FromMinutes(1)), "it ends by itself");
 
             Assert.That(run.Recorder.State, Is.EqualTo(RecordingState.Full));
-            Assert.That(run.Recorder.Problem, Does.Contain("greatest size, 0.02 MB"));
+            Assert.That(run.Recorder.Problem, Does.Contain("maximum size, 0.02 MB"));
             Assert.That(run.Text.Length, Is.EqualTo(run.Recorder.Bytes).And.LessThanOrEqualTo(20_000).And.GreaterThan(19_000));
             Assert.That((string)run.Last["reason"], Is.EqualTo("full"));
         }

@@ -116,7 +116,8 @@ namespace Nowpose.Tests.Core.Latency.Sweep
 
             Assert.That(judged.Sight, Is.EqualTo(LoadSight.Unclear));
             Assert.That(
-                judged.Words, Does.StartWith("too little to tell whether camera_cpu sees load: 1 load has 15 or more render times, 3 are needed"));
+                judged.Words,
+                Does.StartWith("too few data to determine whether camera_cpu sees load: 1 load has 15 or more render times, 3 are needed"));
         }
 
         [Test]
