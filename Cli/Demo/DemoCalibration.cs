@@ -37,7 +37,7 @@ static class DemoCalibration
         {
             for (var i = -FramesBefore; i < PicturesPerStep; i++)
             {
-                var frame = display.Next((double)SweepPlan.GreatestVertices * step / Steps);
+                var frame = display.Next((double)SweepPlan.MaxVertices * step / Steps);
                 if (i >= 0) pairs.Add(new LatencyPair(frame.RenderTime.TotalMilliseconds, Read(frame.Visualisation.TotalMilliseconds, phase)));
             }
         }

@@ -37,7 +37,7 @@ static class DemoVerb
     static readonly Option<double> VisualisationError = NumberOption.Create(
         "--visu-error-ms", "Error of the display latency that the runtime is told", 0.0, -100, 100, "ms");
     static readonly Option<int?> Load = NumberOption.CreateOptional(
-        "--load", "Vertices to be rendered from the first third of the run to its last quarter", 0, SweepPlan.GreatestVertices, "vertices");
+        "--load", "Vertices to be rendered from the first third of the run to its last quarter", 0, SweepPlan.MaxVertices, "vertices");
     static readonly Option<bool> Trajectory = new("--trajectory")
     {
         Description = "Let the cell publish its set-points ahead of time, too",

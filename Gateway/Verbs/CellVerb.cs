@@ -25,7 +25,8 @@ static class CellVerb
             HelpName = "X,Y,Z[,ROLL,PITCH,YAW]",
         };
         var size = NumberOption.Create(
-            "--size-mm", "Edge of the printed code without its white margin", 120.0, CellCode.LeastSizeMetres * 1000, CellCode.GreatestSizeMetres * 1000, "mm");
+            "--size-mm", "Edge of the printed code without its white margin", 120.0, CellCode.MinSizeMetres * 1000,
+            CellCode.MaxSizeMetres * 1000, "mm");
         var sync = NumberOption.Create("--sync-port", "TCP port of the clock sync", ProtocolLimits.SyncPort, 1, IPEndPoint.MaxPort, "");
         var socket = NumberOption.Create("--ws-port", "Port of the WebSocket", ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort, "");
         var file = new Option<string>("--out") { Description = "Draw it there, .svg in true size or .png [default: on the terminal]", HelpName = "FILE" };

@@ -160,7 +160,7 @@ public class RosbridgeClientTests
 
         await Soon.BecomesAsync(() => _client.Status.State == LinkState.Waiting, "waiting");
 
-        Assert.That(_client.Status.Detail, Does.Contain("nothing heard for 6 s"));
+        Assert.That(_client.Status.Detail, Does.Contain("received nothing for 6 s"));
         var sent = new byte[4096];
         Assert.That(stream.Read(sent), Is.GreaterThan(0), "it had asked");
         await Send(await _server.AcceptAsync(), Good);

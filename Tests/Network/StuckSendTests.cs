@@ -19,7 +19,7 @@ public class StuckSendTests
     const int AtTheBeginning = 6;
 
     [TestCase(0, false, false, "nothing could be sent for 6 s")]
-    [TestCase(ForTwoSeconds, false, false, "nothing heard for 6 s")]
+    [TestCase(ForTwoSeconds, false, false, "received nothing for 6 s")]
     [TestCase(AtTheBeginning, true, false, "nothing could be sent for 6 s")]
     [TestCase(AtTheBeginning, true, true, "did not answer within 2 s")]
     public async Task Send_NeverReturns_EndsTheConnectionAndReconnects(int taken, bool hears, bool asksTime, string reason)

@@ -36,8 +36,8 @@ public sealed class PairingDocumentTests
     [Test]
     public void LongestCode_QrVersion_IsTheHoloLensMaximum()
     {
-        using var drawn = new QrCode("nowpose:cell/1?" + new string('a', PairingCode.GreatestLength - 15));
-        using var longer = new QrCode("nowpose:cell/1?" + new string('a', PairingCode.GreatestLength - 14));
+        using var drawn = new QrCode("nowpose:cell/1?" + new string('a', PairingCode.MaxLength - 15));
+        using var longer = new QrCode("nowpose:cell/1?" + new string('a', PairingCode.MaxLength - 14));
 
         Assert.That(drawn.Modules, Is.EqualTo(17 + 4 * 10));
         Assert.That(longer.Modules, Is.GreaterThan(drawn.Modules));

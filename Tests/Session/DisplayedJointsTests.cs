@@ -37,13 +37,13 @@ public class DisplayedJointsTests
         for (var i = 0; i < 60; i++) Frame(now += TimeSpan.FromMilliseconds(50));
         var frame = _session.Tick(now);
 
-        var told = _session.Displayed();
+        var displayed = _session.Displayed();
 
-        Assert.That(told.Stamp, Is.EqualTo(frame.DisplayTime));
-        Assert.That((told.Stamp - new ControlTime(now.SinceEpoch) - Visualisation).Duration(), Is.LessThan(TimeSpan.FromMilliseconds(1)));
-        Assert.That(told.FrameId, Is.EqualTo("left door"));
-        Assert.That(told.Names, Is.EqualTo(_session.Robot.MovingJoints.Select(joint => joint.Name)));
-        Assert.That(told.Positions, Is.EqualTo(frame.Joints.ToArray()).And.Some.Not.EqualTo(0));
+        Assert.That(displayed.Stamp, Is.EqualTo(frame.DisplayTime));
+        Assert.That((displayed.Stamp - new ControlTime(now.SinceEpoch) - Visualisation).Duration(), Is.LessThan(TimeSpan.FromMilliseconds(1)));
+        Assert.That(displayed.FrameId, Is.EqualTo("left door"));
+        Assert.That(displayed.Names, Is.EqualTo(_session.Robot.MovingJoints.Select(joint => joint.Name)));
+        Assert.That(displayed.Positions, Is.EqualTo(frame.Joints.ToArray()).And.Some.Not.EqualTo(0));
         Assert.That(_session.Displayed(), Is.Null, "the same frame again");
     }
 
@@ -53,20 +53,20 @@ public class DisplayedJointsTests
         var now = HeadsetTime.FromSeconds(20);
         for (var i = 0; i < 200; i++) Frame(now += TimeSpan.FromMilliseconds(16));
         WaitOnceForTheSession(now);
-        var told = 0;
+        var displayed = 0;
         using var stop = new CancellationTokenSource();
         var background = Task.Run(() =>
         {
             while (!stop.IsCancellationRequested)
             {
-                if (_session.Displayed() != null) Interlocked.Increment(ref told);
+                if (_session.Displayed() != null) Interlocked.Increment(ref displayed);
                 // Pauses, because taking the session's lock without a pause would block the frames.
                 Thread.Sleep(1);
             }
         });
         var allocated = 0L;
         // On a loaded machine the other thread may start late.
-        for (var i = 0; i < 2000 || Volatile.Read(ref told) == 0 && !background.IsCompleted; i++)
+        for (var i = 0; i < 2000 || Volatile.Read(ref displayed) == 0 && !background.IsCompleted; i++)
         {
             Feed(now += TimeSpan.FromMilliseconds(16));
             var before = GC.GetAllocatedBytesForCurrentThread();
@@ -78,7 +78,7 @@ public class DisplayedJointsTests
         background.Bounded().GetAwaiter().GetResult();
 
         Assert.That(allocated, Is.EqualTo(0));
-        Assert.That(told, Is.GreaterThan(0));
+        Assert.That(displayed, Is.GreaterThan(0));
     }
 
     // The runtime allocates a wait object when a thread first meets a held lock. This allocation must not count as a cost of a frame.

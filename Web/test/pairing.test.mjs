@@ -101,7 +101,7 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
 
   it('names an invalid field and draws no marker', async () => {
     await page.fill('#host', '10.0.0');
-    await page.waitForFunction(() => document.querySelector('#fault').textContent.includes('is no host'));
+    await page.waitForFunction(() => document.querySelector('#fault').textContent.includes('is not a host'));
     assert.ok(await page.locator('#print').isHidden());
     await page.fill('#host', 'localhost');
     await page.waitForSelector('#print', { state: 'visible' });

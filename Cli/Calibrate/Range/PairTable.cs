@@ -44,7 +44,7 @@ static class PairTable
             if (pairs.Count == MostRows) throw new InputException($"{path}:{csv.RawRow}: more than {MostRows} rows; take fewer pictures");
             pairs.Add(Picture(csv, path, render, visu, vertices, file));
         }
-        return pairs.Count > 0 ? pairs : throw new InputException($"{path}: no rows below the header; at least {RangeFit.LeastPairs} are needed");
+        return pairs.Count > 0 ? pairs : throw new InputException($"{path}: no rows below the header; at least {RangeFit.MinPairs} are needed");
     }
 
     static int Column(string[] header, string name, string path)

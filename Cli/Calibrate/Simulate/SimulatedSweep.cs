@@ -21,7 +21,7 @@ sealed class SimulatedSweep
     /// <summary>Number of frames before the first and after the last picture, so that each picture has neighbours.</summary>
     const int Margin = 12;
 
-    const int OrdinaryVertices = 300_000, GreatestVertices = SweepPlan.GreatestVertices;
+    const int OrdinaryVertices = 300_000, GreatestVertices = SweepPlan.MaxVertices;
 
     /// <summary>The real rate of displays sold as 60 Hz. Frames then begin at any fraction of a millisecond.</summary>
     const double RefreshMs = 1000 / 59.94;

@@ -39,7 +39,7 @@ sealed record Plateau(double VisuMs, double SpreadMs, int Count)
     {
         // Any number that increases with the load is sufficient.
         LatencyPair[] pairs = [.. pictures.Where(each => each.Vertices.HasValue).Select(each => new LatencyPair(1 + each.Vertices.Value / 1e6, each.VisuMs))];
-        if (pairs.Length < RangeFit.LeastPairs) return null;
+        if (pairs.Length < RangeFit.MinPairs) return null;
         try
         {
             var fit = RangeFit.Fit(pairs);

@@ -33,7 +33,7 @@ sealed class DisplayStudy : IFigureStudy
         return [Figure10.Of(_normal, _high), Figure11.OverLoad(_sweep, fit), Figure11.OverRenderTime(_sweep, fit)];
     }
 
-    List<MeasuredPicture> Sweep() => [.. Enumerable.Range(0, Loads).SelectMany(i => Pictures(SweepPlan.GreatestVertices / (Loads - 1) * i, 10 + i))];
+    List<MeasuredPicture> Sweep() => [.. Enumerable.Range(0, Loads).SelectMany(i => Pictures(SweepPlan.MaxVertices / (Loads - 1) * i, 10 + i))];
 
     /// <summary>Takes pictures at one load, after the effects of the previous load are over.</summary>
     List<MeasuredPicture> Pictures(int vertices, int run)

@@ -33,13 +33,13 @@ namespace Nowpose.Editor
         void OnEnable() => Show(new UnityProjectSettings(
             EditorUserBuildSettings.activeBuildTarget == BuildTarget.Android ? HeadsetPlatform.AndroidHeadset : HeadsetPlatform.HoloLens2));
 
-        void OnFocus() => LookAgain();
+        void OnFocus() => Refresh();
 
-        void OnProjectChange() => LookAgain();
+        void OnProjectChange() => Refresh();
 
         void Update()
         {
-            if (_project.Activity != _activity || _project.Trouble != _trouble) LookAgain();
+            if (_project.Activity != _activity || _project.Trouble != _trouble) Refresh();
         }
 
         void OnGUI()
@@ -61,7 +61,7 @@ namespace Nowpose.Editor
             // Delayed, because the controls must stay the same between a layout and its event, and a fix may recompile all scripts.
             if (chosen != shown) EditorApplication.delayCall += () => Choose(Platforms[chosen]);
             else if (clicked >= 0) EditorApplication.delayCall += () => Fix(clicked);
-            else if (again) EditorApplication.delayCall += LookAgain;
+            else if (again) EditorApplication.delayCall += Refresh;
         }
 
         void Choose(HeadsetPlatform platform)
@@ -75,13 +75,13 @@ namespace Nowpose.Editor
         {
             if (this == null) return;
             _review.Fix(check);
-            LookAgain();
+            Refresh();
         }
 
-        void LookAgain()
+        void Refresh()
         {
             if (this == null || _review == null) return;
-            _review.LookAgain();
+            _review.Refresh();
             Latch();
             Repaint();
         }

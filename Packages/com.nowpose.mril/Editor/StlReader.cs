@@ -1,3 +1,4 @@
+using System;
 using System.IO;
 using Nowpose.Editor.Import;
 
@@ -8,7 +9,10 @@ namespace Nowpose.Editor
     public static class StlReader
     {
         /// <summary>Maximum number of triangles: as many as a headset can still draw, and more than any robot link needs.</summary>
-        public const int MostTriangles = 1_000_000;
+        public const int MaxTriangles = 1_000_000;
+
+        [Obsolete("use MaxTriangles")]
+        public const int MostTriangles = MaxTriangles;
 
         /// <summary>Maximum file size in bytes, 300 MiB: a triangle takes about 270 bytes as text.</summary>
         public const long LargestFile = 300L << 20;
@@ -32,11 +36,11 @@ namespace Nowpose.Editor
             var triangles = StlBinary.Recognises(content) ? StlBinary.Read(content, sourceName) : StlText.Read(content, sourceName);
             if (triangles.Count > 0) return triangles;
             throw new InputException(sourceName + ": " + (triangles.Degenerate == 0
-                ? "there is no triangle in it"
+                ? "the mesh has no triangles"
                 : "none of its " + triangles.Degenerate + " triangles has an area"));
         }
 
         internal static InputException TooMany(string where, long count) =>
-            new InputException(where + ": " + count + " triangles or more, at most " + MostTriangles + " are read; simplify the mesh");
+            new InputException(where + ": " + count + " triangles or more, at most " + MaxTriangles + " are read; simplify the mesh");
     }
 }

@@ -21,7 +21,7 @@ namespace Nowpose.Editor
         // refer to it.
         const int AfterModels = 1100;
 
-        const long LongestFile = 16L << 20;
+        const long MaxFileBytes = 16L << 20;
 
         [SerializeField, Tooltip("For the links up to the flange; an occluder, where the real arm is to hide what is behind it. Empty: the "
             + "URDF's own colours and the models' own materials, so that the import shows what the file says.")]
@@ -58,8 +58,8 @@ namespace Nowpose.Editor
         {
             var path = ProjectFiles.FullPath(assetPath);
             var length = new FileInfo(path).Length;
-            if (length > LongestFile)
-                throw new InputException(Path.GetFileName(assetPath) + ": " + length + " bytes, at most " + LongestFile + " are read");
+            if (length > MaxFileBytes)
+                throw new InputException(Path.GetFileName(assetPath) + ": " + length + " bytes, at most " + MaxFileBytes + " are read");
             return File.ReadAllText(path);
         }
 

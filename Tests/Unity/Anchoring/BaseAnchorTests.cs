@@ -67,7 +67,7 @@ public class BaseAnchorTests
         return (Vector3.Distance(_anchor.transform.position, pose.position), Quaternion.Angle(_anchor.transform.rotation, pose.rotation));
     }
 
-    IEnumerable<string> Said => _cell.Messages.Where(message => message.Contains("base anchor"));
+    IEnumerable<string> Logged => _cell.Messages.Where(message => message.Contains("base anchor"));
 
     (float Fade, float Hatch, string Words) Look()
     {
@@ -93,7 +93,7 @@ public class BaseAnchorTests
         Assert.That(_anchor.transform.position, Is.EqualTo(new Vector3(3, 2, 1)));
         Assert.That(_anchor.State, Is.EqualTo(BaseAnchorState.Placed));
         Assert.That(_anchor.Words, Is.EqualTo("placed by hand"));
-        Assert.That(Said, Is.Empty);
+        Assert.That(Logged, Is.Empty);
     }
 
     [Test]
@@ -122,7 +122,7 @@ public class BaseAnchorTests
         device.Problem = "the store is full";
         _cell.Run(3, _session);
         Assert.That(texts.FaultOf(_anchor), Is.EqualTo("base: locked by 1 marker; the store is full"));
-        Assert.That(Said.Count(message => message.EndsWith("; the store is full")), Is.EqualTo(1));
+        Assert.That(Logged.Count(message => message.EndsWith("; the store is full")), Is.EqualTo(1));
         device.Problem = null;
         _cell.Run(1, _session);
         Assert.That(texts.FaultOf(_anchor), Is.Null);
@@ -131,7 +131,7 @@ public class BaseAnchorTests
         _markers.IsBlind = true;
         _cell.Run(3, _session);
         Assert.That(texts.FaultOf(_anchor), Is.EqualTo("base: locked by 1 marker; moved by the headset by 12 mm, 0.0°"));
-        Assert.That(Said.Count(message => message.Contains("moved by the headset by 12 mm")), Is.EqualTo(1));
+        Assert.That(Logged.Count(message => message.Contains("moved by the headset by 12 mm")), Is.EqualTo(1));
     }
 
     [Test]
@@ -159,7 +159,7 @@ public class BaseAnchorTests
         Assert.That(OffFrom(Base).Metres, Is.LessThan(0.001));
         Assert.That(OffFrom(Base).Degrees, Is.LessThan(0.15));
         Assert.That(states[^1], Is.EqualTo(BaseAnchorState.Locked));
-        Assert.That(Said, Is.EqualTo(new[]
+        Assert.That(Logged, Is.EqualTo(new[]
         {
             "[Nowpose] base anchor 'Base Anchor': looking for markers", "[Nowpose] base anchor 'Base Anchor': locked by 1 marker",
         }));
@@ -188,7 +188,7 @@ public class BaseAnchorTests
         _cell.Run(1, _session);
 
         Assert.That(_anchor.State, Is.EqualTo(BaseAnchorState.Moved));
-        Assert.That(_anchor.Words, Does.Match("^marker 'a', (49|50|51) mm, 0\\.\\d° from where it belongs: put it back, or lock anew$"));
+        Assert.That(_anchor.Words, Does.Match("^marker 'a', (49|50|51) mm, 0\\.\\d° from where it belongs: put it back, or lock again$"));
         Assert.That(_anchor.transform.position, Is.EqualTo(before));
         var said = _cell.Player.Logs.Where(log => log.Message.Contains("from where it belongs")).ToList();
         Assert.That(said.Select(log => log.Type), Is.EqualTo(new[] { LogType.Warning }), "once");
@@ -376,7 +376,7 @@ public class BaseAnchorTests
         _cell.Run(1, _session);
 
         Assert.That(_anchor.Words, Is.EqualTo("marker 'a': its size: 9 m is out of range; allowed are 0.005 to 5 m"));
-        Assert.That(Said.Distinct(), Is.EqualTo(new[] { "[Nowpose] base anchor 'Base Anchor': " + _anchor.Words }));
+        Assert.That(Logged.Distinct(), Is.EqualTo(new[] { "[Nowpose] base anchor 'Base Anchor': " + _anchor.Words }));
         Assert.That(_session.Frame, Is.Not.Null, "all else goes on");
     }
 

@@ -104,7 +104,7 @@ public sealed class LatencyProfileLoaderTests
 
         Assert.That(_session.Session, Is.Not.Null.And.Not.SameAs(first));
         Assert.That(VisuMs, Is.EqualTo(51));
-        Assert.That(_session.Statistics.RangeDoubt, Is.EqualTo(RangeDoubt.NoRenderTime), "a limit is known");
+        Assert.That(_session.Statistics.RangeUnknownReason, Is.EqualTo(RangeUnknownReason.NoRenderTime), "a limit is known");
     }
 
     [Test]

@@ -81,7 +81,7 @@ public sealed class LoadGeneratorTests
         return (_cell.Clock.Read - HeadsetTime.FromSeconds(1000 + _cell.Now)).TotalMilliseconds;
     }
 
-    [TestCase(LoadMesh.GreatestVertices, 2f)]
+    [TestCase(LoadMesh.MaxVertices, 2f)]
     [TestCase(600_000, 10f)]
     [TestCase(100_000, 0.1f, TestName = "Building_StepLongerThanTheTimePerFrame_TakesOneStep")]
     public void Building_Load_StaysWithinTheTimePerFrame(int vertices, float msPerFrame)

@@ -179,7 +179,7 @@ public sealed class OpenXrDisplayTimeTests
 
     [TestCase(0.9, false)]
     [TestCase(1.05, true)]
-    public void LightOf_ImplausibleForASecond_IsReportedOnceInPanelLogAndDiagnosticsLikeItsRecovery(double seconds, bool isSaid)
+    public void LightOf_ImplausibleForASecond_IsReportedOnceInPanelLogAndDiagnosticsLikeItsRecovery(double seconds, bool isReported)
     {
         Play();
         var texts = new StatusTexts();
@@ -202,16 +202,16 @@ public sealed class OpenXrDisplayTimeTests
         texts.Update(_session.Statistics, _session.Settings, null, null);
         var message = texts.ValueOf(StatusRow.Message).Replace('\n', ' ');
         var lines = Lines("implausible");
-        Run(isSaid ? 3 : 0);
+        Run(isReported ? 3 : 0);
         _runtime.LightOf = t => Right(t);
         Run(3);
 
-        Assert.That(panel, Is.EqualTo(isSaid ? "! 40.0 ms|runtime's are implausible" : "40.0 ms|as set"));
-        Assert.That(message.Contains("display times of the runtime are implausible"), Is.EqualTo(isSaid));
-        Assert.That(diagnostic, Is.EqualTo(isSaid ? "implausible" : null));
-        Assert.That(lines, Is.EqualTo(isSaid ? 1 : 0));
-        Assert.That(Lines("implausible"), Is.EqualTo(isSaid ? 1 : 0), "once, however long it lasts");
-        Assert.That(Lines("plausible again"), Is.EqualTo(isSaid ? 1 : 0));
+        Assert.That(panel, Is.EqualTo(isReported ? "! 40.0 ms|runtime's are implausible" : "40.0 ms|as set"));
+        Assert.That(message.Contains("display times of the runtime are implausible"), Is.EqualTo(isReported));
+        Assert.That(diagnostic, Is.EqualTo(isReported ? "implausible" : null));
+        Assert.That(lines, Is.EqualTo(isReported ? 1 : 0));
+        Assert.That(Lines("implausible"), Is.EqualTo(isReported ? 1 : 0), "once, however long it lasts");
+        Assert.That(Lines("plausible again"), Is.EqualTo(isReported ? 1 : 0));
         Assert.That(Panel(), Is.EqualTo("40.0 ms|predicted by the runtime"));
         Assert.That(Diagnostic(), Is.EqualTo("predicted"));
     }
@@ -266,7 +266,7 @@ public sealed class OpenXrDisplayTimeTests
 
         Run(4);
 
-        Assert.That(_session.Statistics.IsDisplayTimeDoubted);
+        Assert.That(_session.Statistics.IsDisplayTimeInconsistent);
         Assert.That(_session.Statistics.DisplayTimeDifference.Value.TotalMilliseconds, Is.EqualTo(7).Within(0.01));
         Assert.That(_session.Statistics.VisualisationLatency.TotalMilliseconds, Is.EqualTo(47).Within(0.01));
         Assert.That(_cell.Messages.Count(m => m.Contains("differ by more than 5 ms")), Is.EqualTo(1));
@@ -277,7 +277,7 @@ public sealed class OpenXrDisplayTimeTests
     {
         new GameObject("Alone").AddComponent<OpenXrDisplayTime>();
 
-        Assert.That(_cell.Messages, Has.Some.Contains("display time 'Alone' has no session above it"));
+        Assert.That(_cell.Messages, Has.Some.Contains("display time 'Alone' has no session on a parent"));
     }
 
     [Test]

@@ -76,7 +76,7 @@ public sealed class InspectorTests : EditorFixture
         editor.OnInspectorGUI();
 
         Assert.That(editor, Is.InstanceOf<LatencyProfileLoaderEditor>());
-        Assert.That(GuiRecorder.Texts, Does.Contain("Profile: none, as the settings say"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Profile: none; the settings apply"));
     }
 
     [Test]
@@ -339,7 +339,7 @@ public sealed class InspectorTests : EditorFixture
         var editor = Inspect(follow);
         _cell.Frame(null);
         editor.OnInspectorGUI();
-        Assert.That(GuiRecorder.Texts, Does.Contain("Follows: nobody: Head is empty, and no camera is tagged MainCamera"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Follows: nothing: Head is empty, and no camera is tagged MainCamera"));
 
         GuiRecorder.Clear();
         follow.With("_head", head);

@@ -59,7 +59,7 @@ public sealed class ProjectChecksTests : EditorFixture
     [Test]
     public void Look_AllChecks_ChangeNothing()
     {
-        for (var i = 0; i < 3; i++) _review.LookAgain();
+        for (var i = 0; i < 3; i++) _review.Refresh();
 
         Assert.That(_review.MissingCount, Is.EqualTo(18));
         Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64));
@@ -108,7 +108,7 @@ public sealed class ProjectChecksTests : EditorFixture
 
         Client.Newest.Succeed();
         PackageInfo.Registered.Add(new PackageInfo("com.unity.xr.openxr", "1.13.0"));
-        _review.LookAgain();
+        _review.Refresh();
 
         Assert.That(_project.Activity, Is.Null);
         Assert.That(_review.Results[check].Found, Is.EqualTo("com.unity.xr.openxr 1.13.0"));
@@ -129,7 +129,7 @@ public sealed class ProjectChecksTests : EditorFixture
     {
         PackageInfo.Registered.Add(new PackageInfo("com.unity.xr.arfoundation", "4.1.7"));
         PackageInfo.Registered.Add(new PackageInfo("com.microsoft.mixedreality.openxr", "1.11.1-preview"));
-        _review.LookAgain();
+        _review.Refresh();
 
         var found = _review.Results[IndexOf("AR Foundation")];
         Assert.That(found.State, Is.EqualTo(CheckState.Advice));
@@ -212,16 +212,16 @@ public sealed class ProjectChecksTests : EditorFixture
     {
         foreach (var part in new[] { "core", "uxcore", "standardassets", "uxcomponents", "spatialmanipulation", "input" })
             PackageInfo.Registered.Add(new PackageInfo("org.mixedrealitytoolkit." + part, "3.3.0"));
-        _review.LookAgain();
+        _review.Refresh();
         Assert.That(_review.Results[IndexOf("MRTK3 (optional)")].Found, Does.StartWith("org.mixedrealitytoolkit.windowsspeech is not installed"));
 
         PackageInfo.Registered.Add(new PackageInfo("org.mixedrealitytoolkit.windowsspeech", "3.0.4"));
-        _review.LookAgain();
+        _review.Refresh();
         Assert.That(_review.Results[IndexOf("MRTK3 (optional)")].State, Is.EqualTo(CheckState.Good));
 
         PackageInfo.Registered.RemoveAll(p => p.name == "org.mixedrealitytoolkit.uxcomponents");
         PackageInfo.Registered.Add(new PackageInfo("org.mixedrealitytoolkit.uxcomponents", "3.2.9"));
-        _review.LookAgain();
+        _review.Refresh();
         Assert.That(
             _review.Results[IndexOf("MRTK3 (optional)")].Found,
             Is.EqualTo("org.mixedrealitytoolkit.uxcomponents 3.2.9 is too old; allowed is 3.3.0 or newer, but older than 4.0.0"));
@@ -233,7 +233,7 @@ public sealed class ProjectChecksTests : EditorFixture
         foreach (var part in new[] { "core", "uxcore", "standardassets", "uxcomponents", "spatialmanipulation", "input", "windowsspeech" })
             PackageInfo.Registered.Add(new PackageInfo("org.mixedrealitytoolkit." + part, "3.4.0"));
 
-        _review.LookAgain();
+        _review.Refresh();
 
         Assert.That(_review.Results[IndexOf("MRTK3 (optional)")].State, Is.EqualTo(CheckState.Good));
     }
@@ -242,7 +242,7 @@ public sealed class ProjectChecksTests : EditorFixture
     public void OpenXrSettings_None_AreMissingAndTheFixNamesTheirPlace()
     {
         Project.Open(null);
-        _review.LookAgain();
+        _review.Refresh();
 
         foreach (var title in new[] { "OpenXR feature Mixed Reality Features", "OpenXR Render Mode is Single Pass Instanced" })
         {
@@ -317,7 +317,7 @@ public sealed class ProjectChecksTests : EditorFixture
         _camera.clearFlags = CameraClearFlags.SolidColor;
         _camera.backgroundColor = new Color(0, 0, 0, 1);
 
-        _review.LookAgain();
+        _review.Refresh();
 
         Assert.That(_review.Results[IndexOf("Main camera clears to black with alpha 0")].State, Is.EqualTo(CheckState.Missing));
     }
@@ -331,11 +331,11 @@ public sealed class ProjectChecksTests : EditorFixture
         var graphics = Keep(ScriptableObject.CreateInstance<GraphicsAssetOfATest>());
         graphics.m_CustomRenderPipeline = Keep(ScriptableObject.CreateInstance<HDRenderPipelineAsset>());
         Project.Put("ProjectSettings/GraphicsSettings.asset", graphics);
-        _review.LookAgain();
+        _review.Refresh();
         Assert.That(_review.Results[check].Found, Does.StartWith("HDRP"));
 
         QualitySettings.renderPipeline = Keep(ScriptableObject.CreateInstance<UniversalRenderPipelineAsset>());
-        _review.LookAgain();
+        _review.Refresh();
         Assert.That(_review.Results[check].Found, Does.StartWith("URP"));
     }
 

@@ -53,7 +53,7 @@ public class CellPairingTests
         _session.gameObject.SetActive(true);
     }
 
-    void PlayAnew()
+    void RestartPlaying()
     {
         UnityEngine.Object.Destroy(_session.gameObject);
         _cell.Frame(null);
@@ -141,7 +141,7 @@ public class CellPairingTests
         _pairing.Accept();
         Frames();
 
-        PlayAnew();
+        RestartPlaying();
         Frames();
 
         Assert.That(_pairing.Cell, Is.EqualTo("desk"));
@@ -182,7 +182,7 @@ public class CellPairingTests
         Assert.That(_pairing.Cell, Is.Null);
         Assert.That(_anchor.Cell, Is.Empty);
         Assert.That(File.ReadAllText(FilePath), Does.Not.Contain("desk"));
-        PlayAnew();
+        RestartPlaying();
         Frames();
         Assert.That(_pairing.Cell, Is.Null);
     }
@@ -225,7 +225,7 @@ public class CellPairingTests
     {
         File.WriteAllText(FilePath, "{\"format\":");
 
-        PlayAnew();
+        RestartPlaying();
         Frames();
 
         Assert.That(_pairing.Problem, Does.Contain(FilePath + ".bad"));

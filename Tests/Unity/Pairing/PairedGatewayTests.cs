@@ -40,7 +40,7 @@ public class PairedGatewayTests
         _session.gameObject.SetActive(true);
     }
 
-    void PlayAnew()
+    void RestartPlaying()
     {
         UnityEngine.Object.Destroy(_session.gameObject);
         _cell.Frame(null);
@@ -81,7 +81,7 @@ public class PairedGatewayTests
         Assert.That(_pairing.Words, Does.Contain("paired"));
         Assert.That(_gateway.Log, Has.Some.Contains("'Anna's' was given a token"));
 
-        PlayAnew();
+        RestartPlaying();
         await SoonAsync(() => IsConnected, "connected again");
         Assert.That(_pairing.Question, Is.Null);
         Assert.That(_gateway.Log.Count(line => line.Contains("was given")), Is.EqualTo(1), "with the token that it had");
@@ -93,7 +93,7 @@ public class PairedGatewayTests
         await PairAsync();
         Assert.That(_pairing.Guidance, Is.Null);
         File.WriteAllText(_gateway.ListPath, "");
-        PlayAnew();
+        RestartPlaying();
         await SoonAsync(() => _session.Session?.SampleLink.IsTokenRefused == true && _pairing.Guidance != null, "refused");
         Assert.That(_pairing.Guidance, Does.Contain("does not accept this headset any more; look at the code"));
 

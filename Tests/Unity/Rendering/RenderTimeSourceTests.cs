@@ -53,7 +53,7 @@ public class RenderTimeSourceTests
         Gpu.FrameTimings.Add(new FrameTiming { gpuFrameTime = ms });
     }
 
-    IEnumerable<string> Said() => _cell.Player.Logs.Select(l => l.Message).Where(m => m.StartsWith("[Nowpose] render time: ")).Select(m => m[23..]);
+    IEnumerable<string> Logged() => _cell.Player.Logs.Select(l => l.Message).Where(m => m.StartsWith("[Nowpose] render time: ")).Select(m => m[23..]);
 
     [Test]
     public void LateUpdate_AllSourcesAvailable_UsesTheHeadsetsGpuTime()
@@ -68,7 +68,7 @@ public class RenderTimeSourceTests
         Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9).Within(1e-3));
         Assert.That(_session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9).Within(1e-3));
         Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Inside));
-        Assert.That(Said(), Is.EqualTo(new[] { "GPU time by headset" }), "once");
+        Assert.That(Logged(), Is.EqualTo(new[] { "GPU time by headset" }), "once");
         Assert.That(Gpu.PendingReadbacks, Is.EqualTo(0), "they are not needed");
     }
 
@@ -85,8 +85,8 @@ public class RenderTimeSourceTests
 
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.EngineGpuTime));
         Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(11).Within(1e-3));
-        Assert.That(_session.Statistics.RangeDoubt, Is.EqualTo(RangeDoubt.OtherSource), "the limit was found with the headset's");
-        Assert.That(Said(), Is.EqualTo(new[] { "GPU time by Unity" }));
+        Assert.That(_session.Statistics.RangeUnknownReason, Is.EqualTo(RangeUnknownReason.OtherSource), "the limit was found with the headset's");
+        Assert.That(Logged(), Is.EqualTo(new[] { "GPU time by Unity" }));
     }
 
     [TestCase(1)]
@@ -100,8 +100,8 @@ public class RenderTimeSourceTests
 
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
         Assert.That(_session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(FrameMs * framesUntilDone).Within(0.01));
-        Assert.That(_session.Statistics.RangeDoubt, Is.EqualTo(RangeDoubt.OtherSource), "the limit was found with the GPU's time");
-        Assert.That(Said(), Is.EqualTo(new[] { "trigger to GPU done" }));
+        Assert.That(_session.Statistics.RangeUnknownReason, Is.EqualTo(RangeUnknownReason.OtherSource), "the limit was found with the GPU's time");
+        Assert.That(Logged(), Is.EqualTo(new[] { "trigger to GPU done" }));
     }
 
     [Test]
@@ -128,7 +128,7 @@ public class RenderTimeSourceTests
 
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.CameraCpu));
         Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(2).Within(1e-3), "from before the camera to after it");
-        Assert.That(Said(), Is.EqualTo(new[] { "camera CPU, unverified" }));
+        Assert.That(Logged(), Is.EqualTo(new[] { "camera CPU, unverified" }));
     }
 
     [Test]
@@ -152,7 +152,7 @@ public class RenderTimeSourceTests
 
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.None), "the clock stands still while the camera renders");
         Assert.That(_source.RenderTime, Is.Null);
-        Assert.That(Said(), Is.Empty);
+        Assert.That(Logged(), Is.Empty);
     }
 
     [Test]
@@ -172,10 +172,10 @@ public class RenderTimeSourceTests
         Assert.That(before, Is.EqualTo(RangeState.Outside));
         Assert.That(soon, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime), "a few silent frames are none of its end");
         Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Unknown));
-        Assert.That(Said().First(), Is.EqualTo("GPU time by headset"));
-        Assert.That(Said().Last(), Is.EqualTo("trigger to GPU done"));
-        Assert.That(Said(), Has.None.Contains("CPU"), "a better one was on its way");
-        Assert.That(Said().Count(), Is.LessThanOrEqualTo(3));
+        Assert.That(Logged().First(), Is.EqualTo("GPU time by headset"));
+        Assert.That(Logged().Last(), Is.EqualTo("trigger to GPU done"));
+        Assert.That(Logged(), Has.None.Contains("CPU"), "a better one was on its way");
+        Assert.That(Logged().Count(), Is.LessThanOrEqualTo(3));
     }
 
     [Test]

@@ -87,7 +87,7 @@ public sealed class DisplayCalibrationTests
         Run(5);
         _sweep.StopSweep();
         var load = _session.GetComponentInChildren<LoadGenerator>();
-        load.Vertices = LoadMesh.GreatestVertices;
+        load.Vertices = LoadMesh.MaxVertices;
         Run(4);
         var head = _cell.Player.Find<Camera>().transform;
         var panel = _cell.Player.Find<StatusPanel>().transform;

@@ -84,6 +84,6 @@ public sealed class DisplayTimesTests
         _cell.Run(3, session);
 
         Assert.That(session.Statistics.DisplayTimeDifference.Value.TotalMilliseconds, Is.EqualTo(differenceMs).Within(0.01));
-        Assert.That(session.Statistics.IsDisplayTimeDoubted);
+        Assert.That(session.Statistics.IsDisplayTimeInconsistent);
     }
 }

@@ -32,7 +32,7 @@ public class LifeCycleTests
 
         for (var step = 0; step < Steps; step++)
         {
-            var what = step % 100 == 0 ? scene.StartAnew() : scene.DoAnything();
+            var what = step % 100 == 0 ? scene.Restart() : scene.DoAnything();
             Assert.That(cell.Player.Logs.Where(IsFault), Is.Empty, $"seed {seed}, step {step}: {what}");
         }
         scene.Clear();
@@ -114,7 +114,7 @@ public class LifeCycleTests
         /// <summary>Number of current frames.</summary>
         public int Currents { get; private set; }
 
-        public string StartAnew()
+        public string Restart()
         {
             if (_isPaused) Pause();
             if (_isUnfocused) Focus();

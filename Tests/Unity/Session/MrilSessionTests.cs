@@ -177,25 +177,25 @@ public class MrilSessionTests
     public void Events_ClockAndSamplesStartAndStop_AreRaisedOnceEach()
     {
         var session = _cell.Play(settings: WithLimit(14));
-        var told = new List<string>();
-        foreach (var name in new[] { "Synchronised", "Lost", "EnteredRange", "LeftRange", "Stale" }) Listen(session, name, told);
+        var raised = new List<string>();
+        foreach (var name in new[] { "Synchronised", "Lost", "EnteredRange", "LeftRange", "Stale" }) Listen(session, name, raised);
 
         void Render(double ms, double seconds) => _cell.Run(
             seconds, session, () => session.Session.Rendered(TimeSpan.FromMilliseconds(ms), RenderTimeSourceKind.DisplayGpuTime));
         Render(10, 5);
-        Assert.That(told, Is.EquivalentTo(new[] { "Synchronised", "EnteredRange" }));
-        told.Clear();
+        Assert.That(raised, Is.EquivalentTo(new[] { "Synchronised", "EnteredRange" }));
+        raised.Clear();
         Render(20, 3);
-        Assert.That(told, Is.EqualTo(new[] { "LeftRange" }));
-        told.Clear();
+        Assert.That(raised, Is.EqualTo(new[] { "LeftRange" }));
+        raised.Clear();
         _cell.IsPlantUp = false;
         Render(10, 3);
-        Assert.That(told, Is.EquivalentTo(new[] { "EnteredRange", "Stale" }));
-        told.Clear();
+        Assert.That(raised, Is.EquivalentTo(new[] { "EnteredRange", "Stale" }));
+        raised.Clear();
         _cell.IsSyncUp = false;
         Render(10, 900);
 
-        Assert.That(told, Is.EqualTo(new[] { "Lost" }));
+        Assert.That(raised, Is.EqualTo(new[] { "Lost" }));
         Assert.That(_cell.Messages.Count(m => m.StartsWith("[Nowpose] clock synchronised", StringComparison.Ordinal)), Is.EqualTo(1));
         Assert.That(_cell.Messages.Count(), Is.EqualTo(6), string.Join('\n', _cell.Messages));
         Assert.That(_cell.Player.Logs.Select(log => log.Context), Is.All.SameAs(session));
@@ -205,8 +205,8 @@ public class MrilSessionTests
     public void Pause_Playing_EndsTheSessionImmediatelyAndSynchronisesAgain()
     {
         var session = _cell.Play();
-        var told = new List<SessionChange>();
-        session.Changed += told.Add;
+        var raised = new List<SessionChange>();
+        session.Changed += raised.Add;
         var hidden = 0;
         session.Hidden += () => hidden++;
         _cell.Run(5, session);
@@ -218,7 +218,7 @@ public class MrilSessionTests
         Assert.That(session.Session, Is.Null);
         Assert.That(session.Frame, Is.Null);
         Assert.That(hidden, Is.EqualTo(1));
-        Assert.That(told, Is.EqualTo(new[] { SessionChange.Synchronised, SessionChange.Lost }));
+        Assert.That(raised, Is.EqualTo(new[] { SessionChange.Synchronised, SessionChange.Lost }));
         _cell.Player.Pause(false);
         _cell.IsSyncUp = _cell.IsPlantUp = false;
         var states = new HashSet<PoseState>();
@@ -228,7 +228,7 @@ public class MrilSessionTests
         _cell.IsSyncUp = _cell.IsPlantUp = true;
         _cell.Run(5, session);
         Assert.That(session.Frame.State, Is.EqualTo(PoseState.Current));
-        Assert.That(told.Skip(2), Is.EqualTo(new[] { SessionChange.Synchronised }));
+        Assert.That(raised.Skip(2), Is.EqualTo(new[] { SessionChange.Synchronised }));
     }
 
     [TestCase(true, false)]
@@ -499,10 +499,10 @@ public class MrilSessionTests
     static SessionSettings WithLimit(double ms) => new(
         PlayedCell.Offline.Connection, PlayedCell.Offline.Visualisation, range: new ConstantLatencyRange(ms, RenderTimeSourceKind.DisplayGpuTime));
 
-    static void Listen(MrilSession session, string name, List<string> told)
+    static void Listen(MrilSession session, string name, List<string> raised)
     {
         var listeners = new UnityEvent();
-        listeners.AddListener(() => told.Add(name));
+        listeners.AddListener(() => raised.Add(name));
         session.With("_on" + name, listeners);
     }
 }

@@ -129,10 +129,10 @@ public sealed class StatusPanelViewTests(string scene)
         foreach (var method in Enum.GetValues<CalibrationMethod>())
             yield return State($"{method}", ("Profile", new LatencyProfile(40.2, 1, "", 0, new DateTime(2026, 12, 28), method, 3)));
         yield return State("predicted", ("IsLightPredicted", true));
-        yield return State("doubted", ("IsDisplayTimeDoubted", true));
+        yield return State("inconsistent", ("IsDisplayTimeInconsistent", true));
         foreach (var source in Enum.GetValues<RenderTimeSourceKind>()) yield return State($"{source}", ("RenderTimeSource", source));
         foreach (var range in Enum.GetValues<RangeState>()) yield return State($"{range}", ("Range", range));
-        foreach (var doubt in Enum.GetValues<RangeDoubt>()) yield return State($"{doubt}", ("RangeDoubt", doubt));
+        foreach (var reason in Enum.GetValues<RangeUnknownReason>()) yield return State($"{reason}", ("RangeUnknownReason", reason));
         foreach (var security in Enum.GetValues<TransportSecurity>()) yield return State($"{security}", ("Security", security));
         foreach (var link in new[] { LinkStatus.Idle, LinkStatus.Connecting, LinkStatus.Connected, LinkStatus.Waiting(new string('W', 700)) })
             yield return State($"{link.State}", ("SyncLink", link), ("SampleLink", link));

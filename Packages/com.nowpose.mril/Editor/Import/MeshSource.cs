@@ -61,7 +61,7 @@ namespace Nowpose.Editor.Import
                 throw new InputException("mesh " + mesh.Fault);
             }
             if (IsStl(mesh.Path) || IsModel(mesh.Path)) return mesh.Path;
-            throw new InputException("mesh '" + name + "' is of no kind that is read; STL, OBJ, DAE and FBX are");
+            throw new InputException("mesh '" + name + "' has an unsupported format; allowed are STL, OBJ, DAE and FBX");
         }
 
         GameObject ShowStl(string path, Material material)
@@ -84,7 +84,7 @@ namespace Nowpose.Editor.Import
         {
             _context.DependsOnArtifact(path);
             var model = AssetDatabase.LoadAssetAtPath<GameObject>(path);
-            if (model == null) throw new InputException("mesh " + path + ": Unity has not imported it; its own import log says why");
+            if (model == null) throw new InputException("mesh " + path + ": Unity has not imported it; see its import log for the reason");
             var turn = TurnOf(path);
             var shown = new GameObject();
             var axes = new GameObject("axes").transform;

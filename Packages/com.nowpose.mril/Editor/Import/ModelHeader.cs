@@ -12,7 +12,7 @@ namespace Nowpose.Editor.Import
     {
         // The entry is in the file's first section; a thumbnail may precede it.
         const int Searched = 1 << 20;
-        const int MostProperties = 8;
+        const int MaxProperties = 8;
 
         /// <param name="path">A .dae, .fbx or .obj file.</param>
         public static UpAxis UpAxisOf(string path)
@@ -79,7 +79,7 @@ namespace Nowpose.Editor.Import
         static int? BinaryUpAxis(byte[] bytes)
         {
             var at = bytes.AsSpan().IndexOf(Encoding.ASCII.GetBytes("S\u0006\0\0\0UpAxis"));
-            for (var i = 0; at >= 0 && at + 5 <= bytes.Length && i < MostProperties; i++)
+            for (var i = 0; at >= 0 && at + 5 <= bytes.Length && i < MaxProperties; i++)
             {
                 var number = BitConverter.ToInt32(bytes, at + 1);
                 if (bytes[at] == 'I') return number;

@@ -14,7 +14,7 @@ namespace Nowpose.Editor.Import
     sealed class StlMesh
     {
         // Number of indices that 16 bits address.
-        const int MostShortIndices = 65535;
+        const int MaxShortIndices = 65535;
 
         // Directions that differ by less than about a twentieth of a degree are rounding of one plane.
         const float DirectionSteps = 1000;
@@ -29,7 +29,7 @@ namespace Nowpose.Editor.Import
             var builder = new StlMesh();
             for (var i = 0; i < triangles.Count; i++) builder.Add(triangles.Coordinates, 9 * i);
             var mesh = new Mesh { name = name };
-            if (builder._vertices.Count > MostShortIndices) mesh.indexFormat = IndexFormat.UInt32;
+            if (builder._vertices.Count > MaxShortIndices) mesh.indexFormat = IndexFormat.UInt32;
             mesh.SetVertices(builder._vertices);
             mesh.SetNormals(builder._normals);
             mesh.SetTriangles(builder._indices, 0);

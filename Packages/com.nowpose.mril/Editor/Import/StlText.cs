@@ -8,7 +8,7 @@ namespace Nowpose.Editor.Import
     /// <summary>ASCII STL: one or more blocks of solid … facet … vertex … endsolid, one keyword per line.</summary>
     sealed class StlText
     {
-        const int LongestQuote = 40;
+        const int MaxQuoteLength = 40;
 
         readonly string _sourceName;
         readonly StlTriangles _triangles = new StlTriangles();
@@ -51,14 +51,14 @@ namespace Nowpose.Editor.Import
                 case "vertex": Vertex(words); break;
                 case "outer":
                 case "endloop": Require(_inFacet, "a loop outside of a facet"); break;
-                default: throw Error("'" + Shortened(words[0]) + "' is no word of the format");
+                default: throw Error("'" + Shortened(words[0]) + "' is not a keyword of the STL format");
             }
         }
 
         void BeginFacet()
         {
             Require(_inSolid && !_inFacet, "a facet outside of a solid, or within another facet");
-            if (++_facets > StlReader.MostTriangles) throw StlReader.TooMany(Here, _facets);
+            if (++_facets > StlReader.MaxTriangles) throw StlReader.TooMany(Here, _facets);
             _inFacet = true;
             _read = 0;
         }
@@ -104,9 +104,9 @@ namespace Nowpose.Editor.Import
 
         static string Shortened(string word)
         {
-            var text = new StringBuilder(word, 0, Math.Min(word.Length, LongestQuote), LongestQuote + 1);
+            var text = new StringBuilder(word, 0, Math.Min(word.Length, MaxQuoteLength), MaxQuoteLength + 1);
             for (var i = 0; i < text.Length; i++) if (char.IsControl(text[i])) text[i] = ' ';
-            return text.Append(word.Length > LongestQuote ? "…" : "").ToString();
+            return text.Append(word.Length > MaxQuoteLength ? "…" : "").ToString();
         }
     }
 }

@@ -44,7 +44,7 @@ namespace Nowpose.Editor.Inspectors
             EditorGUILayout.LabelField("Says", Target.Words);
             if (Target.Tracker == null || Target.State == BaseAnchorState.Placed) return;
             foreach (var (label, value) in BaseRows.Of(Target.Tracker)) EditorGUILayout.LabelField(label, value);
-            if (Target.Tracker.Markers.Count > 0 && GUILayout.Button("Lock anew")) Target.Relock();
+            if (Target.Tracker.Markers.Count > 0 && GUILayout.Button("Lock again")) Target.Relock();
         }
 
         void DrawSteps(string axis, string less, string more, (double X, double Y, double Z) direction)

@@ -34,7 +34,7 @@ namespace Nowpose.Editor.Inspectors
 
         static string Role(TrackedMarker marker)
         {
-            if (marker.IsDoubted) return "left out: the others contradict it";
+            if (marker.IsContradicted) return "left out: the others contradict it";
             if (marker.HasMoved) return "not where it belongs";
             if (marker.Fault != SightingFault.None) return "ignored: " + Reason(marker.Fault);
             return marker.IsPart ? "part of the lock" : marker.Sightings > 0 ? "seen" : "not seen yet";

@@ -16,7 +16,7 @@ namespace Nowpose.Editor.Inspectors
             var head = follow.Head;
             if (head == null)
             {
-                EditorGUILayout.LabelField("Follows", "nobody: Head is empty, and no camera is tagged MainCamera");
+                EditorGUILayout.LabelField("Follows", "nothing: Head is empty, and no camera is tagged MainCamera");
                 return;
             }
             var place = AroundHead.Of(follow.transform.position, head.position);

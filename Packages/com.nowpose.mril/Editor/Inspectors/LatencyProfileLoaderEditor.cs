@@ -12,7 +12,7 @@ namespace Nowpose.Editor.Inspectors
         protected override void DrawLive()
         {
             var loader = (LatencyProfileLoader)target;
-            EditorGUILayout.LabelField("Profile", loader.Profile == null ? "none, as the settings say" : CalibrationWords.Of(loader.Profile));
+            EditorGUILayout.LabelField("Profile", loader.Profile == null ? "none; the settings apply" : CalibrationWords.Of(loader.Profile));
             EditorGUILayout.LabelField("From", loader.From ?? "–");
             if (loader.Problem != null) EditorGUILayout.HelpBox(loader.Problem, MessageType.Warning);
             if (GUILayout.Button("Look for a profile")) loader.Reload();

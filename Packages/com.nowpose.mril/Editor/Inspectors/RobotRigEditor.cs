@@ -48,7 +48,7 @@ namespace Nowpose.Editor.Inspectors
             {
                 var root = Target.BuildToStay(description.Read(), AssetDatabase.LoadAssetAtPath<Material>(PlainMaterial));
                 if (root != null) Undo.RegisterCreatedObjectUndo(root, "Build " + description.name);
-                else _refusal = "Its links are there already. Delete them to have the robot built anew.";
+                else _refusal = "Its links exist already. Delete them to build the robot again.";
             }
             catch (InputException fault)
             {

@@ -16,22 +16,22 @@ namespace Nowpose.Editor.Inspectors
                 _ => PackageAsset.DefaultSettings.Load<SessionSettingsAsset>()),
             new ReferenceRule(
                 typeof(RobotRig), "_session", typeof(MrilSession),
-                "There is no session on it or above that would move it. Assign one, or let a script bind and move it.", Only<MrilSession>),
+                "No session on this object or a parent moves it. Assign one, or let a script bind and move it.", Only<MrilSession>),
             new ReferenceRule(
                 typeof(RenderTimeSource), "_session", typeof(MrilSession),
-                "There is no session on it or above that it would tell. Assign one.", Only<MrilSession>),
+                "No session on this object or a parent to report to. Assign one.", Only<MrilSession>),
             new ReferenceRule(
                 typeof(LatencyProfileLoader), "_session", typeof(MrilSession),
-                "There is no session on it or above that it would calibrate. Assign one.", Only<MrilSession>),
+                "No session on this object or a parent to calibrate. Assign one.", Only<MrilSession>),
             new ReferenceRule(
                 typeof(LatencyNudge), "_session", typeof(MrilSession),
-                "There is no session on it or above that it would calibrate. Assign one.", Only<MrilSession>),
+                "No session on this object or a parent to calibrate. Assign one.", Only<MrilSession>),
             new ReferenceRule(
                 typeof(CellPairing), "_session", typeof(MrilSession),
-                "There is no session on it or above that it would set up. Assign one.", Only<MrilSession>),
+                "No session on this object or a parent to set up. Assign one.", Only<MrilSession>),
             new ReferenceRule(
                 typeof(PoseAppearance), "_session", typeof(MrilSession),
-                "There is no session on it or above whose pose it would show. Assign one.", Only<MrilSession>),
+                "No session on this object or a parent whose pose it could show. Assign one.", Only<MrilSession>),
             new ReferenceRule(
                 typeof(PoseAppearance), "_substitute", null,
                 "Parts below it have materials that cannot be drawn fainter: their shaders lack _Hatch or _Fade. They are hidden while the "
@@ -39,14 +39,14 @@ namespace Nowpose.Editor.Inspectors
                 _ => PackageAsset.Hologram.Load<Material>(), appearance => ((PoseAppearance)appearance).NeedsSubstitute),
             new ReferenceRule(
                 typeof(StatusPanel), "_session", typeof(MrilSession),
-                "There is no session on it or above that it would tell of. Assign one.", Only<MrilSession>),
+                "No session on this object or a parent whose status it could show. Assign one.", Only<MrilSession>),
             new ReferenceRule(
                 typeof(StatusPanel), "_cell", null,
                 "It has no text to copy. Assign one below it: its font, material, style and colour are those of all cells.",
                 panel => panel.GetComponentInChildren<TextMesh>(true)),
             new ReferenceRule(
                 typeof(VirtualGripper), "_rig", typeof(RobotRig),
-                "There is no rig above it that it would ride on. Place it below one, or assign one.", Only<RobotRig>),
+                "No rig on a parent to attach to. Place it below one, or assign one.", Only<RobotRig>),
         };
 
         /// <summary>Returns the missing references of the objects, each once.</summary>

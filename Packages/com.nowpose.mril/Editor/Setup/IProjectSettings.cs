@@ -58,16 +58,16 @@ namespace Nowpose.Editor.Setup
         /// <summary>Whether OpenXR is the player's XR plug-in; null if the project has no settings for XR plug-ins.</summary>
         bool? UsesOpenXr { get; }
 
-        /// <summary>Returns whether an OpenXR feature is enabled for the player; null if there is no feature with that id.</summary>
+        /// <summary>Returns whether an OpenXR feature is enabled for the player; null if that id is unknown.</summary>
         bool? IsFeatureOn(string featureId);
 
-        /// <returns>False if there is no feature with that id.</returns>
+        /// <returns>False if that id is unknown.</returns>
         bool TurnFeatureOn(string featureId);
 
         /// <summary>Gets an enumeration setting of OpenXR by its serialised name; null if there is none.</summary>
         int? OpenXrOption(string field);
 
-        /// <returns>False if there are no OpenXR settings.</returns>
+        /// <returns>False without OpenXR settings.</returns>
         bool ChooseOpenXrOption(string field, int value);
 
         void UseGraphicsApi(GraphicsDeviceType api);

@@ -65,7 +65,7 @@ namespace Nowpose.Editor.Setup
             {
                 if (value.Items.Count > 0) Take(',');
                 var item = value.IsObject ? Member() : Value();
-                if (item.Name != null && value[item.Name] != null) throw Wrong("\"" + item.Name + "\" stands there twice");
+                if (item.Name != null && value[item.Name] != null) throw Wrong("\"" + item.Name + "\" occurs twice");
                 value.Items.Add(item);
                 SkipBlanks();
             }

@@ -17,7 +17,7 @@ namespace Nowpose.Editor.Setup
             _project = project;
             _results = new CheckResult[checks.Count];
             _advice = new string[checks.Count];
-            LookAgain();
+            Refresh();
         }
 
         public IReadOnlyList<ProjectCheck> Checks => _checks;
@@ -30,7 +30,7 @@ namespace Nowpose.Editor.Setup
 
         public int MissingCount => _results.Count(r => r.State == CheckState.Missing);
 
-        public void LookAgain()
+        public void Refresh()
         {
             for (var i = 0; i < _checks.Count; i++)
             {
@@ -42,7 +42,7 @@ namespace Nowpose.Editor.Setup
         public void Fix(int check)
         {
             _advice[check] = _checks[check].Fix(_project);
-            LookAgain();
+            Refresh();
         }
     }
 }

@@ -5,7 +5,7 @@ namespace Nowpose.Editor.Setup
         public RunInBackgroundCheck()
             : base(
                 "Run In Background is on",
-                "Otherwise the session ends whenever the system's menu opens, and has to synchronise its clock anew.",
+                "Otherwise the session ends whenever the system's menu opens, and must synchronise its clock again.",
                 "Turn Run In Background on") { }
 
         public override CheckResult Look(IProjectSettings project) => project.RunsInBackground

@@ -26,7 +26,7 @@ namespace Nowpose.ArFoundation
         /// </summary>
         static readonly RigidTransform MarkerInImage = RigidTransform.FromXyzRpy(0, 0, 0, 0, 0, -Math.PI / 2);
 
-        [SerializeField, Tooltip("The session whose clock tells when an image was seen. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session whose clock determines when an image was seen. Empty: the one on this object or above.")]
         MrilSession _session = null;
 
         [SerializeField, Tooltip("The XR Origin with the AR Tracked Image Manager. Empty: the one above the main camera.")]
@@ -38,7 +38,7 @@ namespace Nowpose.ArFoundation
         readonly MarkerRecords _records = new MarkerRecords();
         MrilSession _source;
 
-        /// <summary>Why no images are tracked, in one line; null if there is no problem.</summary>
+        /// <summary>Why no images are tracked, in one line; null without a problem.</summary>
         public string Problem => _images.Problem;
 
         public void Read(List<MarkerSighting> markers)

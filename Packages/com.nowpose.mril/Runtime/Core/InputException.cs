@@ -9,10 +9,10 @@ namespace Nowpose
     public class InputException : FormatException
     {
         /// <summary>Maximum length in characters. A longer message is cut in the middle, because its end says what is allowed.</summary>
-        const int LongestMessage = 1000;
+        const int MaxMessageLength = 1000;
 
-        public InputException(string message) : base(OneLine(message, LongestMessage)) { }
-        public InputException(string message, Exception innerException) : base(OneLine(message, LongestMessage), innerException) { }
+        public InputException(string message) : base(OneLine(message, MaxMessageLength)) { }
+        public InputException(string message, Exception innerException) : base(OneLine(message, MaxMessageLength), innerException) { }
 
         /// <summary>Returns a text from another source as one line of bounded length; line ends become blanks.</summary>
         internal static string OneLine(string message, int longest)

@@ -7,15 +7,14 @@ namespace Nowpose
     /// <summary>Reads and writes small text files. Writing is atomic: after a failure the file is complete, old or new.</summary>
     static class WholeFile
     {
-        /// <param name="greatestBytes">Maximum size; a larger file is rejected.</param>
-        /// <param name="what">Kind of the content, for messages.</param>
+        /// <param name="maxBytes">Maximum size; a larger file is rejected.</param>
         /// <exception cref="InputException">The file cannot be read; the message is one line that names it.</exception>
-        public static string Read(string path, int greatestBytes, string what)
+        public static string Read(string path, int maxBytes)
         {
             try
             {
                 using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
-                if (file.Length > greatestBytes) throw new InputException(path + ": " + file.Length + " bytes are no " + what);
+                if (file.Length > maxBytes) throw new InputException(path + ": file has " + file.Length + " bytes; the limit is " + maxBytes);
                 using var reader = new StreamReader(file, Encoding.UTF8);
                 return reader.ReadToEnd();
             }

@@ -18,7 +18,7 @@ namespace Nowpose.Mrtk3
         [SerializeField, Tooltip("What is shown while something is asked. An object below this one.")]
         GameObject _content = null;
 
-        [SerializeField, Tooltip("Where the question is written. Empty: nowhere, and nobody should agree to what he cannot read.")]
+        [SerializeField, Tooltip("Where the question is written. Empty: nowhere, and a user should not agree to a question that cannot be read.")]
         TextMesh _question = null;
 
         [SerializeField, Tooltip("The button that agrees; its event calls Accept.")]

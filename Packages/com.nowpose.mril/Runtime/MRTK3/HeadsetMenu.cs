@@ -77,8 +77,8 @@ namespace Nowpose.Mrtk3
             Show(_panel, _actions.IsPanelShown);
             Show(_opacity, _actions.Opacity);
             Show(_nudge, _actions.NudgeMs);
-            SayOpacity((int)Math.Round(100 * _actions.Opacity));
-            SayNudge(_actions.IsNudgeIdle ? int.MaxValue : (int)Math.Round(10 * _actions.NudgeMs));
+            ShowOpacity((int)Math.Round(100 * _actions.Opacity));
+            ShowNudge(_actions.IsNudgeIdle ? int.MaxValue : (int)Math.Round(10 * _actions.NudgeMs));
         }
 
         // A toggle switches when it is pressed; this resets it if the action failed.
@@ -97,7 +97,7 @@ namespace Nowpose.Mrtk3
             _isShowing = false;
         }
 
-        void SayOpacity(int percent)
+        void ShowOpacity(int percent)
         {
             if (_opacityWords == null || percent == _shownOpacity) return;
             _shownOpacity = percent;
@@ -105,7 +105,7 @@ namespace Nowpose.Mrtk3
         }
 
         /// <param name="tenths">Nudge in tenths of a millisecond; <see cref="int.MaxValue"/> if the nudge has no effect.</param>
-        void SayNudge(int tenths)
+        void ShowNudge(int tenths)
         {
             if (_nudgeWords == null || tenths == _shownNudge) return;
             _shownNudge = tenths;

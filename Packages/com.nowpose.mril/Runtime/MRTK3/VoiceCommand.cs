@@ -8,7 +8,7 @@ namespace Nowpose.Mrtk3
     [Serializable]
     public sealed class VoiceCommand
     {
-        [SerializeField, Tooltip("What is said. Two words or more: single ones are heard where nobody said them.")]
+        [SerializeField, Tooltip("Phrase to recognise, of two words or more: single words are often recognised by mistake.")]
         string _keyword = "";
 
         [SerializeField, Tooltip("What it does.")]

@@ -18,7 +18,7 @@ namespace Nowpose.Mrtk3
     [DisallowMultipleComponent]
     public sealed class VoiceCommands : MonoBehaviour
     {
-        [SerializeField, Tooltip("What is said, and what it does. None: nothing is listened for.")]
+        [SerializeField, Tooltip("Phrases and their actions. Empty: the recogniser is off.")]
         List<VoiceCommand> _commands = new List<VoiceCommand>();
 
         /// <summary>Delay before a problem is reported: speech starts some seconds after the scene, or never without microphone or package.</summary>
@@ -29,7 +29,7 @@ namespace Nowpose.Mrtk3
         readonly HashSet<string> _own = new HashSet<string>();
         IKeywordRecognitionSubsystem _recognition;
         float _since;
-        bool _isTold, _isUnsupported;
+        bool _isReported, _isUnsupported;
 
         public IReadOnlyList<VoiceCommand> Commands => _commands;
 
@@ -39,7 +39,7 @@ namespace Nowpose.Mrtk3
         void OnEnable()
         {
             _since = Time.unscaledTime;
-            _isTold = false;
+            _isReported = false;
             _isUnsupported = false;
         }
 
@@ -56,9 +56,9 @@ namespace Nowpose.Mrtk3
         {
             Unregister();
             _recognition = XRSubsystemHelpers.KeywordRecognitionSubsystem;
-            if (_recognition != null || _isTold || Time.unscaledTime - _since <= PatienceSeconds) return;
-            _isTold = true;
-            ConsoleLog.Say(this, "voice commands '" + name + "': no keyword recognition runs; the menu does the same");
+            if (_recognition != null || _isReported || Time.unscaledTime - _since <= PatienceSeconds) return;
+            _isReported = true;
+            ConsoleLog.Info(this, "voice commands '" + name + "': no keyword recognition runs; the menu does the same");
         }
 
         // Checked in each frame: another component that unregisters the same keyword removes all its listeners.

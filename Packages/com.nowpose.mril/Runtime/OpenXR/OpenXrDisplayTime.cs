@@ -23,7 +23,7 @@ namespace Nowpose.OpenXR
     [DisallowMultipleComponent]
     public sealed class OpenXrDisplayTime : MonoBehaviour, IDisplayTimeSource
     {
-        [SerializeField, Tooltip("The session that is told. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session that receives the times. Empty: the one on this object or a parent.")]
         MrilSession _session = null;
 
         MrilSession _target;
@@ -69,7 +69,7 @@ namespace Nowpose.OpenXR
         {
             if (_pairing != null) return true;
             if (CounterPairing.TryMeasure(OpenCounter, Stopwatch, out _pairing, out var fault))
-                ConsoleLog.Say(this, string.Format(
+                ConsoleLog.Info(this, string.Format(
                     CultureInfo.InvariantCulture,
                     "display time '{0}': performance counter {1} Hz, stopwatch {2} Hz, paired within {3:0.0} µs",
                     name, _pairing.Frequency, Stopwatch.Frequency, _pairing.Uncertainty.TotalMilliseconds * 1000));
@@ -86,7 +86,7 @@ namespace Nowpose.OpenXR
         void OnEnable()
         {
             _target = this.SessionOr(_session);
-            if (_target == null) ConsoleLog.Warn(this, "display time '" + name + "' has no session above it to tell; assign one");
+            if (_target == null) ConsoleLog.Warn(this, "display time '" + name + "' has no session on a parent; assign one");
             else _target.DisplayTimeSource = this;
         }
 

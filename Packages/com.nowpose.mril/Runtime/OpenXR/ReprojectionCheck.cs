@@ -77,7 +77,7 @@ namespace Nowpose.OpenXR
             _looked = now;
             try
             {
-                if (_watch.Follow(now, Observe().Judge())) Say();
+                if (_watch.Follow(now, Observe().Judge())) LogState();
                 Report();
             }
             catch (TypeLoadException fault)
@@ -150,11 +150,11 @@ namespace Nowpose.OpenXR
             return false;
         }
 
-        void Say()
+        void LogState()
         {
             var problem = DepthSubmissionWords.ProblemOf(Depth);
             if (problem != null) ConsoleLog.Warn(this, problem);
-            else if (Depth == DepthSubmission.Active) ConsoleLog.Say(this, _isLacking ? "depth is submitted again" : "depth is submitted");
+            else if (Depth == DepthSubmission.Active) ConsoleLog.Info(this, _isLacking ? "depth is submitted again" : "depth is submitted");
             _isLacking = problem != null;
         }
     }

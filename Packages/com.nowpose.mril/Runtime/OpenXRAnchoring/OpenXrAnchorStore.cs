@@ -69,14 +69,14 @@ namespace Nowpose.OpenXR
         {
             var manager = _anchors.Manager;
             var subsystem = manager != null ? manager.subsystem : null;
-            if (subsystem != _of) StartAnew(subsystem);
+            if (subsystem != _of) Restart(subsystem);
             if (_store != null || subsystem == null) return;
             if (_loading != null) Take();
             else if (_anchors.IsRunning && Time.unscaledTime >= _next) Ask();
         }
 
         // The runtime was restarted, so its store is a new one.
-        void StartAnew(XRAnchorSubsystem subsystem)
+        void Restart(XRAnchorSubsystem subsystem)
         {
             _of = subsystem;
             _store = null;
@@ -112,7 +112,7 @@ namespace Nowpose.OpenXR
                 Problem = null;
             }
             else if (loading.Exception != null) Fail(LoadingAll, loading.Exception.GetBaseException());
-            else if (_asked == AskedInVain) Say("the runtime gives no store of anchors; they are lost with the next start");
+            else if (_asked == AskedInVain) Report("the runtime gives no store of anchors; they are lost with the next start");
         }
 
         // Catches every exception, because the plugin calls native code of the system.
@@ -139,9 +139,9 @@ namespace Nowpose.OpenXR
             return false;
         }
 
-        void Fail(string what, Exception fault) => Say("cannot " + what + ": " + fault.Message);
+        void Fail(string what, Exception fault) => Report("cannot " + what + ": " + fault.Message);
 
-        void Say(string problem)
+        void Report(string problem)
         {
             if (problem == Problem) return;
             Problem = problem;

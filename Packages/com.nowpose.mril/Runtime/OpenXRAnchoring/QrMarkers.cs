@@ -28,7 +28,7 @@ namespace Nowpose.OpenXR
         /// <summary>Marker frame in the code's frame, in URDF axes of that frame.</summary>
         static readonly RigidTransform MarkerInCode = RigidTransform.FromXyzRpy(0, 0, 0, -Math.PI / 2, 0, -Math.PI / 2);
 
-        [SerializeField, Tooltip("The session whose clock tells when a code was seen. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session whose clock determines when a code was seen. Empty: the one on this object or above.")]
         MrilSession _session = null;
 
         [SerializeField, Tooltip("The XR Origin, which is given an AR Marker Manager unless it has one. Empty: the one above the main camera.")]
@@ -42,7 +42,7 @@ namespace Nowpose.OpenXR
         MrilSession _source;
         ARMarkerManager _setUp;
 
-        /// <summary>Why no codes are found, in one line; null if there is no problem.</summary>
+        /// <summary>Why no codes are found, in one line; null without a problem.</summary>
         public string Problem => _codes.Problem;
 
         public void Read(List<MarkerSighting> markers)

@@ -28,7 +28,7 @@ namespace Nowpose.Unity
         List<AnchorMarker> _markers = new List<AnchorMarker>();
 
         [SerializeField, Range(100, 60_000), Tooltip("How long markers are looked at, at least, before the base is locked, ms. 1850: averages "
-            + "away most of a tracker's noise, and nobody waits longer than 2 s.")]
+            + "away most of a tracker's noise, and the wait stays below 2 s.")]
         float _settleMs = 1850;
 
         [SerializeField, Range(20, 10_000), Tooltip("A marker that a camera saw longer ago is not taken for seen now, ms. 400: trackers go on "
@@ -63,10 +63,10 @@ namespace Nowpose.Unity
 
         readonly AnchorSources _sources = new AnchorSources();
         MrilSession _session;
-        BaseAnchorState _told;
-        string _toldWords = "", _fault, _toldProblem;
-        MarkerQuarrel _toldQuarrel;
-        bool _toldCorrected;
+        BaseAnchorState _loggedState;
+        string _loggedWords = "", _fault, _loggedProblem;
+        MarkerQuarrel _loggedConflict;
+        bool _loggedCorrected;
         bool _isGiven;
 
         /// <summary>Raised when <see cref="Place"/> or <see cref="Nudge"/> moves the anchor.</summary>
@@ -99,15 +99,15 @@ namespace Nowpose.Unity
             Tracker?.Use(cell, markers);
             if (Tracker != null) _fault = null;
             _isGiven = true;
-            Tell();
+            Notify();
         }
 
         /// <summary>Starts a new search for the base by its markers; until it succeeds, the base keeps its place and looks not locked.</summary>
-        /// <remarks>If there are no markers, a pose restored from an earlier run is accepted.</remarks>
+        /// <remarks>Without markers, a pose restored from an earlier run is accepted.</remarks>
         public void Relock()
         {
             Tracker?.Relock();
-            Tell();
+            Notify();
         }
 
         /// <summary>Moves the base frame to a pose in the world at once. Releases a lock by markers; a running search continues.</summary>
@@ -123,7 +123,7 @@ namespace Nowpose.Unity
                 position, new Quaternion(rotation.x / length, rotation.y / length, rotation.z / length, rotation.w / length));
             Tracker?.Place(UnityPoses.ToRoom(transform.position, transform.rotation));
             Moved?.Invoke();
-            Tell();
+            Notify();
         }
 
         /// <summary>Adjusts the pose along and about the anchor's own axes.</summary>
@@ -154,7 +154,7 @@ namespace Nowpose.Unity
             {
                 Fail(fault);
             }
-            Tell();
+            Notify();
         }
 
         void OnDestroy() => Tracker?.Release();
@@ -174,27 +174,27 @@ namespace Nowpose.Unity
                 transform.SetPositionAndRotation(place.position, place.rotation);
                 _sources.Rest(place, Tracker.Markers);
             }
-            Tell();
+            Notify();
         }
 
-        void Tell()
+        void Notify()
         {
             var (state, words) = (State, Words);
-            if (state == _told && ReferenceEquals(words, _toldWords)) return;
-            var isNews = IsNews();
-            if (state != _told || isNews) AnchorLog.Say(this, state, words, isNews);
-            (_told, _toldWords) = (state, words);
+            if (state == _loggedState && ReferenceEquals(words, _loggedWords)) return;
+            var isNews = HasNewProblem();
+            if (state != _loggedState || isNews) AnchorLog.Log(this, state, words, isNews);
+            (_loggedState, _loggedWords) = (state, words);
             StateChanged?.Invoke();
         }
 
         // Returns whether there is a new problem although the state is the same, so that each is reported once.
-        bool IsNews()
+        bool HasNewProblem()
         {
             if (Tracker == null) return false;
-            var (problem, quarrel, isCorrected) = (Tracker.Problem, Tracker.Quarrel, Tracker.IsCorrected);
-            var isNews = (problem != null && problem != _toldProblem) || (quarrel != null && !quarrel.IsOf(_toldQuarrel))
-                || (isCorrected && !_toldCorrected);
-            (_toldProblem, _toldQuarrel, _toldCorrected) = (problem, quarrel, isCorrected);
+            var (problem, conflict, isCorrected) = (Tracker.Problem, Tracker.Conflict, Tracker.IsCorrected);
+            var isNews = (problem != null && problem != _loggedProblem) || (conflict != null && !conflict.IsOf(_loggedConflict))
+                || (isCorrected && !_loggedCorrected);
+            (_loggedProblem, _loggedConflict, _loggedCorrected) = (problem, conflict, isCorrected);
             return isNews;
         }
 

@@ -29,7 +29,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("What shows the uncompensated pose. Empty: the first below the session.")]
         Ghost _ghost = null;
 
-        [SerializeField, Tooltip("What makes the displayed robot and its gripper fainter. Empty: the first below the session that is no ghost's.")]
+        [SerializeField, Tooltip("Makes the displayed robot and its gripper fainter. Empty: the first below the session that is not of a ghost.")]
         PoseAppearance _appearance = null;
 
         [SerializeField, Tooltip("The panel that is shown and hidden. Empty: the first below the session.")]
@@ -44,7 +44,7 @@ namespace Nowpose.Unity
         readonly VisualisationNudge _nudge = new VisualisationNudge();
         readonly Occlusion _occlusion = new Occlusion();
         MrilSession _source;
-        CellState _told;
+        CellState _lastRaised;
 
         /// <summary>Raised when a property of this class has changed; at most once a frame.</summary>
         public event Action Changed;
@@ -142,7 +142,7 @@ namespace Nowpose.Unity
             if (_pairing == null) _pairing = _source.GetComponentInChildren<CellPairing>(true);
             if (_appearance == null) _appearance = DisplayedBelow(_source);
             _occlusion.Begin(_source, _occluder);
-            _told = State;
+            _lastRaised = State;
         }
 
         void OnDisable()
@@ -157,8 +157,8 @@ namespace Nowpose.Unity
             if (_source == null) return;
             _nudge.Follow(_source.Session);
             var state = State;
-            if (state.IsSameAs(_told)) return;
-            _told = state;
+            if (state.IsSameAs(_lastRaised)) return;
+            _lastRaised = state;
             Changed?.Invoke();
         }
 

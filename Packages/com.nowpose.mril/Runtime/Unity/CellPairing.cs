@@ -40,7 +40,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("The gateway gave this headset a token; the session connects.")]
         UnityEvent _onPaired = new UnityEvent();
 
-        [SerializeField, Tooltip("Something went wrong; the words say what.")]
+        [SerializeField, Tooltip("A problem occurred; the words state it.")]
         UnityEvent _onProblem = new UnityEvent();
 
         readonly AppliedCell _applied = new AppliedCell();
@@ -91,7 +91,7 @@ namespace Nowpose.Unity
             if (_source != null) Flow?.See(text?.Trim(), _source.HeadsetClock.Now);
         }
 
-        // Null while disabled, and if there is no session.
+        // Null while disabled, and without a session.
         PairingFlow Flow { get; set; }
 
         void OnEnable()
@@ -131,7 +131,7 @@ namespace Nowpose.Unity
             }
             finally
             {
-                if (changes != PairingChange.None && Flow != null) Tell(changes);
+                if (changes != PairingChange.None && Flow != null) Notify(changes);
             }
         }
 
@@ -146,10 +146,10 @@ namespace Nowpose.Unity
             if (!_isApplied) _isApplied = _applied.Connect(_source, used, _name);
         }
 
-        void Tell(PairingChange changes)
+        void Notify(PairingChange changes)
         {
             if ((changes & PairingChange.Problem) != 0) ConsoleLog.Warn(this, Flow.Problem ?? _fileProblem);
-            if ((changes & PairingChange.Paired) != 0) ConsoleLog.Say(this, Flow.Words);
+            if ((changes & PairingChange.Paired) != 0) ConsoleLog.Info(this, Flow.Words);
             // A listener may disable this component.
             Changed?.Invoke();
             if ((changes & PairingChange.Asked) != 0) _onAsked.Invoke();

@@ -39,7 +39,7 @@ namespace Nowpose.Unity
             _own = GetComponent<RobotRig>();
             _other = _displayed != null ? _displayed : DisplayedBeside(transform.parent);
             if (_other == null)
-                ConsoleLog.Warn(this, "ghost '" + name + "' finds no rig beside it to compare with; assign one");
+                ConsoleLog.Warn(this, "ghost '" + name + "' has no rig beside it to compare with; assign one");
         }
 
         static RobotRig DisplayedBeside(Transform parent)

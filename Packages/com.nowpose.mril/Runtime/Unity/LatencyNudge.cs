@@ -22,7 +22,7 @@ namespace Nowpose.Unity
     [DisallowMultipleComponent]
     public sealed class LatencyNudge : MonoBehaviour
     {
-        const float GreatestOffsetMm = 500;
+        const float MaxOffsetMm = 500;
 
         [SerializeField, Tooltip("The session that is calibrated. Empty: the one on this object or above.")]
         MrilSession _session = null;
@@ -40,7 +40,7 @@ namespace Nowpose.Unity
         readonly AxisSpeed _speed = new AxisSpeed();
         MrilSession _source;
         MarkedNudges _marks;
-        TimeSpan _told;
+        TimeSpan _usedVisu;
         Transform _moved;
         Vector3 _home;
         float _offsetMm;
@@ -51,7 +51,7 @@ namespace Nowpose.Unity
             get => _offsetMm;
             set
             {
-                _offsetMm = float.IsNaN(value) ? 0 : Mathf.Clamp(value, -GreatestOffsetMm, GreatestOffsetMm);
+                _offsetMm = float.IsNaN(value) ? 0 : Mathf.Clamp(value, -MaxOffsetMm, MaxOffsetMm);
                 Shift();
             }
         }
@@ -95,10 +95,10 @@ namespace Nowpose.Unity
             if (!(_speed.MmPerS is double speed) || !_speed.IsConstant)
                 throw new InputException("nudge: the tool does not move steadily; mark while it moves at constant speed");
             // Marks with another L_visu cannot be combined.
-            if (_marks == null || session.Visualisation.Length != _told)
+            if (_marks == null || session.Visualisation.Length != _usedVisu)
             {
-                _told = session.Visualisation.Length;
-                _marks = new MarkedNudges(_told.TotalMilliseconds);
+                _usedVisu = session.Visualisation.Length;
+                _marks = new MarkedNudges(_usedVisu.TotalMilliseconds);
             }
             _marks.Add(_offsetMm, speed);
         });
@@ -126,7 +126,7 @@ namespace Nowpose.Unity
             Report = string.Format(
                 CultureInfo.InvariantCulture, "nudge: L_visu {0:0.0} ms ± {1:0.0} ms by {2} marks; the base is misplaced by {3:0.0} mm along {4}",
                 result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, result.Count, result.OffsetMm, _axis);
-            ConsoleLog.Say(this, Report);
+            ConsoleLog.Info(this, Report);
             Clear();
             // The result is in use, saved or not: the shift would correct the robot twice.
             OffsetMm = 0;
@@ -191,7 +191,7 @@ namespace Nowpose.Unity
         CompensationSession NudgedSession()
         {
             var session = _source != null ? _source.Session : null;
-            if (session == null) throw new InputException("nudge: there is no session to calibrate");
+            if (session == null) throw new InputException("nudge: no session to calibrate");
             // The robot is drawn with the predicted display time, so the constant has no visible effect.
             if (session.Statistics(default).IsLightPredicted)
                 throw new InputException("nudge: the runtime predicts display times; there is nothing to nudge");

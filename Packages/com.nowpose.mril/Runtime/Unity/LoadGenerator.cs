@@ -19,17 +19,17 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("What the wall is drawn with. A dark one: a headset's display only adds light, so black is there and not seen.")]
         Material _material = null;
 
-        [SerializeField, Range(0, LoadMesh.GreatestVertices), Tooltip("How many vertices to draw. A load sweep sets them by itself.")]
+        [SerializeField, Range(0, LoadMesh.MaxVertices), Tooltip("How many vertices to draw. A load sweep sets them by itself.")]
         int _vertices = 0;
 
-        [SerializeField, Range(LeastMsPerFrame, GreatestMsPerFrame), Tooltip("What building a load may take of a frame, ms. 2: an eighth of a frame "
+        [SerializeField, Range(MinMsPerFrame, MaxMsPerFrame), Tooltip("What building a load may take of a frame, ms. 2: an eighth of a frame "
             + "at 60 Hz, which a scene has left unless it is at its limit.")]
         float _msPerFrame = 2;
 
         [SerializeField, Range(0.05f, 5), Tooltip("Width of the wall in metres; it is 0.625 times as high. 0.6: all of it is in view from 1.3 m.")]
         float _widthMetres = 0.6f;
 
-        const float LeastMsPerFrame = 0.1f, GreatestMsPerFrame = 10;
+        const float MinMsPerFrame = 0.1f, MaxMsPerFrame = 10;
 
         LoadPatches _patches;
 
@@ -51,18 +51,18 @@ namespace Nowpose.Unity
         /// <summary>Whether all <see cref="Vertices"/> are drawn.</summary>
         public bool IsReady => _patches != null && VerticesShown == LoadMesh.DrawnOf(_vertices);
 
-        /// <summary>Why nothing is drawn, in one line; null if there is no problem.</summary>
+        /// <summary>Why nothing is drawn, in one line; null without a problem.</summary>
         public string Problem { get; private set; }
 
         void OnEnable()
         {
             Problem = null;
             if (_material == null) Fail("has no material to draw with; assign one");
-            else if (_vertices < 0 || _vertices > LoadMesh.GreatestVertices)
-                Fail("is to draw " + _vertices + " vertices; allowed are 0 to " + LoadMesh.GreatestVertices);
+            else if (_vertices < 0 || _vertices > LoadMesh.MaxVertices)
+                Fail("is to draw " + _vertices + " vertices; allowed are 0 to " + LoadMesh.MaxVertices);
             else _patches = new LoadPatches(
                 transform, _material, _widthMetres, this.SessionOr(null).ClockOrDevices(),
-                Mathf.Clamp(_msPerFrame, LeastMsPerFrame, GreatestMsPerFrame));
+                Mathf.Clamp(_msPerFrame, MinMsPerFrame, MaxMsPerFrame));
         }
 
         void OnDisable()

@@ -24,7 +24,7 @@ namespace Nowpose.Unity
     public sealed class LoadSweep : MonoBehaviour
     {
         /// <summary>Capacity for rows: maximum display rate in Hz, and maximum time to build a load, in s.</summary>
-        const int MostHz = 144, SecondsToBuild = 3;
+        const int MaxHz = 144, SecondsToBuild = 3;
 
         [SerializeField, Tooltip("The session whose frames are logged. Empty: the one on this object or above.")]
         MrilSession _session = null;
@@ -35,11 +35,11 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("What measures the render time. Empty: the one on the session's object or below.")]
         RenderTimeSource _renderTime = null;
 
-        [SerializeField, Range(1000, SweepPlan.GreatestVertices), Tooltip("The greatest load, vertices. 2000000: more than headsets draw in time, so "
+        [SerializeField, Range(1000, SweepPlan.MaxVertices), Tooltip("Maximum load, vertices. 2000000: more than headsets draw in time, so "
             + "that the limit is among the loads.")]
-        int _mostVertices = SweepPlan.GreatestVertices;
+        int _mostVertices = SweepPlan.MaxVertices;
 
-        [SerializeField, Range(2, 100), Tooltip("Loads from none to the greatest, in equal steps. 10 place the limit within 5 %, 20 within 2 %.")]
+        [SerializeField, Range(2, 100), Tooltip("Loads from none to the maximum, in equal steps. 10 place the limit within 5 %, 20 within 2 %.")]
         int _steps = 10;
 
         [SerializeField, Range(0.5f, 600), Tooltip("Seconds for which each load is shown. 5: some 40 pictures at eight a second.")]
@@ -55,10 +55,10 @@ namespace Nowpose.Unity
             + "device portal; or a full path. It is made where there is none.")]
         string _folder = "calibration";
 
-        [SerializeField, Tooltip("Start as soon as this component is enabled. Off, for somebody has to set up the camera first.")]
+        [SerializeField, Tooltip("Start as soon as this component is enabled. Off, because the camera must be set up first.")]
         bool _startOnEnable = false;
 
-        [SerializeField, Tooltip("A text that says how far it is. Empty: none.")]
+        [SerializeField, Tooltip("Text that shows the progress. Empty: none.")]
         TextMesh _text = null;
 
         [SerializeField, Tooltip("It has gone through all loads, the log is written and judged.")]
@@ -76,7 +76,7 @@ namespace Nowpose.Unity
         DisplayConditions _conditions;
         double _displayHz;
         int _verticesBefore;
-        (int Index, int Phase) _told;
+        (int Index, int Phase) _logged;
 
         /// <summary>Raised when <see cref="Words"/> changes.</summary>
         public event Action Progressed;
@@ -93,7 +93,7 @@ namespace Nowpose.Unity
         /// <summary>Whether the render time of the last sweep depends on the load; null until a sweep is complete.</summary>
         public LoadSensitivity Verdict { get; private set; }
 
-        /// <summary>Why a requested sweep did not start or ended early, in one line; null if there is no problem.</summary>
+        /// <summary>Why a requested sweep did not start or ended early, in one line; null without a problem.</summary>
         public string Problem { get; private set; }
 
         /// <summary>Completes when the log of the last sweep is closed.</summary>
@@ -120,8 +120,8 @@ namespace Nowpose.Unity
         {
             if (!IsRunning) return;
             End();
-            Tell(SweepWords.Stopped);
-            ConsoleLog.Say(this, "load sweep stopped; what it logged is in " + Path);
+            ShowText(SweepWords.Stopped);
+            ConsoleLog.Info(this, "load sweep stopped; what it logged is in " + Path);
         }
 
         void OnEnable()
@@ -157,14 +157,14 @@ namespace Nowpose.Unity
             }
             _conditions = Conditions;
             _displayHz = _conditions.DisplayHz ?? double.NaN;
-            _file = new SweepFile(Path, (int)((_plan.TimePerLoad.TotalSeconds + SecondsToBuild) * MostHz), _conditions);
+            _file = new SweepFile(Path, (int)((_plan.TimePerLoad.TotalSeconds + SecondsToBuild) * MaxHz), _conditions);
             _run = new SweepRun(_plan);
             _verticesBefore = _generator.Vertices;
             _generator.Vertices = _run.Vertices;
             _frame = null;
-            _told = (-1, 0);
+            _logged = (-1, 0);
             _source.Shown += Keep;
-            ConsoleLog.Say(this, SweepWords.Begun(_plan, Path));
+            ConsoleLog.Info(this, SweepWords.Begun(_plan, Path));
         }
 
         // The session may have read the conditions before the display reported its rate.
@@ -192,7 +192,7 @@ namespace Nowpose.Unity
             }
             // Also while a load is built: otherwise a picture of a missing frame could match a frame one code period later.
             if (_frame?.Control != null) _file.Add(_frame.Value.ToRow(_conditions.Device, _displayHz));
-            TellPhase();
+            ShowPhase();
             var isOver = _run.Advance(_frame?.Start ?? default, _frame?.IsReady ?? false);
             _frame = null;
             if (_file.Problem != null) Abandon(_file.Problem);
@@ -204,7 +204,7 @@ namespace Nowpose.Unity
             if (_run.IsDone)
             {
                 _judging = End();
-                Tell(SweepWords.Judging);
+                ShowText(SweepWords.Judging);
                 return;
             }
             _file.EndLoad();
@@ -232,7 +232,7 @@ namespace Nowpose.Unity
         {
             End();
             Problem = problem;
-            Tell(SweepWords.Stopped);
+            ShowText(SweepWords.Stopped);
             ConsoleLog.Warn(this, problem);
         }
 
@@ -257,22 +257,22 @@ namespace Nowpose.Unity
                 ConsoleLog.Warn(this, Problem);
                 return;
             }
-            var said = "load sweep done: " + Verdict.Words + "; log: " + Path;
-            if (Verdict.Sight == LoadSight.Seen) ConsoleLog.Say(this, said);
-            else ConsoleLog.Warn(this, said);
-            Tell(Verdict.Words);
+            var message = "load sweep done: " + Verdict.Words + "; log: " + Path;
+            if (Verdict.Sight == LoadSight.Seen) ConsoleLog.Info(this, message);
+            else ConsoleLog.Warn(this, message);
+            ShowText(Verdict.Words);
             _onDone.Invoke();
         }
 
-        void TellPhase()
+        void ShowPhase()
         {
             var phase = !(_frame is SweepFrame frame) || !frame.Control.HasValue ? 1 : frame.IsShown ? 3 : 2;
-            if (_told == (_run.Index, phase)) return;
-            _told = (_run.Index, phase);
-            Tell(phase == 1 ? SweepWords.WaitingForClock : phase == 2 ? SweepWords.Building(_run.Vertices) : SweepWords.Showing(_run, _plan));
+            if (_logged == (_run.Index, phase)) return;
+            _logged = (_run.Index, phase);
+            ShowText(phase == 1 ? SweepWords.WaitingForClock : phase == 2 ? SweepWords.Building(_run.Vertices) : SweepWords.Showing(_run, _plan));
         }
 
-        void Tell(string words)
+        void ShowText(string words)
         {
             Words = words;
             if (_text != null) _text.text = words;

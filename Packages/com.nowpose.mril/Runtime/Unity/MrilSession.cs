@@ -16,7 +16,7 @@ namespace Nowpose.Unity
     /// </summary>
     /// <remarks>
     /// Runs late in LateUpdate, so that the displayed pose is computed as late as possible and after users' scripts.
-    /// Components that show the robot follow <see cref="Shown"/>. There is no session while the application is paused, or has lost the focus
+    /// Components that show the robot follow <see cref="Shown"/>. No session exists while the application is paused, or has lost the focus
     /// and does not run in the background. Afterwards a new session synchronises its clock again, so that no earlier data
     /// can look current.
     /// </remarks>
@@ -78,7 +78,7 @@ namespace Nowpose.Unity
         /// </summary>
         public event Action<DisplayFrame> Shown;
 
-        /// <summary>Raised when there is no frame (paused, disabled, another robot): the pose shown last is not current.</summary>
+        /// <summary>Raised when the frames end (paused, disabled, another robot): the pose shown last is not current.</summary>
         public event Action Hidden;
 
         /// <summary>Raised when <see cref="Robot"/> changes.</summary>
@@ -93,13 +93,13 @@ namespace Nowpose.Unity
         /// <summary>The asset's robot, or the one that the gateway described, as of the newest start; null before.</summary>
         public RobotModel Robot { get; private set; }
 
-        /// <summary>The last computed frame; null while there is no session or no robot.</summary>
+        /// <summary>The last computed frame; null without a session or a robot.</summary>
         public DisplayFrame Frame { get; private set; }
 
-        /// <summary>Why this component is enabled but has no session, in one line; null if there is no problem.</summary>
+        /// <summary>Why this component is enabled but has no session, in one line; null without a problem.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Statistics of the session in this frame; null while there is no session. The object is reused in later frames.</summary>
+        /// <summary>Statistics of the session in this frame; null without a session. The object is reused in later frames.</summary>
         public SessionStatistics Statistics
         {
             get
@@ -242,7 +242,7 @@ namespace Nowpose.Unity
             var frame = Show(isLast: !_used.RewriteBeforeRender);
             if (frame == null) return;
             _log.Follow(Session);
-            Tell(_watch.Changed(frame));
+            Notify(_watch.Changed(frame));
         }
 
         void ShowAgain()
@@ -312,7 +312,7 @@ namespace Nowpose.Unity
         void Leave()
         {
             End();
-            Tell(_watch.End());
+            Notify(_watch.End());
         }
 
         void End()
@@ -331,10 +331,10 @@ namespace Nowpose.Unity
         // Reads the same text only once, so that rigs stay bound to the robot.
         RobotModel ReadRobot() => Robot?.SourceHash == UrdfHash.Of(_robot.Urdf) ? Robot : _robot.Read();
 
-        void Tell(SessionChange change)
+        void Notify(SessionChange change)
         {
             if (change == SessionChange.None) return;
-            _log.Say(change, Session, Statistics);
+            _log.Log(change, Session, Statistics);
             _changes.Enqueue(change);
             // A change caused by a listener is raised after all listeners have received the current one.
             if (_changes.Count > 1) return;

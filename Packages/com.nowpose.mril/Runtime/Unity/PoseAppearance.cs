@@ -153,7 +153,7 @@ namespace Nowpose.Unity
             _pose = PoseState.Current;
             _carriers.Clear();
             foreach (var part in _parts.Values) part.GiveBack();
-            Say("");
+            SetWords("");
         }
 
         void LateUpdate()
@@ -195,7 +195,7 @@ namespace Nowpose.Unity
                 if (_pose.HasValue) part.Draw(look, _opacity);
                 else part.Abandon(_opacity);
             }
-            Say(look.Words);
+            SetWords(look.Words);
         }
 
         /// <summary>A visible carrier that does not follow the session, the rig before its gripper; null for none.</summary>
@@ -209,7 +209,7 @@ namespace Nowpose.Unity
             }
         }
 
-        void Say(string words)
+        void SetWords(string words)
         {
             _hasWords = _words != null && words.Length > 0;
             if (_words != null) _words.text = words;
@@ -231,7 +231,7 @@ namespace Nowpose.Unity
                 ? "assign a material to the part"
                 : "add NowposePose.hlsl to the shader; the manual's page Pose Appearance has an example";
             if (_materials.Substitute != null)
-                ConsoleLog.Say(this, problem + "drawn with '" + _materials.Substitute.name + "'. To keep its own look, " + remedy);
+                ConsoleLog.Info(this, problem + "drawn with '" + _materials.Substitute.name + "'. To keep its own look, " + remedy);
             else ConsoleLog.Warn(this, problem + "hidden. Assign a Substitute with _Fade and _Hatch, or " + remedy);
         }
 

@@ -22,7 +22,7 @@ namespace Nowpose.Unity
     {
         const int Display = 0, Engine = 1, Completion = 2, Cameras = 3;
 
-        [SerializeField, Tooltip("The session that is told. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session that receives the times. Empty: the one on this object or a parent.")]
         MrilSession _session = null;
 
         readonly GpuTimes _gpu = new GpuTimes();
@@ -66,7 +66,7 @@ namespace Nowpose.Unity
             StopCoroutine(_watch);
             _completion.Release();
             _choice = null;
-            Tell();
+            Notify();
         }
 
         void LateUpdate()
@@ -75,8 +75,8 @@ namespace Nowpose.Unity
             _choice.Report(Engine, _gpu.OfEngine());
             _choice.Report(Completion, _completion.Take());
             _choice.Report(Cameras, _cameras.Take());
-            if (_choice.EndFrame()) Say();
-            Tell();
+            if (_choice.EndFrame()) LogSource();
+            Notify();
         }
 
         // After all other handlers that change transforms: rendering begins now.
@@ -109,18 +109,18 @@ namespace Nowpose.Unity
             }
         }
 
-        void Tell()
+        void Notify()
         {
             if (_target == null || _target.Session == null) return;
             if (Source == RenderTimeSourceKind.None) _target.Session.Rendered(TimeSpan.Zero, RenderTimeSourceKind.None);
             else if (RenderTime is TimeSpan renderTime) _target.Session.Rendered(renderTime, Source);
         }
 
-        void Say()
+        void LogSource()
         {
             var message = "render time: " + RenderTimeWords.NameOf(Source);
             if (Source == RenderTimeSourceKind.None || Source == RenderTimeSourceKind.CameraCpu) _log.Warn(message);
-            else _log.Say(message);
+            else _log.Info(message);
         }
     }
 }

@@ -34,7 +34,7 @@ namespace Nowpose.Unity
         RigHierarchy _hierarchy;
         GameObject _built;
         Material _plain;
-        bool _toldOfMaterials;
+        bool _isMaterialReported;
         double[] _joints = Array.Empty<double>();
 
         /// <summary>Raised when the transforms were bound to a robot.</summary>
@@ -165,12 +165,12 @@ namespace Nowpose.Unity
             var look = new PlainLook(_armMaterial != null ? _armMaterial : plain, _toolMaterial != null ? _toolMaterial : plain);
             var links = RigBuilder.Build(model, transform, look);
             made = look.Made;
-            if (look.LacksMaterial && !_toldOfMaterials)
+            if (look.LacksMaterial && !_isMaterialReported)
                 Debug.LogWarning(
                     "[Nowpose] rig '" + name + "' lacks a material for the robot that it built, which is therefore "
                     + (made != null ? "drawn by the shader Nowpose/Hologram" : "magenta, for this build does not contain the shader Nowpose/Hologram")
                     + "; assign Arm Material and Tool Material", this);
-            _toldOfMaterials |= look.LacksMaterial;
+            _isMaterialReported |= look.LacksMaterial;
             return links;
         }
 

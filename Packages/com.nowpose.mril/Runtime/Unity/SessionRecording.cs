@@ -23,7 +23,7 @@ namespace Nowpose.Unity
             + "device portal; or a full path. It is made where there is none.")]
         string _folder = "recordings";
 
-        [SerializeField, Tooltip("Greatest size of one file in megabytes, 0.001 to 100000; then it ends, and says so. 500 MB are five hours "
+        [SerializeField, Tooltip("Maximum size of one file in megabytes, 0.001 to 100000; then the recording ends with a message. 500 MB are five hours "
             + "of a usual session.")]
         double _maximumMegabytes = 500;
 
@@ -41,7 +41,7 @@ namespace Nowpose.Unity
         /// <summary>Path of the current or last file; null before the first.</summary>
         public string Path { get; private set; }
 
-        /// <summary>Why a requested recording does not run, in one line; null if there is no problem.</summary>
+        /// <summary>Why a requested recording does not run, in one line; null without a problem.</summary>
         public string Problem { get; private set; }
 
         /// <summary>Starts recording, each session to its own file. Also retries after a problem.</summary>
@@ -105,7 +105,7 @@ namespace Nowpose.Unity
                 Fail("session recording '" + name + "': " + fault.Message);
                 return;
             }
-            ConsoleLog.Say(this, "recording the session to " + Path);
+            ConsoleLog.Info(this, "recording the session to " + Path);
         }
 
         void Report()

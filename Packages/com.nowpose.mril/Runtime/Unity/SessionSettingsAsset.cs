@@ -17,10 +17,10 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Name or address of the gateway. 127.0.0.1 is this machine: a gateway beside the editor.")]
         string _host = "127.0.0.1";
 
-        [SerializeField, Tooltip("TCP port of the clock synchronisation, 1 to 65535. 47010 is what the gateway listens on unless told otherwise.")]
+        [SerializeField, Tooltip("TCP port of the clock synchronisation, 1 to 65535. 47010 is what the gateway listens on by default.")]
         int _syncPort = ProtocolLimits.SyncPort;
 
-        [SerializeField, Tooltip("Port of the joint positions, 1 to 65535. 47011 is what the gateway listens on unless told otherwise.")]
+        [SerializeField, Tooltip("Port of the joint positions, 1 to 65535. 47011 is what the gateway listens on by default.")]
         int _webSocketPort = ProtocolLimits.WebSocketPort;
 
         [SerializeField, Tooltip("The gateway's public key as the gateway prints it, sha256/…=. With it both connections are encrypted and trust "
@@ -35,7 +35,7 @@ namespace Nowpose.Unity
         string _token = "";
 
         [SerializeField, Tooltip("Allow unencrypted connections to another machine. Only in a network whose every member is trusted; the "
-            + "status panel says so.")]
+            + "status panel shows it.")]
         bool _insecureLan = false;
 
         [SerializeField, Tooltip("Names this headset in its diagnostics, 1 to 128 characters; no two at one gateway may share theirs. Empty: the name that "
@@ -88,15 +88,15 @@ namespace Nowpose.Unity
         bool _followPlan = true;
 
         [SerializeField, Tooltip("What the robot's programs use of the velocity limits in its URDF, percent, 1 to 100. 100: the limits as they are; "
-            + "no prediction moves faster. With the override at 30 percent say 30.")]
+            + "no prediction moves faster. With the override at 30 percent, enter 30.")]
         double _speedPercent = 100;
 
-        [SerializeField, Tooltip("Greatest acceleration of revolute joints whose URDF has none, radians per second squared, 0.01 to 1000000; 0: not "
+        [SerializeField, Tooltip("Maximum acceleration of revolute joints whose URDF has none, radians per second squared, 0.01 to 1000000; 0: not "
             + "known. With both limits moves from rest to rest are predicted by their profile.")]
         double _accelerationRadians = 0;
 
-        [SerializeField, Tooltip("Greatest jerk of revolute joints whose URDF has none, radians per second cubed, 0.01 to 1000000; 0: not known. The "
-            + "robot's data sheet or its control's machine data say it.")]
+        [SerializeField, Tooltip("Maximum jerk of revolute joints whose URDF has none, radians per second cubed, 0.01 to 1000000; 0: not known. The "
+            + "value is in the robot's data sheet or its control's machine data.")]
         double _jerkRadians = 0;
 
         [Header("Clock")]

@@ -15,7 +15,7 @@ namespace Nowpose.Unity
     [DisallowMultipleComponent]
     public sealed class StatusPanel : MonoBehaviour
     {
-        [SerializeField, Tooltip("The session it tells of. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session whose status is shown. Empty: the one on this object or above.")]
         MrilSession _session = null;
 
         [SerializeField, Tooltip("A text below this object that is copied: font, material, style and colour of all cells. Inactive itself.")]
@@ -54,7 +54,7 @@ namespace Nowpose.Unity
             _anchor = _source != null ? _source.GetComponentInChildren<BaseAnchor>(true) : null;
             _pairing = _source != null ? _source.GetComponentInChildren<CellPairing>(true) : null;
             _due = 0;
-            if (_source == null) ConsoleLog.Warn(this, "status panel '" + name + "' has no session above it to tell of; assign one");
+            if (_source == null) ConsoleLog.Warn(this, "status panel '" + name + "' has no session on a parent; assign one");
             if (_cell == null) ConsoleLog.Fail(this, "status panel '" + name + "' has no cell to copy; assign a text below it");
         }
 

@@ -79,7 +79,7 @@ namespace Nowpose.Unity
             _drives = drives.ToArray();
             // Not a warning, because this is correct for a robot without a gripper.
             if (unknown.Length > 0)
-                ConsoleLog.Say(this, "gripper '" + name + "': robot '" + _source.Model.Name + "' has no moving joint " + unknown
+                ConsoleLog.Info(this, "gripper '" + name + "': robot '" + _source.Model.Name + "' has no moving joint " + unknown
                     + ", so what that moves stays as it is");
         }
 

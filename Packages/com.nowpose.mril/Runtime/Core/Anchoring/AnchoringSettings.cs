@@ -8,7 +8,7 @@ namespace Nowpose.Anchoring
         /// <param name="settleMs">Minimum observation time of the markers before the base is locked.</param>
         /// <param name="oldestMs">Maximum age of a sighting that counts as current.</param>
         /// <param name="farthestMetres">Maximum distance of a marker from the viewer's head.</param>
-        /// <param name="mostObliqueDegrees">Maximum angle between the normal of the print and the line to the viewer's head.</param>
+        /// <param name="maxObliqueDegrees">Maximum angle between the normal of the print and the line to the viewer's head.</param>
         /// <param name="lockErrorMetres">Maximum estimated error (root mean square) of each marker's mean position for a lock.</param>
         /// <param name="lockErrorDegrees">The same for its angle.</param>
         /// <param name="toleranceMetres">Distance of a marker from its position at the lock above which it has moved.</param>
@@ -16,14 +16,14 @@ namespace Nowpose.Anchoring
         /// <param name="easeMs">Duration over which a changed lock is blended in, except for 2 % of the change; 0 for an immediate change.</param>
         /// <exception cref="InputException">A number is out of range.</exception>
         public AnchoringSettings(
-            double settleMs = 1850, double oldestMs = 400, double farthestMetres = 2.5, double mostObliqueDegrees = 60,
+            double settleMs = 1850, double oldestMs = 400, double farthestMetres = 2.5, double maxObliqueDegrees = 60,
             double lockErrorMetres = 0.001, double lockErrorDegrees = 0.25,
             double toleranceMetres = 0.005, double toleranceDegrees = 0.5, double easeMs = 800)
         {
             Settle = SettingRange.RequireMs(settleMs, 100, 60_000, "settle");
             Oldest = SettingRange.RequireMs(oldestMs, 20, 10_000, "oldest");
             FarthestMetres = SettingRange.Require(farthestMetres, 0.1, 20, "farthest", "m");
-            MostObliqueRadians = Radians(SettingRange.Require(mostObliqueDegrees, 10, 89, "most oblique", "°"));
+            MaxObliqueRadians = Radians(SettingRange.Require(maxObliqueDegrees, 10, 89, "most oblique", "°"));
             LockErrorMetres = SettingRange.Require(lockErrorMetres, 0.0001, 0.1, "lock error", "m");
             LockErrorRadians = Radians(SettingRange.Require(lockErrorDegrees, 0.01, 10, "lock error", "°"));
             ToleranceMetres = SettingRange.Require(toleranceMetres, 0.001, 1, "tolerance", "m");
@@ -34,7 +34,7 @@ namespace Nowpose.Anchoring
         public TimeSpan Settle { get; }
         public TimeSpan Oldest { get; }
         public double FarthestMetres { get; }
-        public double MostObliqueRadians { get; }
+        public double MaxObliqueRadians { get; }
         public double LockErrorMetres { get; }
         public double LockErrorRadians { get; }
         public double ToleranceMetres { get; }

@@ -6,7 +6,7 @@ namespace Nowpose.Anchoring
     public sealed class BaseMarker
     {
         /// <summary>Maximum number of characters in a code.</summary>
-        const int MostLetters = 4296;
+        const int MaxPayloadLength = 4296;
 
         const double FarthestMetres = 100;
 
@@ -20,8 +20,8 @@ namespace Nowpose.Anchoring
         public BaseMarker(string payload, in RigidTransform markerInBase, double sizeMetres = 0)
         {
             if (string.IsNullOrEmpty(payload)) throw new InputException("marker: its payload is empty; give the text of its code");
-            if (payload.Length > MostLetters)
-                throw new InputException("marker: its payload has " + payload.Length + " letters; no code holds more than " + MostLetters);
+            if (payload.Length > MaxPayloadLength)
+                throw new InputException("marker: its payload has " + payload.Length + " letters; no code holds more than " + MaxPayloadLength);
             var name = MarkerName.Of(payload);
             SettingRange.Require(markerInBase.X, -FarthestMetres, FarthestMetres, name + ": x of its offset", "m");
             SettingRange.Require(markerInBase.Y, -FarthestMetres, FarthestMetres, name + ": y of its offset", "m");

@@ -14,7 +14,7 @@ namespace Nowpose.Anchoring
     /// </remarks>
     public sealed class BaseTracker
     {
-        const int MostMarkers = 32;
+        const int MaxMarkers = 32;
 
         readonly AnchoringSettings _settings;
         readonly EasedPose _shown;
@@ -24,7 +24,7 @@ namespace Nowpose.Anchoring
         TrackedMarker[] _markers = Array.Empty<TrackedMarker>();
         BaseAnchorState _state;
         HeadsetTime _now;
-        HeadsetTime? _put, _told;
+        HeadsetTime? _put, _lastReport;
         RelockedFrom? _former;
         RigidTransform? _placed;
         bool _isNews, _isHeldByHand, _wasLost;
@@ -64,7 +64,10 @@ namespace Nowpose.Anchoring
         public double CorrectedRadians { get; private set; }
 
         /// <summary>Markers that contradict each other, with their deviation; null without a conflict.</summary>
-        public MarkerQuarrel Quarrel => _attempt.Quarrel;
+        public MarkerQuarrel Conflict => _attempt.Conflict;
+
+        [Obsolete("use Conflict")]
+        public MarkerQuarrel Quarrel => Conflict;
 
         /// <summary>Whether the device has moved the base since the newest lock by more than a marker's tolerance.</summary>
         public bool IsCorrected => CorrectedMetres > _settings.ToleranceMetres || CorrectedRadians > _settings.ToleranceRadians;
@@ -73,7 +76,7 @@ namespace Nowpose.Anchoring
         public string SourceProblem { get; set; }
 
         /// <summary>Time of the newest report of any code by a source; null without one since the start of the search.</summary>
-        internal HeadsetTime? Told => _told;
+        internal HeadsetTime? LastReport => _lastReport;
 
         /// <summary>Whether a person is moving a marker by hand, and the base with it.</summary>
         public bool IsBeingPlaced { get; private set; }
@@ -106,7 +109,7 @@ namespace Nowpose.Anchoring
         public void Use(string cell, IReadOnlyList<BaseMarker> markers)
         {
             if (markers == null) throw new ArgumentNullException(nameof(markers));
-            SettingRange.RequireCount(markers.Count, 0, MostMarkers, "markers of a base");
+            SettingRange.RequireCount(markers.Count, 0, MaxMarkers, "markers of a base");
             var tracked = new TrackedMarker[markers.Count];
             for (var i = 0; i < tracked.Length; i++)
             {
@@ -218,7 +221,7 @@ namespace Nowpose.Anchoring
         bool Take(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? head)
         {
             if (sighting.Tracking == MarkerTracking.Placed) return TakePlaced(sighting, now);
-            _told = now;
+            _lastReport = now;
             if (sighting.Payload == null) return false;
             foreach (var marker in _markers)
             {
@@ -226,7 +229,7 @@ namespace Nowpose.Anchoring
                 var belongs = IsWatching ? marker.PlaceAt(Base.Value) : (RigidTransform?)null;
                 if (!marker.Take(sighting, now, head, belongs)) continue;
                 _isNews = true;
-                if (Base is RigidTransform locked && IsWatching && !marker.IsDoubted) marker.Compare(locked);
+                if (Base is RigidTransform locked && IsWatching && !marker.IsContradicted) marker.Compare(locked);
             }
             return false;
         }
@@ -322,7 +325,7 @@ namespace Nowpose.Anchoring
             foreach (var marker in _markers) marker.Restart();
             _attempt.Reset();
             (_isNews, _isHeldByHand, IsBeingPlaced) = (false, false, false);
-            (_former, _told) = (null, null);
+            (_former, _lastReport) = (null, null);
             _state = _markers.Length > 0 ? BaseAnchorState.Searching : BaseAnchorState.Placed;
         }
 

@@ -46,13 +46,19 @@ namespace Nowpose.Anchoring
         public HeadsetTime? LastSeen => _taken;
 
         /// <summary>Time of the newest report by a source, accepted or not; null without one.</summary>
-        public HeadsetTime? LastTold { get; private set; }
+        public HeadsetTime? LastReported { get; private set; }
+
+        [Obsolete("use LastReported")]
+        public HeadsetTime? LastTold => LastReported;
 
         /// <summary>Whether the marker is part of the lock.</summary>
         public bool IsPart { get; private set; }
 
         /// <summary>Whether the marker contradicts the other markers.</summary>
-        public bool IsDoubted { get; private set; }
+        public bool IsContradicted { get; private set; }
+
+        [Obsolete("use IsContradicted")]
+        public bool IsDoubted => IsContradicted;
 
         /// <summary>Whether the deviation of the marker from its expected pose exceeds the tolerance.</summary>
         public bool HasMoved { get; private set; }
@@ -77,7 +83,7 @@ namespace Nowpose.Anchoring
         internal RigidTransform Pose => _pose;
 
         /// <summary>Whether the marker may improve a lock.</summary>
-        internal bool IsOpen => !IsPart && !IsDoubted;
+        internal bool IsOpen => !IsPart && !IsContradicted;
 
         /// <summary>Whether there are sightings over a sufficient time for an estimate.</summary>
         internal bool IsReady => _window.Count >= Least && _window.CountOver(_settings.Settle) > 0;
@@ -95,7 +101,7 @@ namespace Nowpose.Anchoring
         /// <param name="belongs">Expected pose; null while no base is locked.</param>
         internal bool Take(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? head, in RigidTransform? belongs)
         {
-            LastTold = now;
+            LastReported = now;
             // The clock has gone back.
             if (_taken is HeadsetTime last && last - now > SightingGate.Ahead)
             {
@@ -149,7 +155,7 @@ namespace Nowpose.Anchoring
         internal void Restart()
         {
             ForgetSeen();
-            IsPart = IsDoubted = HasMoved = false;
+            IsPart = IsContradicted = HasMoved = false;
         }
 
         /// <summary>Makes the marker a part of the lock.</summary>
@@ -162,10 +168,10 @@ namespace Nowpose.Anchoring
         }
 
         /// <summary>Excludes the marker because other markers contradict its measured pose.</summary>
-        internal void Doubt()
+        internal void Exclude()
         {
             IsPart = HasMoved = false;
-            IsDoubted = true;
+            IsContradicted = true;
             Watch.Clear();
         }
 

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>Limits of a joint in rad, s and N·m, for a prismatic joint in m, s and N; infinite if there is no limit.</summary>
+    /// <summary>Limits of a joint in rad, s and N·m, for a prismatic joint in m, s and N; infinite without a limit.</summary>
     /// <remarks><c>default</c> allows no motion at all; <see cref="None"/> allows everything.</remarks>
     public readonly struct JointLimits
     {

@@ -6,7 +6,7 @@ namespace Nowpose.Kinematics
     /// <summary>A joint of the URDF, with the element for error messages.</summary>
     sealed class UrdfJoint
     {
-        const double ShortestAxis = 1e-9;
+        const double MinAxisLength = 1e-9;
 
         UrdfJoint(XElement element, RobotJoint joint)
         {
@@ -71,8 +71,8 @@ namespace Nowpose.Kinematics
             var axis = UrdfSource.Child(element, "axis");
             var (x, y, z) = source.Triple(axis, "xyz", (1, 0, 0));
             var length = System.Math.Sqrt(x * x + y * y + z * z);
-            if (!(length >= ShortestAxis) || double.IsInfinity(length))
-                throw source.Error(axis, "xyz is no direction; a moving joint needs a vector other than 0 0 0");
+            if (!(length >= MinAxisLength) || double.IsInfinity(length))
+                throw source.Error(axis, "xyz is not a direction; a moving joint needs a vector other than 0 0 0");
             return (x / length, y / length, z / length);
         }
 

@@ -30,7 +30,7 @@ namespace Nowpose.Kinematics
         {
             var name = follower.Joint.Mimic.Master;
             if (!byName.TryGetValue(name, out var master))
-                throw MimicError(source, follower, "there is no joint " + UrdfSource.Quote(name));
+                throw MimicError(source, follower, "unknown joint " + UrdfSource.Quote(name));
             if (master.Joint.Kind == JointKind.Fixed)
                 throw MimicError(source, follower, "joint " + UrdfSource.Quote(name) + " is fixed; only a moving one can be followed");
             return master;

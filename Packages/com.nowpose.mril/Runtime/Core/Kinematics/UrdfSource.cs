@@ -11,7 +11,7 @@ namespace Nowpose.Kinematics
     sealed class UrdfSource
     {
         const int DeepestElement = 100;
-        const int LongestQuote = 60;
+        const int MaxQuoteLength = 60;
         readonly string _name;
 
         public UrdfSource(string name) => _name = name;
@@ -77,7 +77,7 @@ namespace Nowpose.Kinematics
         }
 
         public static string Quote(string text) =>
-            "'" + (text.Length <= LongestQuote ? text : text.Substring(0, LongestQuote) + "…") + "'";
+            "'" + (text.Length <= MaxQuoteLength ? text : text.Substring(0, MaxQuoteLength) + "…") + "'";
 
         double Parse(XElement element, string attribute, string text)
         {

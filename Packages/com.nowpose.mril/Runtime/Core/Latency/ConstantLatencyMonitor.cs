@@ -47,15 +47,15 @@ namespace Nowpose.Latency
         }
 
         /// <summary>Reason why <see cref="State"/> is unknown.</summary>
-        public RangeDoubt Doubt
+        public RangeUnknownReason UnknownReason
         {
             get
             {
-                if (State != RangeState.Unknown) return RangeDoubt.None;
-                if (_range == null) return RangeDoubt.NoLimit;
-                if (Source == RenderTimeSourceKind.None) return RangeDoubt.NoRenderTime;
-                if (Source != _range.Source) return RangeDoubt.OtherSource;
-                return _isBeyond == true ? RangeDoubt.BeyondMeasured : RangeDoubt.TooFewFrames;
+                if (State != RangeState.Unknown) return RangeUnknownReason.None;
+                if (_range == null) return RangeUnknownReason.NoLimit;
+                if (Source == RenderTimeSourceKind.None) return RangeUnknownReason.NoRenderTime;
+                if (Source != _range.Source) return RangeUnknownReason.OtherSource;
+                return _isBeyond == true ? RangeUnknownReason.BeyondMeasured : RangeUnknownReason.TooFewFrames;
             }
         }
 
@@ -70,13 +70,13 @@ namespace Nowpose.Latency
         /// <param name="source"><see cref="RenderTimeSourceKind.None"/> when the render time is not measured any more.</param>
         public void Add(TimeSpan renderTime, RenderTimeSourceKind source)
         {
-            if (source != Source) StartAnew(source);
+            if (source != Source) Restart(source);
             if (source == RenderTimeSourceKind.None || renderTime <= TimeSpan.Zero) return;
             _recent.Add(renderTime);
             if (_range != null && _range.Source == source && _recent.Count >= FramesToJudge) Judge(_recent.At(0.5));
         }
 
-        void StartAnew(RenderTimeSourceKind source)
+        void Restart(RenderTimeSourceKind source)
         {
             Source = source;
             _isBeyond = null;

@@ -10,10 +10,10 @@ namespace Nowpose.Latency
     /// <remarks>Immutable; validated by the constructor. Schnierle &amp; Röck 2022, section 2.1.2.</remarks>
     public sealed class LatencyProfile
     {
-        internal const double GreatestVisuMs = 500;
-        internal const double LeastRenderMs = 0.1;
-        internal const double GreatestRenderMs = 1000;
-        internal const double GreatestDisplayHz = DisplayConditions.MaxDisplayHz;
+        internal const double MaxVisuMs = 500;
+        internal const double MinRenderMs = 0.1;
+        internal const double MaxRenderMs = 1000;
+        internal const double MaxDisplayHz = DisplayConditions.MaxDisplayHz;
 
         /// <param name="visuMs">As in the other constructor.</param>
         /// <param name="spreadMs">As in the other constructor.</param>
@@ -55,7 +55,7 @@ namespace Nowpose.Latency
             double? validToRenderMs = null, HeadMotionLatency headMotion = null)
         {
             Visualisation = VisualisationLatency.FromMilliseconds(visuMs);
-            Spread = SettingRange.RequireMs(spreadMs, 0, GreatestVisuMs, "spread of the visualisation latency");
+            Spread = SettingRange.RequireMs(spreadMs, 0, MaxVisuMs, "spread of the visualisation latency");
             Conditions = conditions ?? throw new ArgumentNullException(nameof(conditions));
             MeasuredUtc = measuredUtc.Kind == DateTimeKind.Local
                 ? measuredUtc.ToUniversalTime() : DateTime.SpecifyKind(measuredUtc, DateTimeKind.Utc);
@@ -65,7 +65,7 @@ namespace Nowpose.Latency
             HeadMotion = headMotion;
             Range = renderLimitMs.HasValue ? new ConstantLatencyRange(renderLimitMs.Value, renderTimeSource) : null;
             ValidToRenderTime = validToRenderMs.HasValue
-                ? SettingRange.RequireMs(validToRenderMs.Value, LeastRenderMs, GreatestRenderMs, "greatest render time seen") : Range?.Limit;
+                ? SettingRange.RequireMs(validToRenderMs.Value, MinRenderMs, MaxRenderMs, "maximum render time measured") : Range?.Limit;
             WatchedRange = Range ?? (validToRenderMs.HasValue && renderTimeSource != RenderTimeSourceKind.None
                 ? new ConstantLatencyRange(validToRenderMs.Value, renderTimeSource, isLimitReached: false) : null);
         }

@@ -11,7 +11,7 @@ namespace Nowpose.Latency
         const string What = "latency profile";
 
         /// <exception cref="InputException">The file cannot be read or is not a usable profile; the message names it in one line.</exception>
-        public static LatencyProfile Load(string path) => LatencyProfileJson.Read(WholeFile.Read(path, MaxBytes, What), path);
+        public static LatencyProfile Load(string path) => LatencyProfileJson.Read(WholeFile.Read(path, MaxBytes), path);
 
         /// <summary>Writes a temporary file in the same folder, flushes it to the disk, and then replaces the old file with it.</summary>
         /// <param name="path">The folder is created when it does not exist.</param>

@@ -14,7 +14,7 @@ namespace Nowpose.Latency
     public sealed class LoadSensitivity
     {
         /// <summary>Minimum number of render times of a load; loads with fewer are ignored.</summary>
-        const int FewestTimes = 15;
+        const int MinRenderTimes = 15;
 
         LoadSensitivity(LoadSight sight, RenderTimeSourceKind source, string words)
         {
@@ -39,7 +39,7 @@ namespace Nowpose.Latency
                 return new LoadSensitivity(
                     LoadSight.Unseen, source,
                     "nothing measured the render time, so nothing can see load; the page of the Render Time Source says what a device needs");
-            var visits = SweepVisit.Of(rows, source, FewestTimes);
+            var visits = SweepVisit.Of(rows, source, MinRenderTimes);
             var passes = SweepPass.Of(visits);
             return passes.Count == 0 ? Unclear(source, visits) : Judge(source, passes);
         }
@@ -62,12 +62,12 @@ namespace Nowpose.Latency
             var loads = visits.Select(visit => visit.Vertices).Distinct().Count();
             return new LoadSensitivity(LoadSight.Unclear, source, string.Format(
                 CultureInfo.InvariantCulture,
-                "too little to tell whether {0} sees load: {1} {2} {3} or more render times, 3 are needed; sweep more loads, or longer",
-                RenderTimeSourceNames.NameOf(source), loads, loads == 1 ? "load has" : "loads have", FewestTimes));
+                "too few data to determine whether {0} sees load: {1} {2} {3} or more render times, 3 are needed; sweep more loads, or longer",
+                RenderTimeSourceNames.NameOf(source), loads, loads == 1 ? "load has" : "loads have", MinRenderTimes));
         }
 
         static string Advice(RenderTimeSourceKind source) => source == RenderTimeSourceKind.CameraCpu
-            ? "it does not see the GPU; switch on Frame Timing Stats in the player settings, or take a device that tells GPU times, and sweep again"
+            ? "it does not see the GPU; switch on Frame Timing Stats in the player settings, or use a device that reports GPU times, and sweep again"
             : "look whether the load is in view and the sweep goes far enough, and sweep again";
 
         static RenderTimeSourceKind SourceOf(IReadOnlyList<SweepRow> rows)

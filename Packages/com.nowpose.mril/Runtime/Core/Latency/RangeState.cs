@@ -4,7 +4,7 @@ namespace Nowpose.Latency
     /// <remarks>Schnierle &amp; Röck 2022, Fig. 11b.</remarks>
     public enum RangeState
     {
-        /// <summary>Cannot be determined; <see cref="RangeDoubt"/> has the reason. The calibrated L_visu is used.</summary>
+        /// <summary>Cannot be determined; <see cref="RangeUnknownReason"/> has the reason. The calibrated L_visu is used.</summary>
         Unknown,
 
         /// <summary>L_visu is constant.</summary>

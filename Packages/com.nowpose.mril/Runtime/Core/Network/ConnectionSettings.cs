@@ -81,7 +81,7 @@ namespace Nowpose.Network
         static ControlClockSource RequireSource(ControlClockSource source)
         {
             if (source != ControlClockSource.ClockSync && source != ControlClockSource.RosTime)
-                throw new InputException("clock source: there is no choice " + (int)source + "; allowed are 0 (clock sync) and 1 (ROS time)");
+                throw new InputException("clock source: " + (int)source + " is unknown; allowed are 0 (clock sync) and 1 (ROS time)");
             return source;
         }
 

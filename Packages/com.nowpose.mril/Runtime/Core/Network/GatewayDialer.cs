@@ -23,7 +23,7 @@ namespace Nowpose.Network
             _trust = new ServerTrust(settings.Pin);
         }
 
-        /// <exception cref="GatewayRefusalException">The certificate is not trusted, or there was no answer in time.</exception>
+        /// <exception cref="GatewayRefusalException">The certificate is not trusted, or the gateway did not answer in time.</exception>
         /// <exception cref="SocketException">The gateway refused the connection, or the network is down.</exception>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
         public async Task<Stream> OpenAsync(int port, CancellationToken cancel)
@@ -107,7 +107,7 @@ namespace Nowpose.Network
                 await secure.AuthenticateAsClientAsync(
                     _settings.Host, null, SslProtocols.None, checkCertificateRevocation: false).ConfigureAwait(false);
                 if (secure.SslProtocol < SslProtocols.Tls12)
-                    throw new GatewayRefusalException("TLS: the gateway speaks only " + secure.SslProtocol + "; 1.2 or 1.3 is needed");
+                    throw new GatewayRefusalException("TLS: the gateway supports only " + secure.SslProtocol + "; 1.2 or 1.3 is needed");
                 return secure;
             }
             catch (AuthenticationException failure)

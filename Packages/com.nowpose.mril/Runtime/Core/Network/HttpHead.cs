@@ -9,7 +9,7 @@ namespace Nowpose.Network
     /// <summary>Status and fields of an HTTP/1.1 response.</summary>
     sealed class HttpHead
     {
-        const int LongestHead = 8 * 1024;
+        const int MaxHeadBytes = 8 * 1024;
 
         readonly string[] _lines;
 
@@ -51,8 +51,8 @@ namespace Nowpose.Network
             var one = new byte[1];
             while (!IsEnded(head))
             {
-                if (head.Length == LongestHead)
-                    throw new GatewayRefusalException("the gateway's answer has a head of more than " + LongestHead + " bytes");
+                if (head.Length == MaxHeadBytes)
+                    throw new GatewayRefusalException("the gateway's answer has a head of more than " + MaxHeadBytes + " bytes");
                 if (await stream.ReadAsync(one).ConfigureAwait(false) == 0)
                     throw new EndOfStreamException("the gateway closed the connection before it had answered");
                 head.Append((char)one[0]);

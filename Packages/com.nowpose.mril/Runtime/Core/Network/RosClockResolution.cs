@@ -12,10 +12,10 @@ namespace Nowpose.Network
     sealed class RosClockResolution
     {
         /// <summary>Minimum answers of a measurement: with this many, a common multiple of the step is very unlikely.</summary>
-        const int FewestAnswers = 16;
+        const int MinAnswers = 16;
 
         /// <summary>Minimum changes of a measurement: there is one complete standstill between the first two.</summary>
-        const int FewestChanges = 2;
+        const int MinChanges = 2;
 
         static readonly TimeSpan MeasuredEvery = new TimeSpan(20 * TimeSpan.TicksPerSecond);
 
@@ -25,7 +25,7 @@ namespace Nowpose.Network
         long _step = TimeSpan.TicksPerSecond;
         ControlTime? _shown;
         HeadsetTime _sentLast, _sentBefore, _firstArrived, _measured;
-        TimeSpan _still, _longestStill, _longestStillBefore;
+        TimeSpan _still, _maxStill, _previousMaxStill;
         int _answers, _changes;
 
         /// <summary>Whether a measurement was completed.</summary>
@@ -37,7 +37,7 @@ namespace Nowpose.Network
         /// <summary>Whether the clock has shown the same time for more than a second.</summary>
         public bool IsStopped => _still > Longest;
 
-        public TimeSpan Value => Greatest(Greatest(new TimeSpan(_step), CoarseStill), Greatest(_longestStill, _longestStillBefore));
+        public TimeSpan Value => Greatest(Greatest(new TimeSpan(_step), CoarseStill), Greatest(_maxStill, _previousMaxStill));
 
         // A stopped clock gives no information about its resolution.
         TimeSpan CoarseStill => IsStopped ? TimeSpan.Zero : _still;
@@ -53,7 +53,7 @@ namespace Nowpose.Network
             if (time == _shown) _still = sent - _firstArrived;
             else Change(time, arrived);
             _sentLast = sent;
-            if (!IsMeasuring || _answers < FewestAnswers || _changes < FewestChanges) return;
+            if (!IsMeasuring || _answers < MinAnswers || _changes < MinChanges) return;
             IsMeasuring = false;
             IsKnown = true;
             _measured = arrived;
@@ -63,8 +63,8 @@ namespace Nowpose.Network
         {
             IsMeasuring = true;
             _answers = _changes = 0;
-            _longestStillBefore = _longestStill;
-            _longestStill = TimeSpan.Zero;
+            _previousMaxStill = _maxStill;
+            _maxStill = TimeSpan.Zero;
         }
 
         void Change(ControlTime time, HeadsetTime arrived)
@@ -72,7 +72,7 @@ namespace Nowpose.Network
             if (_shown is { } shown)
             {
                 _changes++;
-                _longestStill = Greatest(_longestStill, Greatest(CoarseStill, LengthOfStandstill(time - shown, arrived)));
+                _maxStill = Greatest(_maxStill, Greatest(CoarseStill, LengthOfStandstill(time - shown, arrived)));
             }
             _shown = time;
             _still = TimeSpan.Zero;

@@ -5,7 +5,7 @@ namespace Nowpose.Network
     /// <summary>A rosbridge server's answer to a call of /rosapi/get_time.</summary>
     sealed class RosTimeAnswer
     {
-        const int LongestReason = 200;
+        const int MaxReasonLength = 200;
 
         public RosTimeAnswer(RosbridgeMessage response, DropReason fault, HeadsetTime arrival)
         {
@@ -20,14 +20,14 @@ namespace Nowpose.Network
         /// <summary>Time at which its last byte was read.</summary>
         public HeadsetTime Arrival { get; }
 
-        /// <summary>Why there is no time, and what to do; null if there is one.</summary>
+        /// <summary>Why the time is unknown, and what to do; null if it is known.</summary>
         public string Problem { get; }
 
         static string ProblemOf(RosbridgeMessage response, DropReason fault)
         {
             if (fault == DropReason.StampZero) return "the time is zero; with use_sim_time, something has to publish /clock";
             if (response.Result) return "the answer holds no time (" + fault + ")";
-            var reason = InputException.OneLine(response.Text ?? "the call failed", LongestReason);
+            var reason = InputException.OneLine(response.Text ?? "the call failed", MaxReasonLength);
             return reason + "; start the node rosapi beside rosbridge, as rosbridge's launch file does";
         }
     }

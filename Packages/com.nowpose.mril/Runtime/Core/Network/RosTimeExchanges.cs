@@ -9,7 +9,7 @@ using Nowpose.Sync;
 namespace Nowpose.Network
 {
     /// <summary>
-    /// Exchanges timestamps with the ROS clock over a rosbridge connection, in place of <see cref="SyncClient"/> if there is no gateway.
+    /// Exchanges timestamps with the ROS clock over a rosbridge connection, in place of <see cref="SyncClient"/> on connections without a gateway.
     /// </summary>
     /// <remarks>
     /// The answer contains one time, read at some moment between the call and the answer: it serves as both t2 and t3. The server's

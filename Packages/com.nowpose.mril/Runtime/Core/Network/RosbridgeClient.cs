@@ -30,7 +30,7 @@ namespace Nowpose.Network
         readonly Task _running;
         volatile LinkStatus _status = LinkStatus.Connecting;
         volatile Task _ending;
-        long _lastHeard;
+        long _lastReceived;
 
         /// <summary>Starts at once, on the thread pool; frames never wait for it.</summary>
         /// <param name="newLink">Creates the link of each attempt.</param>
@@ -145,7 +145,7 @@ namespace Nowpose.Network
                     throw new GatewayRefusalException("no answer within " + ProtocolLimits.PongTimeout.TotalSeconds + " s", late);
                 }
             }
-            Heard(_clock.Now);
+            MarkReceived(_clock.Now);
         }
 
         async Task SubscribeAsync(LinkSender sender, CancellationToken cancel)
@@ -178,7 +178,7 @@ namespace Nowpose.Network
                 // Only after a message: a server that accepts and closes at once would otherwise be called five times a second.
                 _status = LinkStatus.Connected;
                 backoff.Reset();
-                Heard(received.Arrival);
+                MarkReceived(received.Arrival);
                 if (received.Dropped == DropReason.None) Take(reader, received);
                 else _listener.Dropped(received.Dropped);
             }
@@ -243,15 +243,15 @@ namespace Nowpose.Network
             while (true)
             {
                 var left = ProtocolLimits.PongTimeout - Silence;
-                if (left < TimeSpan.Zero) throw new IOException("nothing heard for " + ProtocolLimits.PongTimeout.TotalSeconds + " s");
+                if (left < TimeSpan.Zero) throw new IOException("received nothing for " + ProtocolLimits.PongTimeout.TotalSeconds + " s");
                 // One timer step longer: the timer counts whole steps and would otherwise fire repeatedly within the last one.
                 await Task.Delay(left + TimerStep, cancel).ConfigureAwait(false);
             }
         }
 
-        TimeSpan Silence => _clock.Now - new HeadsetTime(new TimeSpan(Interlocked.Read(ref _lastHeard)));
+        TimeSpan Silence => _clock.Now - new HeadsetTime(new TimeSpan(Interlocked.Read(ref _lastReceived)));
 
-        void Heard(HeadsetTime at) => Interlocked.Exchange(ref _lastHeard, at.SinceEpoch.Ticks);
+        void MarkReceived(HeadsetTime at) => Interlocked.Exchange(ref _lastReceived, at.SinceEpoch.Ticks);
 
         async Task WaitAsync(TimeSpan length)
         {

@@ -73,7 +73,7 @@ namespace Nowpose.Network
                 got += read;
             }
             if (!SyncFrame.TryRead(_reply, out var frame, out var fault))
-                throw NotAFrame("the reply is no sync frame: " + fault);
+                throw NotAFrame("the reply is not a sync frame: " + fault);
             if (frame.Kind != kind)
                 throw NotAFrame("the reply is a frame of kind " + frame.Kind + ", expected " + kind);
             return frame;

@@ -19,9 +19,9 @@ namespace Nowpose.Network
         const int ChunkBytes = 64 * 1024;
 
         /// <summary>Minimum TCP segment size in bytes (RFC 879).</summary>
-        const int LeastSegmentBytes = 536;
+        const int MinSegmentBytes = 536;
 
-        const int LongestDiscarded = 16 * ProtocolLimits.DescriptionBytes;
+        const int MaxDiscardedBytes = 16 * ProtocolLimits.DescriptionBytes;
 
         readonly WebSocket _socket;
         readonly IHeadsetClock _clock;
@@ -68,9 +68,9 @@ namespace Nowpose.Network
                         var next = await _socket.ReceiveAsync(_chunk.AsMemory(), timeUp.Token).ConfigureAwait(false);
                         Append(next);
                         if (next.EndOfMessage) return next;
-                        if (_length > LongestDiscarded)
+                        if (_length > MaxDiscardedBytes)
                             throw new MessageLimitException(
-                                "a message of more than " + LongestDiscarded + " bytes", DropReason.TooLarge);
+                                "a message of more than " + MaxDiscardedBytes + " bytes", DropReason.TooLarge);
                     }
                 }
                 catch (Exception failure) when (timeUp.IsCancellationRequested)
@@ -84,7 +84,7 @@ namespace Nowpose.Network
 
         void Append(in ValueWebSocketReceiveResult piece)
         {
-            if (piece.Count < LeastSegmentBytes) _fragments++;
+            if (piece.Count < MinSegmentBytes) _fragments++;
             var before = _length;
             _length += piece.Count;
             if (_length > ProtocolLimits.DescriptionBytes) return;

@@ -13,7 +13,7 @@ namespace Nowpose.Pairing
     sealed class CellCode
     {
         public const int Version = 1;
-        public const double LeastSizeMetres = 0.01, GreatestSizeMetres = 5;
+        public const double MinSizeMetres = 0.01, MaxSizeMetres = 5;
 
         internal const string Kind = "cell";
         const string Keys = "nhswpom";
@@ -39,7 +39,7 @@ namespace Nowpose.Pairing
                     "cell code: certificate pin is missing, without which only a gateway on the headset's own machine can be used");
             Pin = pin;
             Marker = marker;
-            if (sizeMetres != 0) SettingRange.Require(sizeMetres, LeastSizeMetres, GreatestSizeMetres, "cell code: marker size", "m");
+            if (sizeMetres != 0) SettingRange.Require(sizeMetres, MinSizeMetres, MaxSizeMetres, "cell code: marker size", "m");
             SizeMetres = sizeMetres;
             SyncPort = SettingRange.RequireCount(syncPort, 1, IPEndPoint.MaxPort, "cell code: sync port");
             WebSocketPort = SettingRange.RequireCount(webSocketPort, 1, IPEndPoint.MaxPort, "cell code: WebSocket port");
@@ -66,7 +66,7 @@ namespace Nowpose.Pairing
         /// <summary>The exact text of the printed code.</summary>
         public string Text { get; }
 
-        /// <param name="text">A text of any length; one longer than <see cref="PairingCode.GreatestLength"/> is rejected.</param>
+        /// <param name="text">A text of any length; one longer than <see cref="PairingCode.MaxLength"/> is rejected.</param>
         /// <exception cref="InputException">The text is not a cell code of this version, or a value is invalid; the message is one line.</exception>
         public static CellCode Parse(string text)
         {
@@ -106,8 +106,8 @@ namespace Nowpose.Pairing
             var text = fields.OptionalText('m');
             if (text == null) return 0;
             // Callers use zero for an unknown size; a code omits the field instead.
-            return MarkerOffset.TryReadNumber(text, out var size) && size != 0 ? size : throw fields.Fault("marker size is no number; allowed are "
-                + MarkerOffset.Write(LeastSizeMetres) + " to " + MarkerOffset.Write(GreatestSizeMetres) + " m");
+            return MarkerOffset.TryReadNumber(text, out var size) && size != 0 ? size : throw fields.Fault("marker size is not a number; allowed are "
+                + MarkerOffset.Write(MinSizeMetres) + " to " + MarkerOffset.Write(MaxSizeMetres) + " m");
         }
 
         string Write()
@@ -119,8 +119,8 @@ namespace Nowpose.Pairing
             if (Pin != null) text.Append("&p=").Append(TextOf(Pin));
             if (Marker != null) text.Append("&o=").Append(Marker);
             if (SizeMetres != 0) text.Append("&m=").Append(MarkerOffset.Write(SizeMetres));
-            return text.Length <= PairingCode.GreatestLength ? text.ToString() : throw new InputException(
-                "cell code: " + text.Length + " characters; allowed are up to " + PairingCode.GreatestLength
+            return text.Length <= PairingCode.MaxLength ? text.ToString() : throw new InputException(
+                "cell code: " + text.Length + " characters; allowed are up to " + PairingCode.MaxLength
                 + "; shorten the names of cell and host");
         }
     }

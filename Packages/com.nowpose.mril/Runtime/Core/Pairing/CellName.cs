@@ -7,7 +7,7 @@ namespace Nowpose.Pairing
     /// <summary>Checks and encodes cell names. Allows no characters that could change the appearance of a question to the wearer.</summary>
     static class CellName
     {
-        public const int GreatestLength = 40;
+        public const int MaxLength = 40;
 
         /// <summary>Invisible letters and marks: fillers, inherent vowels and variation selectors.</summary>
         const string Invisible = "\u115F\u1160\u17B4\u17B5\u180B\u180C\u180D\u180F\u3164\uFFA0";
@@ -18,8 +18,8 @@ namespace Nowpose.Pairing
         /// <exception cref="InputException">The name is empty, too long, or contains a character that is not allowed.</exception>
         public static string Require(string name, string what)
         {
-            if (string.IsNullOrEmpty(name) || name.Length > GreatestLength)
-                throw new InputException(what + ": is " + (name?.Length ?? 0) + " characters long; allowed are 1 to " + GreatestLength);
+            if (string.IsNullOrEmpty(name) || name.Length > MaxLength)
+                throw new InputException(what + ": is " + (name?.Length ?? 0) + " characters long; allowed are 1 to " + MaxLength);
             for (var i = 0; i < name.Length; i++)
                 if (!IsAllowed(name[i]))
                     throw new InputException(string.Format(

@@ -19,8 +19,8 @@ namespace Nowpose.Pairing
         {
             _what = kind + " code";
             // Checked first, because a code in view may have thousands of characters.
-            if (text == null || text.Length > PairingCode.GreatestLength)
-                throw Fault((text?.Length ?? 0) + " characters; allowed are up to " + PairingCode.GreatestLength);
+            if (text == null || text.Length > PairingCode.MaxLength)
+                throw Fault((text?.Length ?? 0) + " characters; allowed are up to " + PairingCode.MaxLength);
             RequirePlain(text);
             var begin = PairingCode.Scheme + kind + "/";
             if (!text.StartsWith(begin, StringComparison.Ordinal)) throw Fault("does not begin with " + begin);
@@ -45,7 +45,7 @@ namespace Nowpose.Pairing
                 && (text.Length == 1 || text[0] != '0');
             if (isNumber && value >= least && value <= greatest) return value;
             // A value that is not a number may contain anything, so the message does not repeat it.
-            throw Fault(key + (isNumber ? "=" + value : " is no whole number") + "; allowed are " + least + " to " + greatest);
+            throw Fault(key + (isNumber ? "=" + value : " is not a whole number") + "; allowed are " + least + " to " + greatest);
         }
 
         public InputException Fault(string what) => new InputException(_what + ": " + what);
@@ -73,7 +73,7 @@ namespace Nowpose.Pairing
             var key = field[0];
             if (keys.IndexOf(key) < 0) throw Fault("field " + key + " is not known; allowed are " + List(keys));
             if (field.Length == 2) throw Fault(key + " is empty");
-            if (!_values.TryAdd(key, field.Substring(2))) throw Fault(key + " stands there twice");
+            if (!_values.TryAdd(key, field.Substring(2))) throw Fault(key + " occurs twice");
         }
 
         static string List(string keys) => string.Join(", ", keys.ToCharArray());

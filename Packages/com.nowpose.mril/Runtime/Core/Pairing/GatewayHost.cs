@@ -8,7 +8,7 @@ namespace Nowpose.Pairing
     /// <summary>Checks the host of a gateway in a code, so that the host that the wearer reads is the one that is connected to.</summary>
     static class GatewayHost
     {
-        const int LongestName = 100, LongestLabel = 63;
+        const int MaxNameLength = 100, MaxLabelLength = 63;
 
         /// <returns>The host in lower case.</returns>
         /// <exception cref="InputException">Neither a name of ASCII letters, digits and hyphens, nor an address in its usual form.</exception>
@@ -16,7 +16,7 @@ namespace Nowpose.Pairing
         {
             var plain = (host ?? "").ToLowerInvariant();
             if (plain.Contains(':') ? IsIPv6(plain) : IsNumeric(plain) ? IsIPv4(plain) : IsName(plain)) return plain;
-            throw new InputException(what + ": '" + Shown(host) + "' is no host; allowed are a name of ASCII letters, digits, hyphens and dots, "
+            throw new InputException(what + ": '" + Shown(host) + "' is not a host; allowed are a name of ASCII letters, digits, hyphens and dots, "
                 + "or an IPv4 or IPv6 address");
         }
 
@@ -25,7 +25,7 @@ namespace Nowpose.Pairing
 
         static bool IsName(string host)
         {
-            if (host.Length == 0 || host.Length > LongestName) return false;
+            if (host.Length == 0 || host.Length > MaxNameLength) return false;
             foreach (var label in host.Split('.'))
                 if (!IsLabel(label)) return false;
             return true;
@@ -33,7 +33,7 @@ namespace Nowpose.Pairing
 
         static bool IsLabel(string label)
         {
-            if (label.Length == 0 || label.Length > LongestLabel || label[0] == '-' || label[label.Length - 1] == '-') return false;
+            if (label.Length == 0 || label.Length > MaxLabelLength || label[0] == '-' || label[label.Length - 1] == '-') return false;
             foreach (var c in label)
                 if (!((c >= 'a' && c <= 'z') || IsDigit(c) || c == '-')) return false;
             return true;
@@ -73,7 +73,7 @@ namespace Nowpose.Pairing
             var shown = (host ?? "").ToCharArray();
             for (var i = 0; i < shown.Length; i++)
                 if (shown[i] < ' ' || shown[i] > '~' || shown[i] == '<') shown[i] = '?';
-            return new string(shown, 0, Math.Min(shown.Length, LongestName));
+            return new string(shown, 0, Math.Min(shown.Length, MaxNameLength));
         }
     }
 }

@@ -11,8 +11,8 @@ namespace Nowpose.Pairing
     /// </remarks>
     sealed class MarkerOffset
     {
-        public const double GreatestMetres = 100;
-        public const double GreatestDegrees = 360;
+        public const double MaxMetres = 100;
+        public const double MaxDegrees = 360;
 
         const int Decimals = 6, Numbers = 6;
 
@@ -27,7 +27,7 @@ namespace Nowpose.Pairing
             var names = new[] { "x", "y", "z", "roll", "pitch", "yaw" };
             for (var i = 0; i < Numbers; i++)
             {
-                var greatest = i < 3 ? GreatestMetres : GreatestDegrees;
+                var greatest = i < 3 ? MaxMetres : MaxDegrees;
                 var value = SettingRange.Require(numbers[i], -greatest, greatest, what + ", " + names[i], i < 3 ? "m" : "degrees");
                 // Adding 0.0 turns −0 into 0.
                 numbers[i] = Math.Round(value, Decimals) + 0.0;
@@ -54,7 +54,7 @@ namespace Nowpose.Pairing
         public RigidTransform ToPose() => RigidTransform.FromXyzRpy(
             _numbers[0], _numbers[1], _numbers[2], Radians(_numbers[3]), Radians(_numbers[4]), Radians(_numbers[5]));
 
-        /// <summary>Formats the offset for <see cref="Parse"/>: three numbers ("0.25,-0.1,0") if there is no rotation, else six.</summary>
+        /// <summary>Formats the offset for <see cref="Parse"/>: three numbers ("0.25,-0.1,0") without a rotation, else six.</summary>
         public override string ToString()
         {
             var count = _numbers[3] == 0 && _numbers[4] == 0 && _numbers[5] == 0 ? 3 : Numbers;

@@ -7,7 +7,7 @@ namespace Nowpose.Pairing
     sealed class PairedCell
     {
         /// <summary>Maximum number of markers. Further ones are rejected, so that forged codes cannot displace valid ones.</summary>
-        public const int GreatestCodes = 16;
+        public const int MaxCodes = 16;
 
         readonly CellCode[] _codes;
 
@@ -17,8 +17,8 @@ namespace Nowpose.Pairing
         public PairedCell(IEnumerable<CellCode> codes, string token)
         {
             _codes = codes.ToArray();
-            if (_codes.Length == 0 || _codes.Length > GreatestCodes)
-                throw new InputException("paired cell: " + _codes.Length + " codes; allowed are 1 to " + GreatestCodes);
+            if (_codes.Length == 0 || _codes.Length > MaxCodes)
+                throw new InputException("paired cell: " + _codes.Length + " codes; allowed are 1 to " + MaxCodes);
             if (_codes.Select(code => code.Text).Distinct().Count() != _codes.Length) throw new InputException("paired cell: two codes are the same");
             if (_codes.Any(code => code.Cell != Newest.Cell || !code.HasSameGateway(Newest)))
                 throw new InputException("paired cell: the codes are of several cells or gateways");
@@ -38,7 +38,7 @@ namespace Nowpose.Pairing
         /// <summary>Whether a connection can succeed: a gateway on the headset's own machine may require no token.</summary>
         public bool IsReady => Token != null || Newest.Pin == null;
 
-        public bool IsFull => _codes.Length == GreatestCodes;
+        public bool IsFull => _codes.Length == MaxCodes;
 
         public bool Holds(CellCode code)
         {

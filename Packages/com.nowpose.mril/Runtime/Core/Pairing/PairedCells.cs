@@ -6,7 +6,7 @@ namespace Nowpose.Pairing
     /// <summary>All cells that the wearer has accepted, by name, and the one in use. Immutable.</summary>
     sealed class PairedCells
     {
-        public const int GreatestCount = 64;
+        public const int MaxCount = 64;
 
         public static readonly PairedCells None = new PairedCells(System.Array.Empty<PairedCell>(), null);
 
@@ -17,8 +17,8 @@ namespace Nowpose.Pairing
         public PairedCells(IEnumerable<PairedCell> cells, string used)
         {
             _cells = cells.ToArray();
-            if (_cells.Length > GreatestCount)
-                throw new InputException("paired cells: " + _cells.Length + " cells; allowed are up to " + GreatestCount);
+            if (_cells.Length > MaxCount)
+                throw new InputException("paired cells: " + _cells.Length + " cells; allowed are up to " + MaxCount);
             if (_cells.Select(cell => cell.Cell).Distinct().Count() != _cells.Length) throw new InputException("paired cells: two are of one name");
             Used = used == null ? null : Find(used) ?? throw new InputException("paired cells: the cell in use is none of them");
         }
@@ -60,7 +60,7 @@ namespace Nowpose.Pairing
 
         /// <summary>Adds or replaces a cell by its name and makes it the one in use. Drops the least recently added if there are too many.</summary>
         public PairedCells Use(PairedCell cell) => new PairedCells(
-            Without(cell.Cell)._cells.Reverse().Take(GreatestCount - 1).Reverse().Append(cell), cell.Cell);
+            Without(cell.Cell)._cells.Reverse().Take(MaxCount - 1).Reverse().Append(cell), cell.Cell);
 
         public PairedCells Without(string cell) => new PairedCells(
             _cells.Where(known => known.Cell != cell), Used?.Cell == cell ? null : Used?.Cell);

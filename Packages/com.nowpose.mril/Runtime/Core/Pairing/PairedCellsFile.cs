@@ -5,18 +5,18 @@ namespace Nowpose.Pairing
     /// <summary>Loads and saves paired cells. Saving is atomic: after a failure the file is complete, old or new.</summary>
     static class PairedCellsFile
     {
-        const int GreatestBytes = 1024 * 1024;
+        const int MaxBytes = 1024 * 1024;
         const string What = "list of paired cells";
 
         /// <summary>Loads the cells; a missing file gives none. Renames a file that cannot be used, and reports it.</summary>
-        /// <param name="problem">One line; null if there is no problem.</param>
+        /// <param name="problem">One line; null without a problem.</param>
         public static PairedCells Load(string path, out string problem)
         {
             problem = null;
             if (!File.Exists(path)) return PairedCells.None;
             try
             {
-                return PairedCellsJson.Read(WholeFile.Read(path, GreatestBytes, What), path);
+                return PairedCellsJson.Read(WholeFile.Read(path, MaxBytes), path);
             }
             catch (InputException fault)
             {

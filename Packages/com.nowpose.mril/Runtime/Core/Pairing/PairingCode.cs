@@ -12,7 +12,7 @@ namespace Nowpose.Pairing
         /// Maximum length of a code in characters: the capacity of a QR code of version 10 (57 modules per edge) at error correction M. It
         /// is the largest version that HoloLens 2 finds.
         /// </summary>
-        public const int GreatestLength = 213;
+        public const int MaxLength = 213;
 
         /// <summary>Returns the kind that a code declares. Reads only the beginning of the text and allocates nothing.</summary>
         public static PairingCodeKind KindOf(string text)

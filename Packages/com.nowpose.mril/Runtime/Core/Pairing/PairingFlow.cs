@@ -96,7 +96,7 @@ namespace Nowpose.Pairing
             else if (Cells.Find(asked.Used) is PairedCell other) Use(other);
         }
 
-        /// <summary>Declines the question; a declined gateway stays declined for this run. Does nothing if there is no question.</summary>
+        /// <summary>Declines the question; a declined gateway stays declined for this run. Does nothing without a question.</summary>
         public void Refuse()
         {
             if (_asked == null) return;
@@ -160,8 +160,8 @@ namespace Nowpose.Pairing
                 Learn(known.With(seen.Cell));
                 return;
             }
-            if (!seen.IsTooManyTold) FailForNow(PairingWords.TooMany(known.Cell));
-            seen.IsTooManyTold = true;
+            if (!seen.IsTooManyReported) FailForNow(PairingWords.TooMany(known.Cell));
+            seen.IsTooManyReported = true;
         }
 
         void Learn(PairedCell cell)
@@ -216,12 +216,12 @@ namespace Nowpose.Pairing
             if (_exchange.Cell != null) return;
             if (_exchange.WasTried(code))
             {
-                if (Cells.UsedNeeds(code, _isTokenRefused) && Problem == null && Question == null) Say(PairingWords.CodeWasTried);
+                if (Cells.UsedNeeds(code, _isTokenRefused) && Problem == null && Question == null) SetWords(PairingWords.CodeWasTried);
                 return;
             }
             _exchange.Wait(code, now);
             if (Cells.HasGatewayOf(code)) return;
-            if (Words != PairingWords.MarkerFirst && Question == null) Say(PairingWords.MarkerFirst);
+            if (Words != PairingWords.MarkerFirst && Question == null) SetWords(PairingWords.MarkerFirst);
         }
 
         // The wearer may look at marker and code in either order.
@@ -257,7 +257,7 @@ namespace Nowpose.Pairing
             // A gateway's token is valid for all its cells.
             foreach (var other in Cells.All)
                 if (other.Token == null && other.Newest.HasSameGateway(cell.Newest)) Learn(other.WithToken(token));
-            Say(PairingWords.Paired(cell.Cell));
+            SetWords(PairingWords.Paired(cell.Cell));
         }
 
         void Fail(string problem)
@@ -285,10 +285,10 @@ namespace Nowpose.Pairing
         void Change(PairingChange change)
         {
             _changes |= change;
-            Say(Question ?? Problem ?? CalmWords);
+            SetWords(Question ?? Problem ?? CalmWords);
         }
 
-        void Say(string words)
+        void SetWords(string words)
         {
             if (words == Words) return;
             Words = words;

@@ -89,7 +89,7 @@ namespace Nowpose.Pairing
                 case 404:
                 case 426: return PairingAnswer.Refused("the gateway pairs no headsets; start it with --pairing");
                 case 429: return PairingAnswer.Failed("the gateway has seen too many wrong codes; it answers again in a minute");
-                case 503: return PairingAnswer.Failed("the gateway cannot keep this headset's token; see what it says");
+                case 503: return PairingAnswer.Failed("the gateway cannot save this headset's token; see its log");
                 default: return PairingAnswer.Refused("the gateway answered the code with status " + status.ToString(CultureInfo.InvariantCulture));
             }
         }

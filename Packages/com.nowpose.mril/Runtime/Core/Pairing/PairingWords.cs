@@ -22,7 +22,7 @@ namespace Nowpose.Pairing
         public static string Use(string cell, string instead) => "Use cell '" + cell + "' instead of '" + instead + "'?";
 
         public static string TooMany(string cell) =>
-            "cell '" + cell + "': this marker is one more than the " + PairedCell.GreatestCodes
+            "cell '" + cell + "': this marker is one more than the " + PairedCell.MaxCodes
             + " that are known; forget the cell to have others read";
 
         public static string Forget(CellCode code) =>

@@ -26,7 +26,7 @@ namespace Nowpose.Pairing
         public HeadsetTime LastSeen { get; set; }
 
         /// <summary>Whether it was reported that this marker exceeds the maximum number.</summary>
-        public bool IsTooManyTold { get; set; }
+        public bool IsTooManyReported { get; set; }
 
         public static SeenCode Read(string text, PairingCodeKind kind)
         {

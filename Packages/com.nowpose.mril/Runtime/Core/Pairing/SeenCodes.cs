@@ -7,14 +7,14 @@ namespace Nowpose.Pairing
     sealed class SeenCodes
     {
         /// <summary>Maximum number of different codes at a time; further ones are ignored.</summary>
-        public const int GreatestCount = 256;
+        public const int MaxCount = 256;
 
         /// <summary>Codes out of view for this time may be dropped when the list is full: a gateway's code has expired by then.</summary>
         static readonly TimeSpan Memory = PairingLimits.CodeValidity;
 
         readonly Dictionary<string, SeenCode> _codes = new Dictionary<string, SeenCode>(StringComparer.Ordinal);
         readonly List<string> _old = new List<string>();
-        bool _isOversizedTold, _isFullTold;
+        bool _isOversizedReported, _isFullReported;
 
         /// <param name="fault">The problem, reported once; null for none.</param>
         /// <returns>Null if the text is not a pairing code, or was not stored.</returns>
@@ -23,11 +23,11 @@ namespace Nowpose.Pairing
             fault = null;
             var kind = PairingCode.KindOf(text);
             if (kind == PairingCodeKind.Foreign) return null;
-            if (text.Length > PairingCode.GreatestLength)
+            if (text.Length > PairingCode.MaxLength)
             {
                 // Not stored, because the text's source would determine the memory that it needs.
-                if (!_isOversizedTold) fault = "pairing code: " + text.Length + " characters; allowed are up to " + PairingCode.GreatestLength;
-                _isOversizedTold = true;
+                if (!_isOversizedReported) fault = "pairing code: " + text.Length + " characters; allowed are up to " + PairingCode.MaxLength;
+                _isOversizedReported = true;
                 return null;
             }
             if (!_codes.TryGetValue(text, out var code))
@@ -43,16 +43,16 @@ namespace Nowpose.Pairing
         bool HasRoom(HeadsetTime now, out string fault)
         {
             fault = null;
-            if (_codes.Count < GreatestCount) return true;
+            if (_codes.Count < MaxCount) return true;
             foreach (var code in _codes)
                 if (now - code.Value.LastSeen > Memory) _old.Add(code.Key);
             foreach (var text in _old) _codes.Remove(text);
             _old.Clear();
-            if (_codes.Count < GreatestCount) return true;
-            if (!_isFullTold)
-                fault = "pairing codes: " + GreatestCount + " different ones were in view; others are read again in "
+            if (_codes.Count < MaxCount) return true;
+            if (!_isFullReported)
+                fault = "pairing codes: " + MaxCount + " different ones were in view; others are read again in "
                     + (int)Memory.TotalMinutes + " minutes, or after a restart";
-            _isFullTold = true;
+            _isFullReported = true;
             return false;
         }
     }

@@ -50,7 +50,7 @@ namespace Nowpose.Pairing
         /// <summary>The exact text of the code. Secret.</summary>
         public string Text { get; }
 
-        /// <param name="text">A text of any length; one longer than <see cref="PairingCode.GreatestLength"/> is rejected.</param>
+        /// <param name="text">A text of any length; one longer than <see cref="PairingCode.MaxLength"/> is rejected.</param>
         /// <exception cref="InputException">Not a token code of this version, or an invalid value; one line without the token.</exception>
         public static TokenCode Parse(string text)
         {

@@ -110,7 +110,7 @@ namespace Nowpose.Prediction
         public SampleOutcome Add(in JointSample sample, double displayed = double.NaN)
         {
             var outcome = _arrivals.Add(sample, _buffer.History.Oldest);
-            if (outcome == SampleOutcome.StartedAnew) StartAnew();
+            if (outcome == SampleOutcome.StartedAnew) Restart();
             foreach (ref readonly var ready in _arrivals.Ready) Take(ready, displayed);
             return outcome;
         }
@@ -154,10 +154,10 @@ namespace Nowpose.Prediction
         public void Reset()
         {
             _arrivals.Clear();
-            StartAnew();
+            Restart();
         }
 
-        void StartAnew()
+        void Restart()
         {
             Forget();
             _plan.Reset();

@@ -6,7 +6,7 @@ namespace Nowpose.Protocol
     static class PlantTimeReader
     {
         /// <summary>Maximum resolution and error bound in ns: a clock beyond these is not accurate enough to stamp positions.</summary>
-        const long GreatestResolution = 1_000_000_000, GreatestErrorBound = 60_000_000_000;
+        const long MaxResolution = 1_000_000_000, MaxErrorBound = 60_000_000_000;
 
         static readonly JsonNames Fields = new JsonNames("received", "sent", "resolution_ns", "error_bound_ns", "synchronised");
 
@@ -23,8 +23,8 @@ namespace Nowpose.Protocol
                 {
                     case 0: RosTime.ReadStamp(ref json, out received); break;
                     case 1: RosTime.ReadStamp(ref json, out sent); break;
-                    case 2: ReadLength(ref json, GreatestResolution, out resolution); break;
-                    case 3: ReadLength(ref json, GreatestErrorBound, out bound); break;
+                    case 2: ReadLength(ref json, MaxResolution, out resolution); break;
+                    case 3: ReadLength(ref json, MaxErrorBound, out bound); break;
                     default: json.Flag(out isSynchronised); break;
                 }
             }
@@ -34,11 +34,11 @@ namespace Nowpose.Protocol
             return true;
         }
 
-        static bool ReadLength(ref JsonUtf8Reader json, long greatestNanoseconds, out TimeSpan length)
+        static bool ReadLength(ref JsonUtf8Reader json, long maxNanoseconds, out TimeSpan length)
         {
             length = default;
             if (!json.Integer(out var nanoseconds)) return false;
-            if (nanoseconds < 0 || nanoseconds > greatestNanoseconds) return json.Fail(DropReason.OutOfRange);
+            if (nanoseconds < 0 || nanoseconds > maxNanoseconds) return json.Fail(DropReason.OutOfRange);
             length = new TimeSpan(nanoseconds / ClockTicks.NanosecondsPerTick);
             return true;
         }

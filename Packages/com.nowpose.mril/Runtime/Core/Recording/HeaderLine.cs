@@ -29,7 +29,7 @@ namespace Nowpose.Recording
         }
 
         /// <summary>Writes the first line of a gateway's file: of the settings it contains only those that a prediction would use.</summary>
-        /// <param name="robot">Null if there is no robot description.</param>
+        /// <param name="robot">Null without a robot description.</param>
         public static void WriteOfGateway(JsonLine line, string cell, RobotModel robot, DateTime startedUtc)
         {
             line.Begin("session").Add("format", SessionFormat.Name).Add("version", SessionFormat.Version);

@@ -10,7 +10,7 @@ namespace Nowpose.Recording
     /// </remarks>
     sealed class JsonLine
     {
-        const int LongestNumber = 32;
+        const int MaxNumberLength = 32;
 
         char[] _text = new char[4096];
         int _length;
@@ -131,7 +131,7 @@ namespace Nowpose.Recording
 
         void Put(long value)
         {
-            Reserve(LongestNumber);
+            Reserve(MaxNumberLength);
             value.TryFormat(_text.AsSpan(_length), out var written, default, CultureInfo.InvariantCulture);
             _length += written;
         }
@@ -143,7 +143,7 @@ namespace Nowpose.Recording
                 Put("null");
                 return;
             }
-            Reserve(LongestNumber);
+            Reserve(MaxNumberLength);
             var room = _text.AsSpan(_length);
             value.TryFormat(room, out var written, "R", CultureInfo.InvariantCulture);
             // The format R loses the last digit of some numbers on some runtimes.

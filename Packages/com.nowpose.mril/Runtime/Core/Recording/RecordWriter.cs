@@ -31,7 +31,7 @@ namespace Nowpose.Recording
         volatile bool _isStopping;
         volatile string _problem;
         volatile RecordingState _state;
-        long _written, _lostTold;
+        long _written, _lostWritten;
 
         /// <param name="line">Contains the first line already.</param>
         /// <param name="recordLine">Writes into <paramref name="line"/>.</param>
@@ -99,7 +99,7 @@ namespace Nowpose.Recording
                 var asked = _flushes.Count;
                 if (!TryDrain(stream))
                 {
-                    _problem = "recording " + _settings.Path + " has stopped: it has reached its greatest size, "
+                    _problem = "recording " + _settings.Path + " has stopped: it has reached its maximum size, "
                         + (_settings.MaximumBytes / 1e6).ToString("0.###", CultureInfo.InvariantCulture) + " MB";
                     break;
                 }
@@ -119,9 +119,9 @@ namespace Nowpose.Recording
                 if (!TryPut(stream)) return false;
             }
             var lost = _ring.Lost;
-            if (lost == _lostTold) return true;
-            _line.Begin("lost").Add("count", lost - _lostTold).End();
-            _lostTold = lost;
+            if (lost == _lostWritten) return true;
+            _line.Begin("lost").Add("count", lost - _lostWritten).End();
+            _lostWritten = lost;
             return TryPut(stream);
         }
 

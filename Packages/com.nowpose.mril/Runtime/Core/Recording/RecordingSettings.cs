@@ -27,7 +27,7 @@ namespace Nowpose.Recording
             if (string.IsNullOrWhiteSpace(name)) throw new InputException("recording: no file is named; give the path of one");
             Path = name;
             Open = open ?? throw new ArgumentNullException(nameof(open));
-            MaximumBytes = (long)(SettingRange.Require(maximumMegabytes, 0.001, 100_000, "greatest size of the recording", "MB") * 1e6);
+            MaximumBytes = (long)(SettingRange.Require(maximumMegabytes, 0.001, 100_000, "maximum size of the recording", "MB") * 1e6);
             StartedUtc = startedUtc;
         }
 

@@ -31,7 +31,7 @@ namespace Nowpose.Recording
         TimeSpan _visualisation;
         RangeState? _range;
         ReprojectionMode _reprojection;
-        long _dropsTold;
+        long _dropsWritten;
 
         /// <summary>Starts recording at once; the file does not contain earlier events of the session.</summary>
         public SessionRecorder(CompensationSession session, RecordingSettings settings)
@@ -73,7 +73,7 @@ namespace Nowpose.Recording
             _session.Clock.Judged -= OnExchange;
             _session.Intake.SampleJudged -= OnSample;
             _session.Intake.PlanJudged -= OnPlan;
-            _session.StartedAnew -= OnStartedAnew;
+            _session.Restarted -= OnRestarted;
             _session.Ticked -= OnFrame;
             _writer.Stop();
         }
@@ -83,7 +83,7 @@ namespace Nowpose.Recording
             _session.Clock.Judged += OnExchange;
             _session.Intake.SampleJudged += OnSample;
             _session.Intake.PlanJudged += OnPlan;
-            _session.StartedAnew += OnStartedAnew;
+            _session.Restarted += OnRestarted;
             _session.Ticked += OnFrame;
         }
 
@@ -112,7 +112,7 @@ namespace Nowpose.Recording
             _ring.Publish(record);
         }
 
-        void OnStartedAnew(HeadsetTime at, ClockModel clock) => WriteClock(at, clock, isNewStart: true);
+        void OnRestarted(HeadsetTime at, ClockModel clock) => WriteClock(at, clock, isNewStart: true);
 
         void OnFrame(DisplayFrame frame)
         {
@@ -177,8 +177,8 @@ namespace Nowpose.Recording
 
         void WriteDrops(HeadsetTime at)
         {
-            if (_statistics.Dropped == _dropsTold || !TryClaim(RecordKind.Drops, out var record)) return;
-            _dropsTold = _statistics.Dropped;
+            if (_statistics.Dropped == _dropsWritten || !TryClaim(RecordKind.Drops, out var record)) return;
+            _dropsWritten = _statistics.Dropped;
             record.At = at;
             DropsLine.Fill(_session, record.Numbers);
             _ring.Publish(record);

@@ -34,13 +34,13 @@ namespace Nowpose.Session
         readonly HindcastMonitor _hindcast;
         readonly SessionMeasurements _measurements;
         readonly ApplicationLatency _latency = new ApplicationLatency();
-        readonly MomentOfLight _light;
+        readonly DisplayTimeSelector _light;
         readonly object _gate = new object();
         volatile ReceivedDescription _description = ReceivedDescription.None;
         volatile string _descriptionFault;
         readonly SessionConnections _connections;
         readonly string[] _jointNames;
-        ControlTime _told;
+        ControlTime _lastReported;
         DepthSubmission _depth;
         readonly ConditionCheck _conditions;
         bool _wasKnown;
@@ -62,14 +62,14 @@ namespace Nowpose.Session
             Robot = robot;
             _jointNames = robot.MovingJoints.Select(joint => joint.Name).ToArray();
             _conditions = new ConditionCheck(settings.RewriteBeforeRender);
-            _light = new MomentOfLight(settings.Visualisation, settings.Profile);
+            _light = new DisplayTimeSelector(settings.Visualisation, settings.Profile);
             _synchroniser = new ClockSynchroniser(settings.CreateClockEstimator(), settings.Clock);
             _monitor = new ConstantLatencyMonitor(settings.Range);
             _tracks = new JointTracks(robot, settings.Prediction);
             _frame = new DisplayFrame(robot, _tracks, settings.OutsideRange);
             _joints = new JointWatch(robot, _tracks, settings.Prediction.HorizonCap);
             _hindcast = new HindcastMonitor(robot, settings.Prediction.MaximumGap);
-            _tracks.StartedAnew += _hindcast.StartAnew;
+            _tracks.Restarted += _hindcast.Restart;
             _measurements = new SessionMeasurements(_synchroniser, _latency, _light, _monitor, _frame, _hindcast);
             Intake = new SessionIntake(robot, _tracks, _hindcast, _latency, settings.Prediction.FollowsPlans);
             Listener = new SessionListener(this, Intake, _joints, clock);
@@ -111,7 +111,14 @@ namespace Nowpose.Session
         /// Raised when all samples are removed because the clock stepped or became known; within <see cref="Tick"/>, before new samples are
         /// processed.
         /// </summary>
-        public event Action<HeadsetTime, ClockModel> StartedAnew;
+        public event Action<HeadsetTime, ClockModel> Restarted;
+
+        [Obsolete("use Restarted")]
+        public event Action<HeadsetTime, ClockModel> StartedAnew
+        {
+            add => Restarted += value;
+            remove => Restarted -= value;
+        }
 
         /// <summary>Provides the computed frame; raised at the end of each <see cref="Tick"/>.</summary>
         /// <remarks>
@@ -245,13 +252,13 @@ namespace Nowpose.Session
             lock (_gate)
             {
                 var clock = _displayClock.Follow(_synchroniser.ModelAt(start), start);
-                ForgetWhatAnotherClockStamped(start, clock);
+                ResetOnClockChange(start, clock);
                 Intake.TakeAll(clock);
                 var seen = _light.LightOf(start, isComparable: isLast && _monitor.State != RangeState.Outside);
                 var light = clock.IsKnown ? clock.ToControl(seen) : (ControlTime?)null;
                 _frame.IsDisplayTimeImplausible = _light.IsImplausible;
                 _frame.Update(
-                    start, light, clock, _settings.Clock.Trusts(clock), _monitor.State, _light.IsDoubted, _joints.IsAnyReportedMissing(start));
+                    start, light, clock, _settings.Clock.Trusts(clock), _monitor.State, _light.IsInconsistent, _joints.IsAnyReportedMissing(start));
                 if (isLast) _currentShare.Add(start, _frame.State == PoseState.Current);
                 _hindcast.Shown(_frame, clock.ErrorBound);
                 Ticked?.Invoke(_frame);
@@ -348,15 +355,15 @@ namespace Nowpose.Session
             lock (_gate)
             {
                 if (!(_frame.DisplayTime is ControlTime light) || !_frame.IsTimeTrusted || _frame.State == PoseState.Incomplete) return null;
-                if (light == _told) return null;
-                _told = light;
+                if (light == _lastReported) return null;
+                _lastReported = light;
                 return new JointStateMessage(light, _jointNames, _frame.Joints.ToArray(), frameId: _settings.Connection.HeadsetName);
             }
         }
 
         // Time stamps from before a step belong to another time line, and those from before the first exchange were not validated: one
         // from the future would hold the pose until that time.
-        void ForgetWhatAnotherClockStamped(HeadsetTime now, in ClockModel clock)
+        void ResetOnClockChange(HeadsetTime now, in ClockModel clock)
         {
             if (_steps == clock.Steps && _wasKnown == clock.IsKnown) return;
             _steps = clock.Steps;
@@ -364,7 +371,7 @@ namespace Nowpose.Session
             _tracks.Reset();
             _latency.Reset();
             _hindcast.Reset();
-            StartedAnew?.Invoke(now, clock);
+            Restarted?.Invoke(now, clock);
         }
     }
 }

@@ -56,7 +56,10 @@ namespace Nowpose.Session
         public OutsideRangeResponse OutsideRange { get; }
 
         /// <summary>Whether the runtime's display times contradict the calibration, see <see cref="DisplayTimeCheck"/>.</summary>
-        public bool IsDisplayTimeDoubted { get; private set; }
+        public bool IsDisplayTimeInconsistent { get; private set; }
+
+        [Obsolete("use IsDisplayTimeInconsistent")]
+        public bool IsDisplayTimeDoubted => IsDisplayTimeInconsistent;
 
         /// <summary>Whether the runtime's display times have been implausible for a second, see <see cref="SessionChange"/>.</summary>
         public bool IsDisplayTimeImplausible { get; internal set; }
@@ -79,12 +82,12 @@ namespace Nowpose.Session
         /// <param name="displayTime">Null while the clock is unsynchronised.</param>
         /// <param name="isJointReportedMissing">Whether the gateway reports that a joint of the robot has no data.</param>
         internal void Update(
-            HeadsetTime start, ControlTime? displayTime, in ClockModel clock, bool isTimeTrusted, RangeState range, bool isDisplayTimeDoubted,
+            HeadsetTime start, ControlTime? displayTime, in ClockModel clock, bool isTimeTrusted, RangeState range, bool isDisplayTimeInconsistent,
             bool isJointReportedMissing)
         {
             ClockState = clock.State;
             ClockError = clock.EstimatedError;
-            IsDisplayTimeDoubted = isDisplayTimeDoubted;
+            IsDisplayTimeInconsistent = isDisplayTimeInconsistent;
             Start = start;
             IsTimeTrusted = isTimeTrusted;
             Range = range;

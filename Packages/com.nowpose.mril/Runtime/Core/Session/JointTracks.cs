@@ -61,7 +61,7 @@ namespace Nowpose.Session
             HasSample(joint) ? _epoch + ClockTicks.Span(_joints[joint].NewestTime) : (ControlTime?)null;
 
         /// <summary>Raised within <see cref="Add"/> when a joint's source went back in time and its earlier samples were removed.</summary>
-        public event Action<int> StartedAnew;
+        public event Action<int> Restarted;
 
         /// <param name="joints">Indices of the message's joints among the robot's moving joints; negative for others.</param>
         /// <returns>Why the message was dropped; <see cref="DropReason.None"/> when at least one joint used its sample.</returns>
@@ -77,7 +77,7 @@ namespace Nowpose.Session
                 var each = ReasonOf(outcome);
                 if (each == DropReason.None) _limits.Add(joint, message.Positions[i]);
                 if (reason != DropReason.None) reason = each;
-                if (outcome == SampleOutcome.StartedAnew) StartedAnew?.Invoke(joint);
+                if (outcome == SampleOutcome.StartedAnew) Restarted?.Invoke(joint);
             }
             return reason;
         }

@@ -11,11 +11,11 @@ namespace Nowpose.Session
         public const double DefaultBlendMs = 14;
 
         /// <summary>Maximum blend time: a longer one would itself add latency.</summary>
-        const double GreatestBlendMs = 200;
+        const double MaxBlendMs = 200;
 
-        const double LeastSpeedShare = 0.01;
-        const double LeastLimit = 0.01;
-        const double GreatestLimit = 1e6;
+        const double MinSpeedShare = 0.01;
+        const double MinLimit = 0.01;
+        const double MaxLimit = 1e6;
 
         /// <summary>Settings for motion that is not known in advance.</summary>
         public static readonly PredictionSettings Default = new PredictionSettings();
@@ -44,9 +44,9 @@ namespace Nowpose.Session
             Predictor = predictor;
             HorizonCap = SettingRange.RequireMs(horizonCapMs, 0, 5000, "horizon cap");
             MaximumGap = SettingRange.RequireMs(maximumGapMs, 1, 60_000, "maximum gap");
-            Blend = SettingRange.RequireMs(blendMs, 0, GreatestBlendMs, "blend");
+            Blend = SettingRange.RequireMs(blendMs, 0, MaxBlendMs, "blend");
             FollowPlan = followPlan;
-            SpeedShare = SettingRange.Require(speedShare, LeastSpeedShare, 1, "speed share", "of the URDF's velocity");
+            SpeedShare = SettingRange.Require(speedShare, MinSpeedShare, 1, "speed share", "of the URDF's velocity");
             AccelerationLimit = RequireLimit(accelerationLimit, "acceleration limit", "rad/s²");
             JerkLimit = RequireLimit(jerkLimit, "jerk limit", "rad/s³");
             Create(JointLimits.None);
@@ -94,6 +94,6 @@ namespace Nowpose.Session
             limits.Acceleration, limits.Jerk, limits.IsEndless);
 
         static double RequireLimit(double value, string name, string unit) =>
-            double.IsPositiveInfinity(value) ? value : SettingRange.Require(value, LeastLimit, GreatestLimit, name, unit);
+            double.IsPositiveInfinity(value) ? value : SettingRange.Require(value, MinLimit, MaxLimit, name, unit);
     }
 }

@@ -11,7 +11,7 @@ namespace Nowpose.Session
     sealed class SampleBacklog
     {
         /// <summary>Maximum number of messages without selection: a source at 1 kHz sends 17 per frame at 60 Hz.</summary>
-        const int MostOfAUsualFrame = 30;
+        const int MaxUsualCount = 30;
 
         /// <summary>
         /// Number of newest samples of each joint that are selected from more messages: 6 ms for seven joints. Predictions use fewer, and
@@ -45,7 +45,7 @@ namespace Nowpose.Session
             Count = 0;
             while (Count < _oldestFirst.Length && queue.TryDequeue(out var arrival)) _oldestFirst[Count++] = arrival;
             Array.Clear(_samplesOfJoint, 0, _samplesOfJoint.Length);
-            for (var i = Count - 1; i >= 0; i--) _isWorthwhile[i] = Count <= MostOfAUsualFrame || HasNewSample(i);
+            for (var i = Count - 1; i >= 0; i--) _isWorthwhile[i] = Count <= MaxUsualCount || HasNewSample(i);
         }
 
         /// <summary>Releases the messages.</summary>

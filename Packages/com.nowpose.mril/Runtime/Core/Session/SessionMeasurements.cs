@@ -13,13 +13,13 @@ namespace Nowpose.Session
 
         readonly ClockSynchroniser _clock;
         readonly ApplicationLatency _latency;
-        readonly MomentOfLight _light;
+        readonly DisplayTimeSelector _light;
         readonly ConstantLatencyMonitor _monitor;
         readonly DisplayFrame _frame;
         readonly HindcastMonitor _hindcast;
 
         public SessionMeasurements(
-            ClockSynchroniser clock, ApplicationLatency latency, MomentOfLight light, ConstantLatencyMonitor monitor, DisplayFrame frame,
+            ClockSynchroniser clock, ApplicationLatency latency, DisplayTimeSelector light, ConstantLatencyMonitor monitor, DisplayFrame frame,
             HindcastMonitor hindcast)
         {
             _clock = clock;
@@ -59,14 +59,14 @@ namespace Nowpose.Session
             into.Profile = _light.Profile;
             into.IsLightPredicted = _light.IsPredicted;
             into.DisplayTimeDifference = _light.Difference;
-            into.IsDisplayTimeDoubted = _light.IsDoubted;
+            into.IsDisplayTimeInconsistent = _light.IsInconsistent;
             into.DisplayTimeAhead = _light.Ahead;
             into.IsDisplayTimeImplausible = _light.IsImplausible;
             into.Horizon = _frame.Horizon;
             into.RenderTime = _monitor.RenderTime;
             into.RenderTimeSource = _monitor.Source;
             into.Range = _monitor.State;
-            into.RangeDoubt = _monitor.Doubt;
+            into.RangeUnknownReason = _monitor.UnknownReason;
         }
 
         void FillError(SessionStatistics into)

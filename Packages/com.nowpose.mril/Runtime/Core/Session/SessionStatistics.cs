@@ -51,7 +51,10 @@ namespace Nowpose.Session
         public TimeSpan? DisplayTimeDifference { get; internal set; }
 
         /// <summary>Whether that difference lasts and is too large, see <see cref="DisplayTimeCheck"/>.</summary>
-        public bool IsDisplayTimeDoubted { get; internal set; }
+        public bool IsDisplayTimeInconsistent { get; internal set; }
+
+        [Obsolete("use IsDisplayTimeInconsistent")]
+        public bool IsDisplayTimeDoubted => IsDisplayTimeInconsistent;
 
         /// <summary>Newest display time from the source minus its frame's start, used or not; null without one.</summary>
         public TimeSpan? DisplayTimeAhead { get; internal set; }
@@ -84,7 +87,7 @@ namespace Nowpose.Session
         public RangeState Range { get; internal set; }
 
         /// <summary>Reason why <see cref="Range"/> is unknown.</summary>
-        internal RangeDoubt RangeDoubt { get; set; }
+        internal RangeUnknownReason RangeUnknownReason { get; set; }
 
         /// <summary>
         /// Error of the displayed tool relative to its true position from later samples, over the newest ten seconds, mm. Excludes errors

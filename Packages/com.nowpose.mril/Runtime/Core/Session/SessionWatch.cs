@@ -14,22 +14,22 @@ namespace Nowpose.Session
         static readonly TimeSpan Settle = TimeSpan.FromMilliseconds(500);
 
         SettledFlag _isSynchronised, _isInRange, _isFresh;
-        bool _isDisplayTimeDoubted, _isDisplayTimeImplausible;
+        bool _isDisplayTimeInconsistent, _isDisplayTimeImplausible;
 
         public SessionWatch() => Forget();
 
         /// <summary>Returns the changes of a frame.</summary>
         public SessionChange Changed(DisplayFrame frame) =>
             Changed(
-                frame.Start, frame.State, frame.IsTimeTrusted, frame.Range, frame.IsDisplayTimeDoubted, frame.IsDisplayTimeImplausible);
+                frame.Start, frame.State, frame.IsTimeTrusted, frame.Range, frame.IsDisplayTimeInconsistent, frame.IsDisplayTimeImplausible);
 
         /// <summary>Returns the changes of a frame that is given by its properties.</summary>
         /// <param name="at">Start of the frame, not earlier than that of the previous frame.</param>
         /// <param name="isTimeTrusted">Value of <see cref="DisplayFrame.IsTimeTrusted"/>.</param>
-        /// <param name="isDisplayTimeDoubted">Value of <see cref="DisplayFrame.IsDisplayTimeDoubted"/>, which does not flicker.</param>
+        /// <param name="isDisplayTimeInconsistent">Value of <see cref="DisplayFrame.IsDisplayTimeInconsistent"/>, which does not flicker.</param>
         /// <param name="isDisplayTimeImplausible">Value of <see cref="DisplayFrame.IsDisplayTimeImplausible"/>, which does not flicker.</param>
         public SessionChange Changed(
-            HeadsetTime at, PoseState pose, bool isTimeTrusted, RangeState range, bool isDisplayTimeDoubted = false,
+            HeadsetTime at, PoseState pose, bool isTimeTrusted, RangeState range, bool isDisplayTimeInconsistent = false,
             bool isDisplayTimeImplausible = false)
         {
             var changes = SessionChange.None;
@@ -41,8 +41,8 @@ namespace Nowpose.Session
             if (pose == PoseState.Incomplete || pose == PoseState.Unsynchronised) _isFresh.Interrupt();
             else if (_isFresh.Update(at, pose != PoseState.Held, Settle) && pose == PoseState.Held)
                 changes |= SessionChange.Stale;
-            if (isDisplayTimeDoubted && !_isDisplayTimeDoubted) changes |= SessionChange.DisplayTimeDoubted;
-            _isDisplayTimeDoubted = isDisplayTimeDoubted;
+            if (isDisplayTimeInconsistent && !_isDisplayTimeInconsistent) changes |= SessionChange.DisplayTimeDoubted;
+            _isDisplayTimeInconsistent = isDisplayTimeInconsistent;
             if (isDisplayTimeImplausible != _isDisplayTimeImplausible)
                 changes |= isDisplayTimeImplausible ? SessionChange.DisplayTimeImplausible : SessionChange.DisplayTimePlausible;
             _isDisplayTimeImplausible = isDisplayTimeImplausible;
@@ -63,7 +63,7 @@ namespace Nowpose.Session
             _isSynchronised = new SettledFlag(false);
             _isInRange = new SettledFlag(null);
             _isFresh = new SettledFlag(false);
-            _isDisplayTimeDoubted = false;
+            _isDisplayTimeInconsistent = false;
             _isDisplayTimeImplausible = false;
         }
     }

@@ -12,9 +12,9 @@ namespace Nowpose.Session
     sealed class VisualisationNudge
     {
         /// <summary>Maximum offset, larger than the error of a calibration; a larger one requires a new calibration.</summary>
-        public const double GreatestMs = 50;
+        public const double MaxMs = 50;
 
-        static readonly double LongestMs = LatencyProfile.GreatestVisuMs;
+        static readonly double MaxVisuMs = LatencyProfile.MaxVisuMs;
 
         CompensationSession _session;
         VisualisationLatency _calibrated;
@@ -24,7 +24,7 @@ namespace Nowpose.Session
         bool _hasBegun;
 
         /// <summary>
-        /// The offset, ms; positive predicts further ahead. Limited to ±<see cref="GreatestMs"/> and to the valid range of L_visu. NaN
+        /// The offset, ms; positive predicts further ahead. Limited to ±<see cref="MaxMs"/> and to the valid range of L_visu. NaN
         /// becomes 0.
         /// </summary>
         public double Ms
@@ -77,10 +77,10 @@ namespace Nowpose.Session
         double Allowed(double ms)
         {
             if (double.IsNaN(ms)) return 0;
-            var kept = Math.Max(-GreatestMs, Math.Min(GreatestMs, ms));
+            var kept = Math.Max(-MaxMs, Math.Min(MaxMs, ms));
             if (!_hasBegun) return kept;
             var calibrated = _calibrated.Length.TotalMilliseconds;
-            return Math.Max(-calibrated, Math.Min(LongestMs - calibrated, kept));
+            return Math.Max(-calibrated, Math.Min(MaxVisuMs - calibrated, kept));
         }
     }
 }

@@ -12,7 +12,7 @@ namespace Nowpose.Simulation
     public sealed class VirtualCell
     {
         /// <summary>Maximum pause between two calls; earlier events are lost, as for a headset that was asleep.</summary>
-        static readonly TimeSpan LongestPause = TimeSpan.FromSeconds(2);
+        static readonly TimeSpan MaxPause = TimeSpan.FromSeconds(2);
 
         readonly IMotion _motion;
         readonly HeadsetTime _start;
@@ -45,7 +45,7 @@ namespace Nowpose.Simulation
         /// <param name="session">The session, which may differ from that of the last call.</param>
         public void Run(HeadsetTime now, CompensationSession session)
         {
-            var from = now - LongestPause;
+            var from = now - MaxPause;
             _exchanges.Run(from, now, Settings, session);
             _samples.Run(from, now, Settings, session);
             if (PlanLag.HasValue) _plans.Run(from, now, PlanLag.Value, Settings, session);

@@ -7,11 +7,11 @@ namespace Nowpose.Unity.Anchoring
     /// <summary>Logs a change of a base anchor's state.</summary>
     static class AnchorLog
     {
-        public static void Say(Object anchor, BaseAnchorState state, string words, bool isWrong)
+        public static void Log(Object anchor, BaseAnchorState state, string words, bool isWrong)
         {
             var message = "base anchor '" + anchor.name + "': " + words;
             if (state == BaseAnchorState.Moved || state == BaseAnchorState.Lost || isWrong) ConsoleLog.Warn(anchor, message);
-            else ConsoleLog.Say(anchor, message);
+            else ConsoleLog.Info(anchor, message);
         }
     }
 }

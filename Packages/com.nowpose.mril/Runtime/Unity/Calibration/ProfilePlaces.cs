@@ -26,7 +26,7 @@ namespace Nowpose.Unity.Calibration
         /// <summary>Why the places before the result, or all places, were rejected; one line each.</summary>
         public IReadOnlyList<string> Refusals => _refusals;
 
-        /// <returns>Null if there is no profile that is valid for this device.</returns>
+        /// <returns>Null if no profile is valid for this device.</returns>
         public LatencyProfile Find(out string from)
         {
             _refusals.Clear();

@@ -16,7 +16,7 @@ namespace Nowpose.Unity.Calibration
 
         public static string Begun(SweepPlan plan, string path) => Of(
             "load sweep of {0} loads up to {1} vertices, {2:0} s and the time to build them, to {3}",
-            plan.Loads.Count, plan.MostVertices, plan.Duration.TotalSeconds, path);
+            plan.Loads.Count, plan.LargestLoad, plan.Duration.TotalSeconds, path);
 
         public static string Changed(ConditionMismatch change) => Of(
             "load sweep stopped: {0} changed from '{1}' to '{2}' during the sweep; keep it as it is and sweep again",

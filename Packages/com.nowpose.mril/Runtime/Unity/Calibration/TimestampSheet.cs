@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>The objects of a timestamp display: the code, the time as text below it, and a message if there is no time.</summary>
+    /// <summary>The objects of a timestamp display: the code, the time as text below it, and a message while the time is unknown.</summary>
     sealed class TimestampSheet
     {
         const string Name = "Timestamp";

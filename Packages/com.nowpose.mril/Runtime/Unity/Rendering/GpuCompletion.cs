@@ -13,11 +13,11 @@ namespace Nowpose.Unity.Rendering
     sealed class GpuCompletion
     {
         /// <summary>Maximum readbacks in progress, more than a GPU queues frames; further frames are not measured.</summary>
-        const int MostInFlight = 4;
+        const int MaxInFlight = 4;
 
         readonly IHeadsetClock _clock;
         readonly Action<AsyncGPUReadbackRequest> _onRead;
-        readonly HeadsetTime[] _triggers = new HeadsetTime[MostInFlight];
+        readonly HeadsetTime[] _triggers = new HeadsetTime[MaxInFlight];
         Texture2D _texture;
         TimeSpan _newest;
         int _first, _inFlight;
@@ -39,9 +39,9 @@ namespace Nowpose.Unity.Rendering
         /// <summary>Reports that a render job was submitted to the GPU.</summary>
         public void Submitted(HeadsetTime triggered)
         {
-            if (_inFlight == MostInFlight || !SystemInfo.supportsAsyncGPUReadback) return;
+            if (_inFlight == MaxInFlight || !SystemInfo.supportsAsyncGPUReadback) return;
             if (_texture == null) _texture = Uploaded();
-            _triggers[(_first + _inFlight++) % MostInFlight] = triggered;
+            _triggers[(_first + _inFlight++) % MaxInFlight] = triggered;
             AsyncGPUReadback.Request(_texture, 0, _onRead);
         }
 
@@ -64,7 +64,7 @@ namespace Nowpose.Unity.Rendering
         void Read(AsyncGPUReadbackRequest request)
         {
             var triggered = _triggers[_first];
-            _first = (_first + 1) % MostInFlight;
+            _first = (_first + 1) % MaxInFlight;
             _inFlight--;
             if (!request.hasError) _newest = _clock.Now - triggered;
         }

@@ -72,6 +72,6 @@ namespace Nowpose.Unity.Rendering
             Words.Length > 0 ? Words + ", " + words : words, Reason.Length > 0 ? Reason + "; " + reason : reason, Mathf.Max(Fade, fade), IsDrawn);
 
         /// <summary>Replaces the words, for parts that do not follow the pose and are not drawn.</summary>
-        public PoseLook Saying(string words, string reason) => new PoseLook(words, reason, Fade, IsDrawn, IsHatched);
+        public PoseLook With(string words, string reason) => new PoseLook(words, reason, Fade, IsDrawn, IsHatched);
     }
 }

@@ -8,7 +8,7 @@ namespace Nowpose.Unity.Session
         /// <summary>Prefix of all lines; together with a constant text it causes no allocation.</summary>
         public const string Prefix = "[Nowpose] ";
 
-        public static void Say(Object context, string message) => Debug.Log(Prefix + message, context);
+        public static void Info(Object context, string message) => Debug.Log(Prefix + message, context);
         public static void Warn(Object context, string message) => Debug.LogWarning(Prefix + message, context);
         public static void Fail(Object context, string message) => Debug.LogError(Prefix + message, context);
     }

@@ -7,7 +7,7 @@ namespace Nowpose.Unity.Session
     struct DescriptionWatch
     {
         RobotModel _newest;
-        UrdfHash _told;
+        UrdfHash _reported;
         string _fault;
 
         /// <summary>The robot that the gateway describes; null before the first description, and if an asset describes the robot.</summary>
@@ -26,10 +26,10 @@ namespace Nowpose.Unity.Session
             if (asset != null)
             {
                 log.Warn("the gateway describes robot '" + described.Name + "' by another URDF than asset '" + asset.name
-                    + "' holds; what is shown may stand beside the real robot");
+                    + "' holds; the displayed robot may differ from the real one");
                 return false;
             }
-            log.Say("the gateway describes robot '" + described.Name + "'");
+            log.Info("the gateway describes robot '" + described.Name + "'");
             Robot = described;
             return true;
         }
@@ -38,8 +38,8 @@ namespace Nowpose.Unity.Session
         {
             if (described == null || described == _newest) return false;
             _newest = described;
-            if (described.SourceHash == _told || described.SourceHash == shown?.SourceHash) return false;
-            _told = described.SourceHash;
+            if (described.SourceHash == _reported || described.SourceHash == shown?.SourceHash) return false;
+            _reported = described.SourceHash;
             return true;
         }
 

@@ -15,22 +15,22 @@ namespace Nowpose.Unity.Session
             "L_visu is as calibrated. Restart the application; if it happens again, disable Display Time and report the line of the "
             + "performance counter in the log";
 
-        const string Said = Implausible + "; " + WhatToDo;
+        const string Warning = Implausible + "; " + WhatToDo;
 
         /// <summary>Returns the message with the newest value; allocates.</summary>
         /// <param name="ahead">Display time minus the frame's start; null if it is no longer known.</param>
         public static string ImplausibleTimes(TimeSpan? ahead) => ahead.HasValue
             ? Implausible + ": " + ahead.Value.TotalMilliseconds.ToString("0.#", CultureInfo.InvariantCulture)
                 + " ms after the start of the frame; 0 to 500 ms are possible. " + WhatToDo
-            : Said;
+            : Warning;
 
         /// <summary>Returns the current problem. Allocates nothing.</summary>
         /// <param name="statistics">Null without a session.</param>
-        /// <returns>Null if there is no problem.</returns>
+        /// <returns>Null without a problem.</returns>
         public static string ProblemOf(SessionStatistics statistics)
         {
             if (statistics == null) return null;
-            return statistics.IsDisplayTimeImplausible ? Said : DepthSubmissionWords.ProblemOf(statistics.DepthSubmission);
+            return statistics.IsDisplayTimeImplausible ? Warning : DepthSubmissionWords.ProblemOf(statistics.DepthSubmission);
         }
     }
 }

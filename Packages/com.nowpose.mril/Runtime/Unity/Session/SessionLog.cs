@@ -21,7 +21,7 @@ namespace Nowpose.Unity.Session
         /// <param name="context">The object that the console selects when the line is clicked.</param>
         public SessionLog(Object context) => _context = context;
 
-        public void Say(string message) => ConsoleLog.Say(_context, message);
+        public void Info(string message) => ConsoleLog.Info(_context, message);
         public void Warn(string message) => ConsoleLog.Warn(_context, message);
         public void Fail(string message) => ConsoleLog.Fail(_context, message);
 
@@ -39,7 +39,7 @@ namespace Nowpose.Unity.Session
         /// <summary>Logs a change. Allocates only for display times of the runtime and for joints without data; other texts are constants.</summary>
         /// <param name="session">Null if it has ended.</param>
         /// <param name="statistics">Statistics of the frame with the change; null if the session has ended.</param>
-        public void Say(SessionChange change, CompensationSession session, SessionStatistics statistics)
+        public void Log(SessionChange change, CompensationSession session, SessionStatistics statistics)
         {
             if ((change & SessionChange.Synchronised) != 0) Debug.Log(ConsoleLog.Prefix + "clock synchronised", _context);
             if ((change & SessionChange.Lost) != 0)
@@ -49,7 +49,8 @@ namespace Nowpose.Unity.Session
             if ((change & SessionChange.LeftRange) != 0)
                 Debug.LogWarning(ConsoleLog.Prefix + "render time beyond the constant-latency range; poses are late by an unknown time", _context);
             if ((change & SessionChange.DisplayTimeDoubted) != 0)
-                Debug.LogWarning(ConsoleLog.Prefix + "display times of the runtime and the calibrated L_visu differ by more than 5 ms; calibrate anew", _context);
+                Debug.LogWarning(
+                    ConsoleLog.Prefix + "display times of the runtime and the calibrated L_visu differ by more than 5 ms; calibrate again", _context);
             if ((change & SessionChange.DisplayTimeImplausible) != 0) Warn(DisplayWords.ImplausibleTimes(session?.DisplayTimeAhead));
             if ((change & SessionChange.DisplayTimePlausible) != 0)
                 Debug.Log(ConsoleLog.Prefix + "display times of the runtime are plausible again, and used", _context);
@@ -71,12 +72,12 @@ namespace Nowpose.Unity.Session
         }
 
         // Logs a reason once while the link retries for the same reason.
-        void Follow(LinkStatus link, string name, ref string said)
+        void Follow(LinkStatus link, string name, ref string logged)
         {
-            if (link.State == LinkState.Connecting || link.Detail == said) return;
+            if (link.State == LinkState.Connecting || link.Detail == logged) return;
             if (link.State == LinkState.Waiting) Warn(link.Detail);
-            else if (said != null || link.State == LinkState.Connected) Say(name + ": " + link.Detail);
-            said = link.Detail;
+            else if (logged != null || link.State == LinkState.Connected) Info(name + ": " + link.Detail);
+            logged = link.Detail;
         }
     }
 }

@@ -11,7 +11,7 @@ namespace Nowpose.Unity.Session
         public static MrilSession SessionOr(this Component component, MrilSession assigned) =>
             assigned != null ? assigned : component.GetComponentInParent<MrilSession>();
 
-        /// <returns>The session's headset clock; the device's own if there is no session, or it was destroyed.</returns>
+        /// <returns>The session's headset clock; the device's own without a session, or if it was destroyed.</returns>
         public static IHeadsetClock ClockOrDevices(this MrilSession session) => session != null ? session.HeadsetClock : DeviceClock;
     }
 }

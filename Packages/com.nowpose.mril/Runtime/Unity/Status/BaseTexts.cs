@@ -49,7 +49,7 @@ namespace Nowpose.Unity.Status
         }
 
         // The base is locked, but there is something to report.
-        static bool IsWrong(BaseTracker tracker) => tracker != null && (tracker.Quarrel != null || tracker.Problem != null || tracker.IsCorrected);
+        static bool IsWrong(BaseTracker tracker) => tracker != null && (tracker.Conflict != null || tracker.Problem != null || tracker.IsCorrected);
 
         static double Worst(BaseTracker tracker)
         {

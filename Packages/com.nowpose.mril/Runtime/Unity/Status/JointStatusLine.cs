@@ -28,7 +28,7 @@ namespace Nowpose.Unity.Status
         }
 
         /// <summary>Returns the line; null if there is nothing to describe.</summary>
-        /// <param name="statistics">Null while there is no session.</param>
+        /// <param name="statistics">Null without a session.</param>
         public string Of(SessionStatistics statistics)
         {
             _chosen.Clear();

@@ -15,7 +15,7 @@ namespace Nowpose.Unity.Status
         public string Of(SessionStatistics statistics)
         {
             if (statistics.IsDisplayTimeImplausible) return "runtime's are implausible";
-            if (statistics.IsDisplayTimeDoubted) return "runtime and calibration differ";
+            if (statistics.IsDisplayTimeInconsistent) return "runtime and calibration differ";
             if (statistics.IsLightPredicted) return "predicted by the runtime";
             if (statistics.Profile == null) return "as set";
             if (statistics.Profile != _profile || statistics.ProfileMismatches != _mismatches)

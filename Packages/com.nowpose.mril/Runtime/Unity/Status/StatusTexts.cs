@@ -31,7 +31,7 @@ namespace Nowpose.Unity.Status
         static readonly string HeldOutside = "! " + PoseWords.Of(PoseState.OutsideRange, OutsideRangeResponse.Hold);
 
         static readonly NumberTexts Milliseconds = new NumberTexts("", " ms", (2, 1, 0));
-        static readonly NumberTexts DoubtedMilliseconds = new NumberTexts("! ", " ms", (2, 1, 0));
+        static readonly NumberTexts MarkedMilliseconds = new NumberTexts("! ", " ms", (2, 1, 0));
         static readonly NumberTexts Bounds = new NumberTexts("± ", " ms", (2, 1, 0));
         static readonly NumberTexts CoarseClock = new NumberTexts("clock ± ", " ms", (2, 1, 0));
         static readonly NumberTexts Percentiles = new NumberTexts("95 % below ", " ms", (0, 0, 0));
@@ -79,7 +79,7 @@ namespace Nowpose.Unity.Status
         /// <param name="statistics">Null without a session.</param>
         /// <param name="settings">Null if they are unknown.</param>
         /// <param name="robot">Name of the robot; null if it is unknown.</param>
-        /// <param name="problem">Why there is no session; null if there is no problem.</param>
+        /// <param name="problem">Why no session exists; null without a problem.</param>
         /// <param name="anchor">Anchor of the base; null for none.</param>
         /// <param name="pairing">Pairing of the session; null for none.</param>
         public void Update(
@@ -103,9 +103,9 @@ namespace Nowpose.Unity.Status
             var fault = obstacle ?? FaultOf(statistics) ?? _missingJoints.Of(statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
                 ?? statistics?.BeyondLimits?.Words ?? DisplayWords.ProblemOf(statistics)
                 ?? (IsMismatched(statistics) ? statistics.ProfileMismatches[0].Words : null);
-            if (guidance != null) Say(guidance, "");
-            else if (fault != null) Say(fault, "! ");
-            else Say(_restingJoints.Of(statistics) ?? (TellsOfJoints && statistics != null ? _joints.Of(statistics.JointErrors) : null), "");
+            if (guidance != null) SetMessage(guidance, "");
+            else if (fault != null) SetMessage(fault, "! ");
+            else SetMessage(_restingJoints.Of(statistics) ?? (TellsOfJoints && statistics != null ? _joints.Of(statistics.JointErrors) : null), "");
         }
 
         void UpdateTimes(SessionStatistics statistics)
@@ -121,11 +121,11 @@ namespace Nowpose.Unity.Status
         {
             var percentile = statistics.ApplicationLatency95;
             Set(StatusRow.ApplicationLatency, Milliseconds.Of(statistics.ApplicationLatency), percentile.HasValue ? Percentiles.Of(percentile) : "");
-            var isDoubted = statistics.IsDisplayTimeDoubted || statistics.IsDisplayTimeImplausible || IsMismatched(statistics);
-            var visualisation = isDoubted ? DoubtedMilliseconds : Milliseconds;
+            var isUncertain = statistics.IsDisplayTimeInconsistent || statistics.IsDisplayTimeImplausible || IsMismatched(statistics);
+            var visualisation = isUncertain ? MarkedMilliseconds : Milliseconds;
             Set(StatusRow.VisualisationLatency, visualisation.Of(statistics.VisualisationLatency), _origin.Of(statistics));
             Set(StatusRow.RenderTime, Milliseconds.Of(statistics.RenderTime), RenderTimeWords.NameOf(statistics.RenderTimeSource));
-            Set(StatusRow.Range, RangeOf(statistics.Range), DoubtOf(statistics.RangeDoubt));
+            Set(StatusRow.Range, RangeOf(statistics.Range), ReasonOf(statistics.RangeUnknownReason));
             UpdateError(statistics.ToolError);
         }
 
@@ -162,7 +162,7 @@ namespace Nowpose.Unity.Status
             _notes[(int)row] = note;
         }
 
-        void Say(string message, string mark)
+        void SetMessage(string message, string mark)
         {
             if (message == _message && _values[(int)StatusRow.Message] != null) return;
             _message = message;
@@ -218,15 +218,15 @@ namespace Nowpose.Unity.Status
             }
         }
 
-        static string DoubtOf(RangeDoubt doubt)
+        static string ReasonOf(RangeUnknownReason reason)
         {
-            switch (doubt)
+            switch (reason)
             {
-                case RangeDoubt.NoLimit: return "no limit is known";
-                case RangeDoubt.NoRenderTime: return "nothing measures";
-                case RangeDoubt.TooFewFrames: return "measuring";
-                case RangeDoubt.OtherSource: return "limit of another source";
-                case RangeDoubt.BeyondMeasured: return "beyond what was measured";
+                case RangeUnknownReason.NoLimit: return "no limit is known";
+                case RangeUnknownReason.NoRenderTime: return "nothing measures";
+                case RangeUnknownReason.TooFewFrames: return "measuring";
+                case RangeUnknownReason.OtherSource: return "limit of another source";
+                case RangeUnknownReason.BeyondMeasured: return "beyond what was measured";
                 default: return "";
             }
         }

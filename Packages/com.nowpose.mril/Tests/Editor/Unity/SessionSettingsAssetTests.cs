@@ -155,7 +155,7 @@ namespace Nowpose.Tests.Unity
         [TestCase("_jerkRadians", double.NaN, "jerk limit", "NaN rad/s³", "0.01 to 1000000")]
         [TestCase("_maximumGapMs", 0.5, "maximum gap", "0.5 ms", "1 to 60000 ms")]
         [TestCase("_blendMs", 250.0, "blend", "250 ms", "0 to 200 ms")]
-        [TestCase("_clockSource", (ControlClockSource)2, "clock source", "no choice 2", "0 (clock sync) and 1 (ROS time)")]
+        [TestCase("_clockSource", (ControlClockSource)2, "clock source", "2 is unknown", "0 (clock sync) and 1 (ROS time)")]
         [TestCase("_clockEstimator", "paper", "clock estimator", "'paper'", "default, ransac")]
         [TestCase("_syncIntervalMs", 19.0, "sync interval", "19 ms", "20 to 10000 ms")]
         public void ToSettings_InvalidValue_ThrowsInOneLineWithAssetFieldValueAndRange(string field, object value, params string[] named)

@@ -16,7 +16,7 @@ namespace Nowpose.Anchoring.Fitting
     static class BaseFit
     {
         /// <summary>Limits of the estimated angle error of the prints, rad, because an estimate from three markers is uncertain.</summary>
-        const double LeastAskew = 0.1 * Math.PI / 180, MostAskew = 2 * Math.PI / 180;
+        const double MinTiltError = 0.1 * Math.PI / 180, MaxTiltError = 2 * Math.PI / 180;
 
         /// <param name="markers">One marker or more.</param>
         /// <param name="without">Index of a marker to omit; −1 for none.</param>
@@ -41,7 +41,7 @@ namespace Nowpose.Anchoring.Fitting
                 count++;
             }
             // The positions of one or two markers do not determine the rotation of the base.
-            return count < 3 ? assumed : Math.Min(Math.Max(sum / count, LeastAskew * LeastAskew), MostAskew * MostAskew);
+            return count < 3 ? assumed : Math.Min(Math.Max(sum / count, MinTiltError * MinTiltError), MaxTiltError * MaxTiltError);
         }
 
         static RigidTransform Of(IReadOnlyList<MarkerEstimate> markers, int without, double placedVariance)

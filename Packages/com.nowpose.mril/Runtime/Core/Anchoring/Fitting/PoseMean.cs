@@ -14,7 +14,7 @@ namespace Nowpose.Anchoring.Fitting
         const double Reach = 2.5;
 
         /// <summary>Minimum thresholds, for rounding errors of equal poses.</summary>
-        const double LeastMetres = 1e-6, LeastRadians = 1e-6;
+        const double MinMetres = 1e-6, MinRadians = 1e-6;
 
         const int Rounds = 4;
 
@@ -67,7 +67,7 @@ namespace Nowpose.Anchoring.Fitting
                 distances[i] = DistanceOf(window.PoseOf(i), middle);
                 weights[i] = 1;
             }
-            var reach = Math.Max(Reach * space.MedianOf(distances, count), LeastMetres);
+            var reach = Math.Max(Reach * space.MedianOf(distances, count), MinMetres);
             for (var i = 0; i < count; i++)
                 if (distances[i] > reach) weights[i] = 0;
 
@@ -80,8 +80,8 @@ namespace Nowpose.Anchoring.Fitting
                 for (var i = 0; i < count; i++)
                 {
                     if (distances[i] > reach) weights[i] = 0;
-                    else if (round < Rounds / 2) weights[i] = 1 / (angles[i] + 0.1 * typical + LeastRadians);
-                    else weights[i] = angles[i] <= Math.Max(Reach * typical, LeastRadians) ? 1 : 0;
+                    else if (round < Rounds / 2) weights[i] = 1 / (angles[i] + 0.1 * typical + MinRadians);
+                    else weights[i] = angles[i] <= Math.Max(Reach * typical, MinRadians) ? 1 : 0;
                 }
                 mean = Mean(window, count, weights);
             }

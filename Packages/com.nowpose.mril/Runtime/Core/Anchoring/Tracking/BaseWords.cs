@@ -16,7 +16,7 @@ namespace Nowpose.Anchoring.Tracking
         static readonly TimeSpan Blind = TimeSpan.FromSeconds(10);
 
         readonly AnchoringSettings _settings;
-        Subject _said;
+        Subject _shown;
         HeadsetTime _since;
         HeadsetTime? _searching;
         HeadsetTime _last;
@@ -31,8 +31,8 @@ namespace Nowpose.Anchoring.Tracking
             if (now - _last > Refresh || now < _last) _searching = null;
             _last = now;
             var subject = SubjectOf(tracker, now);
-            if (subject.HasKindOf(_said) && (subject.IsNear(_said) || now - _since < Refresh)) return;
-            (_said, _since) = (subject, now);
+            if (subject.HasKindOf(_shown) && (subject.IsNear(_shown) || now - _since < Refresh)) return;
+            (_shown, _since) = (subject, now);
             Text = TextOf(subject, tracker);
         }
 
@@ -54,7 +54,7 @@ namespace Nowpose.Anchoring.Tracking
         {
             var isCorrected = tracker.IsCorrected;
             return new Subject(
-                Kind.Locked, tracker.Lock, tracker.Quarrel, tracker.Problem, isCorrected ? Mm(tracker.CorrectedMetres) : 0,
+                Kind.Locked, tracker.Lock, tracker.Conflict, tracker.Problem, isCorrected ? Mm(tracker.CorrectedMetres) : 0,
                 isCorrected ? Tenths(tracker.CorrectedRadians) : 0, isCorrected ? 1 : 0);
         }
 
@@ -62,19 +62,19 @@ namespace Nowpose.Anchoring.Tracking
         {
             _searching ??= now;
             if (tracker.IsBeingPlaced) return new Subject(Kind.BeingPlaced);
-            if (tracker.Quarrel is MarkerQuarrel quarrel)
-                return new Subject(Kind.Quarrel, quarrel.Marker, quarrel.Other, null, Mm(quarrel.Metres), Tenths(quarrel.Radians));
+            if (tracker.Conflict is { } conflict)
+                return new Subject(Kind.Conflict, conflict.Marker, conflict.Other, null, Mm(conflict.Metres), Tenths(conflict.Radians));
             TrackedMarker newest = null;
             var seen = 0;
             for (var i = 0; i < tracker.Markers.Count; i++)
             {
                 var marker = tracker.Markers[i];
                 if (marker.IsFresh(now)) seen++;
-                if (!(marker.LastTold is HeadsetTime told) || now - told > InView) continue;
+                if (!(marker.LastReported is HeadsetTime reported) || now - reported > InView) continue;
                 if (marker.IsFresh(now) && marker.IsReady && marker.IsMoving) return new Subject(Kind.Moving, marker.Marker);
                 if (marker.IsFresh(now) && marker.IsReady && marker.SpreadMetres is double spread && spread > 0)
                     return new Subject(Kind.Scatters, marker.Marker, null, null, Mm(spread), Tenths(marker.SpreadRadians.Value));
-                if (newest == null || told > newest.LastTold) newest = marker;
+                if (newest == null || reported > newest.LastReported) newest = marker;
             }
             if (seen > 0) return new Subject(Kind.Gathers, null, null, null, seen, 0);
             return newest != null && newest.Fault != SightingFault.None
@@ -84,7 +84,7 @@ namespace Nowpose.Anchoring.Tracking
 
         Subject Look(BaseTracker tracker, HeadsetTime now)
         {
-            var since = tracker.Told is HeadsetTime told && told > _searching.Value ? told : _searching.Value;
+            var since = tracker.LastReport is HeadsetTime reported && reported > _searching.Value ? reported : _searching.Value;
             var isBlind = tracker.SourceProblem == null && now - since > Blind;
             return new Subject(Kind.Looking, tracker.SourceProblem, count: isBlind ? 1 : 0);
         }
@@ -110,22 +110,22 @@ namespace Nowpose.Anchoring.Tracking
             switch (subject.Kind)
             {
                 case Kind.BeingPlaced: return "being placed by hand";
-                case Kind.Quarrel: return Name(subject.First) + " and " + Name(subject.Second) + " contradict each other by " + off
-                    + ": measure their places anew";
+                case Kind.Conflict: return Name(subject.First) + " and " + Name(subject.Second) + " contradict each other by " + off
+                    + ": measure their places again";
                 case Kind.Scatters: return Name(subject.First) + " scatters by " + off + ": go nearer, keep still";
                 case Kind.Gathers: return subject.A + " of " + tracker.Markers.Count + " markers in view: keep looking";
                 case Kind.Ignored: return Name(subject.First) + " " + WhyIgnored((SightingFault)subject.Count);
                 case Kind.Moving: return Name(subject.First) + " is moving: keep it and the robot still";
                 case Kind.Looking: return "looking for markers" + (subject.Count > 0 ? "; is the camera allowed?" : Because((string)subject.First));
                 case Kind.Moved: return (subject.Count > 1 ? subject.Count + " markers, the worst " : "") + Name(subject.First) + ", " + off
-                    + " from where it belongs: put it back, or lock anew";
+                    + " from where it belongs: put it back, or lock again";
                 case Kind.Locked: return Locked(tracker);
                 case Kind.Restored: return "as in an earlier run: " + (tracker.Markers.Count > 0 ? "look at a marker" : "lock it") + " to confirm it"
                     + Because(tracker.Problem);
                 case Kind.Lost: return subject.A == 0
                     ? "the headset has lost the place: look around"
                     : "the headset has the place " + Number(tracker.ElsewhereMetres, "0.0") + " m elsewhere, which is not followed: "
-                        + (tracker.Markers.Count > 0 ? "look around, or lock anew" : "look around, or place it anew");
+                        + (tracker.Markers.Count > 0 ? "look around, or lock again" : "look around, or place it again");
                 default: return "placed by hand";
             }
         }
@@ -137,7 +137,7 @@ namespace Nowpose.Anchoring.Tracking
                 case SightingFault.TooFar: return "is too far away: go within " + Number(_settings.FarthestMetres, "0.##") + " m";
                 case SightingFault.TooOblique: return "is seen too obliquely: go in front of it";
                 case SightingFault.Behind: return "is behind you: look at it";
-                case SightingFault.OtherSize: return "is not as large as was set";
+                case SightingFault.OtherSize: return "does not have the configured size";
                 case SightingFault.TwoPlaces: return "is in two places: cover one";
                 case SightingFault.Old: return "is not in view any more: look at it";
                 default: return "is not placed by the headset yet: look at it";
@@ -150,9 +150,9 @@ namespace Nowpose.Anchoring.Tracking
             var text = locked.Markers == 0 ? "placed by hand" : "locked by " + locked.Markers + (locked.Markers == 1 ? " marker" : " markers");
             if (locked.ChangeMetres > 0 || locked.ChangeRadians > 0)
                 text += ", moved by " + Number(1000 * locked.ChangeMetres, "0.0") + " mm, " + Number(Degrees(locked.ChangeRadians), "0.00") + "°";
-            if (tracker.Quarrel is MarkerQuarrel quarrel)
-                text += "; " + Name(quarrel.Marker) + " is " + Mm(quarrel.Metres) + " mm, " + Number(Degrees(quarrel.Radians), "0.0")
-                    + "° from where the others say";
+            if (tracker.Conflict is { } conflict)
+                text += "; " + Name(conflict.Marker) + " is " + Mm(conflict.Metres) + " mm, " + Number(Degrees(conflict.Radians), "0.0")
+                    + "° from the place that the other markers show";
             if (tracker.IsCorrected)
                 text += "; moved by the headset by " + Mm(tracker.CorrectedMetres) + " mm, " + Number(Degrees(tracker.CorrectedRadians), "0.0") + "°";
             return text + Because(tracker.Problem);
@@ -172,7 +172,7 @@ namespace Nowpose.Anchoring.Tracking
 
         enum Kind
         {
-            Placed, BeingPlaced, Looking, Ignored, Gathers, Moving, Scatters, Quarrel, Restored, Locked, Moved, Lost,
+            Placed, BeingPlaced, Looking, Ignored, Gathers, Moving, Scatters, Conflict, Restored, Locked, Moved, Lost,
         }
 
         /// <summary>Content of the text; equal contents have equal texts.</summary>

@@ -13,7 +13,7 @@ namespace Nowpose.Anchoring.Tracking
         const double NearMetres = 1e-6, NearRadians = 1e-6;
 
         /// <summary>Maximum time step, so that the motion continues after a pause from where it was interrupted.</summary>
-        static readonly TimeSpan LongestFrame = TimeSpan.FromMilliseconds(50);
+        static readonly TimeSpan MaxFrameTime = TimeSpan.FromMilliseconds(50);
 
         readonly TimeSpan _ease;
         HeadsetTime? _last;
@@ -41,7 +41,7 @@ namespace Nowpose.Anchoring.Tracking
         double PartOf(TimeSpan passed)
         {
             if (_ease <= TimeSpan.Zero) return 1;
-            if (passed > LongestFrame) passed = LongestFrame;
+            if (passed > MaxFrameTime) passed = MaxFrameTime;
             return passed > TimeSpan.Zero ? 1 - Math.Exp(-Constants * passed.Ticks / _ease.Ticks) : 0;
         }
     }

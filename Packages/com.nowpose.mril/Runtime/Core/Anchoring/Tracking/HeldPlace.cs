@@ -10,7 +10,7 @@ namespace Nowpose.Anchoring.Tracking
         const double OriginMetres = 0.001, JumpMetres = 0.1;
 
         /// <summary>Maximum correction of the map; a larger jump indicates another map or another position.</summary>
-        const double MostMetres = 0.3;
+        const double MaxJumpMetres = 0.3;
 
         ISpatialAnchor _anchor, _former;
         bool _isSought;
@@ -71,7 +71,7 @@ namespace Nowpose.Anchoring.Tracking
             if (!(_anchor.Pose is RigidTransform pose) || !pose.IsPose()) return null;
             var jump = last is RigidTransform before ? before.DistanceTo(pose) : 0;
             if (PoseNumbers.Length(pose.X, pose.Y, pose.Z) < OriginMetres && (!last.HasValue || jump > JumpMetres)) return null;
-            if (jump <= MostMetres) return pose;
+            if (jump <= MaxJumpMetres) return pose;
             ElsewhereMetres = jump;
             return null;
         }

@@ -24,7 +24,7 @@ namespace Nowpose.Anchoring.Tracking
         public LockAttempt(AnchoringSettings settings) => _settings = settings;
 
         /// <summary>Markers that contradict each other in the newest attempt; null without a conflict.</summary>
-        public MarkerQuarrel Quarrel { get; private set; }
+        public MarkerQuarrel Conflict { get; private set; }
 
         /// <summary>Base from the newest successful attempt, in the room frame.</summary>
         public RigidTransform Fitted { get; private set; }
@@ -35,7 +35,7 @@ namespace Nowpose.Anchoring.Tracking
         public void Reset()
         {
             (_tried, _ready) = (null, null);
-            Quarrel = null;
+            Conflict = null;
         }
 
         /// <param name="locked">The locked base, with which the estimates of its parts are used; null without a lock.</param>
@@ -48,7 +48,7 @@ namespace Nowpose.Anchoring.Tracking
             (_tried, _ready) = (now, null);
             if (locked is RigidTransform known) AddParts(markers, known);
             var agreement = MarkerAgreement.Of(_estimates, _settings);
-            Quarrel = null;
+            Conflict = null;
             if (!agreement.IsGood && !LeaveOut(agreement)) return false;
             Fitted = agreement.Fitted;
             for (var i = 0; i < _estimated.Count; i++) _estimated[i].Join(_estimates[i].From(Fitted.Inverse));
@@ -112,9 +112,9 @@ namespace Nowpose.Anchoring.Tracking
         {
             var isClear = agreement.Wrong >= 0;
             var wrong = _estimated[isClear ? agreement.Wrong : 0];
-            Quarrel = new MarkerQuarrel(wrong.Marker, isClear ? null : _estimated[1].Marker, agreement.Metres, agreement.Radians);
+            Conflict = new MarkerQuarrel(wrong.Marker, isClear ? null : _estimated[1].Marker, agreement.Metres, agreement.Radians);
             // Parts of the lock are at the end of the list. If two markers contradict each other, the part is kept and the other one excluded.
-            if (isClear || _estimated[_estimated.Count - 1].IsPart) wrong.Doubt();
+            if (isClear || _estimated[_estimated.Count - 1].IsPart) wrong.Exclude();
             if (!isClear) return false;
             _estimates.RemoveAt(agreement.Wrong);
             _estimated.RemoveAt(agreement.Wrong);

@@ -7,7 +7,7 @@ namespace Nowpose.Anchoring.Tracking
     static class SightingGate
     {
         /// <summary>Maximum relative error of the size; errors of lenses and prints are smaller.</summary>
-        const double MostOfSize = 0.1;
+        const double MaxSizeDeviation = 0.1;
 
         /// <summary>Poses this close to the origin are invalid: no marker is so close to where the head was at the start.</summary>
         const double OriginMetres = 0.001;
@@ -28,7 +28,7 @@ namespace Nowpose.Anchoring.Tracking
             var age = now - sighting.LastSeen;
             if (age > settings.Oldest || age < -Ahead) return SightingFault.Old;
             if (marker.SizeMetres > 0 && sighting.SizeMetres > 0
-                && Math.Abs(sighting.SizeMetres - marker.SizeMetres) > MostOfSize * marker.SizeMetres) return SightingFault.OtherSize;
+                && Math.Abs(sighting.SizeMetres - marker.SizeMetres) > MaxSizeDeviation * marker.SizeMetres) return SightingFault.OtherSize;
             return head is RigidTransform eyes ? JudgeView(pose, eyes, settings) : SightingFault.None;
         }
 
@@ -39,7 +39,7 @@ namespace Nowpose.Anchoring.Tracking
             if (distance > settings.FarthestMetres) return SightingFault.TooFar;
             if (head.R00 * x + head.R10 * y + head.R20 * z > 0) return SightingFault.Behind;
             var straight = pose.R02 * x + pose.R12 * y + pose.R22 * z;
-            return straight < Math.Cos(settings.MostObliqueRadians) * distance ? SightingFault.TooOblique : SightingFault.None;
+            return straight < Math.Cos(settings.MaxObliqueRadians) * distance ? SightingFault.TooOblique : SightingFault.None;
         }
     }
 }

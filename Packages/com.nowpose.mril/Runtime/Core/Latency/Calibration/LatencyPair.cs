@@ -6,7 +6,7 @@ namespace Nowpose.Latency.Calibration
     readonly struct LatencyPair
     {
         /// <summary>Maximum absolute value, ms: codes repeat after it, so a misread picture may be off by as much. The fit rejects it.</summary>
-        const double GreatestVisuMs = TimestampCode.PeriodMs;
+        const double MaxVisuMs = TimestampCode.PeriodMs;
 
         /// <param name="renderMs">A measured render time, see <see cref="MeasuredRenderTime"/>.</param>
         /// <param name="visuMs">L_visu by Eq. (7): −65 536 to 65 536 ms, any value in it for a misread picture.</param>
@@ -14,7 +14,7 @@ namespace Nowpose.Latency.Calibration
         public LatencyPair(double renderMs, double visuMs)
         {
             RenderMs = MeasuredRenderTime.RequireMs(renderMs);
-            VisuMs = SettingRange.Require(visuMs, -GreatestVisuMs, GreatestVisuMs, "visu_ms", "ms");
+            VisuMs = SettingRange.Require(visuMs, -MaxVisuMs, MaxVisuMs, "visu_ms", "ms");
         }
 
         public double RenderMs { get; }

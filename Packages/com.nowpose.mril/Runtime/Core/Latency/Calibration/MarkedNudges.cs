@@ -8,16 +8,16 @@ namespace Nowpose.Latency.Calibration
     /// <summary>Marks by eye with the speed measured at each; the sign of the speed is the direction.</summary>
     sealed class MarkedNudges
     {
-        const double LeastSpeedMmPerS = 20;
+        const double MinSpeedMmPerS = 20;
 
         /// <summary>Maximum deviation of a mark's speed from the mean, relative to the mean.</summary>
         const double SameSpeed = 0.1;
 
-        readonly double _toldMs;
+        readonly double _usedVisuMs;
         readonly List<(double OffsetMm, double SpeedMmPerS)> _marks = new List<(double, double)>();
 
-        /// <param name="toldMs">L_visu that was in use when the ghost was drawn, 0 to 500 ms.</param>
-        public MarkedNudges(double toldMs) => _toldMs = toldMs;
+        /// <param name="usedVisuMs">L_visu that was in use when the ghost was drawn, 0 to 500 ms.</param>
+        public MarkedNudges(double usedVisuMs) => _usedVisuMs = usedVisuMs;
 
         public int ForwardCount => _marks.Count(m => m.SpeedMmPerS > 0);
 
@@ -28,8 +28,8 @@ namespace Nowpose.Latency.Calibration
         /// <exception cref="InputException">The speed is too low or differs from that of the previous marks.</exception>
         public void Add(double offsetMm, double speedMmPerS)
         {
-            if (!(Math.Abs(speedMmPerS) >= LeastSpeedMmPerS))
-                throw Fault("nudge: the tool moves at {0:0} mm/s along the axis; mark at {1:0} mm/s or more", speedMmPerS, LeastSpeedMmPerS);
+            if (!(Math.Abs(speedMmPerS) >= MinSpeedMmPerS))
+                throw Fault("nudge: the tool moves at {0:0} mm/s along the axis; mark at {1:0} mm/s or more", speedMmPerS, MinSpeedMmPerS);
             if (_marks.Count > 0 && Math.Abs(Math.Abs(speedMmPerS) - Speed) > SameSpeed * Speed)
                 throw Fault("nudge: the tool moves at {0:0} mm/s, and moved at {1:0} mm/s in the marks before; keep one speed, or clear them",
                     Math.Abs(speedMmPerS), Speed);
@@ -44,7 +44,7 @@ namespace Nowpose.Latency.Calibration
             get
             {
                 // Without marks, the calibration reports which direction lacks one, and the speed has no effect.
-                var nudge = new NudgeCalibration(_marks.Count == 0 ? LeastSpeedMmPerS : Speed, _toldMs);
+                var nudge = new NudgeCalibration(_marks.Count == 0 ? MinSpeedMmPerS : Speed, _usedVisuMs);
                 foreach (var (offsetMm, speedMmPerS) in _marks)
                 {
                     if (speedMmPerS > 0) nudge.AddForward(offsetMm);

@@ -12,18 +12,18 @@ namespace Nowpose.Latency.Calibration
         /// <summary>Minimum standard deviation of a mark by eye, mm.</summary>
         public const double EyeMm = 1;
 
-        const double GreatestOffsetMm = 1000;
+        const double MaxOffsetMm = 1000;
 
-        readonly double _speedMmPerS, _toldMs;
+        readonly double _speedMmPerS, _usedVisuMs;
         Marks _forward, _backward;
 
         /// <param name="speedMmPerS">Speed of the tool along the axis, the same in both directions: 1 to 10 000 mm/s.</param>
-        /// <param name="toldMs">L_visu that was in use when the ghost was drawn, 0 to 500 ms.</param>
+        /// <param name="usedVisuMs">L_visu that was in use when the ghost was drawn, 0 to 500 ms.</param>
         /// <exception cref="InputException">Out of range.</exception>
-        public NudgeCalibration(double speedMmPerS, double toldMs)
+        public NudgeCalibration(double speedMmPerS, double usedVisuMs)
         {
             _speedMmPerS = SettingRange.Require(speedMmPerS, 1, 10_000, "speed of the tool", "mm/s");
-            _toldMs = VisualisationLatency.FromMilliseconds(toldMs).Length.TotalMilliseconds;
+            _usedVisuMs = VisualisationLatency.FromMilliseconds(usedVisuMs).Length.TotalMilliseconds;
         }
 
         public int ForwardCount => _forward.Count;
@@ -47,7 +47,8 @@ namespace Nowpose.Latency.Calibration
             {
                 if (!IsComplete) throw new InputException("nudge: " + (ForwardCount == 0 ? "forward" : "backward") + " has no mark; mark both directions");
                 var errorMs = (_forward.Mean - _backward.Mean) / (2 * _speedMmPerS) * 1000;
-                var visuMs = SettingRange.Require(Math.Round(_toldMs + errorMs, 4), 0, LatencyProfile.GreatestVisuMs, "nudge: visualisation latency", "ms");
+                var visuMs = SettingRange.Require(
+                    Math.Round(_usedVisuMs + errorMs, 4), 0, LatencyProfile.MaxVisuMs, "nudge: visualisation latency", "ms");
                 return new NudgeResult(
                     VisualisationLatency.FromMilliseconds(visuMs), ClockTicks.Span(MarkMm / (Math.Sqrt(2) * _speedMmPerS)),
                     (_forward.Mean + _backward.Mean) / 2, ForwardCount + BackwardCount);
@@ -64,7 +65,7 @@ namespace Nowpose.Latency.Calibration
             }
         }
 
-        static double Required(double offsetMm) => SettingRange.Require(offsetMm, -GreatestOffsetMm, GreatestOffsetMm, "nudge: offset", "mm");
+        static double Required(double offsetMm) => SettingRange.Require(offsetMm, -MaxOffsetMm, MaxOffsetMm, "nudge: offset", "mm");
 
         /// <summary>Running mean and sum of squared deviations.</summary>
         struct Marks

@@ -14,19 +14,19 @@ namespace Nowpose.Latency.Calibration
     static class RangeFit
     {
         /// <summary>Minimum number of pairs.</summary>
-        public const int LeastPairs = 20;
+        public const int MinPairs = 20;
 
         /// <summary>Share of the pairs, those with the lowest render times, from which the initial plateau is estimated.</summary>
         const double SeedShare = 0.2;
 
         /// <summary>Minimum tolerance around the plateau, ms: scatter that a camera and codes of 1 ms add to a constant latency.</summary>
-        const double LeastTolerance = 3;
+        const double MinToleranceMs = 3;
 
         /// <summary>Tolerance around the plateau in standard deviations.</summary>
         const double Deviations = 3.5;
 
         /// <summary>Maximum standard deviation of a plateau, ms. A 30 Hz display that is lit continuously causes 9.6 ms.</summary>
-        const double GreatestSpread = 10;
+        const double MaxSpreadMs = 10;
 
         /// <summary>Relative distance from the limit to the next pictures above which the limit is reported as uncertain.</summary>
         const double Coarse = 0.05;
@@ -35,37 +35,38 @@ namespace Nowpose.Latency.Calibration
         /// Position of the limit in the gap between the last pictures on time and the first late ones, as a share of the gap. A limit
         /// that is too high is three times as bad as one that is too low. The second value limits the relative excess over the last picture.
         /// </summary>
-        const double IntoTheGap = 0.25, MostAbove = 0.02;
+        const double IntoTheGap = 0.25, MaxShareAbove = 0.02;
 
         /// <summary>Number of pairs beyond the limit that may be misread.</summary>
         const int Misread = 2;
 
-        const int MostRounds = 8;
+        const int MaxRounds = 8;
 
-        /// <param name="pairs">At least <see cref="LeastPairs"/> pairs, in any order.</param>
+        /// <param name="pairs">At least <see cref="MinPairs"/> pairs, in any order.</param>
         /// <exception cref="InputException">There are too few pairs, or L_visu is not constant at the lowest render times.</exception>
         public static RangeFitResult Fit(IReadOnlyList<LatencyPair> pairs)
         {
-            if (pairs.Count < LeastPairs)
-                throw new InputException("pairs: " + pairs.Count + " are too few to tell a range; take at least " + LeastPairs + " pictures");
+            if (pairs.Count < MinPairs)
+                throw new InputException("pairs: " + pairs.Count + " are too few to determine a range; take at least " + MinPairs + " pictures");
             var sorted = pairs.OrderBy(pair => pair.RenderMs).ThenBy(pair => pair.VisuMs).ToArray();
-            var plateau = Plateau.Of(sorted.Take(Math.Max(LeastPairs / 2, (int)(SeedShare * sorted.Length))));
+            var plateau = Plateau.Of(sorted.Take(Math.Max(MinPairs / 2, (int)(SeedShare * sorted.Length))));
             var good = new bool[sorted.Length];
             var isLast = sorted.Select((pair, i) => i == sorted.Length - 1 || sorted[i + 1].RenderMs > pair.RenderMs).ToArray();
             var nearest = double.PositiveInfinity;
             var split = default(RangeSplit);
-            for (var round = 0; round < MostRounds; round++)
+            for (var round = 0; round < MaxRounds; round++)
             {
-                var tolerance = Math.Min(Math.Max(LeastTolerance, Deviations * plateau.Deviation), nearest);
+                var tolerance = Math.Min(Math.Max(MinToleranceMs, Deviations * plateau.Deviation), nearest);
                 for (var i = 0; i < sorted.Length; i++) good[i] = Math.Abs(sorted[i].VisuMs - plateau.Centre) <= tolerance;
                 var before = split.Count;
                 split = RangeSplit.Find(good, isLast);
                 var inside = sorted.Take(split.Count).Where((_, i) => good[i]).ToArray();
-                if (inside.Length < LeastPairs / 2)
-                    throw new InputException("pairs: L_visu is not the same at the lowest render times, so there is no range; check how it was measured");
+                if (inside.Length < MinPairs / 2)
+                    throw new InputException(
+                        "pairs: L_visu is not the same at the lowest render times, so no range exists; check how it was measured");
                 plateau = Plateau.Of(inside);
                 // Pairs beyond the limit are closer to the median beyond it than to the plateau, so half that distance limits the tolerance.
-                if (split.IsReached) nearest = Math.Max(LeastTolerance, Math.Abs(Median(Visu(sorted.Skip(split.Count))) - plateau.Centre) / 2);
+                if (split.IsReached) nearest = Math.Max(MinToleranceMs, Math.Abs(Median(Visu(sorted.Skip(split.Count))) - plateau.Centre) / 2);
                 if (split.Count == before && round > 1) break;
             }
             return Result(sorted, good, split);
@@ -76,13 +77,14 @@ namespace Nowpose.Latency.Calibration
             var inside = Visu(sorted.Take(split.Count).Where((_, i) => good[i])).ToArray();
             var mean = inside.Average();
             var spread = Math.Sqrt(inside.Sum(visu => (visu - mean) * (visu - mean)) / Math.Max(1, inside.Length - 1));
-            if (spread > GreatestSpread)
+            if (spread > MaxSpreadMs)
                 throw new InputException(string.Format(
-                    CultureInfo.InvariantCulture, "pairs: L_visu scatters by {0:0.0} ms at the lowest render times, so there is no range; up to {1} ms are allowed; "
-                    + "check how it was measured", spread, GreatestSpread));
+                    CultureInfo.InvariantCulture,
+                    "pairs: L_visu scatters by {0:0.0} ms at the lowest render times, so no range exists; up to {1} ms are allowed; "
+                    + "check how it was measured", spread, MaxSpreadMs));
             var last = sorted[split.Count - 1].RenderMs;
             var next = split.IsReached ? sorted[Math.Min(split.Count + Misread, sorted.Length - 1)].RenderMs : last;
-            var limit = Math.Min(last + IntoTheGap * (next - last), (1 + MostAbove) * last);
+            var limit = Math.Min(last + IntoTheGap * (next - last), (1 + MaxShareAbove) * last);
             return new RangeFitResult(mean, spread, limit, split.IsReached, sorted.Length, inside.Length, split.Count - inside.Length,
                 next > (1 + Coarse) * last ? next : (double?)null);
         }

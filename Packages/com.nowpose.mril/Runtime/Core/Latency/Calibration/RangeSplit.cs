@@ -9,16 +9,16 @@ namespace Nowpose.Latency.Calibration
     /// </remarks>
     readonly struct RangeSplit
     {
-        const double LeastBelow = 0.005, GreatestBelow = 0.2, LeastBeyond = 0.7, GreatestBeyond = 0.999;
+        const double MinShareBelow = 0.005, MaxShareBelow = 0.2, MinShareBeyond = 0.7, MaxShareBeyond = 0.999;
 
         /// <summary>Minimum number of pairs beyond a limit; a few of them may be misread.</summary>
-        const int LeastBeyondCount = 12;
+        const int MinBeyondCount = 12;
 
         /// <summary>Minimum share of all pairs beyond a limit: at any load, about one frame in a hundred is slow.</summary>
-        const double LeastBeyondShare = 0.04;
+        const double MinBeyondFraction = 0.04;
 
         /// <summary>Minimum log-likelihood ratio of the split to a sequence without a split.</summary>
-        const double LeastEvidence = 12;
+        const double MinEvidence = 12;
 
         RangeSplit(int count, bool isReached)
         {
@@ -38,21 +38,21 @@ namespace Nowpose.Latency.Calibration
         {
             var all = 0;
             foreach (var isGood in good) all += isGood ? 0 : 1;
-            var never = LogLikelihood(all, good.Length, LeastBelow, GreatestBelow);
+            var never = LogLikelihood(all, good.Length, MinShareBelow, MaxShareBelow);
             var best = double.NegativeInfinity;
             int count = good.Length, below = 0;
             for (var i = 1; i <= good.Length; i++)
             {
                 if (!good[i - 1]) below++;
                 if (!isLast[i - 1]) continue;
-                var likelihood = LogLikelihood(below, i, LeastBelow, GreatestBelow)
-                    + LogLikelihood(all - below, good.Length - i, LeastBeyond, GreatestBeyond);
+                var likelihood = LogLikelihood(below, i, MinShareBelow, MaxShareBelow)
+                    + LogLikelihood(all - below, good.Length - i, MinShareBeyond, MaxShareBeyond);
                 if (likelihood <= best) continue;
                 best = likelihood;
                 count = i;
             }
             var beyond = good.Length - count;
-            return new RangeSplit(count, beyond >= LeastBeyondCount && beyond >= LeastBeyondShare * good.Length && best - never >= LeastEvidence);
+            return new RangeSplit(count, beyond >= MinBeyondCount && beyond >= MinBeyondFraction * good.Length && best - never >= MinEvidence);
         }
 
         static double LogLikelihood(int bad, int count, double least, double greatest)

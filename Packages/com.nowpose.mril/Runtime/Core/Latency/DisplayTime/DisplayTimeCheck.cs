@@ -12,7 +12,7 @@ namespace Nowpose.Latency.DisplayTime
         /// <summary>Window length in frames: one second at 60 Hz.</summary>
         const int Window = 60;
 
-        static readonly TimeSpan Doubtful = TimeSpan.FromMilliseconds(5);
+        static readonly TimeSpan MaxDifference = TimeSpan.FromMilliseconds(5);
 
         /// <summary>Hysteresis: the difference must fall below this value to agree again.</summary>
         static readonly TimeSpan Agreeing = TimeSpan.FromMilliseconds(4);
@@ -27,7 +27,7 @@ namespace Nowpose.Latency.DisplayTime
 
         /// <summary>Whether the median has differed by more than 5 ms for a second and has not yet been below 4 ms for a second.</summary>
         /// <remarks>An interval of more than 0.25 s between frames restarts the second.</remarks>
-        public bool IsDoubted { get; private set; }
+        public bool IsInconsistent { get; private set; }
 
         /// <summary>Median of predicted minus calibrated display time over 60 frames, positive for a later prediction; null with fewer.</summary>
         public TimeSpan? Difference => _recent.Count < Window ? (TimeSpan?)null : _recent.At(0.5);
@@ -40,9 +40,9 @@ namespace Nowpose.Latency.DisplayTime
             _newest = frameStart;
             _recent.Add(predictedMinusCalibrated);
             if (!(Difference is TimeSpan median)) return;
-            var isNews = IsDoubted ? median.Duration() < Agreeing : median.Duration() > Doubtful;
+            var isNews = IsInconsistent ? median.Duration() < Agreeing : median.Duration() > MaxDifference;
             if (!isNews) _since = null;
-            else if (frameStart - (_since ??= frameStart) >= Lasting) Turn();
+            else if (frameStart - (_since ??= frameStart) >= Lasting) Toggle();
         }
 
         /// <summary>Removes all frames. Call it when the calibration or the source changes.</summary>
@@ -51,12 +51,12 @@ namespace Nowpose.Latency.DisplayTime
             _recent.Reset();
             _since = null;
             _newest = null;
-            IsDoubted = false;
+            IsInconsistent = false;
         }
 
-        void Turn()
+        void Toggle()
         {
-            IsDoubted = !IsDoubted;
+            IsInconsistent = !IsInconsistent;
             _since = null;
         }
     }

@@ -10,7 +10,7 @@ namespace Nowpose.Latency.DisplayTime
     sealed class DisplayTimePlausibility
     {
         /// <summary>Maximum time from the start of a frame to its display; longer than any L_visu that a profile allows.</summary>
-        static readonly TimeSpan Furthest = ClockTicks.Span(LatencyProfile.GreatestVisuMs / 1000);
+        static readonly TimeSpan Furthest = ClockTicks.Span(LatencyProfile.MaxVisuMs / 1000);
 
         static readonly TimeSpan Lasting = TimeSpan.FromSeconds(1);
 

@@ -15,28 +15,28 @@ namespace Nowpose.Latency.Load
         public const int PatchVertices = LoadPatch.Columns * LoadPatch.Rows;
 
         /// <summary>Maximum number of vertices of a load, the capacity of the wall.</summary>
-        public const int GreatestVertices = SweepPlan.GreatestVertices;
+        public const int MaxVertices = SweepPlan.MaxVertices;
 
-        const int PatchColumns = 8, PatchRows = GreatestVertices / PatchVertices / PatchColumns;
+        const int PatchColumns = 8, PatchRows = MaxVertices / PatchVertices / PatchColumns;
 
         /// <summary>Height of the wall divided by its width.</summary>
         public const float Height = 0.625f;
 
-        const int FewestVertices = 3;
+        const int MinPatchVertices = 3;
 
         static readonly int[] FromTheMiddle = SortedByDistance();
 
         /// <summary>Returns the number of patches of a load. The last patch may be incomplete.</summary>
-        /// <exception cref="InputException">The number is below 0 or above <see cref="GreatestVertices"/>.</exception>
+        /// <exception cref="InputException">The number is below 0 or above <see cref="MaxVertices"/>.</exception>
         public static int PatchesOf(int vertices)
         {
-            SettingRange.RequireCount(vertices, 0, GreatestVertices, "load, vertices");
+            SettingRange.RequireCount(vertices, 0, MaxVertices, "load, vertices");
             var rest = vertices % PatchVertices;
-            return vertices / PatchVertices + (rest >= FewestVertices ? 1 : 0);
+            return vertices / PatchVertices + (rest >= MinPatchVertices ? 1 : 0);
         }
 
         /// <summary>Returns how many of the requested vertices are drawn: all except 1 or 2 beyond full patches.</summary>
-        public static int DrawnOf(int vertices) => vertices % PatchVertices < FewestVertices ? vertices - vertices % PatchVertices : vertices;
+        public static int DrawnOf(int vertices) => vertices % PatchVertices < MinPatchVertices ? vertices - vertices % PatchVertices : vertices;
 
         /// <param name="patch">0 to <see cref="PatchesOf"/> − 1.</param>
         /// <param name="vertices">Number of vertices of the whole load.</param>

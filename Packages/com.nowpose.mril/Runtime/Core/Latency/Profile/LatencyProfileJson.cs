@@ -52,8 +52,8 @@ namespace Nowpose.Latency.Profile
             try
             {
                 return new LatencyProfile(
-                    fields.Number("visu_ms", 0, LatencyProfile.GreatestVisuMs, "ms"),
-                    fields.Number("visu_spread_ms", 0, LatencyProfile.GreatestVisuMs, "ms"),
+                    fields.Number("visu_ms", 0, LatencyProfile.MaxVisuMs, "ms"),
+                    fields.Number("visu_spread_ms", 0, LatencyProfile.MaxVisuMs, "ms"),
                     ConditionsOf(fields),
                     fields.Utc("measured"),
                     MethodOf(fields),
@@ -76,7 +76,8 @@ namespace Nowpose.Latency.Profile
             if (format != Format) throw fields.Fault("no latency profile; its format is '" + format + "', not '" + Format + "'");
             var version = fields.Count("version");
             if (version > Version)
-                throw fields.Fault("latency profile of version " + version + ", this Nowpose reads up to " + Version + "; update Nowpose or calibrate anew");
+                throw fields.Fault(
+                    "latency profile of version " + version + ", this Nowpose reads up to " + Version + "; update Nowpose or calibrate again");
             if (version < 1) throw fields.Fault("version: " + version + " is out of range; allowed is " + Version);
         }
 
@@ -84,7 +85,7 @@ namespace Nowpose.Latency.Profile
         static DisplayConditions ConditionsOf(ProfileFields fields)
         {
             var device = fields.Text("device");
-            var displayHz = fields.Number("display_hz", 0, LatencyProfile.GreatestDisplayHz, "Hz");
+            var displayHz = fields.Number("display_hz", 0, LatencyProfile.MaxDisplayHz, "Hz");
             var others = DisplayConditions.Parse(
                 condition => condition > DisplayCondition.DisplayRate ? fields.OptionalText(DisplayConditionNames.FieldOf(condition)) : null);
             return new DisplayConditions(device, displayHz).Or(others);
@@ -98,7 +99,7 @@ namespace Nowpose.Latency.Profile
         }
 
         static double? RenderMs(ProfileFields fields, string field) =>
-            fields.OptionalNumber(field, LatencyProfile.LeastRenderMs, LatencyProfile.GreatestRenderMs, "ms");
+            fields.OptionalNumber(field, LatencyProfile.MinRenderMs, LatencyProfile.MaxRenderMs, "ms");
 
         static CalibrationMethod MethodOf(ProfileFields fields)
         {

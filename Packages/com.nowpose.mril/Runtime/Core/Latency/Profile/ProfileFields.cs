@@ -24,11 +24,11 @@ namespace Nowpose.Latency.Profile
             _name = name;
             var utf8 = Encoding.UTF8.GetBytes(text);
             if (JsonUtf8Reader.Check(utf8, Nesting) != DropReason.None)
-                throw Fault("no JSON object, or cut off; it is no latency profile: calibrate anew");
+                throw Fault("not a complete JSON object, so not a latency profile; calibrate again");
             var json = new JsonUtf8Reader(utf8, Nesting);
             json.BeginObject();
             while (json.NextField(out var field))
-                if (!_values.TryAdd(field, Read(ref json))) throw Fault(field + " stands there twice");
+                if (!_values.TryAdd(field, Read(ref json))) throw Fault(field + " occurs twice");
         }
 
         static object Read(ref JsonUtf8Reader json)
@@ -74,7 +74,7 @@ namespace Nowpose.Latency.Profile
             var text = Text(field);
             const DateTimeStyles styles = DateTimeStyles.AdjustToUniversal | DateTimeStyles.AssumeUniversal;
             return DateTime.TryParse(text, CultureInfo.InvariantCulture, styles, out var utc)
-                ? utc : throw Fault(field + ": '" + text + "' is no date; write it as 2026-11-20T13:00:00Z");
+                ? utc : throw Fault(field + ": '" + text + "' is not a date; write it as 2026-11-20T13:00:00Z");
         }
 
         public InputException Fault(string what) => new InputException(_name + ": " + what);

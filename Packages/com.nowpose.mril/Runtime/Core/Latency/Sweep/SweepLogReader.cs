@@ -107,7 +107,7 @@ namespace Nowpose.Latency.Sweep
         {
             if (RenderTimeSourceNames.TryParse(text, out var source)) return source;
             throw new InputException(
-                Source + ": '" + text + "' is no source of a render time; known are " + RenderTimeSourceNames.All + ", or nothing");
+                Source + ": '" + text + "' is not a source of a render time; allowed are " + RenderTimeSourceNames.All + ", or nothing");
         }
 
         static long Whole(string text, string field, string unit)

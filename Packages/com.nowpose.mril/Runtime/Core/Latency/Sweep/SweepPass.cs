@@ -7,13 +7,13 @@ namespace Nowpose.Latency.Sweep
     /// <summary>Visits of one pass of a sweep, and the rise of the render time from their low loads to their high loads.</summary>
     sealed class SweepPass
     {
-        const int FewestLoads = 3;
+        const int MinLoads = 3;
 
         /// <summary>Minimum significant rise, in standard errors.</summary>
         const double Certainty = 4;
 
         /// <summary>Minimum rise, relative to the render time at low loads; a smaller one cannot be separated from the scatter of frames.</summary>
-        const double LeastRise = 0.1;
+        const double MinRise = 0.1;
 
         /// <summary>Rise, relative to the render time at low loads, that cannot be drift within a short sweep.</summary>
         const double PlainRise = 0.5;
@@ -29,7 +29,7 @@ namespace Nowpose.Latency.Sweep
             LowVertices = low.Average(visit => visit.Vertices);
             HighVertices = high.Average(visit => visit.Vertices);
             var variance = drift.Error * drift.Error + low.Concat(high).Sum(visit => visit.RenderError * visit.RenderError) / (third * third);
-            NeededMs = Math.Max(LeastRise * Math.Abs(LowMs), Certainty * Math.Sqrt(variance));
+            NeededMs = Math.Max(MinRise * Math.Abs(LowMs), Certainty * Math.Sqrt(variance));
         }
 
         /// <summary>Mean render time at the lowest third of the loads, ms.</summary>
@@ -68,7 +68,7 @@ namespace Nowpose.Latency.Sweep
             return isPlain && Certainty * drift.Error > asIs.RiseMs / 2 ? asIs : new SweepPass(way, drift);
         }
 
-        static bool IsEnough(IReadOnlyList<SweepVisit> visits) => visits.Select(visit => visit.Vertices).Distinct().Count() >= FewestLoads;
+        static bool IsEnough(IReadOnlyList<SweepVisit> visits) => visits.Select(visit => visit.Vertices).Distinct().Count() >= MinLoads;
 
         /// <summary>Splits visits into runs of one direction. A load at which the direction changes belongs to both runs.</summary>
         static IEnumerable<List<SweepVisit>> Ways(IReadOnlyList<SweepVisit> visits)

@@ -6,7 +6,7 @@ namespace Nowpose.Latency.Sweep
     readonly struct SweepRow
     {
         /// <param name="frameStart">Control time of the frame's start, the one in its timestamp code.</param>
-        /// <param name="vertices">Number of vertices of the load that were drawn, 0 to <see cref="SweepPlan.GreatestVertices"/>.</param>
+        /// <param name="vertices">Number of vertices of the load that were drawn, 0 to <see cref="SweepPlan.MaxVertices"/>.</param>
         /// <param name="renderMs">Δt_render that became known in this frame, see <see cref="MeasuredRenderTime"/>; null for none.</param>
         /// <param name="source">Source of the render time; may also be set without one.</param>
         /// <param name="device">Device name as in a latency profile; empty when unknown.</param>
@@ -14,7 +14,7 @@ namespace Nowpose.Latency.Sweep
         /// <exception cref="InputException">Out of range, or a render time without a source.</exception>
         public SweepRow(ControlTime frameStart, int vertices, double? renderMs, RenderTimeSourceKind source, string device, double displayHz)
         {
-            SettingRange.RequireCount(vertices, 0, SweepPlan.GreatestVertices, "vertices");
+            SettingRange.RequireCount(vertices, 0, SweepPlan.MaxVertices, "vertices");
             if (renderMs is double ms) RequireMeasured(ms, source);
             if (!double.IsNaN(displayHz)) SettingRange.Require(displayHz, 1, 1000, "display rate", "Hz");
             FrameStart = frameStart;

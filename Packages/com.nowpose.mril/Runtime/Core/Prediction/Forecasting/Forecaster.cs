@@ -6,7 +6,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Minimum number of samples of one motion.</summary>
         public abstract int Samples { get; }
 
-        /// <summary>Maximum time of a forecast, in s; infinite if there is no limit.</summary>
+        /// <summary>Maximum time of a forecast, in s; infinite without a limit.</summary>
         public virtual double Span => double.PositiveInfinity;
 
         /// <summary>Solves for the newest samples.</summary>

@@ -40,12 +40,12 @@ namespace Nowpose.Prediction.Mixing
 
         public sealed class Snapshot
         {
-            readonly bool[] _speaks;
+            readonly bool[] _hasForecast;
 
             public Snapshot(int forecasts)
             {
                 Tables = new double[forecasts * ForecastTable.Points];
-                _speaks = new bool[forecasts];
+                _hasForecast = new bool[forecasts];
             }
 
             /// <summary>Time of the newest sample at the forecast, in s.</summary>
@@ -67,7 +67,7 @@ namespace Nowpose.Prediction.Mixing
             public double[] Tables { get; }
 
             /// <summary>Whether a candidate had a forecast.</summary>
-            public ref bool Speaks(int forecast) => ref _speaks[forecast];
+            public ref bool HasForecast(int forecast) => ref _hasForecast[forecast];
 
             /// <summary>Returns a forecast position, in the samples' unit.</summary>
             public double At(int forecast, double ahead) => Position + ForecastTable.Read(Tables, forecast * ForecastTable.Points, ahead);

@@ -147,18 +147,18 @@ namespace Nowpose.Prediction.Mixing
             into.WasStill = motion.Rest.StillSamples > 0;
             FillForecasts(motion, into.Tables);
             FillMixture(motion, into.Tables);
-            var speaker = Mixture;
-            var leastShare = double.PositiveInfinity;
+            var best = Mixture;
+            var minShare = double.PositiveInfinity;
             for (var i = 0; i < _candidates.Length; i++)
             {
                 var (candidate, forecast) = (_candidates[i], Mixture + 1 + i);
-                into.Speaks(forecast) = candidate.Forecaster.Solve(motion);
-                if (!into.Speaks(forecast)) continue;
+                into.HasForecast(forecast) = candidate.Forecaster.Solve(motion);
+                if (!into.HasForecast(forecast)) continue;
                 candidate.Forecaster.Fill(into.Tables, forecast * ForecastTable.Points, _points);
                 var share = candidate.ShareOfSquare(into.WasStill);
-                if (share < leastShare) (speaker, leastShare) = (forecast, share);
+                if (share < minShare) (best, minShare) = (forecast, share);
             }
-            Array.Copy(into.Tables, speaker * ForecastTable.Points, _table, 0, ForecastTable.Points);
+            Array.Copy(into.Tables, best * ForecastTable.Points, _table, 0, ForecastTable.Points);
         }
 
         void FillForecasts(MotionState motion, double[] tables)
@@ -239,7 +239,7 @@ namespace Nowpose.Prediction.Mixing
             return isTelling || snapshot.WasAtRest;
         }
 
-        /// <param name="isOfOneMotion">Whether there is no change point between forecast and sample, so that the threshold adapts.</param>
+        /// <param name="isOfOneMotion">Whether no change point lies between forecast and sample, so that the threshold adapts.</param>
         /// <param name="greatest">The larger error of hold and mixture, limited by the threshold.</param>
         /// <returns>The outlier threshold.</returns>
         double FillErrors(ForecastSnapshots.Snapshot snapshot, double ahead, double truth, bool isOfOneMotion, out double greatest)
@@ -268,7 +268,7 @@ namespace Nowpose.Prediction.Mixing
             for (var i = 0; i < _candidates.Length; i++)
             {
                 var forecast = Mixture + 1 + i;
-                if (!snapshot.Speaks(forecast)) continue;
+                if (!snapshot.HasForecast(forecast)) continue;
                 var forecastPosition = snapshot.At(forecast, ahead);
                 var displacement = Math.Max(Math.Abs(truth - snapshot.Position), Math.Abs(forecastPosition - snapshot.Position));
                 _candidates[i].Score(forecastPosition - truth, mixture, Math.Min(displacement, threshold), snapshot.WasStill);

@@ -140,7 +140,7 @@ namespace Nowpose.Prediction.Repetition
         void GoOn(int matches)
         {
             for (var i = 0; i < matches; i++)
-                if (!KnowsWhatFollowed(_lags[i])) return;
+                if (!HasContinuation(_lags[i])) return;
             _matches = matches;
         }
 
@@ -166,7 +166,7 @@ namespace Nowpose.Prediction.Repetition
                 // Matches keep their refined lags; one of them is refined again per search.
                 if (_found[i] != _search.Lags[i] || i == _turn)
                     (_found[i], _refined[i]) = (_search.Lags[i], _overlay.Find(_search.Lags[i], MinLag));
-                if (!_overlay.Compare(_refined[i]) || !KnowsWhatFollowed(_refined[i])) continue;
+                if (!_overlay.Compare(_refined[i]) || !HasContinuation(_refined[i])) continue;
                 _lags[_matches] = _refined[i];
                 _errors[_matches] = _overlay.MeanSquare;
                 // The offset of the newest samples from the history is assumed to persist.
@@ -176,7 +176,7 @@ namespace Nowpose.Prediction.Repetition
             Weigh(least);
         }
 
-        bool KnowsWhatFollowed(double lag) => _history.Covers(_history.IndexOf(_newestTime) - lag)
+        bool HasContinuation(double lag) => _history.Covers(_history.IndexOf(_newestTime) - lag)
             && _history.Covers(_history.IndexOf(_newestTime + ForecastTable.Span) - lag);
 
         // In motion only the samples since its start are compared, because the length of the rest before is irrelevant.

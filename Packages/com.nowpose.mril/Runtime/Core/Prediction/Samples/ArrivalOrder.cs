@@ -45,7 +45,7 @@ namespace Nowpose.Prediction.Samples
                 : _recent.ContainsTimeOf(sample) ? SampleOutcome.Duplicate : SampleOutcome.Late;
             if (!_late.IsContinuedBy(sample)) ReleaseLate(alsoDropped: false);
             _late.Add(sample, outcome != SampleOutcome.Late, _recent.Contradict(sample));
-            if (!_late.TellThatTimeWentBack(_newest)) return outcome;
+            if (!_late.HasTimeGoneBack(_newest)) return outcome;
             _recent.Clear();
             _newest = double.NegativeInfinity;
             ReleaseLate(alsoDropped: true);

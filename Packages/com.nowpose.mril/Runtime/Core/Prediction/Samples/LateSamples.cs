@@ -56,7 +56,7 @@ namespace Nowpose.Prediction.Samples
         }
 
         /// <param name="newest">Order of the newest sample, s.</param>
-        public bool TellThatTimeWentBack(double newest) =>
+        public bool HasTimeGoneBack(double newest) =>
             _count == Capacity || _contradicted == MinContradicted
             || (_count >= MinFarBehind && newest - _oldestFirst[_count - 1].Order > MaxDelay);
 

@@ -98,12 +98,12 @@ namespace Nowpose.Prediction.Samples
         {
             var span = _first[MinStamps - 1] - _first[0];
             var best = 0;
-            var leastShare = double.PositiveInfinity;
-            for (var lost = 0; lost <= MaxLostAtStart && leastShare > ClearShare; lost++)
+            var minShare = double.PositiveInfinity;
+            for (var lost = 0; lost <= MaxLostAtStart && minShare > ClearShare; lost++)
             {
                 Number(span / (MinStamps - 1 + lost));
-                if (!IsKnown || Deviation >= Better * leastShare * Interval) continue;
-                leastShare = Deviation / Interval;
+                if (!IsKnown || Deviation >= Better * minShare * Interval) continue;
+                minShare = Deviation / Interval;
                 best = lost;
             }
             Number(span / (MinStamps - 1 + best));

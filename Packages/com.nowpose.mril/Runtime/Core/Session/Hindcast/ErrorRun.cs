@@ -6,12 +6,12 @@ namespace Nowpose.Session.Hindcast
     /// <remarks>When the maximum number of batches is reached, neighbours are merged: batches grow with the run, their number does not.</remarks>
     sealed class ErrorRun
     {
-        const int MostBatches = 32;
+        const int MaxBatches = 32;
 
         /// <summary>About one second of frames.</summary>
         const int FramesPerFirstBatch = 64;
 
-        readonly ErrorSums[] _batches = new ErrorSums[MostBatches];
+        readonly ErrorSums[] _batches = new ErrorSums[MaxBatches];
         readonly ErrorHistogram _displayed = new ErrorHistogram();
         readonly ErrorHistogram _held = new ErrorHistogram();
         ErrorSums _sums;
@@ -47,9 +47,9 @@ namespace Nowpose.Session.Hindcast
 
         void BeginBatch()
         {
-            if (_count == MostBatches)
+            if (_count == MaxBatches)
             {
-                for (var i = 0; i < MostBatches / 2; i++)
+                for (var i = 0; i < MaxBatches / 2; i++)
                 {
                     var pair = _batches[2 * i];
                     pair.Add(_batches[2 * i + 1]);

@@ -35,10 +35,10 @@ namespace Nowpose.Session.Hindcast
         }
 
         /// <summary>Computes the tool pose from the true joint positions.</summary>
-        /// <param name="isDoubted">Whether the uncertainty of each joint is added to its position.</param>
-        public RigidTransform ToolOf(ReadOnlySpan<ShownFrames.JointValues> truth, bool isDoubted)
+        /// <param name="addsUncertainty">Whether the uncertainty of each joint is added to its position.</param>
+        public RigidTransform ToolOf(ReadOnlySpan<ShownFrames.JointValues> truth, bool addsUncertainty)
         {
-            for (var i = 0; i < _joints.Length; i++) _positions[_joints[i]] = truth[i].Truth + (isDoubted ? truth[i].Doubt : 0);
+            for (var i = 0; i < _joints.Length; i++) _positions[_joints[i]] = truth[i].Truth + (addsUncertainty ? truth[i].Uncertainty : 0);
             _robot.CompleteMimics(_positions, _given);
             return ToolOf(_positions);
         }

@@ -71,7 +71,7 @@ namespace Nowpose.Session.Hindcast
             // Outside the range, the frame appears at another time than its display time.
             if (_now == null || frame.State == PoseState.Incomplete || frame.Range == RangeState.Outside) return;
             foreach (ref readonly var track in _tracks.AsSpan())
-                if (!(track.ToldUntil < _now.Value)) return;
+                if (!(track.CompleteUntil < _now.Value)) return;
             var values = _frames.Add(_now.Value, frame.State, frame.ToolPose, _kinematics.ToolOf(frame.HeldJoints), ClockTicks.Seconds(clockError));
             for (var i = 0; i < _joints.Length; i++)
             {
@@ -89,14 +89,14 @@ namespace Nowpose.Session.Hindcast
                 var place = joints[i] >= 0 ? _placeOfJoint[joints[i]] : -1;
                 if (place >= 0 && _tracks[place].Add(
                     new TruthSample(message.Stamp, message.Positions[i]), _maximumGap, out var span, out var isKnown))
-                    _frames.Tell(place, span, isKnown);
+                    _frames.SetTruth(place, span, isKnown);
             }
             while (_frames.TryTakeFirst(out var frame, _values)) Judge(frame);
         }
 
         /// <summary>Resets a joint whose source went back in time: further samples are on another time line.</summary>
         /// <param name="joint">Index among the robot's moving joints.</param>
-        public void StartAnew(int joint)
+        public void Restart(int joint)
         {
             if (_placeOfJoint[joint] < 0) return;
             _tracks[_placeOfJoint[joint]] = default;
@@ -130,15 +130,15 @@ namespace Nowpose.Session.Hindcast
             {
                 ref readonly var joint = ref _values[i];
                 _ofJoint[i].Add(frame.At, new ErrorSample(
-                    Square(joint.Displayed - joint.Truth), Square(joint.Held - joint.Truth), Square(joint.Doubt),
+                    Square(joint.Displayed - joint.Truth), Square(joint.Held - joint.Truth), Square(joint.Uncertainty),
                     Square(frame.ClockError * _speeds.OfJoint(i, joint.Truth))), isOfRun);
             }
             var truth = _kinematics.ToolOf(_values, false);
-            var doubted = _kinematics.ToolOf(_values, true);
+            var uncertain = _kinematics.ToolOf(_values, true);
             var error = new ErrorSample(
                 Square(frame.X - truth.X) + Square(frame.Y - truth.Y) + Square(frame.Z - truth.Z),
                 Square(frame.HeldX - truth.X) + Square(frame.HeldY - truth.Y) + Square(frame.HeldZ - truth.Z),
-                Square(doubted.X - truth.X) + Square(doubted.Y - truth.Y) + Square(doubted.Z - truth.Z),
+                Square(uncertain.X - truth.X) + Square(uncertain.Y - truth.Y) + Square(uncertain.Z - truth.Z),
                 Square(frame.ClockError * _speeds.OfTool(truth)));
             _tool.Add(frame.At, error, isOfRun);
             ToolJudged?.Invoke(frame.At, frame.State, error);

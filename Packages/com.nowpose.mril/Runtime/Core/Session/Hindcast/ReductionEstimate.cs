@@ -11,12 +11,12 @@ namespace Nowpose.Session.Hindcast
     static class ReductionEstimate
     {
         /// <summary>Minimum RMS of the hold's error, 0.1 mm or 0.1 mrad; a smaller one occurs only at rest and cannot be reduced.</summary>
-        const double LeastHoldRms = 1e-4;
+        const double MinHoldRms = 1e-4;
 
-        const int FewestBatches = 4;
+        const int MinBatches = 4;
 
         public static double? Of(in ErrorSums sums) =>
-            sums.Count > 0 && sums.Held >= LeastHoldRms * LeastHoldRms * sums.Count ? Reduction(sums.Displayed, sums.Held) : (double?)null;
+            sums.Count > 0 && sums.Held >= MinHoldRms * MinHoldRms * sums.Count ? Reduction(sums.Displayed, sums.Held) : (double?)null;
 
         /// <summary>Returns the half-width of the 95 % confidence interval; null when too few batches contain motion.</summary>
         public static double? UncertaintyOf(in ErrorSums total, ReadOnlySpan<ErrorSums> batches)
@@ -25,14 +25,14 @@ namespace Nowpose.Session.Hindcast
             var (count, sum, squares) = (0, 0.0, 0.0);
             foreach (ref readonly var batch in batches)
             {
-                if (batch.Held < LeastHoldRms * LeastHoldRms * batch.Count || batch.Count == 0) continue;
+                if (batch.Held < MinHoldRms * MinHoldRms * batch.Count || batch.Count == 0) continue;
                 if (!(total.Held - batch.Held > 0)) return null;
                 var without = Reduction(Math.Max(total.Displayed - batch.Displayed, 0), total.Held - batch.Held);
                 count++;
                 sum += without;
                 squares += without * without;
             }
-            if (count < FewestBatches) return null;
+            if (count < MinBatches) return null;
             var variance = Math.Max(squares - sum * sum / count, 0) * (count - 1) / count;
             return Student95(count - 1) * Math.Sqrt(variance);
         }

@@ -40,7 +40,7 @@ namespace Nowpose.Session.Hindcast
 
         /// <summary>Sets the true position of a joint for the frames within a span.</summary>
         /// <param name="isKnown">False when the interval between the samples is too long to determine the motion.</param>
-        public void Tell(int joint, in TruthSpan span, bool isKnown)
+        public void SetTruth(int joint, in TruthSpan span, bool isKnown)
         {
             for (var i = 0; i < _count; i++)
             {
@@ -50,7 +50,7 @@ namespace Nowpose.Session.Hindcast
                 frame.IsLost |= !isKnown;
                 frame.Missing--;
                 ref var values = ref _joints[index * _jointCount + joint];
-                values.Truth = span.At(frame.At, out values.Doubt);
+                values.Truth = span.At(frame.At, out values.Uncertainty);
             }
         }
 
@@ -89,7 +89,7 @@ namespace Nowpose.Session.Hindcast
 
         public struct JointValues
         {
-            public double Displayed, Held, Truth, Doubt;
+            public double Displayed, Held, Truth, Uncertainty;
         }
     }
 }

@@ -7,7 +7,7 @@ namespace Nowpose.Session.Hindcast
     sealed class TrueSpeeds
     {
         /// <summary>Maximum interval between frames; the mean speed over a longer one is not the current speed.</summary>
-        static readonly TimeSpan LongestPause = new TimeSpan(TimeSpan.TicksPerSecond / 5);
+        static readonly TimeSpan MaxPause = new TimeSpan(TimeSpan.TicksPerSecond / 5);
 
         readonly double[] _positions;
         RigidTransform _tool;
@@ -20,7 +20,7 @@ namespace Nowpose.Session.Hindcast
         public void Next(ControlTime at)
         {
             var passed = _at.HasValue ? at - _at.Value : TimeSpan.Zero;
-            _perSecond = passed > TimeSpan.Zero && passed <= LongestPause ? 1 / ClockTicks.Seconds(passed) : 0;
+            _perSecond = passed > TimeSpan.Zero && passed <= MaxPause ? 1 / ClockTicks.Seconds(passed) : 0;
             _at = at;
         }
 

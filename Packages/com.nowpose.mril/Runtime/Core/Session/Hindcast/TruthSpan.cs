@@ -4,7 +4,7 @@ namespace Nowpose.Session.Hindcast
     readonly struct TruthSpan
     {
         readonly double _length, _before;
-        readonly double _startPosition, _secant, _bend, _twist, _doubt;
+        readonly double _startPosition, _secant, _bend, _twist, _uncertainty;
 
         /// <param name="before">Sample before the span; if it is unknown, the curve is a parabola.</param>
         /// <param name="start">Sample at the start of the span.</param>
@@ -24,22 +24,22 @@ namespace Nowpose.Session.Hindcast
             var right = after.IsKnown ? ((after.Position - end.Position) / (afterTime - _length) - _secant) / afterTime : 0;
             _bend = before.IsKnown ? left : right;
             _twist = before.IsKnown && after.IsKnown ? (right - left) / (afterTime - _before) : 0;
-            _doubt = before.IsKnown && after.IsKnown ? 0.5 * (right - left) : _bend;
+            _uncertainty = before.IsKnown && after.IsKnown ? 0.5 * (right - left) : _bend;
         }
 
         public ControlTime Start { get; }
         public ControlTime End { get; }
 
         /// <summary>Returns the position at a time within the span.</summary>
-        /// <param name="doubt">
+        /// <param name="uncertainty">
         /// Half the difference between the parabolas through the span and either neighbour: about the error of the cubic if the motion
         /// has a kink, and more than its error if the motion is smooth.
         /// </param>
-        public double At(ControlTime time, out double doubt)
+        public double At(ControlTime time, out double uncertainty)
         {
             var x = ClockTicks.Seconds(time - Start);
             var inside = x * (x - _length);
-            doubt = _doubt * inside;
+            uncertainty = _uncertainty * inside;
             return _startPosition + _secant * x + (_bend + _twist * (x - _before)) * inside;
         }
     }

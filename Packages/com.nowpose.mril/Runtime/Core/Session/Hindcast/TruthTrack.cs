@@ -8,7 +8,7 @@ namespace Nowpose.Session.Hindcast
         TruthSample _first, _second, _third;
 
         /// <summary>End of the intervals that are already complete; null before the first sample.</summary>
-        public ControlTime? ToldUntil => _second.IsKnown ? _second.At : _third.IsKnown ? _third.At : (ControlTime?)null;
+        public ControlTime? CompleteUntil => _second.IsKnown ? _second.At : _third.IsKnown ? _third.At : (ControlTime?)null;
 
         /// <summary>Adds a sample. A sample that is not newer than the last one is ignored, as its interval is already complete.</summary>
         /// <param name="maximumGap">Maximum interval between samples; the motion within a longer one is unknown.</param>

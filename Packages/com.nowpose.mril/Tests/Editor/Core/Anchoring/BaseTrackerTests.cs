@@ -54,12 +54,12 @@ namespace Nowpose.Tests.Core.Anchoring
             var cell = SimulatedMarkers.One(1, 0);
             cell.Noisy();
             cell.OutlierShare = 0;
-            var told = cell.Now;
+            var reported = cell.Now;
             // The sighting is renewed twice a second, as by devices that read codes.
             cell.Change = sighting =>
             {
-                if (sighting.LastSeen - told >= Lengths.Seconds(0.5)) told = sighting.LastSeen;
-                return new MarkerSighting("1", "a", sighting.Pose, 0, told, MarkerTracking.Tracking);
+                if (sighting.LastSeen - reported >= Lengths.Seconds(0.5)) reported = sighting.LastSeen;
+                return new MarkerSighting("1", "a", sighting.Pose, 0, reported, MarkerTracking.Tracking);
             };
 
             var took = cell.RunUntilLocked(20);
@@ -104,7 +104,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
             Assert.That(cell.Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0));
             Assert.That(cell.Tracker.Markers[0].Fault, Is.EqualTo(SightingFault.Old));
-            Assert.That(cell.Tracker.Markers[0].Ignored[SightingFault.Old], Is.EqualTo(1), "one old sighting, told 300 times");
+            Assert.That(cell.Tracker.Markers[0].Ignored[SightingFault.Old], Is.EqualTo(1), "one old sighting, reported 300 times");
         }
 
         [Test]
@@ -292,12 +292,12 @@ namespace Nowpose.Tests.Core.Anchoring
             cell.Noisy();
             cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.24, 0, 0, 0, 0, 0);
             cell.Run(4);
-            Assert.That(cell.Tracker.Quarrel, Is.Not.Null);
+            Assert.That(cell.Tracker.Conflict, Is.Not.Null);
 
             cell.IsInView = payload => payload == "a";
 
             Assert.That(cell.RunUntilLocked(16), Is.Not.Null);
-            Assert.That(cell.Tracker.Quarrel, Is.Null);
+            Assert.That(cell.Tracker.Conflict, Is.Null);
         }
 
         [Test]
@@ -426,9 +426,9 @@ namespace Nowpose.Tests.Core.Anchoring
 
             Assert.That(cell.RunUntilLocked(5), Is.Null);
 
-            Assert.That(cell.Tracker.Quarrel.Marker.Payload, Is.EqualTo("a"));
-            Assert.That(cell.Tracker.Quarrel.Other.Payload, Is.EqualTo("b"));
-            Assert.That(cell.Tracker.Quarrel.Metres, Is.EqualTo(0.04).Within(0.003));
+            Assert.That(cell.Tracker.Conflict.Marker.Payload, Is.EqualTo("a"));
+            Assert.That(cell.Tracker.Conflict.Other.Payload, Is.EqualTo("b"));
+            Assert.That(cell.Tracker.Conflict.Metres, Is.EqualTo(0.04).Within(0.003));
         }
 
         [TestCase(0.04, 0, 0)]
@@ -444,9 +444,9 @@ namespace Nowpose.Tests.Core.Anchoring
 
                 Locked(cell);
 
-                Assert.That(cell.Tracker.Quarrel.Marker.Payload, Is.EqualTo("c"), "seed " + seed);
-                Assert.That(cell.Tracker.Quarrel.Other, Is.Null);
-                Assert.That(cell.Tracker.Quarrel.Metres, Is.EqualTo(Math.Sqrt(x * x + y * y + z * z)).Within(0.005), "seed " + seed);
+                Assert.That(cell.Tracker.Conflict.Marker.Payload, Is.EqualTo("c"), "seed " + seed);
+                Assert.That(cell.Tracker.Conflict.Other, Is.Null);
+                Assert.That(cell.Tracker.Conflict.Metres, Is.EqualTo(Math.Sqrt(x * x + y * y + z * z)).Within(0.005), "seed " + seed);
                 Assert.That(cell.Tracker.Lock.Markers, Is.EqualTo(2));
                 Assert.That(cell.ErrorAt().Metres, Is.LessThan(0.002), "seed " + seed);
                 cell.Run(3);

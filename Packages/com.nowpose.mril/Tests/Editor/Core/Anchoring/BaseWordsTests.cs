@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Core.Anchoring
             return _cell.Tracker.Words;
         }
 
-        void Tell(RigidTransform? head = null, double ageSeconds = 0, double sizeMetres = 0)
+        void Report(RigidTransform? head = null, double ageSeconds = 0, double sizeMetres = 0)
         {
             _cell.IsInView = payload => payload == "a";
             _cell.Head = head ?? _cell.Head;
@@ -57,13 +57,13 @@ namespace Nowpose.Tests.Core.Anchoring
         [Test]
         public void Words_UnsuitableView_StateTheRemedy()
         {
-            Tell(RigidTransform.FromXyzRpy(1.2, -0.4, 3, 0, 1.5, 0));
+            Report(RigidTransform.FromXyzRpy(1.2, -0.4, 3, 0, 1.5, 0));
             Assert.That(Words(), Is.EqualTo("marker 'a' is too far away: go within 2.5 m"));
-            Tell(RigidTransform.FromXyzRpy(-0.3, -0.4, -0.5, 0, 0, 0));
+            Report(RigidTransform.FromXyzRpy(-0.3, -0.4, -0.5, 0, 0, 0));
             Assert.That(Words(), Is.EqualTo("marker 'a' is seen too obliquely: go in front of it"));
-            Tell(RigidTransform.FromXyzRpy(1.2, -0.4, 0.3, 0, -1, 0));
+            Report(RigidTransform.FromXyzRpy(1.2, -0.4, 0.3, 0, -1, 0));
             Assert.That(Words(), Is.EqualTo("marker 'a' is behind you: look at it"));
-            Tell(ageSeconds: 1);
+            Report(ageSeconds: 1);
             Assert.That(Words(), Is.EqualTo("marker 'a' is not in view any more: look at it"));
         }
 
@@ -82,10 +82,10 @@ namespace Nowpose.Tests.Core.Anchoring
             Words(3);
             _cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866, 0.25, 0, 0, 0, 2);
 
-            Assert.That(Words(3), Does.Match("^marker 'b', (99|100|101) mm, 0\\.\\d° from where it belongs: put it back, or lock anew$"));
+            Assert.That(Words(3), Does.Match("^marker 'b', (99|100|101) mm, 0\\.\\d° from where it belongs: put it back, or lock again$"));
             _cell.Tracker.Relock();
             Assert.That(Words(3), Does.Match("^locked by 2 markers, moved by 0\\.\\d mm, 0\\.\\d\\d°; "
-                + "marker 'b' is (99|100|101) mm, 0\\.\\d° from where the others say$"));
+                + "marker 'b' is (99|100|101) mm, 0\\.\\d° from the place that the other markers show$"));
         }
 
         [Test]
@@ -104,7 +104,7 @@ namespace Nowpose.Tests.Core.Anchoring
             _cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866 - 0.0433, 0.175, 0, 0, 0, 2);
 
             Assert.That(
-                Words(3), Does.Match("^marker 'a' and marker 'b' contradict each other by (49|50|51) mm, \\d\\.\\d°: measure their places anew$"));
+                Words(3), Does.Match("^marker 'a' and marker 'b' contradict each other by (49|50|51) mm, \\d\\.\\d°: measure their places again$"));
         }
 
         [Test]

@@ -121,7 +121,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0));
             Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Lost));
             Assert.That(
-                Tracker.Words, Is.EqualTo("the headset has the place 0.3 m elsewhere, which is not followed: look around, or lock anew"));
+                Tracker.Words, Is.EqualTo("the headset has the place 0.3 m elsewhere, which is not followed: look around, or lock again"));
             _anchors.Held[0].Pose = Shift(0.29) * before;
             _cell.Base = _anchors.Held[0].Pose.Value;
             _cell.Run(2);

@@ -109,7 +109,7 @@ namespace Nowpose.Tests.Core.Anchoring
         public void Tick_InvalidPoseOrUnknownPayload_IsIgnored()
         {
             Tick(default, Now);
-            Tick(Place, Now, "somebody else's");
+            Tick(Place, Now, "another user's");
 
             Assert.That(_tracker.State, Is.EqualTo(BaseAnchorState.Placed));
             Assert.That(_tracker.Base, Is.Null);

@@ -37,12 +37,12 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("<joint name='j' type='fixed'><child link='b'/></joint>", "joint 'j': its <parent link=…/> is missing")]
         [TestCase("<joint name='j' type='fixed'><parent link='a'/><child/></joint>", "joint 'j' <child>: its attribute link is missing")]
         [TestCase(
-            "<joint name='j' type='fixed'>\n<parent link='a'/>\n<child link='z'/></joint>", "r.urdf:5: joint 'j' <child>: there is no link 'z'")]
-        [TestCase("<joint name='j' type='fixed'>\n<parent link='z'/><child link='a'/></joint>", "r.urdf:4: joint 'j' <parent>: there is no link 'z'")]
+            "<joint name='j' type='fixed'>\n<parent link='a'/>\n<child link='z'/></joint>", "r.urdf:5: joint 'j' <child>: unknown link 'z'")]
+        [TestCase("<joint name='j' type='fixed'>\n<parent link='z'/><child link='a'/></joint>", "r.urdf:4: joint 'j' <parent>: unknown link 'z'")]
         [TestCase("<joint name='j' type='fixed'>" + Ends + "</joint>\n<joint name='j' type='fixed'><parent link='a'/><child link='c'/></joint>", "r.urdf:4: joint 'j': another joint has the same name")]
         public void Read_InvalidJoint_NamesIt(string joints, string message) => RefusesJoints(joints, message);
 
-        [TestCase("<axis xyz='0 0 0'/>", "<axis>: xyz is no direction")]
+        [TestCase("<axis xyz='0 0 0'/>", "<axis>: xyz is not a direction")]
         [TestCase("<axis xyz='0 1'/>", "<axis>: xyz has 2 numbers, it needs 3")]
         [TestCase("<origin xyz='0 0 0 0'/>", "<origin>: xyz has 4 numbers, it needs 3")]
         [TestCase("<origin xyz=''/>", "<origin>: xyz has 0 numbers, it needs 3")]
@@ -56,7 +56,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("<limit upper='Infinity'/>", "<limit>: upper 'Infinity' is not a finite number")]
         [TestCase("<limit velocity='fast'/>", "<limit>: velocity 'fast' is not a finite number")]
         [TestCase("<mimic/>", "<mimic>: its attribute joint is missing")]
-        [TestCase("<mimic joint='z'/>", "<mimic>: there is no joint 'z'")]
+        [TestCase("<mimic joint='z'/>", "<mimic>: unknown joint 'z'")]
         [TestCase("<mimic joint='j'/>", "<mimic>: following 'j' leads back to this joint: a loop")]
         [TestCase("<mimic joint='k'/>", "<mimic>: joint 'k' is fixed; only a moving one can be followed")]
         [TestCase("<mimic joint='m' multiplier='two'/>", "<mimic>: multiplier 'two' is not a finite number")]

@@ -126,13 +126,13 @@ namespace Nowpose.Tests.Core.Latency
         {
             var monitor = Monitor();
             Add(monitor, 20, 7);
-            var (early, reason) = (monitor.State, monitor.Doubt);
+            var (early, reason) = (monitor.State, monitor.UnknownReason);
             Add(monitor, 20);
 
             Assert.That(early, Is.EqualTo(RangeState.Unknown));
-            Assert.That(reason, Is.EqualTo(RangeDoubt.TooFewFrames));
+            Assert.That(reason, Is.EqualTo(RangeUnknownReason.TooFewFrames));
             Assert.That(monitor.State, Is.EqualTo(RangeState.Outside));
-            Assert.That(monitor.Doubt, Is.EqualTo(RangeDoubt.None));
+            Assert.That(monitor.UnknownReason, Is.EqualTo(RangeUnknownReason.None));
         }
 
         [TestCase(9.3, 37, true, TestName = "Add_ClearlyInsideForThirtyFrames_IsInsideAgain")]
@@ -173,7 +173,7 @@ namespace Nowpose.Tests.Core.Latency
             Add(monitor, 20, 100, RenderTimeSourceKind.GpuCompletion);
 
             Assert.That(monitor.State, Is.EqualTo(RangeState.Unknown));
-            Assert.That(monitor.Doubt, Is.EqualTo(RangeDoubt.OtherSource));
+            Assert.That(monitor.UnknownReason, Is.EqualTo(RangeUnknownReason.OtherSource));
             Assert.That(monitor.Source, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
             Assert.That(monitor.RenderTime.Value.TotalMilliseconds, Is.EqualTo(20).Within(1e-3));
         }
@@ -202,7 +202,7 @@ namespace Nowpose.Tests.Core.Latency
             Add(monitor, 10, 1, RenderTimeSourceKind.None);
 
             Assert.That(monitor.State, Is.EqualTo(RangeState.Unknown));
-            Assert.That(monitor.Doubt, Is.EqualTo(RangeDoubt.NoRenderTime));
+            Assert.That(monitor.UnknownReason, Is.EqualTo(RangeUnknownReason.NoRenderTime));
             Assert.That(monitor.RenderTime, Is.Null);
         }
 
@@ -226,7 +226,7 @@ namespace Nowpose.Tests.Core.Latency
             Add(monitor, 100, 100);
 
             Assert.That(monitor.State, Is.EqualTo(RangeState.Unknown));
-            Assert.That(monitor.Doubt, Is.EqualTo(RangeDoubt.NoLimit));
+            Assert.That(monitor.UnknownReason, Is.EqualTo(RangeUnknownReason.NoLimit));
             Assert.That(monitor.RenderTime.Value.TotalMilliseconds, Is.EqualTo(100).Within(1e-3));
         }
 
@@ -237,13 +237,13 @@ namespace Nowpose.Tests.Core.Latency
             Add(monitor, 12, 100);
             var before = monitor.State;
             monitor.Range = new ConstantLatencyRange(15, Source);
-            var (between, reason) = (monitor.State, monitor.Doubt);
+            var (between, reason) = (monitor.State, monitor.UnknownReason);
 
             Add(monitor, 12);
 
             Assert.That(before, Is.EqualTo(RangeState.Outside));
             Assert.That(between, Is.EqualTo(RangeState.Unknown));
-            Assert.That(reason, Is.EqualTo(RangeDoubt.TooFewFrames));
+            Assert.That(reason, Is.EqualTo(RangeUnknownReason.TooFewFrames));
             Assert.That(monitor.State, Is.EqualTo(RangeState.Inside));
         }
 
@@ -258,12 +258,12 @@ namespace Nowpose.Tests.Core.Latency
 
             Assert.That(inside, Is.EqualTo(RangeState.Inside));
             Assert.That(monitor.State, Is.EqualTo(RangeState.Unknown));
-            Assert.That(monitor.Doubt, Is.EqualTo(RangeDoubt.BeyondMeasured));
+            Assert.That(monitor.UnknownReason, Is.EqualTo(RangeUnknownReason.BeyondMeasured));
         }
 
         [TestCase(0, RenderTimeSourceKind.DisplayGpuTime, "render time limit: 0 ms is out of range; allowed are 0.1 to 1000 ms")]
         [TestCase(double.NaN, RenderTimeSourceKind.DisplayGpuTime, "render time limit: NaN ms is out of range; allowed are 0.1 to 1000 ms")]
-        [TestCase(15, RenderTimeSourceKind.None, "render time limit: say which source of the render time it was found with; it holds for no other")]
+        [TestCase(15, RenderTimeSourceKind.None, "render time limit: name the source of the render time that it was measured with")]
         public void ConstantLatencyRange_InvalidSetting_ThrowsWithTheReason(double limitMs, RenderTimeSourceKind source, string message)
         {
             Assert.That(Assert.Throws<InputException>(() => new ConstantLatencyRange(limitMs, source)).Message, Is.EqualTo(message));

@@ -24,13 +24,13 @@ namespace Nowpose.Tests.Core.Latency
         // Predictions scatter with a standard deviation of 1 ms. Returns the number of frames until the check changed, or all.
         int Frames(int count, double differenceMs, double outlierChance = 0)
         {
-            var before = _check.IsDoubted;
+            var before = _check.IsInconsistent;
             for (var i = 0; i < count; i++)
             {
                 var scatter = Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
                 var outlier = _random.NextDouble() < outlierChance ? 16.7 : 0;
                 _check.Add(HeadsetTime.FromSeconds(_start + _frame++ / 60.0), Lengths.Ms(differenceMs + scatter + outlier));
-                if (_check.IsDoubted != before) return i + 1;
+                if (_check.IsInconsistent != before) return i + 1;
             }
             return count;
         }
@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Core.Latency
         {
             var frames = Frames(600, differenceMs);
 
-            Assert.That(_check.IsDoubted, Is.True);
+            Assert.That(_check.IsInconsistent, Is.True);
             Assert.That(frames, Is.InRange(60, 126), "seed 4");
             Assert.That(_check.Difference.Value.TotalMilliseconds, Is.EqualTo(differenceMs).Within(0.6));
         }
@@ -54,7 +54,7 @@ namespace Nowpose.Tests.Core.Latency
         {
             Frames(3600, differenceMs, outlierChance: 0.05);
 
-            Assert.That(_check.IsDoubted, Is.False, "seed 4; single frames are 16.7 ms off");
+            Assert.That(_check.IsInconsistent, Is.False, "seed 4; single frames are 16.7 ms off");
         }
 
         [Test]
@@ -64,7 +64,7 @@ namespace Nowpose.Tests.Core.Latency
             Frames(45, 30);
             Frames(300, 0);
 
-            Assert.That(_check.IsDoubted, Is.False);
+            Assert.That(_check.IsInconsistent, Is.False);
         }
 
         [Test]
@@ -72,18 +72,18 @@ namespace Nowpose.Tests.Core.Latency
         {
             Frames(300, 8);
             Frames(600, 4.6);
-            var atTheLimit = _check.IsDoubted;
+            var atTheLimit = _check.IsInconsistent;
 
             Frames(300, 1);
 
             Assert.That(atTheLimit, Is.True);
-            Assert.That(_check.IsDoubted, Is.False);
+            Assert.That(_check.IsInconsistent, Is.False);
         }
 
         [TestCase(0.2, true)]
         [TestCase(0.3, false)]
         [TestCase(10, false)]
-        public void Add_GapAfterFewDeviatingFrames_CountsOnlyIfShort(double gapSeconds, bool isDoubted)
+        public void Add_GapAfterFewDeviatingFrames_CountsOnlyIfShort(double gapSeconds, bool isInconsistent)
         {
             // The median changes with the 31st bad frame: half a second before the gap and half a second after it are not enough.
             Frames(60, 0);
@@ -92,7 +92,7 @@ namespace Nowpose.Tests.Core.Latency
 
             Frames(25, 20);
 
-            Assert.That(_check.IsDoubted, Is.EqualTo(isDoubted), "seed 4");
+            Assert.That(_check.IsInconsistent, Is.EqualTo(isInconsistent), "seed 4");
         }
 
         [Test]
@@ -104,7 +104,7 @@ namespace Nowpose.Tests.Core.Latency
 
             Frames(1, 0);
 
-            Assert.That(_check.IsDoubted, Is.True);
+            Assert.That(_check.IsInconsistent, Is.True);
         }
 
         [Test]
@@ -114,7 +114,7 @@ namespace Nowpose.Tests.Core.Latency
 
             _check.Reset();
 
-            Assert.That(_check.IsDoubted, Is.False);
+            Assert.That(_check.IsInconsistent, Is.False);
             Assert.That(_check.Difference, Is.Null);
         }
     }

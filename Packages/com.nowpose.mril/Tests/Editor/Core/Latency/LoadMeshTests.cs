@@ -80,7 +80,7 @@ namespace Nowpose.Tests.Core.Latency
         {
             var area = 0.0;
             var corners = new HashSet<(float, float)>();
-            foreach (var patch in PatchesOf(LoadMesh.GreatestVertices))
+            foreach (var patch in PatchesOf(LoadMesh.MaxVertices))
             {
                 patch.PlaceOf(0, out var left, out var bottom);
                 patch.PlaceOf(patch.Vertices - 1, out var right, out var top);
@@ -91,7 +91,7 @@ namespace Nowpose.Tests.Core.Latency
             }
 
             Assert.That(area, Is.EqualTo(LoadMesh.Height).Within(1e-4));
-            Assert.That(corners, Has.Count.EqualTo(LoadMesh.GreatestVertices / LoadMesh.PatchVertices));
+            Assert.That(corners, Has.Count.EqualTo(LoadMesh.MaxVertices / LoadMesh.PatchVertices));
         }
 
         [Test]

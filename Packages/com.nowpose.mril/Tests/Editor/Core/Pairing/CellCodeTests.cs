@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Pairing
         [TestCase(Least + "&s=", "s is empty")]
         [TestCase(Least + "&k=1", "field k is not known")]
         [TestCase(Least + "&N=b", "field N is not known")]
-        [TestCase(Least + "&n=b", "n stands there twice")]
+        [TestCase(Least + "&n=b", "n occurs twice")]
         [TestCase(Least + " ", "U+0020")]
         [TestCase(Least + "\n", "U+000A")]
         [TestCase(Least + "\0", "U+0000")]
@@ -179,7 +179,7 @@ namespace Nowpose.Tests.Core.Pairing
             Assert.Throws<InputException>(() => CellCode.Parse("nowpose:cell/1?n=a&p=" + PinText + "&h=" + host));
             var error = Assert.Throws<InputException>(() => new CellCode("a", host, Pin));
 
-            Assert.That(error.Message, Does.Contain("is no host"));
+            Assert.That(error.Message, Does.Contain("is not a host"));
         }
 
         [TestCase("Pr%C3%BCfzelle%203", "Prüfzelle 3")]

@@ -79,18 +79,18 @@ namespace Nowpose.Tests.Core.Pairing
         public void Use_MoreThanTheMaximum_DropsTheOldest()
         {
             var cells = PairedCells.None;
-            for (var i = 0; i <= PairedCells.GreatestCount; i++) cells = cells.Use(new PairedCell(new[] { CodeOf("c" + i, 0) }, null));
+            for (var i = 0; i <= PairedCells.MaxCount; i++) cells = cells.Use(new PairedCell(new[] { CodeOf("c" + i, 0) }, null));
 
-            Assert.That(cells.All.Count, Is.EqualTo(PairedCells.GreatestCount));
+            Assert.That(cells.All.Count, Is.EqualTo(PairedCells.MaxCount));
             Assert.That(cells.Find("c0"), Is.Null);
-            Assert.That(cells.Used.Cell, Is.EqualTo("c" + PairedCells.GreatestCount));
+            Assert.That(cells.Used.Cell, Is.EqualTo("c" + PairedCells.MaxCount));
         }
 
         [Test]
         public void With_MoreMarkersThanTheMaximum_IsRefused()
         {
             var cell = new PairedCell(new[] { CodeOf("a", 0) }, null);
-            for (var i = 1; i < PairedCell.GreatestCodes; i++) cell = cell.With(CodeOf("a", i));
+            for (var i = 1; i < PairedCell.MaxCodes; i++) cell = cell.With(CodeOf("a", i));
 
             Assert.That(cell.IsFull, Is.True);
             Assert.That(cell.Holds(CodeOf("a", 0)), Is.True);

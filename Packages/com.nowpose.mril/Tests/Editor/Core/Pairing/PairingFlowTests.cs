@@ -530,7 +530,7 @@ namespace Nowpose.Tests.Core.Pairing
         public void Code_TooManyMarkersOfACell_IsReportedAndDropsNone()
         {
             Pair(Cell, Token);
-            for (var i = 1; i < PairedCell.GreatestCodes; i++) Frame(CodeOf("Press 3", "10.0.0.7", Pin, i));
+            for (var i = 1; i < PairedCell.MaxCodes; i++) Frame(CodeOf("Press 3", "10.0.0.7", Pin, i));
             var said = 0;
 
             for (var i = 0; i < 5; i++)

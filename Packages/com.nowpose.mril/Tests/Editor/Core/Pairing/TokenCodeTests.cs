@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Pairing
         [TestCase("nowpose:token/1?t=" + Token + "&n=a", "field n is not known")]
         [TestCase("nowpose:token/1?t=" + Token + "A", "16 bytes")]
         [TestCase("nowpose:token/1?t=_-ECAwQFBgcICQoLDA0OD", "16 bytes")]
-        [TestCase("nowpose:token/1?t=" + Token + "&x=-1", "x is no whole number")]
+        [TestCase("nowpose:token/1?t=" + Token + "&x=-1", "x is not a whole number")]
         [TestCase("nowpose:token/1?t=" + Token + "&x=253402300800", "x=253402300800")]
         public void Parse_InvalidGrammar_ThrowsWithTheReasonButNotTheToken(string text, string why)
         {

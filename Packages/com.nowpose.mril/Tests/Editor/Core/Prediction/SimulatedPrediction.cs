@@ -49,8 +49,8 @@ namespace Nowpose.Tests.Core.Prediction
                 var t = framePhase + frame / FrameRateHz;
                 for (; sampleTime + Latency <= t; sampleTime += SamplingInterval)
                 {
-                    var told = sampleTime + StampError * (2 * random.NextDouble() - 1);
-                    joint.Add(new JointSample(told, Position(sampleTime), sampleTime));
+                    var stamp = sampleTime + StampError * (2 * random.NextDouble() - 1);
+                    joint.Add(new JointSample(stamp, Position(sampleTime), sampleTime));
                 }
                 var shown = joint.Show(t).Position;
                 if (t < WarmUp) continue;

@@ -256,8 +256,8 @@ namespace Nowpose.Tests.Core.Recording
 
                 var text = System.Text.Encoding.UTF8.GetString(bytes.ToArray());
                 var lines = text.Split(new[] { '\n' }, StringSplitOptions.RemoveEmptyEntries).Select(JObject.Parse).ToList();
-                var told = lines.Where(l => (string)l["kind"] == "lost").Sum(l => (long)l["count"]);
-                Assert.That(told, Is.EqualTo(recorder.LostLines).And.GreaterThan(2000));
+                var reported = lines.Where(l => (string)l["kind"] == "lost").Sum(l => (long)l["count"]);
+                Assert.That(reported, Is.EqualTo(recorder.LostLines).And.GreaterThan(2000));
                 Assert.That(lines.Count(l => (string)l["kind"] == "frame"), Is.GreaterThan(2000));
             }
         }
@@ -302,7 +302,7 @@ namespace Nowpose.Tests.Core.Recording
             Assert.That(run.Recorder.Ended.Wait(TimeSpan.FromMinutes(1)), "it ends by itself");
 
             Assert.That(run.Recorder.State, Is.EqualTo(RecordingState.Full));
-            Assert.That(run.Recorder.Problem, Does.Contain("greatest size, 0.02 MB"));
+            Assert.That(run.Recorder.Problem, Does.Contain("maximum size, 0.02 MB"));
             Assert.That(run.Text.Length, Is.EqualTo(run.Recorder.Bytes).And.LessThanOrEqualTo(20_000).And.GreaterThan(19_000));
             Assert.That((string)run.Last["reason"], Is.EqualTo("full"));
         }

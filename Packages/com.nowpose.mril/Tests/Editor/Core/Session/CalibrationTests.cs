@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Core.Session
         {
             var session = Running().Session;
             Render(session, 20);
-            var before = session.Statistics(default).RangeDoubt;
+            var before = session.Statistics(default).RangeUnknownReason;
 
             session.Calibrate(Profile());
             Render(session, 20, 1);
@@ -56,7 +56,7 @@ namespace Nowpose.Tests.Core.Session
             session.Calibrate(Profile(limitMs: 30));
             Render(session, 20, 1);
 
-            Assert.That(before, Is.EqualTo(RangeDoubt.NoLimit));
+            Assert.That(before, Is.EqualTo(RangeUnknownReason.NoLimit));
             Assert.That(outside, Is.EqualTo(PoseState.OutsideRange));
             Assert.That(session.Tick(HeadsetTime.FromSeconds(10)).State, Is.EqualTo(PoseState.Current));
         }
@@ -69,7 +69,7 @@ namespace Nowpose.Tests.Core.Session
 
             Render(session, 40, source: RenderTimeSourceKind.GpuCompletion);
 
-            Assert.That(session.Statistics(default).RangeDoubt, Is.EqualTo(RangeDoubt.OtherSource));
+            Assert.That(session.Statistics(default).RangeUnknownReason, Is.EqualTo(RangeUnknownReason.OtherSource));
             Assert.That(session.Tick(HeadsetTime.FromSeconds(10)).State, Is.EqualTo(PoseState.Current));
         }
 
@@ -85,7 +85,7 @@ namespace Nowpose.Tests.Core.Session
 
             Assert.That(inside, Is.EqualTo(RangeState.Inside));
             Assert.That(session.Statistics(default).Range, Is.EqualTo(RangeState.Unknown));
-            Assert.That(session.Statistics(default).RangeDoubt, Is.EqualTo(RangeDoubt.BeyondMeasured));
+            Assert.That(session.Statistics(default).RangeUnknownReason, Is.EqualTo(RangeUnknownReason.BeyondMeasured));
         }
 
         [Test]
@@ -110,7 +110,7 @@ namespace Nowpose.Tests.Core.Session
 
             Assert.That(session.Profile, Is.Null);
             Assert.That(session.Visualisation.Length, Is.EqualTo(Lengths.Ms(40)));
-            Assert.That(session.Statistics(default).RangeDoubt, Is.EqualTo(RangeDoubt.NoLimit));
+            Assert.That(session.Statistics(default).RangeUnknownReason, Is.EqualTo(RangeUnknownReason.NoLimit));
         }
 
         [Test]

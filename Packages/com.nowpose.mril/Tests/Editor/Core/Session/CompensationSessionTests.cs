@@ -79,10 +79,10 @@ namespace Nowpose.Tests.Core.Session
 
             var fresh = new SessionStatistics();
             Assert.That(known, Is.Not.Null);
-            var others = new[] { "VisualisationLatency", "RangeDoubt", "JointErrors", "JointStatuses" };
+            var others = new[] { "VisualisationLatency", "RangeUnknownReason", "JointErrors", "JointStatuses" };
             foreach (var property in typeof(SessionStatistics).GetProperties().Where(p => !others.Contains(p.Name)))
                 Assert.That(property.GetValue(statistics), Is.EqualTo(property.GetValue(fresh)), property.Name);
-            Assert.That(statistics.RangeDoubt, Is.EqualTo(RangeDoubt.NoLimit));
+            Assert.That(statistics.RangeUnknownReason, Is.EqualTo(RangeUnknownReason.NoLimit));
             Assert.That(statistics.JointErrors.Select(j => j.Error), Is.All.Null);
             Assert.That(statistics.JointStatuses.Select(j => j.Age), Is.All.Null);
         }

@@ -85,14 +85,14 @@ namespace Nowpose.Tests.Core.Session
 
             var statistics = simulated.Session.Statistics(default);
             Assert.That(reports, Is.EqualTo(isReported ? 1 : 0));
-            Assert.That(statistics.IsDisplayTimeDoubted, Is.EqualTo(isReported));
+            Assert.That(statistics.IsDisplayTimeInconsistent, Is.EqualTo(isReported));
             Assert.That(statistics.DisplayTimeDifference.Value.TotalMilliseconds, Is.EqualTo(ms - 40).Within(1e-3));
             Assert.That(statistics.VisualisationLatency, Is.EqualTo(Lengths.Ms(ms)), "the runtime's value is used");
         }
 
         [TestCase(46.5, 40, true)]
         [TestCase(40, 46.5, false)]
-        public void DisplayTimeSource_FrameComputedTwice_ComparesOnlyTheSecond(double lastMs, double firstMs, bool isDoubted)
+        public void DisplayTimeSource_FrameComputedTwice_ComparesOnlyTheSecond(double lastMs, double firstMs, bool isInconsistent)
         {
             var simulated = Running(null);
             var ms = lastMs;
@@ -107,7 +107,7 @@ namespace Nowpose.Tests.Core.Session
 
             var statistics = simulated.Session.Statistics(default);
             Assert.That(statistics.DisplayTimeDifference.Value.TotalMilliseconds, Is.EqualTo(lastMs - 40).Within(1e-3));
-            Assert.That(statistics.IsDisplayTimeDoubted, Is.EqualTo(isDoubted));
+            Assert.That(statistics.IsDisplayTimeInconsistent, Is.EqualTo(isInconsistent));
         }
 
         [Test]
@@ -121,7 +121,7 @@ namespace Nowpose.Tests.Core.Session
             simulated.Session.DisplayTimeSource = new Runtime { Ms = _ => 57 };
             simulated.Run(5);
 
-            Assert.That(simulated.Session.Statistics(default).IsDisplayTimeDoubted, Is.False);
+            Assert.That(simulated.Session.Statistics(default).IsDisplayTimeInconsistent, Is.False);
             Assert.That(simulated.Session.Statistics(default).VisualisationLatency, Is.EqualTo(Lengths.Ms(57)));
         }
     }

@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Core.Session
             var states = Run(simulated, 20, RenderTimeSourceKind.GpuCompletion);
 
             Assert.That(states, Is.All.EqualTo(PoseState.Current));
-            Assert.That(simulated.Session.Statistics(default).RangeDoubt, Is.EqualTo(RangeDoubt.OtherSource));
+            Assert.That(simulated.Session.Statistics(default).RangeUnknownReason, Is.EqualTo(RangeUnknownReason.OtherSource));
         }
 
         [Test]
@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Session
 
             Assert.That(before.RenderTime, Is.Null);
             Assert.That(before.RenderTimeSource, Is.EqualTo(RenderTimeSourceKind.None));
-            Assert.That(before.RangeDoubt, Is.EqualTo(RangeDoubt.NoRenderTime));
+            Assert.That(before.RangeUnknownReason, Is.EqualTo(RangeUnknownReason.NoRenderTime));
             Assert.That(after.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9.5).Within(0.01));
             Assert.That(after.RenderTimeSource, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime));
             Assert.That(after.Range, Is.EqualTo(RangeState.Inside));

@@ -15,19 +15,19 @@ namespace Nowpose.Tests.Core.Session
     {
         static readonly HeadsetTime Start = HeadsetTime.FromSeconds(100);
 
-        readonly List<string> _told = new List<string>();
+        readonly List<string> _events = new List<string>();
         CompensationSession _session;
 
         [SetUp]
         public void Listen()
         {
-            _told.Clear();
+            _events.Clear();
             _session = new CompensationSession(
                 new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Lengths.Ms(40))), TestRobot.Model, new SetClock());
-            _session.Clock.Judged += (in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault) => _told.Add(verdict + " " + fault);
-            _session.Intake.SampleJudged += (arrival, reason) => _told.Add("sample " + reason);
-            _session.StartedAnew += (at, clock) => _told.Add("anew " + clock.IsKnown);
-            _session.Ticked += frame => _told.Add("frame");
+            _session.Clock.Judged += (in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault) => _events.Add(verdict + " " + fault);
+            _session.Intake.SampleJudged += (arrival, reason) => _events.Add("sample " + reason);
+            _session.Restarted += (at, clock) => _events.Add("restarted " + clock.IsKnown);
+            _session.Ticked += frame => _events.Add("frame");
         }
 
         static SyncExchange Exchange(HeadsetTime at) =>
@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Core.Session
 
             _session.Tick(Start + Lengths.Ms(10));
 
-            Assert.That(_told, Is.EqualTo(new[] { "Consistent None", "anew True", "sample None", "frame" }));
+            Assert.That(_events, Is.EqualTo(new[] { "Consistent None", "restarted True", "sample None", "frame" }));
         }
 
         [Test]
@@ -53,12 +53,12 @@ namespace Nowpose.Tests.Core.Session
             _session.Clock.Add(Exchange(Start), out _);
             _session.Clock.Add(Exchange(Start), out _);
 
-            Assert.That(_told.Last(), Is.EqualTo("Dropped NotNewer"));
+            Assert.That(_events.Last(), Is.EqualTo("Dropped NotNewer"));
         }
 
         [TestCase("elbow", 0, "DuplicateSample")]
         [TestCase("elbow", 5000, "StampInFuture")]
-        [TestCase("nobody", 0, "UnknownJoint")]
+        [TestCase("unknown", 0, "UnknownJoint")]
         public void Sample_Dropped_RaisesAnEventWithTheReason(string joint, double aheadMs, string reason)
         {
             _session.Clock.Add(Exchange(Start), out _);
@@ -67,7 +67,8 @@ namespace Nowpose.Tests.Core.Session
 
             _session.Tick(Start + Lengths.Ms(10));
 
-            Assert.That(_told.Where(t => t.StartsWith("sample", StringComparison.Ordinal)), Is.EqualTo(new[] { "sample None", "sample " + reason }));
+            Assert.That(
+                _events.Where(e => e.StartsWith("sample", StringComparison.Ordinal)), Is.EqualTo(new[] { "sample None", "sample " + reason }));
         }
 
         [Test]
@@ -75,7 +76,7 @@ namespace Nowpose.Tests.Core.Session
         {
             for (var i = 0; i <= 1000; i++) _session.Listener.Received(Sample(Start.SinceEpoch + Lengths.Ms(i)), Start);
 
-            Assert.That(_told, Is.EqualTo(new[] { "sample SlowReader" }));
+            Assert.That(_events, Is.EqualTo(new[] { "sample SlowReader" }));
         }
 
         [Test]

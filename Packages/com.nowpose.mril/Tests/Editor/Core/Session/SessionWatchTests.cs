@@ -100,11 +100,11 @@ namespace Nowpose.Tests.Core.Session
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, 7);
             var watch = new SessionWatch();
-            var told = new List<SessionChange>();
+            var changes = new List<SessionChange>();
             void Run(double seconds) => simulated.Run(seconds, (frame, light) =>
             {
                 var change = watch.Changed(frame);
-                if (change != SessionChange.None) told.Add(change);
+                if (change != SessionChange.None) changes.Add(change);
             });
 
             Run(10);
@@ -115,10 +115,10 @@ namespace Nowpose.Tests.Core.Session
             simulated.Link.Step = TimeSpan.FromSeconds(60);
             Run(10);
 
-            Assert.That(told.First(), Is.EqualTo(SessionChange.Synchronised));
-            Assert.That(told[1], Is.EqualTo(SessionChange.Stale));
-            Assert.That(told.Skip(2), Has.Member(SessionChange.Lost).And.Member(SessionChange.Synchronised));
-            Assert.That(told.Count, Is.LessThan(8), string.Join(" ", told));
+            Assert.That(changes.First(), Is.EqualTo(SessionChange.Synchronised));
+            Assert.That(changes[1], Is.EqualTo(SessionChange.Stale));
+            Assert.That(changes.Skip(2), Has.Member(SessionChange.Lost).And.Member(SessionChange.Synchronised));
+            Assert.That(changes.Count, Is.LessThan(8), string.Join(" ", changes));
         }
     }
 }

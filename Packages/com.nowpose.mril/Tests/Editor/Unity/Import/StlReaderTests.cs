@@ -80,7 +80,7 @@ namespace Nowpose.Tests.Unity.Import
 
         [TestCase("", "a.stl, byte 0: the file ends within its header")]
         [TestCase("soli", "a.stl, byte 4: the file ends within its header")]
-        [TestCase("solid empty\nendsolid\n", "a.stl: there is no triangle in it")]
+        [TestCase("solid empty\nendsolid\n", "a.stl: the mesh has no triangles")]
         [TestCase("solid a\n", "a.stl:1: the file ends without endsolid; it is cut short")]
         [TestCase("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", "a.stl:4: the file ends without endsolid; it is cut short")]
         [TestCase("solid a\nfacet\nvertex 0 0\n", "a.stl:3: a vertex has 2 numbers, it needs 3")]
@@ -95,7 +95,7 @@ namespace Nowpose.Tests.Unity.Import
         [TestCase("solid a\nendfacet\n", "a.stl:2: endfacet without its facet")]
         [TestCase("solid a\nouter loop\n", "a.stl:2: a loop outside of a facet")]
         [TestCase("solid a\nsolid b\n", "a.stl:2: a solid within a solid")]
-        [TestCase("solid a\n\nbox 1 2 3\n", "a.stl:3: 'box' is no word of the format")]
+        [TestCase("solid a\n\nbox 1 2 3\n", "a.stl:3: 'box' is not a keyword of the STL format")]
         public void Read_InvalidText_ThrowsWithThePosition(string text, string message) => Refuses(Encoding.UTF8.GetBytes(text), message);
 
         [Test]

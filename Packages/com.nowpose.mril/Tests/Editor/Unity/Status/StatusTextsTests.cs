@@ -243,10 +243,10 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(false, false, "47.0 ms|as set")]
         [TestCase(true, false, "47.0 ms|predicted by the runtime")]
         [TestCase(true, true, "! 47.0 ms|runtime and calibration differ")]
-        public void Update_VisualisationLatency_NamesItsSource(bool isPredicted, bool isDoubted, string expected)
+        public void Update_VisualisationLatency_NamesItsSource(bool isPredicted, bool isInconsistent, string expected)
         {
             Assert.That(Row(StatusRow.VisualisationLatency, ("VisualisationLatency", Ms(47)), ("IsLightPredicted", isPredicted),
-                ("IsDisplayTimeDoubted", isDoubted)), Is.EqualTo(expected));
+                ("IsDisplayTimeInconsistent", isInconsistent)), Is.EqualTo(expected));
         }
 
         [TestCase(OutsideRangeResponse.Fade)]
@@ -269,16 +269,16 @@ namespace Nowpose.Tests.Unity.Status
             Assert.That(Row(StatusRow.RenderTime, ("RenderTime", Ms(9.5)), ("RenderTimeSource", source)), Is.EqualTo(expected));
         }
 
-        [TestCase(RangeState.Inside, RangeDoubt.None, "inside|")]
-        [TestCase(RangeState.Outside, RangeDoubt.None, "! outside|")]
-        [TestCase(RangeState.Unknown, RangeDoubt.NoLimit, "–|no limit is known")]
-        [TestCase(RangeState.Unknown, RangeDoubt.NoRenderTime, "–|nothing measures")]
-        [TestCase(RangeState.Unknown, RangeDoubt.TooFewFrames, "–|measuring")]
-        [TestCase(RangeState.Unknown, RangeDoubt.BeyondMeasured, "–|beyond what was measured")]
-        [TestCase(RangeState.Unknown, RangeDoubt.OtherSource, "–|limit of another source")]
-        public void Update_Range_ShowsTheReasonIfUnknown(RangeState range, object doubt, string expected)
+        [TestCase(RangeState.Inside, RangeUnknownReason.None, "inside|")]
+        [TestCase(RangeState.Outside, RangeUnknownReason.None, "! outside|")]
+        [TestCase(RangeState.Unknown, RangeUnknownReason.NoLimit, "–|no limit is known")]
+        [TestCase(RangeState.Unknown, RangeUnknownReason.NoRenderTime, "–|nothing measures")]
+        [TestCase(RangeState.Unknown, RangeUnknownReason.TooFewFrames, "–|measuring")]
+        [TestCase(RangeState.Unknown, RangeUnknownReason.BeyondMeasured, "–|beyond what was measured")]
+        [TestCase(RangeState.Unknown, RangeUnknownReason.OtherSource, "–|limit of another source")]
+        public void Update_Range_ShowsTheReasonIfUnknown(RangeState range, object reason, string expected)
         {
-            Assert.That(Row(StatusRow.Range, ("Range", range), ("RangeDoubt", (RangeDoubt)doubt)), Is.EqualTo(expected));
+            Assert.That(Row(StatusRow.Range, ("Range", range), ("RangeUnknownReason", (RangeUnknownReason)reason)), Is.EqualTo(expected));
         }
 
         static DisplayedError Error(double rms, double p95, double? reduction, double? uncertainty) =>
@@ -390,10 +390,11 @@ namespace Nowpose.Tests.Unity.Status
             var texts = new StatusTexts();
             for (var pose = PoseState.Incomplete; pose <= PoseState.Current; pose++)
                 for (var clock = ClockState.Unsynchronised; clock <= ClockState.Holdover; clock++)
-                    for (var doubt = RangeDoubt.None; doubt <= RangeDoubt.OtherSource; doubt++)
+                    for (var reason = RangeUnknownReason.None; reason <= RangeUnknownReason.OtherSource; reason++)
                     {
                         texts.Update(
-                            Statistics(("Pose", pose), ("Clock", new ClockModel(default, default, 0, Ms(0.35), clock)), ("RangeDoubt", doubt)),
+                            Statistics(
+                                ("Pose", pose), ("Clock", new ClockModel(default, default, 0, Ms(0.35), clock)), ("RangeUnknownReason", reason)),
                             Plain, "", null);
                         for (var row = StatusRow.Pose; row < StatusRow.Message; row++)
                         {

@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
         const double FrameSeconds = 1 / 60.0;
         static readonly TimeSpan Start = TimeSpan.FromSeconds(1000);
 
-        readonly List<(double Time, MarkerSighting Sighting)> _told = new List<(double, MarkerSighting)>();
+        readonly List<(double Time, MarkerSighting Sighting)> _lines = new List<(double, MarkerSighting)>();
         readonly Dictionary<string, (double Time, MarkerSighting Sighting)> _current = new Dictionary<string, (double, MarkerSighting)>();
         readonly List<MarkerSighting> _sightings = new List<MarkerSighting>();
         int _next, _frame;
@@ -28,7 +28,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
                 if (fields[0] == "#") continue;
                 if (fields[0] == "base") Base = Pose(fields, 1);
                 else if (fields[0] == "marker") markers.Add(new BaseMarker(fields[1], Pose(fields, 2)));
-                else _told.Add((Number(fields[0]), Sighting(fields)));
+                else _lines.Add((Number(fields[0]), Sighting(fields)));
             }
             Tracker.Use("recorded", markers);
         }
@@ -50,7 +50,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
             for (; Seconds < until; seen?.Invoke())
             {
                 _frame++;
-                for (; _next < _told.Count && _told[_next].Time <= Seconds; _next++) _current[_told[_next].Sighting.Payload] = _told[_next];
+                for (; _next < _lines.Count && _lines[_next].Time <= Seconds; _next++) _current[_lines[_next].Sighting.Payload] = _lines[_next];
                 _sightings.Clear();
                 // A sighting that the file no longer repeats has disappeared.
                 foreach (var (time, sighting) in _current.Values)

@@ -10,10 +10,10 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         [TestCase(40, 62, 500, 7)]
         [TestCase(40, 31.5, 250, -12)]
         [TestCase(0, 40, 100, 0)]
-        public void Result_TrueOffsets_FindsLatencyAndMisplacedBase(double toldMs, double trueMs, double speedMmPerS, double misplacedMm)
+        public void Result_TrueOffsets_FindsLatencyAndMisplacedBase(double usedVisuMs, double trueMs, double speedMmPerS, double misplacedMm)
         {
-            var nudge = new NudgeCalibration(speedMmPerS, toldMs);
-            var lagMm = speedMmPerS * (trueMs - toldMs) / 1000;
+            var nudge = new NudgeCalibration(speedMmPerS, usedVisuMs);
+            var lagMm = speedMmPerS * (trueMs - usedVisuMs) / 1000;
 
             nudge.AddForward(lagMm + misplacedMm);
             nudge.AddBackward(-lagMm + misplacedMm);
@@ -80,9 +80,9 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         [TestCase(0, 40, "speed of the tool: 0 mm/s is out of range; allowed are 1 to 10000 mm/s")]
         [TestCase(double.NaN, 40, "speed of the tool: NaN mm/s is out of range; allowed are 1 to 10000 mm/s")]
         [TestCase(500, -1, "visualisation latency: -1 ms is out of range; allowed are 0 to 500 ms")]
-        public void Constructor_InvalidSetting_ThrowsWithTheReason(double speedMmPerS, double toldMs, string message)
+        public void Constructor_InvalidSetting_ThrowsWithTheReason(double speedMmPerS, double usedVisuMs, string message)
         {
-            Assert.That(Assert.Throws<InputException>(() => new NudgeCalibration(speedMmPerS, toldMs)).Message, Is.EqualTo(message));
+            Assert.That(Assert.Throws<InputException>(() => new NudgeCalibration(speedMmPerS, usedVisuMs)).Message, Is.EqualTo(message));
         }
 
         [TestCase(double.NaN)]

@@ -83,7 +83,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
             File.WriteAllText(_path, Half(File.ReadAllText(_path)));
 
             Assert.That(Assert.Throws<InputException>(() => LatencyProfileFile.Load(_path)).Message,
-                Is.EqualTo(_path + ": no JSON object, or cut off; it is no latency profile: calibrate anew"));
+                Is.EqualTo(_path + ": not a complete JSON object, so not a latency profile; calibrate again"));
         }
 
         [Test]
@@ -93,7 +93,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
             File.WriteAllBytes(_path, new byte[1_000_000]);
 
             Assert.That(Assert.Throws<InputException>(() => LatencyProfileFile.Load(_path)).Message,
-                Is.EqualTo(_path + ": 1000000 bytes are no latency profile"));
+                Is.EqualTo(_path + ": file has 1000000 bytes; the limit is 65536"));
         }
     }
 }

@@ -83,7 +83,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
 
         [Test]
         public void Camera_ChangesSlightlyWithTheLoad_CannotSeeLoad() =>
-            AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep) + 0.1 * v / SweepPlan.GreatestVertices);
+            AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep) + 0.1 * v / SweepPlan.MaxVertices);
 
         [Test]
         public void Words_LoadNotSeen_AreOneLineWithNumbersAndRemedy()
@@ -116,7 +116,8 @@ namespace Nowpose.Tests.Core.Latency.Sweep
 
             Assert.That(judged.Sight, Is.EqualTo(LoadSight.Unclear));
             Assert.That(
-                judged.Words, Does.StartWith("too little to tell whether camera_cpu sees load: 1 load has 15 or more render times, 3 are needed"));
+                judged.Words,
+                Does.StartWith("too few data to determine whether camera_cpu sees load: 1 load has 15 or more render times, 3 are needed"));
         }
 
         [Test]

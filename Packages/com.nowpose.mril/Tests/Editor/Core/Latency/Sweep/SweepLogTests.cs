@@ -112,7 +112,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         [TestCase(Header + "5,0,-1,display_gpu_time,x,60\n", "sweep.csv:2: render_ms: -1 ms is out of range")]
         [TestCase(Header + "5,0,1001,display_gpu_time,x,60\n", "sweep.csv:2: render_ms: 1001 ms is out of range")]
         [TestCase(Header + "5,0,4 ms,display_gpu_time,x,60\n", "sweep.csv:2: render_ms: '4 ms' is not a number of milliseconds")]
-        [TestCase(Header + "5,0,4,gpu,x,60\n", "sweep.csv:2: source: 'gpu' is no source of a render time; known are display_gpu_time, ")]
+        [TestCase(Header + "5,0,4,gpu,x,60\n", "sweep.csv:2: source: 'gpu' is not a source of a render time; allowed are display_gpu_time, ")]
         [TestCase(Header + "5,0,4,,x,60\n", "sweep.csv:2: render_ms: its source is missing")]
         [TestCase(Header + "5,0,4,camera_cpu,x,0\n", "sweep.csv:2: display rate: 0 Hz is out of range")]
         public void Text_Invalid_IsRefusedInOneLineWithItsPlace(string text, string message)

@@ -184,20 +184,20 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         {
             var move = new SevenPhaseProfile(1, 2, 10, 100);
             double Place(double t) => Math.Floor(t / 2) + move.PositionAt(t % 2);
-            var told = Mixed();
-            var untold = Mixed();
-            double toldSquares = 0, untoldSquares = 0;
+            var withDerivatives = Mixed();
+            var positionsOnly = Mixed();
+            double derivativeSquares = 0, positionSquares = 0;
             for (var k = 0; k < 400; k++)
             {
                 var t = k * 0.047;
-                told.Add(new JointSample(t, Place(t), t, move.VelocityAt(t % 2), move.AccelerationAt(t % 2)));
-                untold.Add(t, Place(t));
+                withDerivatives.Add(new JointSample(t, Place(t), t, move.VelocityAt(t % 2), move.AccelerationAt(t % 2)));
+                positionsOnly.Add(t, Place(t));
                 if (k < 100) continue;
-                toldSquares += Math.Pow(told.At(t + 0.12).Position - Place(t + 0.12), 2);
-                untoldSquares += Math.Pow(untold.At(t + 0.12).Position - Place(t + 0.12), 2);
+                derivativeSquares += Math.Pow(withDerivatives.At(t + 0.12).Position - Place(t + 0.12), 2);
+                positionSquares += Math.Pow(positionsOnly.At(t + 0.12).Position - Place(t + 0.12), 2);
             }
 
-            Assert.That(toldSquares, Is.LessThan(0.6 * untoldSquares));
+            Assert.That(derivativeSquares, Is.LessThan(0.6 * positionSquares));
         }
 
         [Test]

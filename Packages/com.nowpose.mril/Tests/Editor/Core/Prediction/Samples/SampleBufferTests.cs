@@ -32,9 +32,9 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             var buffer = new SampleBuffer(24, isEndless: false, corrects: true, thins: true);
             for (var k = 0; k < 300; k++)
             {
-                var told = k * 0.05 + 0.01 * (2 * random.NextDouble() - 1);
-                buffer.Add(new JointSample(told, Math.Sin(k), k * 0.05));
-                Assert.That((buffer.NewestTime, buffer.NewestPosition), Is.EqualTo((told, Math.Sin(k))), "seed 21");
+                var stamp = k * 0.05 + 0.01 * (2 * random.NextDouble() - 1);
+                buffer.Add(new JointSample(stamp, Math.Sin(k), k * 0.05));
+                Assert.That((buffer.NewestTime, buffer.NewestPosition), Is.EqualTo((stamp, Math.Sin(k))), "seed 21");
             }
 
             buffer.Add(new JointSample(298.5 * 0.05, 5, 298.5 * 0.05));

@@ -12,7 +12,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         Random _random;
 
         [SetUp]
-        public void StartAnew()
+        public void Restart()
         {
             _stamps.Reset();
             _random = new Random(Seed);
@@ -104,15 +104,15 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
         double Scattered(double time, double scatter) => time + scatter * (2 * _random.NextDouble() - 1);
 
-        double Correct(double told, double time) => _stamps.Correct(told, Motion(time), isNewest: true);
+        double Correct(double stamp, double time) => _stamps.Correct(stamp, Motion(time), isNewest: true);
 
         // The worst error of the samples after the first ones.
-        double WorstError(int samples, int first, Func<int, double> timeOf, Func<double, double> toldAt)
+        double WorstError(int samples, int first, Func<int, double> timeOf, Func<double, double> stampAt)
         {
             var worst = 0.0;
             for (var k = 0; k < samples; k++)
             {
-                var error = Math.Abs(Correct(toldAt(timeOf(k)), timeOf(k)) - timeOf(k));
+                var error = Math.Abs(Correct(stampAt(timeOf(k)), timeOf(k)) - timeOf(k));
                 if (k > first) worst = Math.Max(worst, error);
             }
             return worst;
@@ -125,9 +125,9 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             for (var k = 0; k < samples; k++)
             {
                 var time = Scattered(3 + k * interval, trueJitter);
-                var told = Scattered(time, stampError);
+                var stamp = Scattered(time, stampError);
                 if (_random.NextDouble() < loss) continue;
-                var error = Correct(told, time) - time;
+                var error = Correct(stamp, time) - time;
                 if (k >= samples - 200) squares += error * error;
             }
             return Math.Sqrt(squares / 200);

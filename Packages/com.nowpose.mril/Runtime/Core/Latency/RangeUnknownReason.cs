@@ -1,7 +1,7 @@
 namespace Nowpose.Latency
 {
     /// <summary>Reason why a <see cref="RangeState"/> is unknown.</summary>
-    enum RangeDoubt
+    enum RangeUnknownReason
     {
         /// <summary>The state is known.</summary>
         None,

@@ -4,14 +4,14 @@ namespace Nowpose.Latency.DisplayTime
 {
     /// <summary>Determines the display time of each frame: the runtime's prediction if available, else the calibrated L_visu.</summary>
     /// <remarks>Allocates nothing; not thread-safe.</remarks>
-    sealed class MomentOfLight
+    sealed class DisplayTimeSelector
     {
         readonly DisplayTimeCheck _check = new DisplayTimeCheck();
         readonly DisplayTimePlausibility _plausibility = new DisplayTimePlausibility();
         VisualisationLatency _calibrated;
         IDisplayTimeSource _source;
 
-        public MomentOfLight(VisualisationLatency calibrated, LatencyProfile profile)
+        public DisplayTimeSelector(VisualisationLatency calibrated, LatencyProfile profile)
         {
             _calibrated = calibrated;
             Profile = profile;
@@ -51,8 +51,8 @@ namespace Nowpose.Latency.DisplayTime
         /// <summary>Value of <see cref="DisplayTimeCheck.Difference"/>.</summary>
         public TimeSpan? Difference => _check.Difference;
 
-        /// <summary>Value of <see cref="DisplayTimeCheck.IsDoubted"/>.</summary>
-        public bool IsDoubted => _check.IsDoubted;
+        /// <summary>Value of <see cref="DisplayTimeCheck.IsInconsistent"/>.</summary>
+        public bool IsInconsistent => _check.IsInconsistent;
 
         /// <summary>Value of <see cref="DisplayTimePlausibility.Ahead"/>.</summary>
         public TimeSpan? Ahead => _plausibility.Ahead;
