@@ -50,7 +50,7 @@ static class DemoVerb
     };
 
     // Light is seen at the next refresh at the earliest.
-    const double LeastWithLoadMs = 17;
+    const double MinWithLoadMs = 17;
 
     public static Command Create()
     {
@@ -70,9 +70,9 @@ static class DemoVerb
         if (told is < 0 or > 500)
             throw new InputException(FormattableString.Invariant(
                 $"--visu-ms plus --visu-error-ms: {told} ms is out of range; allowed are 0 to 500 ms"));
-        if (parsed.GetValue(Load) != null && parsed.GetValue(Visualisation) < LeastWithLoadMs)
+        if (parsed.GetValue(Load) != null && parsed.GetValue(Visualisation) < MinWithLoadMs)
             throw new InputException(FormattableString.Invariant($"--visu-ms: {parsed.GetValue(Visualisation)} ms is out of range; ")
-                + $"with --load allowed are {LeastWithLoadMs} to 400 ms, for the display has 60 Hz");
+                + $"with --load allowed are {MinWithLoadMs} to 400 ms, for the display has 60 Hz");
         var robot = RobotFiles.Load(parsed.GetValue(Robot), out var urdf);
         var recording = parsed.GetValue(Recording);
         return new DemoSettings

@@ -9,7 +9,7 @@ namespace Nowpose.Gateway.Configuration;
 /// </remarks>
 static class ConfigurationFile
 {
-    const int GreatestBytes = 64 * 1024;
+    const int MaxBytes = 64 * 1024;
 
     /// <param name="wrong">Receives one line for each invalid place.</param>
     /// <exception cref="InputException">The file cannot be read.</exception>
@@ -44,8 +44,8 @@ static class ConfigurationFile
         try
         {
             var file = new FileInfo(path);
-            if (file.Exists && file.Length > GreatestBytes)
-                throw new InputException($"--config {path}: {file.Length} bytes; a configuration has no more than {GreatestBytes}");
+            if (file.Exists && file.Length > MaxBytes)
+                throw new InputException($"--config {path}: {file.Length} bytes; a configuration has no more than {MaxBytes}");
             return File.ReadAllText(path);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)

@@ -51,7 +51,7 @@ public sealed class Recorder : IAsyncDisposable
     /// <param name="greatestBytes">Size of a file after which the next one is started.</param>
     internal Recorder(
         GatewayOptions options, MessageHub hub, ServedClock clock, PlantClocks plant, DropCounters drops, Action<string> log,
-        Func<string, LineFile> open = null, long greatestBytes = RecordedFile.GreatestBytes)
+        Func<string, LineFile> open = null, long greatestBytes = RecordedFile.MaxBytes)
     {
         _greatestBytes = greatestBytes;
         _options = options;
