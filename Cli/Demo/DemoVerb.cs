@@ -23,7 +23,7 @@ static class DemoVerb
     };
     static readonly Option<string> Recording = new("--recording")
     {
-        Description = "Motion to play forth and back: .csv or .csv.gz, time in s, then one column per joint",
+        Description = "Motion to play forward and backward: .csv or .csv.gz, time in s, then one column per joint",
     };
     static readonly Option<string> Predictor = PredictorOption.Create();
     static readonly Option<string> Estimator = RuntimeOptions.Estimator();
@@ -35,7 +35,7 @@ static class DemoVerb
     static readonly Option<double> Visualisation = NumberOption.Create(
         "--visu-ms", "True display latency of the simulated headset", 40.0, 0, 400, "ms");
     static readonly Option<double> VisualisationError = NumberOption.Create(
-        "--visu-error-ms", "Error of the display latency that the runtime is told", 0.0, -100, 100, "ms");
+        "--visu-error-ms", "Error of the display latency that the runtime uses", 0.0, -100, 100, "ms");
     static readonly Option<int?> Load = NumberOption.CreateOptional(
         "--load", "Vertices to be rendered from the first third of the run to its last quarter", 0, SweepPlan.GreatestVertices, "vertices");
     static readonly Option<bool> Trajectory = new("--trajectory")
@@ -82,7 +82,8 @@ static class DemoVerb
             Robot = robot,
             RobotText = urdf,
             Motion = recording == null ? new PickAndPlaceMotion(robot) : new RecordedMotion(MotionRecording.Read(recording), robot),
-            MotionName = recording == null ? "pick-and-place cycle of 7-phase moves" : $"recording {Path.GetFileName(recording)}, forth and back",
+            MotionName = recording == null
+                ? "pick-and-place cycle of 7-phase moves" : $"recording {Path.GetFileName(recording)}, forward and backward",
             Predictor = parsed.GetValue(Predictor),
             Estimator = parsed.GetValue(Estimator),
             Profile = RuntimeOptions.ProfileOf(parsed, Profile, VisualisationError),

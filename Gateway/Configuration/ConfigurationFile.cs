@@ -28,12 +28,12 @@ static class ConfigurationFile
         }
         catch (YamlException broken)
         {
-            wrong.Add($"{path}:{broken.Start.Line}: is no YAML: {(broken.InnerException ?? broken).Message.ReplaceLineEndings(" ")}");
+            wrong.Add($"{path}:{broken.Start.Line}: is not valid YAML: {(broken.InnerException ?? broken).Message.ReplaceLineEndings(" ")}");
         }
         // Exceptions of the parser itself, for example for a plain word in an unclosed flow mapping.
         catch (Exception broken) when (broken is InvalidOperationException or ArgumentException or IndexOutOfRangeException or EndOfStreamException)
         {
-            wrong.Add($"{PlaceOf(path, parser.Current)}: is no YAML, here or in the lines that follow");
+            wrong.Add($"{PlaceOf(path, parser.Current)}: is not valid YAML, here or in the lines that follow");
         }
 
         return entries;

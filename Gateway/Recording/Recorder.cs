@@ -98,7 +98,7 @@ public sealed class Recorder : IAsyncDisposable
     /// <exception cref="InputException">No folder is configured.</exception>
     public void SwitchOn()
     {
-        if (!CanRecord) throw new InputException("recording: there is no folder for it; start the gateway with --recordings FOLDER");
+        if (!CanRecord) throw new InputException("recording: no folder is configured; start the gateway with --recordings FOLDER");
         var next = Prepare();
         lock (_gate)
         {

@@ -153,6 +153,6 @@ public class MessageHubTests
         Assert.That(PlansOfLateSubscriber(), Has.One.Contains("0.5").And.One.Contains("0.75").And.None.Contains("0.25"));
 
         gripper.Dispose();
-        Assert.That(PlansOfLateSubscriber(), Has.Count.EqualTo(1), "whoever is gone plans nothing");
+        Assert.That(PlansOfLateSubscriber(), Has.Count.EqualTo(1), "a disposed source has no plans");
     }
 }

@@ -43,7 +43,7 @@ public class RosbridgeServerTests
         await silent.ExpectEndAsync();
     }
 
-    [TestCase(RawWebSocket.Text, "a byte that is no UTF-8")]
+    [TestCase(RawWebSocket.Text, "a byte that is not UTF-8")]
     [TestCase(3, "an opcode that is reserved")]
     [TestCase(0x40 | RawWebSocket.Text, "the bit that says it is compressed")]
     public async Task Frame_ViolatesTheProtocol_ClosesAndIsCounted(int opcode, string what)

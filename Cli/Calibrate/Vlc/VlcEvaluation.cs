@@ -91,7 +91,7 @@ sealed class VlcEvaluation
         if (plateau?.Count < FewPictures) _warnings.Add($"L_visu is of {plateau.Count} pictures only, which may be some ms off: take 30 or more");
         if (plateau != null) return earlier.With(plateau.VisuMs, plateau.SpreadMs, CalibrationMethod.VisibleLight, plateau.Count);
         _warnings.Add(hasSweep
-            ? $"L_visu cannot be told from these {Pictures.Count} pictures of the sweep; no profile was written"
+            ? $"L_visu cannot be determined from these {Pictures.Count} pictures of the sweep; no profile was written"
             : _result.Read.Count < 2
                 ? "one picture is too few for a profile; none was written"
                 : FormattableString.Invariant($"L_visu scatters by {_result.Deviation:0.0} ms, too much to be constant; ")
@@ -102,7 +102,7 @@ sealed class VlcEvaluation
     CalibrationPageData PlainPage() => new(
         "Visible light",
         Profile == null
-            ? string.Create(CultureInfo.InvariantCulture, $"L_visu cannot be told; pictures read: {_result.Read.Count}.")
+            ? string.Create(CultureInfo.InvariantCulture, $"L_visu cannot be determined; pictures read: {_result.Read.Count}.")
             : string.Create(CultureInfo.InvariantCulture,
                 $"L_visu is {Profile.Visualisation.Length.TotalMilliseconds:0.0} ms ± {Profile.Spread.TotalMilliseconds:0.0} ms, of {Profile.Measurements} pictures."),
         [.. Profile == null ? [] : ProfileFacts.Of(Profile), .. Facts()])

@@ -62,7 +62,7 @@ public class PlantTimeTests
         bool IsRight(PlantClockStatus status) =>
             (status.OffsetToControl.Value - truth).Duration() <= status.ErrorBound + TimeSpan.FromMilliseconds(1);
         await Soon.BecomesAsync(
-            () => IsRight(StatusOf(gateway, "plc")), () => $"{truth.TotalSeconds} s ahead; it is said to be {StatusOf(gateway, "plc")}");
+            () => IsRight(StatusOf(gateway, "plc")), () => $"{truth.TotalSeconds} s ahead; the status is {StatusOf(gateway, "plc")}");
         var before = own.Now;
         var served = gateway.Clock.Now;
         Assert.That(served, Is.InRange(before, own.Now));
@@ -121,7 +121,7 @@ public class PlantTimeTests
 
         Assert.That(isServed, Is.True, "a holdover of seconds is good enough");
         Assert.That(served, Is.InRange(before - bound, after + bound));
-        Assert.That(bound, Is.LessThan(TimeSpan.FromSeconds(1)), "whatever is served must not pass");
+        Assert.That(bound, Is.LessThan(TimeSpan.FromSeconds(1)), "a larger bound would accept any served time");
         Assert.That(gateway.PlantClocks.All, Has.Count.EqualTo(1));
     }
 
@@ -148,7 +148,7 @@ public class PlantTimeTests
 
         await adapter.WithdrawAsync();
 
-        await Soon.BecomesAsync(() => !StatusOf(gateway, "plc").IsConnected, "nobody answers for the clock");
+        await Soon.BecomesAsync(() => !StatusOf(gateway, "plc").IsConnected, "the clock has no connected adapter");
         // One request may still be on its way to the adapter.
         await AsksFiveTimesAsync(other);
         var asked = adapter.Questions;

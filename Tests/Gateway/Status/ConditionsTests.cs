@@ -19,7 +19,7 @@ public class ConditionsTests
         new((int)JointDataState.Fault, "node deleted", false),
     ];
 
-    /// <summary>Before the first sample, and before the plant's clock is measured, a joint without a usable value is no fault yet.</summary>
+    /// <summary>Before the first sample, and before the plant's clock is measured, a joint without a usable value is not a fault yet.</summary>
     [TestCaseSource(nameof(Rows))]
     public void Of_JointNotLive_IsNormalAtStartWhileValueOrClockIsPending(int state, string reason, bool isNormal)
     {

@@ -16,7 +16,7 @@ public sealed class LatencyNudgeTests
         <child link='carriage'/><axis xyz='1 0 0'/><limit lower='-2' upper='2' velocity='2' effort='1'/></joint></robot>
         """;
 
-    const double TrueMs = 62, ToldMs = 40, SpeedMmPerS = 250, MisplacedMm = 3;
+    const double TrueMs = 62, ConfiguredMs = 40, SpeedMmPerS = 250, MisplacedMm = 3;
     static readonly TimeSpan Late = TimeSpan.FromMilliseconds(80);
 
     PlayedCell _cell;
@@ -124,7 +124,7 @@ public sealed class LatencyNudgeTests
     public void Apply_LimitKnown_KeepsIt()
     {
         _loader.Save(new LatencyProfile(
-            ToldMs, 1, "Stand-in", 0, DateTime.UtcNow, CalibrationMethod.VisibleLight, 300, 15, RenderTimeSourceKind.GpuCompletion));
+            ConfiguredMs, 1, "Stand-in", 0, DateTime.UtcNow, CalibrationMethod.VisibleLight, 300, 15, RenderTimeSourceKind.GpuCompletion));
         Run(8);
         MarkBothWays(1);
 
@@ -157,7 +157,7 @@ public sealed class LatencyNudgeTests
     public void Apply_LimitNotReached_KeepsTheMeasuredMaximum()
     {
         _loader.Save(new LatencyProfile(
-            ToldMs, 1, "Stand-in", 0, DateTime.UtcNow, CalibrationMethod.VisibleLight, 300, null, RenderTimeSourceKind.GpuCompletion, 12));
+            ConfiguredMs, 1, "Stand-in", 0, DateTime.UtcNow, CalibrationMethod.VisibleLight, 300, null, RenderTimeSourceKind.GpuCompletion, 12));
         Run(8);
         MarkBothWays(1);
 
@@ -208,7 +208,7 @@ public sealed class LatencyNudgeTests
 
         Assert.That(problem, Is.EqualTo("nudge: the runtime predicts display times; there is nothing to nudge"));
         Assert.That(_nudge.Problem, Is.EqualTo(problem));
-        Assert.That(_session.Session.Visualisation.Length.TotalMilliseconds, Is.EqualTo(ToldMs));
+        Assert.That(_session.Session.Visualisation.Length.TotalMilliseconds, Is.EqualTo(ConfiguredMs));
         Assert.That(_nudge.ForwardCount, Is.EqualTo(1));
     }
 
@@ -222,7 +222,7 @@ public sealed class LatencyNudgeTests
         Assert.That(_nudge.Apply(), Is.False);
 
         Assert.That(_nudge.Problem, Is.EqualTo("nudge: backward has no mark; mark both directions"));
-        Assert.That(_session.Session.Visualisation.Length.TotalMilliseconds, Is.EqualTo(ToldMs));
+        Assert.That(_session.Session.Visualisation.Length.TotalMilliseconds, Is.EqualTo(ConfiguredMs));
         Assert.That(_nudge.ForwardCount, Is.EqualTo(1));
     }
 
