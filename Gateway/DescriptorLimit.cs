@@ -42,7 +42,7 @@ static class DescriptorLimit
         if (allowed >= (ulong)needed) return null;
         var possible = ((long)allowed - Reserve) / 2;
         var remedy = $"raise the limit to {needed} (ulimit -n, LimitNOFILE= of the systemd unit, --ulimit nofile= of the container)";
-        return $"--max-connections {maxConnections}: two ports with so many connections need {needed} file descriptors, and the system allows "
+        return $"--max-connections {maxConnections}: two ports with this number of connections need {needed} file descriptors, and the system allows "
             + (possible < 1 ? $"{allowed}; {remedy}" : $"{allowed}; allowed are 1 to {possible} here, or {remedy}");
     }
 

@@ -11,7 +11,7 @@ namespace Nowpose.Gateway;
 /// <summary>The settings of a gateway; immutable. The defaults serve this machine only, as the protocol requires.</summary>
 public sealed record GatewayOptions
 {
-    const int GreatestRate = 100_000;
+    const int MaxRate = 100_000;
 
     readonly TokenList _adapters;
 
@@ -168,8 +168,8 @@ public sealed record GatewayOptions
     // Each connection stores the times of that many messages.
     static void CheckRate(string option, int perSecond)
     {
-        if (perSecond is < 1 or > GreatestRate)
-            throw new InputException($"{option} {perSecond}: allowed are 1 to {GreatestRate}");
+        if (perSecond is < 1 or > MaxRate)
+            throw new InputException($"{option} {perSecond}: allowed are 1 to {MaxRate}");
     }
 
     // The option that was set explicitly; the other has its default.

@@ -8,7 +8,7 @@ sealed class QuietLog : IDisposable
     public const int LinesAMinute = 10;
 
     /// <summary>Maximum number of different lines that are counted separately; all further ones count as one.</summary>
-    public const int GreatestKinds = 100;
+    public const int MaxKinds = 100;
 
     static readonly TimeSpan Span = TimeSpan.FromMinutes(1);
 
@@ -29,7 +29,7 @@ sealed class QuietLog : IDisposable
         lock (_lines)
         {
             _timer ??= _time.CreateTimer(_ => Conclude(Span), null, Span, Span);
-            var kind = _lines.ContainsKey(line) || _lines.Count < GreatestKinds ? line : "other lines";
+            var kind = _lines.ContainsKey(line) || _lines.Count < MaxKinds ? line : "other lines";
             var (since, count) = _lines.GetValueOrDefault(kind, (_time.GetTimestamp(), 0));
             _lines[kind] = (since, count + 1);
             if (count >= LinesAMinute) return;

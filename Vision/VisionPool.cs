@@ -12,11 +12,11 @@ namespace Nowpose.Vision;
 /// </remarks>
 public sealed class VisionPool : IDisposable
 {
-    const int MostWorkers = 4;
+    const int MaxWorkers = 4;
     const int Waiting = 4;
 
     /// <summary>Number of consecutive pictures that end a worker after which the cause is assumed not to be the pictures.</summary>
-    const int MostEnded = 3;
+    const int MaxEnded = 3;
 
     readonly string _script;
     readonly VisionWorker[] _workers;
@@ -31,7 +31,7 @@ public sealed class VisionPool : IDisposable
     internal VisionPool(int workers, string script)
     {
         _script = script;
-        _workers = new VisionWorker[workers > 0 ? workers : Math.Clamp(Environment.ProcessorCount, 1, MostWorkers)];
+        _workers = new VisionWorker[workers > 0 ? workers : Math.Clamp(Environment.ProcessorCount, 1, MaxWorkers)];
         // Started now, so that a missing Node.js is reported at once. The others start in parallel, each with its first picture.
         _workers[0] = new VisionWorker(script);
     }
@@ -108,7 +108,7 @@ public sealed class VisionPool : IDisposable
             ended = 0;
             return seen;
         }
-        catch (WorkerEndedException) when (++ended < MostEnded)
+        catch (WorkerEndedException) when (++ended < MaxEnded)
         {
             asked.Dispose();
             _workers[worker] = null;

@@ -7,7 +7,7 @@ namespace Nowpose.Benchmarks.Comparison;
 /// <remarks>Optimises one constant after the other over a grid with a factor of √2 until there is no further change.</remarks>
 static class Tuning
 {
-    const int MostRounds = 6;
+    const int MaxRounds = 6;
     const int StepsEachWay = 6;
 
     // Constants without effect would grow without bound: of those that are as good as the best, the nearest is used.
@@ -32,7 +32,7 @@ static class Tuning
     {
         double[] constants = [.. start];
         var least = double.PositiveInfinity;
-        for (var round = 0; round < MostRounds; round++)
+        for (var round = 0; round < MaxRounds; round++)
         {
             var before = least;
             for (var i = 0; i < constants.Length; i++) least = Improve(constants, i, create, conditions);

@@ -6,7 +6,7 @@ namespace Nowpose.Benchmarks.Competitors;
 sealed class DoubleExponential(double timeConstant) : RecursiveFilter
 {
     const double IntervalLearning = 0.05;
-    const int MostSteps = 10;
+    const int MaxSteps = 10;
 
     double _interval, _share, _once, _twice;
 
@@ -15,7 +15,7 @@ sealed class DoubleExponential(double timeConstant) : RecursiveFilter
     protected override void Update(double interval, double position)
     {
         var isSecond = _interval == 0;
-        var steps = isSecond ? 1 : Math.Clamp((int)Math.Round(interval / _interval), 1, MostSteps);
+        var steps = isSecond ? 1 : Math.Clamp((int)Math.Round(interval / _interval), 1, MaxSteps);
         _interval += (isSecond ? 1 : IntervalLearning) * (interval / steps - _interval);
         _share = 1 - Math.Exp(-_interval / timeConstant);
         if (isSecond) Begin(position);

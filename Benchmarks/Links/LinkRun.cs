@@ -36,7 +36,7 @@ static class LinkRun
                 Packets = link.Sent,
                 LostPackets = link.Lost,
                 ReleaseLateUsP99 = link.Lateness.Quantile(0.99).TotalMicroseconds,
-                ReleaseLateUsMax = link.Lateness.Greatest.TotalMicroseconds,
+                ReleaseLateUsMax = link.Lateness.Maximum.TotalMicroseconds,
             };
         }
         finally

@@ -7,18 +7,18 @@ sealed class LatencyCounts
     const int Steps = 100_000;
 
     readonly long[] _counts = new long[Steps + 1];
-    long _greatestNs;
+    long _maximumNs;
 
     public long Total => _counts.Sum();
 
-    public TimeSpan Greatest => new(Interlocked.Read(ref _greatestNs) / 100);
+    public TimeSpan Maximum => new(Interlocked.Read(ref _maximumNs) / 100);
 
     public void Add(long nanoseconds)
     {
         Interlocked.Increment(ref _counts[Math.Clamp(nanoseconds / StepNs, 0, Steps)]);
-        for (var seen = Interlocked.Read(ref _greatestNs); nanoseconds > seen;)
+        for (var seen = Interlocked.Read(ref _maximumNs); nanoseconds > seen;)
         {
-            var before = Interlocked.CompareExchange(ref _greatestNs, nanoseconds, seen);
+            var before = Interlocked.CompareExchange(ref _maximumNs, nanoseconds, seen);
             if (before == seen) break;
             seen = before;
         }
@@ -34,12 +34,12 @@ sealed class LatencyCounts
             if (left <= 0) return new TimeSpan((step + 1) * StepNs / 100);
         }
 
-        return Greatest;
+        return Maximum;
     }
 
     public void Clear()
     {
         Array.Clear(_counts);
-        Interlocked.Exchange(ref _greatestNs, 0);
+        Interlocked.Exchange(ref _maximumNs, 0);
     }
 }

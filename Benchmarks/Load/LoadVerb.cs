@@ -9,7 +9,7 @@ static class LoadVerb
     /// <summary>Other connections: the sampled headset, one that reads nothing and its predecessor, and the measurement of the truth.</summary>
     const int OtherConnections = 16;
 
-    const int GreatestConnections = 10_000;
+    const int MaxConnections = 10_000;
     const double Growth = 1.25;
     static readonly TimeSpan StepLength = TimeSpan.FromSeconds(20);
 
@@ -42,12 +42,12 @@ static class LoadVerb
     static async Task<List<LoadResult>> MeasureAsync(LoadSettings settings, bool untilItBreaks, CancellationToken stop)
     {
         using var run = await LoadRun.StartAsync(
-            settings.RateHz, untilItBreaks ? GreatestConnections : settings.Headsets + OtherConnections);
+            settings.RateHz, untilItBreaks ? MaxConnections : settings.Headsets + OtherConnections);
         var results = new List<LoadResult> { await run.MeasureAsync(settings, stop) };
         while (untilItBreaks && results[^1].Break == null)
         {
             var more = (int)Math.Ceiling(results[^1].Headsets * Growth);
-            if (more + OtherConnections > GreatestConnections) break;
+            if (more + OtherConnections > MaxConnections) break;
             results.Add(await run.MeasureAsync(settings with { Headsets = more, Length = StepLength }, stop));
         }
 

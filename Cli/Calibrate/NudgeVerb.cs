@@ -10,7 +10,7 @@ namespace Nowpose.Cli.Calibrate;
 static class NudgeVerb
 {
     static readonly Option<double> Speed = NumberOption.Create("--speed-mm-s", "Constant speed of the tool", 0.0, 1, 10_000, "mm/s");
-    static readonly Option<double> Told = NumberOption.Create("--told-ms", "L_visu that the headset was told", 40.0, 0, 500, "ms");
+    static readonly Option<double> Configured = NumberOption.Create("--told-ms", "L_visu that the headset used", 40.0, 0, 500, "ms");
     static readonly Option<double[]> Forward = Offsets("--forward-mm", "forwards");
     static readonly Option<double[]> Backward = Offsets("--backward-mm", "backwards");
     static readonly Option<string> Earlier = EarlierProfile.Option();
@@ -22,7 +22,7 @@ static class NudgeVerb
     {
         var verb = new Command("nudge", "L_visu by eye: the offsets at which hologram and robot agree in two directions. Without options: how it is done.")
         {
-            Speed, Told, Forward, Backward, Earlier, Output, Json,
+            Speed, Configured, Forward, Backward, Earlier, Output, Json,
         };
         Device.AddTo(verb);
         verb.SetAction(Run);
@@ -37,7 +37,7 @@ static class NudgeVerb
             return ExitStatus.Done;
         }
         if (parsed.GetResult(Speed)?.Implicit != false) throw new InputException("--speed-mm-s is missing; allowed are 1 to 10000 mm/s");
-        var marks = new NudgeMarks(parsed.GetValue(Speed), parsed.GetValue(Told), parsed.GetValue(Forward), parsed.GetValue(Backward));
+        var marks = new NudgeMarks(parsed.GetValue(Speed), parsed.GetValue(Configured), parsed.GetValue(Forward), parsed.GetValue(Backward));
         var result = marks.Result();
         var output = CalibrationOutput.At(parsed.GetValue(Output));
         var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Conditions(parsed));

@@ -41,13 +41,13 @@ static class RangeVerb
     // Checked where the loads are known: a render time that does not change with the load can neither find a limit nor monitor one.
     static void RequireSight(IReadOnlyList<MeasuredPicture> pictures, string file, string source)
     {
-        const double LeastRise = 0.1;
+        const double MinRise = 0.1;
         var loads = pictures.Where(each => each.Vertices.HasValue).GroupBy(each => each.Vertices.Value).OrderBy(load => load.Key)
             .Select(load => Quantile.Of(load.Select(each => each.RenderMs.Value), 0.5)).ToArray();
         var third = loads.Length / 3;
         if (third == 0) return;
         double low = loads[..third].Average(), high = loads[^third..].Average();
-        if (high - low >= LeastRise * low) return;
+        if (high - low >= MinRise * low) return;
         throw new InputException(FormattableString.Invariant(
             $"{file}: this source cannot see load: at the lowest loads {source} was {low:0.00} ms, at the highest {high:0.00} ms; ")
             + "measure the render time by another source and sweep again, or take L_visu alone by calibrate vlc without a limit");

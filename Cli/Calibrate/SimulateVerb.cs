@@ -9,22 +9,23 @@ static class SimulateVerb
 {
     static readonly SimulationSettings Standard = new();
 
-    static readonly Option<int> Pictures = NumberOption.Create("--pictures", "How many.", Standard.Pictures, 1, 100_000, "");
+    static readonly Option<int> Pictures = NumberOption.Create("--pictures", "Number of pictures.", Standard.Pictures, 1, 100_000, "");
     static readonly Option<double> Visu = NumberOption.Create("--visu-ms", "True L_visu while frames are ready in time.", Standard.VisuMs, 17, 300, "ms");
-    static readonly Option<double> Spoiled = NumberOption.Create("--spoiled", "Share of pictures with something wrong.", Standard.Spoiled, 0, 1, "");
+    static readonly Option<double> Spoiled = NumberOption.Create("--spoiled", "Share of pictures with a defect.", Standard.Spoiled, 0, 1, "");
     static readonly Option<int> PerPlace = NumberOption.Create(
-        "--per-place", "After so many pictures the camera stands elsewhere.", Standard.PicturesPerPlace, 1, 100_000, "");
+        "--per-place", "Number of pictures after which the camera moves.", Standard.PicturesPerPlace, 1, 100_000, "");
     static readonly Option<int> LoadSteps = NumberOption.Create(
         "--load-steps", "Steps of the load from 0 to 2 million vertices; 0 stays at 300 000.", Standard.LoadSteps, 0, 100, "");
     static readonly Option<double> Lit = NumberOption.Create(
         "--lit-ms", "How long each frame is in the light; pictures scatter by half of it.", Standard.LitMs, 0.5, 16.6, "ms");
-    static readonly Option<double> Exposure = NumberOption.Create("--exposure-ms", "Greatest exposure, uniform from 1 ms.", Standard.ExposureMs, 1, 40, "ms");
+    static readonly Option<double> Exposure = NumberOption.Create(
+        "--exposure-ms", "Maximum exposure, uniform from 1 ms.", Standard.ExposureMs, 1, 40, "ms");
     static readonly Option<double> Readout = NumberOption.Create(
         "--readout-ms", "Rolling shutter: how much later the last row is exposed than the first.", 0.0, -100, 100, "ms");
     static readonly Option<double?> HeadLatency = NumberOption.CreateOptional(
         "--head-latency-ms", "Turn headset and camera to and fro, 30 pictures a second from one place at an ordinary load, with this latency for "
         + "head motion: pictures for calibrate head", -100.0, 300, "ms");
-    static readonly Option<int> Seed = NumberOption.Create("--seed", "Start of all that is random.", Standard.Seed, int.MinValue, int.MaxValue, "");
+    static readonly Option<int> Seed = NumberOption.Create("--seed", "Seed of the random numbers.", Standard.Seed, int.MinValue, int.MaxValue, "");
     static readonly Option<bool> Check = new("--check") { Description = "Keep no pictures: read each at once, and say how well. 1 is returned when L_visu is missed." };
     static readonly Option<string> Output = new("--out")
     {

@@ -29,8 +29,8 @@ static class SineVerb
         "--app-ms", "Compensation off (the ghost): L_app as the panel shows it", 0.0, 1000, "ms");
     static readonly Option<double> Sampling = NumberOption.Create(
         "--sampling-ms", "With --app-ms: sampling interval T_s; a held sample is half of it late besides", 50.0, 1, 1000, "ms");
-    static readonly Option<double?> Told = NumberOption.CreateOptional(
-        "--told-ms", "Compensation on (the gripper): L_visu that the headset was told; what lags still is its error", 0.0, 500, "ms");
+    static readonly Option<double?> Configured = NumberOption.CreateOptional(
+        "--told-ms", "Compensation on (the gripper): L_visu that the headset used; the remaining lag is its error", 0.0, 500, "ms");
     static readonly Option<string> Earlier = EarlierProfile.Option();
     static readonly Option<string> Output = OutOption.Create();
     static readonly Option<bool> Json = OutOption.Json();
@@ -40,7 +40,7 @@ static class SineVerb
     {
         var verb = new Command("sine", "Estimate the total latency from a jog to and fro that a camera has seen, for those with a phone only.")
         {
-            Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Told, Earlier, Output, Json,
+            Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Configured, Earlier, Output, Json,
         };
         Device.AddTo(verb);
         // On a separate thread, so that Ctrl-C finds the action started.
@@ -51,7 +51,7 @@ static class SineVerb
     static int Run(ParseResult parsed, CancellationToken cancel)
     {
         var path = parsed.GetValue(Recording);
-        var way = SineWay.Of(parsed.GetValue(Application), parsed.GetValue(Sampling), parsed.GetValue(Told));
+        var way = SineWay.Of(parsed.GetValue(Application), parsed.GetValue(Sampling), parsed.GetValue(Configured));
         var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Conditions(parsed));
         var tracks = Tracks(parsed, path, cancel);
         if (parsed.GetValue(Inverted)) tracks = tracks with { Shown = [.. tracks.Shown.Select(each => -each)] };

@@ -10,7 +10,7 @@ namespace Nowpose.Cli.Calibrate;
 static class VlcVerb
 {
     /// <summary>Maximum number of rejected pictures that are listed individually.</summary>
-    const int MostTold = 10;
+    const int MaxListed = 10;
 
     static readonly Argument<string[]> Pictures = new("PICTURES")
     {
@@ -67,8 +67,8 @@ static class VlcVerb
     {
         if (result.Read.Count == 0) return;
         var rejected = result.Pictures.Where(picture => !picture.IsRead).ToList();
-        foreach (var picture in rejected.Take(MostTold)) Console.Error.WriteLine($"nowpose: {picture.File}: {picture.Fault}");
-        if (rejected.Count > MostTold) Console.Error.WriteLine($"nowpose: {rejected.Count - MostTold} more were rejected");
+        foreach (var picture in rejected.Take(MaxListed)) Console.Error.WriteLine($"nowpose: {picture.File}: {picture.Fault}");
+        if (rejected.Count > MaxListed) Console.Error.WriteLine($"nowpose: {rejected.Count - MaxListed} more were rejected");
     }
 
     public static InputException NothingRead(string[] arguments, VlcResult result)

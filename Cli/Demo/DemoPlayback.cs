@@ -4,10 +4,10 @@ namespace Nowpose.Cli.Demo;
 /// <remarks>At most 3600 instants, about two minutes at 30 a second: the page is sent by mail and must not grow with the run.</remarks>
 sealed class DemoPlayback(DemoScore score, DemoRun run, ControlTime start)
 {
-    const int GreatestInstants = 3600;
+    const int MaxInstants = 3600;
 
     /// <summary>Minimum step in frames. Every second frame is sufficient to show a motion.</summary>
-    const int LeastStep = 2;
+    const int MinStep = 2;
 
     readonly int _joints = run.Settings.Robot.MovingJoints.Count;
 
@@ -15,7 +15,7 @@ sealed class DemoPlayback(DemoScore score, DemoRun run, ControlTime start)
     public object Instants()
     {
         var rows = run.Frames.Rows;
-        var step = Math.Max(LeastStep, (score.Errors.Count + GreatestInstants - 1) / GreatestInstants);
+        var step = Math.Max(MinStep, (score.Errors.Count + MaxInstants - 1) / MaxInstants);
         var frames = score.Errors.Where((_, i) => i % step == 0).Select(error => error.Frame).ToList();
         return frames.Count == 0 ? null : new
         {

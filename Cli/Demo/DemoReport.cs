@@ -42,7 +42,7 @@ static class DemoReport
         ["Clock estimator", s.Estimator],
         ["Sampling interval", Ms(s.SamplingMs)],
         ["Acquisition", s.Acquisition + " ms"],
-        ["Display latency", $"{Ms(s.VisualisationMs)}, the runtime is told {Ms(s.GivenVisualisationMs)}"],
+        ["Display latency", $"{Ms(s.VisualisationMs)}, the runtime uses {Ms(s.GivenVisualisationMs)}"],
         ["Frame rate", s.Load == null ? $"{DemoDisplay.FramesPerSecond} fps" : $"{DemoDisplay.FramesPerSecond} fps, less while held back"],
         ["Load", s.Load is int vertices ? vertices.ToString("0 vertices", CultureInfo.InvariantCulture) : "none"],
         ["Set-points ahead", s.PublishesPlan ? "published" : "none"],

@@ -23,7 +23,7 @@ static class DemoVerb
     };
     static readonly Option<string> Recording = new("--recording")
     {
-        Description = "Motion to play forth and back: .csv or .csv.gz, time in s, then one column per joint",
+        Description = "Motion to play forward and backward: .csv or .csv.gz, time in s, then one column per joint",
     };
     static readonly Option<string> Predictor = PredictorOption.Create();
     static readonly Option<string> Estimator = RuntimeOptions.Estimator();
@@ -35,7 +35,7 @@ static class DemoVerb
     static readonly Option<double> Visualisation = NumberOption.Create(
         "--visu-ms", "True display latency of the simulated headset", 40.0, 0, 400, "ms");
     static readonly Option<double> VisualisationError = NumberOption.Create(
-        "--visu-error-ms", "Error of the display latency that the runtime is told", 0.0, -100, 100, "ms");
+        "--visu-error-ms", "Error of the display latency that the runtime uses", 0.0, -100, 100, "ms");
     static readonly Option<int?> Load = NumberOption.CreateOptional(
         "--load", "Vertices to be rendered from the first third of the run to its last quarter", 0, SweepPlan.MaxVertices, "vertices");
     static readonly Option<bool> Trajectory = new("--trajectory")
@@ -50,7 +50,7 @@ static class DemoVerb
     };
 
     // Light is seen at the next refresh at the earliest.
-    const double LeastWithLoadMs = 17;
+    const double MinWithLoadMs = 17;
 
     public static Command Create()
     {
@@ -70,9 +70,9 @@ static class DemoVerb
         if (told is < 0 or > 500)
             throw new InputException(FormattableString.Invariant(
                 $"--visu-ms plus --visu-error-ms: {told} ms is out of range; allowed are 0 to 500 ms"));
-        if (parsed.GetValue(Load) != null && parsed.GetValue(Visualisation) < LeastWithLoadMs)
+        if (parsed.GetValue(Load) != null && parsed.GetValue(Visualisation) < MinWithLoadMs)
             throw new InputException(FormattableString.Invariant($"--visu-ms: {parsed.GetValue(Visualisation)} ms is out of range; ")
-                + $"with --load allowed are {LeastWithLoadMs} to 400 ms, for the display has 60 Hz");
+                + $"with --load allowed are {MinWithLoadMs} to 400 ms, for the display has 60 Hz");
         var robot = RobotFiles.Load(parsed.GetValue(Robot), out var urdf);
         var recording = parsed.GetValue(Recording);
         return new DemoSettings
@@ -82,7 +82,8 @@ static class DemoVerb
             Robot = robot,
             RobotText = urdf,
             Motion = recording == null ? new PickAndPlaceMotion(robot) : new RecordedMotion(MotionRecording.Read(recording), robot),
-            MotionName = recording == null ? "pick-and-place cycle of 7-phase moves" : $"recording {Path.GetFileName(recording)}, forth and back",
+            MotionName = recording == null
+                ? "pick-and-place cycle of 7-phase moves" : $"recording {Path.GetFileName(recording)}, forward and backward",
             Predictor = parsed.GetValue(Predictor),
             Estimator = parsed.GetValue(Estimator),
             Profile = RuntimeOptions.ProfileOf(parsed, Profile, VisualisationError),

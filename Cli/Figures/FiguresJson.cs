@@ -23,9 +23,10 @@ static class FiguresJson
     static string[][] Conditions(FigureSettings settings) =>
     [
         ["Sampling interval T_s", Ms(settings.Study.SamplingInterval)],
-        ["Latency L, from t_k to the moment of light", Ms(settings.Study.Latency)],
+        ["Latency L, from t_k to the display time", Ms(settings.Study.Latency)],
         ["Frames", $"{settings.Study.FrameRateHz.ToString(CultureInfo.InvariantCulture)} per second"],
-        ["Motion of Figs 12 to 14", "500 mm forth and back, 1000 mm/s, 5000 mm/s², 50 000 mm/s³, 0.4 s dwell; the limits are ours, the paper gives none"],
+        ["Motion of Figs 12 to 14",
+            "500 mm forward and back, 1000 mm/s, 5000 mm/s², 50 000 mm/s³, 0.4 s dwell; the limits are ours, the paper gives none"],
         ["Runs", $"{settings.Phases} with random phases of sampling and frames; clock: {settings.ClockRuns} of {Numbers.Text(settings.ClockSeconds)} s"],
         ["Seed", settings.Seed.ToString(CultureInfo.InvariantCulture)],
         ["Errors", "RMS over all frames of all runs; ratio: over the RMS of hold, the newest sample that has arrived"],

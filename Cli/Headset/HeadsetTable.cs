@@ -19,7 +19,7 @@ static class HeadsetTable
         Row("clock steps", clock.Steps.ToString(CultureInfo.InvariantCulture));
         var latency = result.LatencyMs;
         Row("application latency", $"{Text(latency.AppP50, "0.0", " ms")} median, {Text(latency.AppP95, "0.0", " ms")} P95");
-        Row("visualisation latency, as told", Text(latency.Visu, "0.0", " ms"));
+        Row("visualisation latency, configured", Text(latency.Visu, "0.0", " ms"));
         Row("end-to-end latency", Text(latency.EndToEnd, "0.0", " ms"));
         var pose = result.Pose;
         Row("pose", $"{pose.State}; current after {Text(pose.CurrentAfterS, "0.0", " s")}, "

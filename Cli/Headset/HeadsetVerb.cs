@@ -34,7 +34,7 @@ static class HeadsetVerb
     static readonly Option<string> Predictor = PredictorOption.Create();
     static readonly Option<string> Estimator = RuntimeOptions.Estimator();
     static readonly Option<string> Profile = RuntimeOptions.Profile();
-    static readonly Option<double> Visualisation = NumberOption.Create("--visu-ms", "Display latency that the runtime is told", 40.0, 0, 500, "ms");
+    static readonly Option<double> Visualisation = NumberOption.Create("--visu-ms", "Display latency that the runtime uses", 40.0, 0, 500, "ms");
     static readonly Option<double> FramesPerSecond = NumberOption.Create("--fps", "Frames a second", 60.0, 1, 240, "Hz");
     static readonly Option<double> Seconds = NumberOption.Create("--seconds", "How long to run", 20.0, 1, 86_400, "s");
     static readonly Option<string> Record = new("--record") { Description = "Record the session there, .jsonl", HelpName = "FILE" };

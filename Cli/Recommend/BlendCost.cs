@@ -7,7 +7,7 @@ namespace Nowpose.Cli.Recommend;
 sealed class BlendCost
 {
     /// <summary>Maximum accepted increase, as a share of the RMS error.</summary>
-    public const double Greatest = 0.05;
+    public const double MaxShare = 0.05;
 
     public BlendCost(Verdict verdict, CancellationToken cancellation)
     {
@@ -24,7 +24,7 @@ sealed class BlendCost
     public IReadOnlyList<double?> ShareOfHalves { get; } = [null, null];
 
     /// <summary>Time constant to use, ms.</summary>
-    public double RecommendedMs => Share > Greatest ? 0 : PredictionSettings.DefaultBlendMs;
+    public double RecommendedMs => Share > MaxShare ? 0 : PredictionSettings.DefaultBlendMs;
 
     static Trial Try(Verdict verdict, double blendMs, CancellationToken cancellation)
     {

@@ -5,7 +5,7 @@ namespace Nowpose.Cli.Recommend;
 /// <summary>The candidates: every predictor that settings offer, and every degree with other histories.</summary>
 static class Candidates
 {
-    const int LongestHistory = 6;
+    const int MaxHistory = 6;
 
     static readonly string[] Degrees = ["linear", "quadratic", "cubic"];
 
@@ -16,7 +16,7 @@ static class Candidates
     static IEnumerable<string> Histories()
     {
         for (var degree = 1; degree <= Degrees.Length; degree++)
-            for (var history = degree + 1; history <= LongestHistory; history++)
+            for (var history = degree + 1; history <= MaxHistory; history++)
                 yield return FormattableString.Invariant($"{Degrees[degree - 1]}-h{history}");
     }
 }

@@ -8,13 +8,13 @@ namespace Nowpose.Cli.Recommend;
 static class Halving
 {
     /// <summary>Minimum share of the steps on either side. A shorter part is not meaningful.</summary>
-    const double LeastShare = 0.2;
+    const double MinShare = 0.2;
 
     /// <param name="ways">Distance that all joints together moved in each step.</param>
     /// <returns>Number of steps in the first half.</returns>
     public static int MiddleOf(IReadOnlyList<double> ways)
     {
-        var least = (int)(LeastShare * ways.Count);
+        var least = (int)(MinShare * ways.Count);
         var half = ways.Sum() / 2;
         var (middle, way) = (0, 0.0);
         while (middle < ways.Count && way < half) way += ways[middle++];

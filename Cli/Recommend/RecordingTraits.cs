@@ -4,13 +4,13 @@ namespace Nowpose.Cli.Recommend;
 sealed class RecordingTraits
 {
     /// <summary>Minimum duration, s. In shorter recordings, the difference of the halves is mostly chance.</summary>
-    const double LeastDuration = 10;
+    const double MinDuration = 10;
 
     /// <summary>Maximum range of a resting joint, rad or m: less than an intended motion of any robot.</summary>
     const double Standstill = 1e-4;
 
     /// <summary>Maximum number of repeated values of a moving joint. A resting joint repeats its value for longer.</summary>
-    const int LongestRepeat = 4;
+    const int MaxRepeats = 4;
 
     const double NoticeableSpread = 0.2;
     const double NoticeableRepeats = 0.01;
@@ -22,7 +22,7 @@ sealed class RecordingTraits
         var intervals = moving.SelectMany(joint => joint.Times.Zip(joint.Times.Skip(1), (a, b) => b - a)).ToList();
         if (intervals.Count > 0)
             (Interval, IntervalP5, IntervalP95) = (Quantile.Of(intervals, 0.5), Quantile.Of(intervals, 0.05), Quantile.Of(intervals, 0.95));
-        GreatestRange = moving.Select(joint => joint.Positions.Max() - joint.Positions.Min()).DefaultIfEmpty().Max();
+        MaxRange = moving.Select(joint => joint.Positions.Max() - joint.Positions.Min()).DefaultIfEmpty().Max();
         Repeats = RepeatsOf(moving);
         RoundingSteps = [.. moving.Select(joint => (joint.Name, Step: RoundingStepOf(joint.Positions))).Where(joint => joint.Step.HasValue)
             .Select(joint => (joint.Name, joint.Step.Value))];
@@ -41,7 +41,7 @@ sealed class RecordingTraits
     public double IntervalP95 { get; }
 
     /// <summary>Largest range of any joint, rad or m.</summary>
-    public double GreatestRange { get; }
+    public double MaxRange { get; }
 
     /// <summary>Share of the samples of moving joints that repeat the previous one, 0 to 1.</summary>
     public double Repeats { get; }
@@ -52,10 +52,10 @@ sealed class RecordingTraits
     /// <summary>Gets the warnings about the reliability of the recommendation.</summary>
     public IEnumerable<string> Warnings()
     {
-        if (GreatestRange < Standstill)
-            yield return Text($"nothing moves by more than {GreatestRange:G2} rad or m: from a standstill nothing can be recommended");
-        if (Duration < LeastDuration)
-            yield return Text($"{Duration:0.0} s are short: chance may decide; record {LeastDuration} s or more");
+        if (MaxRange < Standstill)
+            yield return Text($"nothing moves by more than {MaxRange:G2} rad or m: from a standstill nothing can be recommended");
+        if (Duration < MinDuration)
+            yield return Text($"{Duration:0.0} s are short: chance may decide; record {MinDuration} s or more");
         if (IntervalP95 - IntervalP5 > NoticeableSpread * Interval)
             yield return Text($"the samples' stamps lie {1e3 * IntervalP5:0.0} to {1e3 * IntervalP95:0.0} ms apart (P5 to P95): ")
                 + "a stamp given late costs accuracy";
@@ -78,7 +78,7 @@ sealed class RecordingTraits
                     continue;
                 }
                 changes++;
-                if (run <= LongestRepeat) repeats += run - 1;
+                if (run <= MaxRepeats) repeats += run - 1;
                 run = 1;
             }
         }

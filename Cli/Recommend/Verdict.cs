@@ -10,7 +10,7 @@ namespace Nowpose.Cli.Recommend;
 sealed class Verdict
 {
     /// <summary>Minimum gain for a recommendation other than the default.</summary>
-    public const double LeastGain = 0.02;
+    public const double MinGain = 0.02;
 
     /// <param name="subject">The subject on which they were tried.</param>
     /// <param name="trials">The trials, including those of the default and of hold.</param>
@@ -23,7 +23,7 @@ sealed class Verdict
     }
 
     /// <summary>Maximum difference of a tie. Candidates with a larger overall difference never tie.</summary>
-    const double GreatestTie = 0.5;
+    const double MaxTieDifference = 0.5;
 
     public ISubject Subject { get; }
 
@@ -35,7 +35,7 @@ sealed class Verdict
     public Trial Recommended { get; }
 
     /// <summary>Whether a candidate and the recommended one each win on one half, so that the better one cannot be determined.</summary>
-    public bool IsTie(Trial trial) => trial != Recommended && Math.Abs(trial.GainOver(Recommended) ?? 0) < GreatestTie
+    public bool IsTie(Trial trial) => trial != Recommended && Math.Abs(trial.GainOver(Recommended) ?? 0) < MaxTieDifference
         && trial.IsBetterThan(Recommended, Half.First) != trial.IsBetterThan(Recommended, Half.Second);
 
     /// <summary>The reason in one sentence.</summary>
@@ -50,12 +50,12 @@ sealed class Verdict
             if (best == Default) return "no other errs less";
             return IsTie(best)
                 ? $"{best.Predictor} is a tie: it wins on one half and loses on the other"
-                : FormattableString.Invariant($"{best.Predictor} errs less, but by no more than {100 * LeastGain:0} %");
+                : FormattableString.Invariant($"{best.Predictor} errs less, but by no more than {100 * MinGain:0} %");
         }
     }
 
     static bool IsBetter(Trial trial, Trial standard) => trial.IsBetterThan(standard, Half.First) && trial.IsBetterThan(standard, Half.Second)
-        && trial.GainOver(standard) > LeastGain;
+        && trial.GainOver(standard) > MinGain;
 
     string Percent(Half half) => FormattableString.Invariant($"{100 * Recommended.GainOver(Default, half):0} %");
 }

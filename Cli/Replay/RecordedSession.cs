@@ -8,7 +8,7 @@ namespace Nowpose.Cli.Replay;
 sealed class RecordedSession
 {
     /// <summary>Maximum number of stored numbers: about 400 MB. A file of the usual maximum size has a tenth of that.</summary>
-    const int MostNumbers = 50_000_000;
+    const int MaxNumbers = 50_000_000;
 
     // Samples that were dropped for these reasons never reached a predictor, so the replay drops them, too.
     static readonly string[] NeverTaken = ["slow_reader", "stamp_in_future"];
@@ -73,7 +73,7 @@ sealed class RecordedSession
             case ClockLine { IsNewStart: true }: StartTimeLine(); break;
             case LostLine lost: Lost += lost.Count; break;
         }
-        if (_values.Count + _displayed.Count + _planned > MostNumbers)
+        if (_values.Count + _displayed.Count + _planned > MaxNumbers)
             throw new InputException($"{_path}: is too long to be kept in memory; record shorter sessions");
     }
 

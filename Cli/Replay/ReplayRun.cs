@@ -8,10 +8,10 @@ namespace Nowpose.Cli.Replay;
 public sealed class ReplayRun
 {
     /// <summary>Maximum of frames × axes: about 400 MB of errors. More indicates a wrong time unit rather than a long motion.</summary>
-    const double MostValues = 5e7;
+    const double MaxValues = 5e7;
 
     /// <summary>Maximum number of samples. They take time even if few frames use them.</summary>
-    const double MostSamples = 5e7;
+    const double MaxSamples = 5e7;
 
     readonly string _path;
     readonly MotionRecording _recording;
@@ -90,7 +90,7 @@ public sealed class ReplayRun
     {
         var values = _recording.Duration * _settings.FrameRateHz * _recording.Names.Count;
         var samples = _recording.Duration / _settings.SamplingInterval;
-        if (values > MostValues || samples > MostSamples)
+        if (values > MaxValues || samples > MaxSamples)
             throw new InputException($"{_path}: " + FormattableString.Invariant(
                 $"{_recording.Duration:G6} s are too long to replay at {_settings.FrameRateHz} frames per second ")
                 + FormattableString.Invariant($"and a sample every {_settings.SamplingInterval * 1e3:G6} ms; is the time column in seconds?"));

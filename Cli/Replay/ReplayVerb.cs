@@ -23,10 +23,10 @@ static class ReplayVerb
         var predictor = PredictorOption.Create();
         var latencyError = NumberOption.Create("--latency-error-ms", "Added to the time asked for.", 0.0, -10000, 10000, "ms");
         var stampError = NumberOption.Create("--stamp-error-ms", "Half-width of a uniform error on each t_k.", 0.0, 0, 10000, "ms");
-        var jitter = NumberOption.Create("--jitter-ms", "Greatest additional delay, uniform from 0.", 0.0, 0, 10000, "ms");
+        var jitter = NumberOption.Create("--jitter-ms", "Maximum additional delay, uniform from 0.", 0.0, 0, 10000, "ms");
         var loss = NumberOption.Create("--loss", "Probability that a sample never arrives.", 0.0, 0, 1, "");
         var blend = NumberOption.Create("--blend-ms", "Time constant within which a new section replaces the old one; a session has its own.", 0.0, 0, 200, "ms");
-        var seed = NumberOption.Create("--seed", "Start of all that is random.", 1, int.MinValue, int.MaxValue, "");
+        var seed = NumberOption.Create("--seed", "Seed of the random numbers.", 1, int.MinValue, int.MaxValue, "");
         var json = new Option<bool>("--json") { Description = "Print JSON instead of a table." };
 
         var verb = new Command("replay", "Predicts a recorded motion or session as the headset would have; no network, virtual time.")

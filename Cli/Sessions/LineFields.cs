@@ -13,7 +13,7 @@ readonly struct LineFields(string place, JsonElement fields)
     public bool Has(string name) => _fields.TryGetProperty(name, out var value) && value.ValueKind != JsonValueKind.Null;
 
     public string Text(string name) => Required(name) is { ValueKind: JsonValueKind.String } value
-        ? value.GetString() : throw Wrong(name, "is no text");
+        ? value.GetString() : throw Wrong(name, "is not a string");
 
     public string TextOr(string name, string otherwise) => Has(name) ? Text(name) : otherwise;
 
@@ -67,24 +67,25 @@ readonly struct LineFields(string place, JsonElement fields)
         var i = 0;
         foreach (var value in array.EnumerateArray())
         {
-            if (value.ValueKind != JsonValueKind.String) throw Wrong(name, $"element {i + 1}: {Shown(value)} is no text");
+            if (value.ValueKind != JsonValueKind.String) throw Wrong(name, $"element {i + 1}: {Shown(value)} is not a string");
             texts[i++] = value.GetString();
         }
         return texts;
     }
 
     public LineFields Object(string name) => Required(name) is { ValueKind: JsonValueKind.Object } value
-        ? new LineFields(place, value) : throw Wrong(name, "is no object");
+        ? new LineFields(place, value) : throw Wrong(name, "is not an object");
 
     public IEnumerable<LineFields> Objects(string name)
     {
         foreach (var value in Array(name).EnumerateArray())
-            yield return value.ValueKind == JsonValueKind.Object ? new LineFields(place, value) : throw Wrong(name, $"{Shown(value)} is no object");
+            yield return value.ValueKind == JsonValueKind.Object
+                ? new LineFields(place, value) : throw Wrong(name, $"{Shown(value)} is not an object");
     }
 
     public InputException Wrong(string field, string what) => new($"{place}: field '{field}' {what}");
 
-    JsonElement Array(string name) => Required(name) is { ValueKind: JsonValueKind.Array } value ? value : throw Wrong(name, "is no array");
+    JsonElement Array(string name) => Required(name) is { ValueKind: JsonValueKind.Array } value ? value : throw Wrong(name, "is not an array");
 
     JsonElement Required(string name) => _fields.TryGetProperty(name, out var value) ? value : throw Wrong(name, "is missing");
 

@@ -60,19 +60,19 @@ sealed class SessionFileReader : IDisposable
         catch (JsonException broken)
         {
             isTorn = IsLast();
-            return isTorn ? null : throw new InputException($"{Place}: is no JSON object: {OneLine(broken)}", broken);
+            return isTorn ? null : throw new InputException($"{Place}: is not a JSON object: {OneLine(broken)}", broken);
         }
     }
 
     SessionHeader ReadHeader()
     {
-        var text = ReadLine() ?? throw new InputException($"{_path}: is empty; a session file begins with a line that says so");
+        var text = ReadLine() ?? throw new InputException($"{_path}: is empty; the first line of a session file must be its header");
         try
         {
             using var json = JsonDocument.Parse(text);
             var fields = Fields(json);
             if (fields.TextOr("format", null) != SessionFormat.Name)
-                throw new InputException($"{Place}: field 'format' is not '{SessionFormat.Name}'; a session file begins with a line that says so");
+                throw new InputException($"{Place}: field 'format' is not '{SessionFormat.Name}'; the first line of a session file must contain it");
             var version = fields.Whole("version");
             if (version is < 1 or > SessionFormat.Version)
                 throw new InputException($"{Place}: field 'version': the file is of version {version}; this program reads version "
@@ -81,14 +81,14 @@ sealed class SessionFileReader : IDisposable
         }
         catch (JsonException broken)
         {
-            throw new InputException($"{Place}: is no JSON object: {OneLine(broken)}", broken);
+            throw new InputException($"{Place}: is not a JSON object: {OneLine(broken)}", broken);
         }
     }
 
     string Place => $"{_path}:{_line}";
 
     LineFields Fields(JsonDocument json) => json.RootElement.ValueKind == JsonValueKind.Object
-        ? new LineFields(Place, json.RootElement) : throw new InputException($"{Place}: is no JSON object");
+        ? new LineFields(Place, json.RootElement) : throw new InputException($"{Place}: is not a JSON object");
 
     string ReadLine() => Guarded(() =>
     {

@@ -64,7 +64,7 @@ static class SessionLines
     static double Limit(LineFields joint, string field)
     {
         var limit = joint.NumberOr(field, double.PositiveInfinity);
-        return limit > 0 ? limit : throw joint.Wrong(field, FormattableString.Invariant($"{limit} is no limit; it is more than 0"));
+        return limit > 0 ? limit : throw joint.Wrong(field, FormattableString.Invariant($"{limit} is not a valid limit; it must be more than 0"));
     }
 
     static SyncLine ReadSync(LineFields line)

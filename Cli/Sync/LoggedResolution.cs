@@ -9,10 +9,10 @@ namespace Nowpose.Cli.Sync;
 static class LoggedResolution
 {
     /// <summary>Minimum number of exchanges. Fewer stamps may be whole milliseconds apart by chance.</summary>
-    const int FewestExchanges = 50;
+    const int MinExchanges = 50;
 
     /// <summary>Range of the resolution, ns. Below it, half a cycle is negligible; no control system has a longer cycle.</summary>
-    const long LeastNs = 100_000, GreatestNs = 20_000_000;
+    const long MinNs = 100_000, MaxNs = 20_000_000;
 
     /// <summary>Minimum ratio to the headset clock's resolution. In a synthetic log, both clocks may be rounded, without any cycle.</summary>
     const int FinerHeadsetClock = 10;
@@ -21,9 +21,9 @@ static class LoggedResolution
     /// <returns>Zero if the stamps do not show a resolution.</returns>
     public static TimeSpan Of(IReadOnlyList<long[]> rows)
     {
-        if (rows.Count < FewestExchanges) return TimeSpan.Zero;
+        if (rows.Count < MinExchanges) return TimeSpan.Zero;
         var control = CommonStep(rows, 1, 2);
-        if (control is < LeastNs or > GreatestNs || CommonStep(rows, 0, 3) > control / FinerHeadsetClock) return TimeSpan.Zero;
+        if (control is < MinNs or > MaxNs || CommonStep(rows, 0, 3) > control / FinerHeadsetClock) return TimeSpan.Zero;
         return TimeSpan.FromTicks(control / TimeSpan.NanosecondsPerTick);
     }
 

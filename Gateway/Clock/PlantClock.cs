@@ -12,7 +12,7 @@ public sealed class PlantClock
     /// <summary>Time without an answer after which another adapter may take over. A lost connection ends only when its pings time out.</summary>
     internal static readonly TimeSpan SilenceOfTheGone = TimeSpan.FromSeconds(3);
 
-    internal const int LongestFailure = 200;
+    internal const int MaxFailureLength = 200;
 
     readonly ClockSynchroniser _synchroniser = new(ClockEstimators.Create(ClockEstimators.Default), ClockSettings.Default);
     readonly IHeadsetClock _counter;
@@ -112,7 +112,7 @@ public sealed class PlantClock
     /// <param name="why">The reason; may contain text from a peer.</param>
     internal void Failed(string why)
     {
-        _lastFailure = InputException.OneLine(why, LongestFailure);
+        _lastFailure = InputException.OneLine(why, MaxFailureLength);
         Interlocked.Increment(ref _failures);
     }
 }

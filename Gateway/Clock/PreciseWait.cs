@@ -8,7 +8,7 @@ public static class PreciseWait
     static readonly TimeSpan SpinLength = TimeSpan.FromMilliseconds(1.5);
 
     // Shortest duration of a sleep. The system would only spin for shorter ones.
-    static readonly TimeSpan ShortestSleep = TimeSpan.FromMilliseconds(1);
+    static readonly TimeSpan MinSleep = TimeSpan.FromMilliseconds(1);
 
     /// <param name="count">Count of <see cref="Stopwatch"/>; a past count returns immediately.</param>
     public static void Until(long count)
@@ -25,7 +25,7 @@ public static class PreciseWait
         for (var rest = left(); rest > TimeSpan.Zero && !stop.IsSet; rest = left())
         {
             if (rest > SpinLength)
-                stop.Wait(rest - SpinLength > ShortestSleep ? rest - SpinLength : ShortestSleep);
+                stop.Wait(rest - SpinLength > MinSleep ? rest - SpinLength : MinSleep);
             else
                 Thread.SpinWait(20);
         }

@@ -7,7 +7,7 @@ sealed class SourceStamps
     long? _first;
 
     /// <summary>Minimum ages of the first seconds, with which later ones are compared; null until there are enough samples.</summary>
-    public LeastAges? Usual { get; set; }
+    public MinAges? Usual { get; set; }
 
     /// <param name="now">Number of the current second.</param>
     /// <param name="age">Control time minus the stamp.</param>
@@ -17,9 +17,10 @@ sealed class SourceStamps
     {
         _first ??= now;
         ref var second = ref _seconds[now % StampWatch.Seconds];
-        if (second.Samples == 0 || second.Number != now) second = new Second { Number = now, Least = new LeastAges(TimeSpan.MaxValue, TimeSpan.MaxValue) };
+        if (second.Samples == 0 || second.Number != now)
+            second = new Second { Number = now, MinAges = new MinAges(TimeSpan.MaxValue, TimeSpan.MaxValue) };
         second.Samples++;
-        second.Least = second.Least.With(new LeastAges(age, systemAge));
+        second.MinAges = second.MinAges.With(new MinAges(age, systemAge));
         if (isRefused) second.Refused++;
         if (fitsSystem) second.OnSystem++;
         if (isAhead) second.Ahead++;
@@ -33,9 +34,9 @@ sealed class SourceStamps
         var recent = Array.FindAll(_seconds, second => second.Samples > 0 && second.Number > now - StampWatch.Seconds);
         var isLasting = now - _first >= StampWatch.Seconds;
         if (!isCorrected && recent.Length == StampWatch.Seconds && recent.All(second => second.IsPlausible)
-            && LeastAges.Agree(recent.Select(second => second.Least)))
-            Usual ??= recent.Select(second => second.Least).Aggregate((one, other) => one.With(other));
-        var shift = Usual is { } usual && recent.Length > 0 ? recent.MaxBy(second => second.Number).Least.ShiftWithSystem(usual) : TimeSpan.Zero;
+            && MinAges.Agree(recent.Select(second => second.MinAges)))
+            Usual ??= recent.Select(second => second.MinAges).Aggregate((one, other) => one.With(other));
+        var shift = Usual is { } usual && recent.Length > 0 ? recent.MaxBy(second => second.Number).MinAges.ShiftWithSystem(usual) : TimeSpan.Zero;
         return new StampCounts(
             recent.Sum(second => second.Samples), recent.Sum(second => second.Refused), recent.Sum(second => second.OnSystem),
             recent.Sum(second => second.Ahead), isLasting, shift,
@@ -47,25 +48,25 @@ sealed class SourceStamps
         public long Number;
         public int Samples, Refused, OnSystem, Ahead;
         public TimeSpan Age;
-        public LeastAges Least;
+        public MinAges MinAges;
 
         public readonly bool IsPlausible => Refused == 0 && OnSystem == 0 && Ahead == 0;
     }
 }
 
 /// <summary>The minimum ages of a source's samples in an interval, by the control clock and by the system clock.</summary>
-readonly record struct LeastAges(TimeSpan Control, TimeSpan System)
+readonly record struct MinAges(TimeSpan Control, TimeSpan System)
 {
     /// <summary>Maximum change of the difference of the ages if neither clock was corrected.</summary>
     static readonly TimeSpan MaxDifference = TimeSpan.FromMilliseconds(20);
 
     TimeSpan Ahead => Control - System;
 
-    public LeastAges With(LeastAges other) =>
+    public MinAges With(MinAges other) =>
         new(Control < other.Control ? Control : other.Control, System < other.System ? System : other.System);
 
     /// <summary>Whether neither clock was corrected in the interval.</summary>
-    public static bool Agree(IEnumerable<LeastAges> all)
+    public static bool Agree(IEnumerable<MinAges> all)
     {
         var ahead = all.Select(one => one.Ahead).ToArray();
         return ahead.Max() - ahead.Min() <= MaxDifference;
@@ -74,7 +75,7 @@ readonly record struct LeastAges(TimeSpan Control, TimeSpan System)
     /// <summary>
     /// Gets the change of the ages by the control clock, if the ages by the system clock are unchanged; zero otherwise.
     /// </summary>
-    public TimeSpan ShiftWithSystem(LeastAges usual)
+    public TimeSpan ShiftWithSystem(MinAges usual)
     {
         var shift = Control - usual.Control;
         return shift.Duration() >= StampWatch.MinCorrection && (System - usual.System).Duration() <= shift.Duration() / 4 ? shift : TimeSpan.Zero;

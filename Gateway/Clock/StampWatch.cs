@@ -41,7 +41,7 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
     readonly Lock _lock = new();
     readonly Dictionary<HubSource, SourceStamps> _sources = [];
     // Keyed by the source's title, so that a source that reconnects is compared with its first seconds.
-    readonly Dictionary<string, LeastAges> _usual = [];
+    readonly Dictionary<string, MinAges> _usual = [];
     TimeSpan? _ahead;
     ControlTime _since;
     TimeSpan _correction;

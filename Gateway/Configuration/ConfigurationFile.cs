@@ -9,7 +9,7 @@ namespace Nowpose.Gateway.Configuration;
 /// </remarks>
 static class ConfigurationFile
 {
-    const int GreatestBytes = 64 * 1024;
+    const int MaxBytes = 64 * 1024;
 
     /// <param name="wrong">Receives one line for each invalid place.</param>
     /// <exception cref="InputException">The file cannot be read.</exception>
@@ -28,12 +28,12 @@ static class ConfigurationFile
         }
         catch (YamlException broken)
         {
-            wrong.Add($"{path}:{broken.Start.Line}: is no YAML: {(broken.InnerException ?? broken).Message.ReplaceLineEndings(" ")}");
+            wrong.Add($"{path}:{broken.Start.Line}: is not valid YAML: {(broken.InnerException ?? broken).Message.ReplaceLineEndings(" ")}");
         }
         // Exceptions of the parser itself, for example for a plain word in an unclosed flow mapping.
         catch (Exception broken) when (broken is InvalidOperationException or ArgumentException or IndexOutOfRangeException or EndOfStreamException)
         {
-            wrong.Add($"{PlaceOf(path, parser.Current)}: is no YAML, here or in the lines that follow");
+            wrong.Add($"{PlaceOf(path, parser.Current)}: is not valid YAML, here or in the lines that follow");
         }
 
         return entries;
@@ -44,8 +44,8 @@ static class ConfigurationFile
         try
         {
             var file = new FileInfo(path);
-            if (file.Exists && file.Length > GreatestBytes)
-                throw new InputException($"--config {path}: {file.Length} bytes; a configuration has no more than {GreatestBytes}");
+            if (file.Exists && file.Length > MaxBytes)
+                throw new InputException($"--config {path}: {file.Length} bytes; a configuration has no more than {MaxBytes}");
             return File.ReadAllText(path);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)

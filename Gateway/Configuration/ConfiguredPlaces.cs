@@ -3,7 +3,7 @@ namespace Nowpose.Gateway.Configuration;
 /// <summary>Maps options to their place in the configuration file, so that messages can state it.</summary>
 sealed class ConfiguredPlaces
 {
-    readonly List<(string Beginning, string Told)> _beginnings = [];
+    readonly List<(string Beginning, string Replacement)> _beginnings = [];
 
     /// <param name="option">The option as typed.</param>
     /// <param name="paths">The files or folders that it names. Other values do not identify the option in a message.</param>
@@ -19,8 +19,8 @@ sealed class ConfiguredPlaces
     /// <summary>Returns the message, with its place if it is about an entry of the file.</summary>
     public string Place(string complaint)
     {
-        foreach (var (beginning, told) in _beginnings)
-            if (complaint.StartsWith(beginning, StringComparison.Ordinal)) return told + complaint[beginning.Length..];
+        foreach (var (beginning, replacement) in _beginnings)
+            if (complaint.StartsWith(beginning, StringComparison.Ordinal)) return replacement + complaint[beginning.Length..];
         return complaint;
     }
 }

@@ -77,7 +77,7 @@ static class DryRun
     static string FolderOf(string option, string path)
     {
         var folder = Path.GetDirectoryName(Path.GetFullPath(path));
-        return Directory.Exists(folder) ? folder : throw new InputException($"{option} {path}: there is no folder {folder}");
+        return Directory.Exists(folder) ? folder : throw new InputException($"{option} {path}: folder {folder} does not exist");
     }
 
     static void RequireWritable(string option, string path, string folder)

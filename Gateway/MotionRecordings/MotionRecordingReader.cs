@@ -7,10 +7,10 @@ namespace Nowpose.Gateway.MotionRecordings;
 /// <summary>Reads one motion recording row by row and reports the place of errors.</summary>
 sealed class MotionRecordingReader : IDisposable
 {
-    const int LongestShownValue = 40;
+    const int MaxShownLength = 40;
 
     /// <summary>Maximum magnitude, so that the difference of any two values is finite.</summary>
-    const double GreatestValue = 8e307;
+    const double MaxMagnitude = 8e307;
 
     readonly string _path;
     readonly CsvParser _csv;
@@ -112,8 +112,8 @@ sealed class MotionRecordingReader : IDisposable
         if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value))
             throw Wrong($"field {Shown(_header[column])}: {Shown(text)} is not a number (a point is the decimal sign)");
         if (!double.IsFinite(value)) throw Wrong($"field {Shown(_header[column])}: {Shown(text)} is not a finite number");
-        if (Math.Abs(value) > GreatestValue)
-            throw Wrong($"field {Shown(_header[column])}: {Shown(text)} is too large; up to {GreatestValue:0e+0} are allowed");
+        if (Math.Abs(value) > MaxMagnitude)
+            throw Wrong($"field {Shown(_header[column])}: {Shown(text)} is too large; up to {MaxMagnitude:0e+0} are allowed");
         return value;
     }
 
@@ -122,7 +122,7 @@ sealed class MotionRecordingReader : IDisposable
     /// <summary>Formats a value for a one-line message: short and without line breaks.</summary>
     static string Shown(string value)
     {
-        var text = value.Length <= LongestShownValue ? value : value[..LongestShownValue] + "…";
+        var text = value.Length <= MaxShownLength ? value : value[..MaxShownLength] + "…";
         return "'" + string.Concat(text.Select(c => char.IsControl(c) ? ' ' : c)) + "'";
     }
 }

@@ -9,12 +9,12 @@ namespace Nowpose.Gateway.Operations;
 sealed class BrowserSessions(TimeProvider time)
 {
     /// <summary>Maximum number of sessions. Beyond it, the one that was idle longest ends, so that logins cannot exhaust the memory.</summary>
-    const int GreatestCount = 256;
+    const int MaxCount = 256;
 
     const int IdBytes = 32;
 
     /// <summary>Maximum idle time: a browser that was left open requires a new login the next morning.</summary>
-    static readonly TimeSpan GreatestIdle = TimeSpan.FromHours(12);
+    static readonly TimeSpan MaxIdle = TimeSpan.FromHours(12);
 
     readonly Dictionary<string, Session> _sessions = [];
 
@@ -28,7 +28,7 @@ sealed class BrowserSessions(TimeProvider time)
         var id = Base64Url.EncodeToString(RandomNumberGenerator.GetBytes(IdBytes));
         lock (_sessions)
         {
-            if (_sessions.Count >= GreatestCount) _sessions.Remove(_sessions.MinBy(session => session.Value.Used).Key);
+            if (_sessions.Count >= MaxCount) _sessions.Remove(_sessions.MinBy(session => session.Value.Used).Key);
             _sessions.Add(KeyOf(id), new Session(tokenHash, time.GetTimestamp()));
         }
 
@@ -42,7 +42,7 @@ sealed class BrowserSessions(TimeProvider time)
         lock (_sessions)
         {
             if (!_sessions.TryGetValue(key, out var session)) return null;
-            if (time.GetElapsedTime(session.Used) > GreatestIdle)
+            if (time.GetElapsedTime(session.Used) > MaxIdle)
             {
                 _sessions.Remove(key);
                 return null;
@@ -57,7 +57,7 @@ sealed class BrowserSessions(TimeProvider time)
     public bool IsOpen(string id)
     {
         lock (_sessions)
-            return _sessions.TryGetValue(KeyOf(id), out var session) && time.GetElapsedTime(session.Used) <= GreatestIdle;
+            return _sessions.TryGetValue(KeyOf(id), out var session) && time.GetElapsedTime(session.Used) <= MaxIdle;
     }
 
     public void Close(string id)

@@ -59,7 +59,7 @@ static class HeadsetFile
             var line = lines[i].Trim();
             if (line.Length == 0 || line[0] == '#') continue;
             if (PairedHeadset.Read(line) is { } headset) headsets.Add(headset);
-            else fault ??= $"{path}, line {i + 1}: is no paired headset; correct or remove it";
+            else fault ??= $"{path}, line {i + 1}: is not a paired headset; correct or remove it";
         }
 
         return headsets;

@@ -9,7 +9,7 @@ namespace Nowpose.Gateway.Pairing;
 public sealed class HeadsetList
 {
     /// <summary>Maximum number of headsets. No gateway serves more; each line is compared at each connection.</summary>
-    const int GreatestCount = 1000;
+    const int MaxCount = 1000;
 
     const int TokenBytes = 32;
 
@@ -56,8 +56,8 @@ public sealed class HeadsetList
         var token = Base64Url.EncodeToString(RandomNumberGenerator.GetBytes(TokenBytes));
         lock (_gate)
         {
-            if (_headsets.Current.Count >= GreatestCount)
-                throw new InputException($"{_path}: holds {GreatestCount} headsets already; revoke some");
+            if (_headsets.Current.Count >= MaxCount)
+                throw new InputException($"{_path}: holds {MaxCount} headsets already; revoke some");
             headset = new PairedHeadset(PairedHeadset.NameOf(name), _time.GetUtcNow().UtcDateTime, TokenList.HashOf(token));
             HeadsetFile.Add(_path, headset);
         }

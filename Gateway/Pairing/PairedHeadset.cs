@@ -6,7 +6,7 @@ namespace Nowpose.Gateway.Pairing;
 /// <summary>One line of the list: the headset's name, the time of its pairing, and the hash of its token.</summary>
 sealed record PairedHeadset(string Name, DateTime PairedUtc, byte[] Hash)
 {
-    public const int GreatestName = 64;
+    public const int MaxNameLength = 64;
 
     const string Role = "observer", HashPrefix = "sha256/", TimeFormat = "yyyy-MM-dd'T'HH:mm:ss'Z'";
 
@@ -26,7 +26,7 @@ sealed record PairedHeadset(string Name, DateTime PairedUtc, byte[] Hash)
     public static string NameOf(string name)
     {
         var plain = new string([.. (name ?? "").Where(IsPlain)]).Trim();
-        return plain.Length switch { 0 => "headset", > GreatestName => plain[..GreatestName].TrimEnd(), _ => plain };
+        return plain.Length switch { 0 => "headset", > MaxNameLength => plain[..MaxNameLength].TrimEnd(), _ => plain };
     }
 
     static bool IsPlain(char c) => CharUnicodeInfo.GetUnicodeCategory(c) is not (

@@ -5,7 +5,7 @@ namespace Nowpose.Gateway.Plants;
 /// <summary>Keeps the program of one control system's adapter running: restarts it when it ends, and ends it with the gateway.</summary>
 sealed class AdapterProcess : IAsyncDisposable
 {
-    static readonly TimeSpan FirstPause = TimeSpan.FromSeconds(0.5), LongestPause = TimeSpan.FromSeconds(30);
+    static readonly TimeSpan FirstPause = TimeSpan.FromSeconds(0.5), MaxPause = TimeSpan.FromSeconds(30);
 
     /// <summary>Minimum run time of a successful start.</summary>
     static readonly TimeSpan Steady = TimeSpan.FromSeconds(60);
@@ -63,7 +63,7 @@ sealed class AdapterProcess : IAsyncDisposable
             if (Stopwatch.GetElapsedTime(started) > Steady) pause = FirstPause;
             _log($"{_plant.Path}: its adapter ended, {end}; it is started again in {pause.TotalSeconds:0.#} s");
             await Task.Delay(pause, _stop.Token).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
-            pause = pause * 2 < LongestPause ? pause * 2 : LongestPause;
+            pause = pause * 2 < MaxPause ? pause * 2 : MaxPause;
         }
     }
 

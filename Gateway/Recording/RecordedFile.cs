@@ -9,10 +9,10 @@ sealed class RecordedFile
     /// <summary>Capacity for eight seconds of a thousand messages each; a power of two.</summary>
     const int RingLength = 8192;
 
-    const double GreatestMegabytes = 500;
+    const double MaxMegabytes = 500;
 
     /// <summary>Size at which the next file is started, before this one is full, so that nothing is lost between them.</summary>
-    internal const long GreatestBytes = (long)(0.9 * GreatestMegabytes * 1e6);
+    internal const long MaxBytes = (long)(0.9 * MaxMegabytes * 1e6);
 
     readonly RecordRing _ring = new(RingLength, DropsLine.Count);
     readonly RecordWriter _writer;
@@ -28,7 +28,7 @@ sealed class RecordedFile
         Robot = robot;
         var line = new JsonLine();
         HeaderLine.WriteOfGateway(line, cell, robot.Model, startedUtc);
-        var settings = new RecordingSettings(path, () => _lines = open(path), GreatestMegabytes);
+        var settings = new RecordingSettings(path, () => _lines = open(path), MaxMegabytes);
         _writer = new RecordWriter(settings, _ring, line, new RecordLine(line, 0, new StatisticsLine()));
         _writer.Start();
     }

@@ -14,7 +14,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
 {
     readonly IPerformanceCounterClock _counter = plant.Counter;
     (string Source, int Steps)? _timeLine;
-    long _dropsTold;
+    long _recordedDrops;
 
     public void Add(RecordedFile file, HubMessage message)
     {
@@ -48,7 +48,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
     public void Begin()
     {
         _timeLine = null;
-        _dropsTold = 0;
+        _recordedDrops = 0;
     }
 
     void AddSample(RecordedFile file, HubMessage message, JointStateMessage state)
@@ -105,8 +105,8 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
     void AddDrops(RecordedFile file)
     {
         var total = drops.Total;
-        if (total == _dropsTold || file.TryClaim(RecordKind.Drops) is not { } record) return;
-        _dropsTold = total;
+        if (total == _recordedDrops || file.TryClaim(RecordKind.Drops) is not { } record) return;
+        _recordedDrops = total;
         record.At = _counter.Now;
         DropsLine.Fill(drops, record.Numbers);
         file.Publish(record);

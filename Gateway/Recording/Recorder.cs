@@ -51,7 +51,7 @@ public sealed class Recorder : IAsyncDisposable
     /// <param name="greatestBytes">Size of a file after which the next one is started.</param>
     internal Recorder(
         GatewayOptions options, MessageHub hub, ServedClock clock, PlantClocks plant, DropCounters drops, Action<string> log,
-        Func<string, LineFile> open = null, long greatestBytes = RecordedFile.GreatestBytes)
+        Func<string, LineFile> open = null, long greatestBytes = RecordedFile.MaxBytes)
     {
         _greatestBytes = greatestBytes;
         _options = options;
@@ -98,7 +98,7 @@ public sealed class Recorder : IAsyncDisposable
     /// <exception cref="InputException">No folder is configured.</exception>
     public void SwitchOn()
     {
-        if (!CanRecord) throw new InputException("recording: there is no folder for it; start the gateway with --recordings FOLDER");
+        if (!CanRecord) throw new InputException("recording: no folder is configured; start the gateway with --recordings FOLDER");
         var next = Prepare();
         lock (_gate)
         {

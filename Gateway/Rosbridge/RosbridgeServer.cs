@@ -39,7 +39,8 @@ sealed class RosbridgeServer(
         if (await door.AdmitAsync(context) is not { } role)
             return;
         if (!context.WebSockets.IsWebSocketRequest)
-            await Door.AnswerAsync(context, StatusCodes.Status426UpgradeRequired, "this port speaks rosbridge v2 over WebSocket");
+            await Door.AnswerAsync(
+                context, StatusCodes.Status426UpgradeRequired, "this port serves rosbridge v2 over WebSocket; connect with a WebSocket client");
         else if (!counters.TryEnter(options.MaxConnections))
             await Door.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, $"no more than {options.MaxConnections} connections");
         else

@@ -9,7 +9,7 @@ namespace Nowpose.Gateway.Rosbridge;
 /// <summary>One client's subscription to one topic: a queue that drops its oldest message when full, and the loop that sends from it.</summary>
 sealed class Subscription : IDisposable
 {
-    const int LongestQueue = 1024;
+    const int MaxQueueLength = 1024;
 
     /// <summary>Maximum waiting time for a slow reader. Older samples are dropped if a newer one is queued.</summary>
     internal static readonly TimeSpan MaxSampleAge = TimeSpan.FromMilliseconds(150);
@@ -97,7 +97,7 @@ sealed class Subscription : IDisposable
     static int QueueOf(SubscriptionTerms terms, int standard)
     {
         if (terms.QueueLength > 0)
-            return Math.Min(terms.QueueLength, LongestQueue);
+            return Math.Min(terms.QueueLength, MaxQueueLength);
         return terms.ThrottleMs > 0 ? 1 : standard;
     }
 }

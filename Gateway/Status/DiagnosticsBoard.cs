@@ -7,15 +7,15 @@ namespace Nowpose.Gateway.Status;
 sealed class DiagnosticsBoard(TimeProvider time)
 {
     /// <summary>Maximum number of names. More do not report within the timeout, unless a client invents names.</summary>
-    internal const int Greatest = 512;
+    internal const int MaxClients = 512;
 
-    internal const int GreatestValues = 256;
+    internal const int MaxValues = 256;
 
     /// <summary>Maximum length of a value, that of the adapters' log lines. The reason for a refused certificate needs half of it.</summary>
-    internal const int GreatestValue = 1000;
+    internal const int MaxValueLength = 1000;
 
     /// <summary>Maximum number of characters of all names and values together.</summary>
-    internal const int GreatestLength = 16 * 1024;
+    internal const int MaxLength = 16 * 1024;
 
     /// <summary>Timeout for headsets only: a lost adapter is a fault until the gateway is restarted.</summary>
     internal static readonly TimeSpan ForgottenAfter = TimeSpan.FromSeconds(30);
@@ -28,7 +28,7 @@ sealed class DiagnosticsBoard(TimeProvider time)
         var values = Kept(message.Values);
         lock (_lock)
         {
-            if (_said.Count >= Greatest && !_said.ContainsKey(message.HardwareId)) MakeRoom();
+            if (_said.Count >= MaxClients && !_said.ContainsKey(message.HardwareId)) MakeRoom();
             _said[message.HardwareId] = (time.GetTimestamp(), values);
         }
     }
@@ -58,10 +58,10 @@ sealed class DiagnosticsBoard(TimeProvider time)
     // A compact copy: the messages themselves, 64 KiB each, would use too much memory for hundreds of names.
     static KeyValuePair<string, string>[] Kept(IEnumerable<KeyValuePair<string, string>> values)
     {
-        var room = GreatestLength;
+        var room = MaxLength;
         return
         [
-            .. values.Where(pair => !AdapterJointReport.IsKey(pair.Key)).Take(GreatestValues).Select(pair => KeyValuePair.Create(pair.Key, InputException.OneLine(pair.Value, GreatestValue)))
+            .. values.Where(pair => !AdapterJointReport.IsKey(pair.Key)).Take(MaxValues).Select(pair => KeyValuePair.Create(pair.Key, InputException.OneLine(pair.Value, MaxValueLength)))
                 .TakeWhile(pair => (room -= pair.Key.Length + pair.Value.Length) >= 0),
         ];
     }

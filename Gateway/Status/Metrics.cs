@@ -80,7 +80,7 @@ static class Metrics
         }
 
         AddEach(
-            text, "nowpose_source_beyond_limits", Gauge, "Joints that are told to be where the robot described cannot be.", sources, LabelOf,
+            text, "nowpose_source_beyond_limits", Gauge, "Number of joints outside the limits of the described robot.", sources, LabelOf,
             source => source.BeyondLimits.Count);
     }
 

@@ -11,10 +11,10 @@ namespace Nowpose.Gateway.Status;
 sealed class SourceWatch
 {
     /// <summary>Maximum number of sources; further ones are ignored until one is removed.</summary>
-    internal const int Greatest = 64;
+    internal const int MaxSources = 64;
 
     /// <summary>Maximum number of joints of all sources together.</summary>
-    internal const int GreatestJoints = 4 * ProtocolLimits.Joints;
+    internal const int MaxJoints = 4 * ProtocolLimits.Joints;
 
     static readonly TimeSpan ForgottenAfter = TimeSpan.FromSeconds(10);
 
@@ -22,7 +22,7 @@ sealed class SourceWatch
     readonly Dictionary<string, SourceTrack> _byJoint = [];
     readonly List<SourceTrack> _tracks = [];
 
-    bool IsFull => _tracks.Count >= Greatest || _byJoint.Count >= GreatestJoints;
+    bool IsFull => _tracks.Count >= MaxSources || _byJoint.Count >= MaxJoints;
 
     /// <param name="receivedAt">A count of <see cref="Stopwatch"/>.</param>
     /// <param name="age">C1 at the receipt minus t_k.</param>
@@ -35,7 +35,7 @@ sealed class SourceWatch
             if (track == null && (IsFull || names.Length == 0)) return;
             if (track == null) _tracks.Add(track = new SourceTrack());
             foreach (var name in names)
-                if (_byJoint.Count < GreatestJoints && _byJoint.TryAdd(name, track)) track.Joints.Add(name);
+                if (_byJoint.Count < MaxJoints && _byJoint.TryAdd(name, track)) track.Joints.Add(name);
             track.Add(receivedAt, age);
         }
     }

@@ -17,7 +17,7 @@ static class PlantVerb
     public static Command Replay()
     {
         var file = new Argument<string>("FILE") { Description = "Recorded motion, .csv or .csv.gz: time in s, then one column for each joint" };
-        var command = new Command("replay", "Serves a recorded motion, played forth and back");
+        var command = new Command("replay", "Serves a recorded motion, played forward and backward");
         command.Arguments.Add(file);
         return Create(command, (parsed, robot) => new RecordedMotion(MotionRecording.Read(parsed.GetValue(file)), robot));
     }

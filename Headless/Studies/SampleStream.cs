@@ -17,7 +17,8 @@ sealed class SampleStream(AxisMotion motion, StudySettings settings, Random rand
     /// <param name="displayed">The newest displayed time, s; NaN before the first frame.</param>
     public void Deliver(double until, StudySubject subject, double displayed)
     {
-        while (_firstSample + _next * settings.SamplingInterval - settings.SamplingJitter - settings.ToldJitter + settings.Latency <= until) Send(_next++);
+        while (_firstSample + _next * settings.SamplingInterval - settings.SamplingJitter - settings.StampedJitter + settings.Latency <= until)
+            Send(_next++);
         while (_underWay.TryPeek(out var next, out var arrival) && arrival.Item1 <= until)
         {
             _underWay.Dequeue();
@@ -29,7 +30,7 @@ sealed class SampleStream(AxisMotion motion, StudySettings settings, Random rand
     // Every sample draws the same number of random numbers, so that one condition does not change another's numbers.
     void Send(int index)
     {
-        var stamp = _firstSample + index * settings.SamplingInterval + settings.ToldJitter * Uniform();
+        var stamp = _firstSample + index * settings.SamplingInterval + settings.StampedJitter * Uniform();
         var time = stamp + settings.SamplingJitter * Uniform();
         var told = stamp + settings.StampError * Uniform();
         var noise = settings.Noise * Normal();

@@ -27,7 +27,7 @@ public sealed record StudySettings
     public double SamplingJitter { get; init; }
 
     /// <summary>The same deviation for a source whose stamps are the true instants, s.</summary>
-    public double ToldJitter { get; init; }
+    public double StampedJitter { get; init; }
 
     /// <summary>Median of a log-normal delay added to the latency of each sample, s; 0 for none. Samples overtake each other.</summary>
     public double DelayMedian { get; init; }

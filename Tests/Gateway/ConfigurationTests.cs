@@ -47,7 +47,7 @@ public class ConfigurationTests
     [TestCase("config: other.yaml", "no such entry")]
     [TestCase("? [a]\n: b", "a key is a word")]
     [TestCase("clock: UPPER", "'UPPER' names no clock")]
-    [TestCase("\"a", "is no YAML")]
+    [TestCase("\"a", "is not valid YAML")]
     [TestCase("plants: []", "has no value")]
     [TestCase("ws-port: []", "a list; allowed is one value")]
     [TestCase("tokens: \"a\\0b\"", "control character")]
@@ -117,13 +117,13 @@ public class ConfigurationTests
     [Test]
     public async Task Paths_Relative_StartAtTheFolderOfTheFile()
     {
-        Save("observer a-token-of-somebody\n", "tokens.txt");
+        Save("observer a-token-of-an-observer\n", "tokens.txt");
 
         var (status, output, errors) = await CheckAsync("ws-port: 0\nsync-port: 0\ntokens: tokens.txt\nrecordings: films\n");
 
         Assert.That(status, Is.EqualTo(0), string.Join(" | ", errors));
         Assert.That(output, Does.Contain($"tokens {Path.Combine(_folder, "tokens.txt")}"));
-        Assert.That(string.Join('\n', output), Does.Not.Contain("a-token-of-somebody"));
+        Assert.That(string.Join('\n', output), Does.Not.Contain("a-token-of-an-observer"));
     }
 
     [Test]
@@ -196,7 +196,7 @@ public class ConfigurationTests
             var (status, _, errors) = await RunAsync("ws-port: 0\nsync-port: 0\ninsecure-lan: true\nbind: 192.0.2.1\n", isCheck);
 
             Assert.That(status, Is.EqualTo(isCheck ? 2 : 1));
-            Assert.That(errors.Single(), Does.Contain("gateway.yaml:4: bind 192.0.2.1: is no address of this machine now"));
+            Assert.That(errors.Single(), Does.Contain("gateway.yaml:4: bind 192.0.2.1: is not an address of this machine at present"));
         }
     }
 

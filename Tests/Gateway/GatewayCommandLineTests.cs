@@ -57,7 +57,7 @@ public class GatewayCommandLineTests
 
     [TestCase("--sync-port {0} --ws-port 0", "--sync-port")]
     [TestCase("--sync-port 0 --ws-port {1}", "--ws-port")]
-    [TestCase("--sync-port 0 --ws-port 0 --bind 192.0.2.7 --insecure-lan", "--bind 192.0.2.7: is no address of this machine now")]
+    [TestCase("--sync-port 0 --ws-port 0 --bind 192.0.2.7 --insecure-lan", "--bind 192.0.2.7: is not an address of this machine at present")]
     public async Task Serve_PortUnavailable_EndsWithOneLineAndStatus1(string line, string part)
     {
         await using var other = await Gateways.StartAsync();

@@ -19,7 +19,7 @@ public class MessageHubTests
     }
 
     [Test]
-    public void TryPublish_JointOfAnotherSource_IsRefusedWhole()
+    public void TryPublish_JointOfAnotherSource_IsRefusedCompletely()
     {
         using var first = _hub.OpenSource();
         using var second = _hub.OpenSource();
@@ -34,7 +34,7 @@ public class MessageHubTests
     }
 
     [Test]
-    public void TryPublish_ArmAndGripperApart_BothGoOut()
+    public void TryPublish_ArmAndGripperSeparately_PublishesBoth()
     {
         using var arm = _hub.OpenSource();
         using var gripper = _hub.OpenSource();
@@ -45,7 +45,7 @@ public class MessageHubTests
     }
 
     [Test]
-    public void Dispose_OfASource_FreesItsJoints()
+    public void Dispose_Source_ReleasesItsJoints()
     {
         var first = _hub.OpenSource();
         using var second = _hub.OpenSource();
@@ -57,7 +57,7 @@ public class MessageHubTests
     }
 
     [Test]
-    public void Release_OfATopic_FreesThatOnly()
+    public void Release_Topic_ReleasesOnlyThat()
     {
         using var first = _hub.OpenSource();
         using var second = _hub.OpenSource();
@@ -72,7 +72,7 @@ public class MessageHubTests
     }
 
     [Test]
-    public void Subscribe_AfterTheDescription_GetsTheNewest()
+    public void Subscribe_AfterTheDescription_ReceivesTheNewest()
     {
         using var source = _hub.OpenSource();
         source.TryDescribe("<old/>");
@@ -86,7 +86,7 @@ public class MessageHubTests
     }
 
     [Test]
-    public void Subscription_Disposed_GetsNothing()
+    public void Subscription_Disposed_ReceivesNoMessages()
     {
         var received = new List<HubMessage>();
         using var source = _hub.OpenSource();
@@ -99,7 +99,7 @@ public class MessageHubTests
     }
 
     [Test]
-    public void Subscriptions_ToEverNewTopics_LeaveNothingBehind()
+    public void Subscriptions_ToManyTopics_AreRemoved()
     {
         var before = _hub.Topics;
         var other = _hub.Subscribe("/other", _ => { });
@@ -117,7 +117,7 @@ public class MessageHubTests
     }
 
     [Test]
-    public void Subscribe_ToATopicThatEverybodyHadLeft_GetsWhatComesAndTheDescriptionOfBefore()
+    public void Subscribe_TopicWithoutSubscribersBefore_ReceivesTheDescriptionAndLaterMessages()
     {
         using var source = _hub.OpenSource();
         _hub.Subscribe(RosTopics.RobotDescription, _ => { }).Dispose();
@@ -141,7 +141,7 @@ public class MessageHubTests
     }
 
     [Test]
-    public void Subscribe_AfterSetPoints_GetsTheNewestOfEachSource()
+    public void Subscribe_AfterSetPoints_ReceivesTheNewestOfEachSource()
     {
         using var arm = _hub.OpenSource();
         var gripper = _hub.OpenSource();
@@ -153,6 +153,6 @@ public class MessageHubTests
         Assert.That(PlansOfLateSubscriber(), Has.One.Contains("0.5").And.One.Contains("0.75").And.None.Contains("0.25"));
 
         gripper.Dispose();
-        Assert.That(PlansOfLateSubscriber(), Has.Count.EqualTo(1), "whoever is gone plans nothing");
+        Assert.That(PlansOfLateSubscriber(), Has.Count.EqualTo(1), "a disposed source has no plans");
     }
 }

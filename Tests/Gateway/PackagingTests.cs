@@ -101,7 +101,7 @@ public class PackagingTests
     [Test]
     public async Task Unit_Command_IsValid()
     {
-        File.WriteAllText(Path.Combine(_folder, "tokens.txt"), "observer a-token-of-somebody\n");
+        File.WriteAllText(Path.Combine(_folder, "tokens.txt"), "observer a-token-of-an-observer\n");
         File.Copy(Path.Combine(Folder, "gateway.yaml"), Path.Combine(_folder, "gateway.yaml"));
         Directory.CreateDirectory(Path.Combine(_folder, "nowpose-gateway"));
         var command = Regex.Match(Unit, $"(?m)^ExecStart={Regex.Escape(Program)} (.*)$").Groups[1].Value

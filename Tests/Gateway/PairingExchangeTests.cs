@@ -278,7 +278,7 @@ public sealed class PairingExchangeTests
 
         Assert.That(await RosbridgeStatusAsync(gateway, own), Is.EqualTo(HttpStatusCode.SwitchingProtocols));
         Assert.That(await RosbridgeStatusAsync(gateway, own), Is.EqualTo(HttpStatusCode.SwitchingProtocols));
-        Assert.That(gateway.Log.Count(line => line.Contains("line 3: is no paired headset")), Is.EqualTo(1));
+        Assert.That(gateway.Log.Count(line => line.Contains("line 3: is not a paired headset")), Is.EqualTo(1));
     }
 
     [Test]

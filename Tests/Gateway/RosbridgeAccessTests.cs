@@ -34,7 +34,7 @@ public class RosbridgeAccessTests
     }
 
     [Test]
-    public async Task Observer_ThatPublishes_IsRefusedAndGoesOn()
+    public async Task Observer_Publishes_IsRefusedAndStaysConnected()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var observer = await RawRosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.ObserverToken));
@@ -52,7 +52,7 @@ public class RosbridgeAccessTests
     }
 
     [Test]
-    public async Task Source_ThatPublishes_ReachesTheObserver()
+    public async Task Source_Publishes_ReachesTheObserver()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var observer = await RawRosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.ObserverToken));
@@ -108,7 +108,7 @@ public class RosbridgeAccessTests
     }
 
     [Test]
-    public async Task Request_ThatIsNoWebSocket_IsTold()
+    public async Task Request_NotAWebSocket_RequiresUpgrade()
     {
         await using var gateway = await Gateways.StartAsync();
         using var http = new HttpClient();
@@ -130,7 +130,7 @@ public class RosbridgeAccessTests
     }
 
     [Test]
-    public async Task Tls_ClientWithAnotherPin_Refuses()
+    public async Task Tls_ClientWithAnotherPin_RefusesTheConnection()
     {
         using var certificate = CertificateFiles.Generate();
         using var other = CertificateFiles.Generate();
@@ -144,7 +144,7 @@ public class RosbridgeAccessTests
     }
 
     [Test]
-    public async Task Tls_ExpiredCertificate_IsRefusedByAClientThatChecks()
+    public async Task Tls_ExpiredCertificate_IsRefusedByAValidatingClient()
     {
         using var certificate = CertificateFiles.Generate(DateTimeOffset.UtcNow.AddDays(-10), DateTimeOffset.UtcNow.AddDays(-1));
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Certificate = certificate });

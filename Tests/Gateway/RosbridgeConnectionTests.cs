@@ -28,7 +28,7 @@ public class RosbridgeConnectionTests
     Subscription Subscribe(string topic, DropCounters drops = null) => new(_hub, topic, default, 16, drops ?? new DropCounters());
 
     [Test]
-    public async Task Start_AfterSubscriptionsThatEnded_ForgetsThem()
+    public async Task Start_EndedSubscriptions_AreReleased()
     {
         using var socket = WebSocket.CreateFromStream(new MemoryStream(), new WebSocketCreationOptions { IsServer = true });
         using var connection = Over(socket);
@@ -46,7 +46,7 @@ public class RosbridgeConnectionTests
     }
 
     [Test]
-    public async Task Start_ThousandsOfTimesForAReaderThatStopped_LeavesOnePumpAndCountsWhatIsLost()
+    public async Task Start_ManyTimesWithAStoppedReader_HasOnePumpAndCountsDrops()
     {
         const int Changes = 5000;
         using var socket = new StuckWebSocket();
@@ -67,7 +67,7 @@ public class RosbridgeConnectionTests
     }
 
     [Test]
-    public async Task Start_WhileTheFormerSubscriptionIsSent_KeepsTheOrder()
+    public async Task Start_WhileTheFormerSubscriptionSends_KeepsTheOrder()
     {
         using var socket = new StuckWebSocket();
         using var connection = Over(socket);
@@ -91,7 +91,7 @@ public class RosbridgeConnectionTests
     }
 
     [Test]
-    public void Reply_ToAClientThatReadsNone_LosesTheOldestAndCountsThem()
+    public void Reply_ClientReadsNone_DropsTheOldestAndCountsThem()
     {
         using var socket = new StuckWebSocket();
         var drops = new DropCounters();
@@ -103,7 +103,7 @@ public class RosbridgeConnectionTests
     }
 
     [Test]
-    public async Task Reader_ThatSendsAndNeverReads_IsClosed()
+    public async Task Reader_SendsButNeverReads_IsClosed()
     {
         // Without pings, so that only the missing reads can end the connection.
         var options = Gateways.Options() with { PingInterval = TimeSpan.FromMinutes(5), PongTimeout = TimeSpan.FromMilliseconds(300) };

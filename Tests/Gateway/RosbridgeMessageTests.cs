@@ -12,7 +12,7 @@ public class RosbridgeMessageTests
     const string StampedAt = """{"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":""";
 
     [Test]
-    public async Task Description_NearlyAMebibyte_Passes()
+    public async Task Description_NearlyAMebibyte_IsForwarded()
     {
         await using var gateway = await Gateways.StartAsync();
         using var robot = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -59,7 +59,7 @@ public class RosbridgeMessageTests
     [TestCase(StampedAt + """{"sec":5100,"nanosec":0}},"name":["a"],"position":[1]}}""", DropReason.StampInFuture, "future")]
     [TestCase("""{"op":"publish","topic":"/cmd_vel","msg":{}}""", DropReason.UnknownTopic, "/cmd_vel")]
     [TestCase("""{"op":"advertise","topic":"/joint_states","type":"std_msgs/String"}""", DropReason.WrongType, "type")]
-    public async Task Message_AgainstARule_IsDroppedAndCountedAndTheConnectionStaysOpen(string text, object reason, string part)
+    public async Task Message_Invalid_IsDroppedAndCountedAndTheConnectionStaysOpen(string text, object reason, string part)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -75,7 +75,7 @@ public class RosbridgeMessageTests
     }
 
     [Test]
-    public async Task Message_Nested10000Deep_IsDroppedAndTheConnectionGoesOn()
+    public async Task Message_Nested10000Deep_IsDroppedAndTheConnectionStaysOpen()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -87,7 +87,7 @@ public class RosbridgeMessageTests
     }
 
     [Test]
-    public async Task Message_OfTwoMebibytes_IsDroppedAndTheConnectionGoesOn()
+    public async Task Message_OfTwoMebibytes_IsDroppedAndTheConnectionStaysOpen()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -146,7 +146,7 @@ public class RosbridgeMessageTests
     }
 
     [Test]
-    public async Task Message_BeyondWhatIsDrained_Closes()
+    public async Task Message_BeyondTheDrainLimit_Closes()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { DrainBytes = 2_000_000 });
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);

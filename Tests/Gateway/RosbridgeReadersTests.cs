@@ -8,7 +8,7 @@ namespace Nowpose.Headless.Tests.Gateway;
 public class RosbridgeReadersTests
 {
     [Test]
-    public async Task Reader_ThatStops_LosesTheOldestAndDelaysNobody()
+    public async Task Reader_Stops_DropsItsOldestWithoutDelayingOthers()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { PongTimeout = TimeSpan.FromMinutes(1) });
         using var slow = await RawRosbridgeClient.ConnectAsync(gateway, options => options.SetBuffer(1024, 1024));
@@ -37,7 +37,7 @@ public class RosbridgeReadersTests
     }
 
     [Test]
-    public async Task Reader_ThatAnsweredAPingAndStops_IsSentNoMoreThanAWindowAndAQueue()
+    public async Task Reader_StopsAfterAPong_ReceivesAtMostAWindowAndAQueue()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { PongTimeout = TimeSpan.FromMinutes(1) });
         // Uses the system's default buffers, which hold thousands of samples.
@@ -67,7 +67,7 @@ public class RosbridgeReadersTests
 
     // Both the age and the pace of the readers are measured in samples of the source, because a busy machine slows down both.
     [Test]
-    public async Task Reader_Of4KilobytesASecond_GetsNoSampleOlderThanASecond()
+    public async Task Reader_At4KilobytesPerSecond_ReceivesNoSampleOlderThanASecond()
     {
         const int Bytes = 80, Samples = 100;
         var interval = TimeSpan.FromMilliseconds(20);
@@ -96,7 +96,7 @@ public class RosbridgeReadersTests
     }
 
     [Test]
-    public async Task Reader_ThatAnswersNoPing_IsClosed()
+    public async Task Reader_AnswersNoPing_IsClosed()
     {
         var options = Gateways.Options() with { PingInterval = TimeSpan.FromMilliseconds(100), PongTimeout = TimeSpan.FromMilliseconds(200) };
         await using var gateway = await Gateways.StartAsync(options);
@@ -106,7 +106,7 @@ public class RosbridgeReadersTests
     }
 
     [Test]
-    public async Task Reader_ThatAnswersPings_StaysConnected()
+    public async Task Reader_AnswersPings_StaysConnected()
     {
         var options = Gateways.Options() with
         {
@@ -129,7 +129,7 @@ public class RosbridgeReadersTests
     }
 
     [Test]
-    public async Task Subscription_Throttled_GetsTheNewestAtItsRate()
+    public async Task Subscription_Throttled_ReceivesTheNewestAtItsRate()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);

@@ -18,7 +18,7 @@ public class RosbridgeServerTests
     }
 
     [Test]
-    public async Task Connections_AnsweredInPlainHttp_LeaveTheirPlace()
+    public async Task Connections_AnsweredInPlainHttp_DoNotCountTowardsTheLimit()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 1 });
         using var first = await RawWebSocket.ConnectAsync(gateway);
@@ -34,7 +34,7 @@ public class RosbridgeServerTests
     }
 
     [Test]
-    public async Task Connection_ThatAsksNothing_IsClosed()
+    public async Task Connection_WithoutRequest_IsClosed()
     {
         var options = Gateways.Options() with { TokenTimeout = TimeSpan.FromMilliseconds(200) };
         await using var gateway = await Gateways.StartAsync(options);
@@ -43,10 +43,10 @@ public class RosbridgeServerTests
         await silent.ExpectEndAsync();
     }
 
-    [TestCase(RawWebSocket.Text, "a byte that is no UTF-8")]
+    [TestCase(RawWebSocket.Text, "a byte that is not UTF-8")]
     [TestCase(3, "an opcode that is reserved")]
     [TestCase(0x40 | RawWebSocket.Text, "the bit that says it is compressed")]
-    public async Task Frame_AgainstTheProtocol_ClosesAndIsCountedAsSuch(int opcode, string what)
+    public async Task Frame_ViolatesTheProtocol_ClosesAndIsCounted(int opcode, string what)
     {
         await using var gateway = await Gateways.StartAsync();
         using var raw = await RawWebSocket.OpenAsync(gateway);
@@ -59,7 +59,7 @@ public class RosbridgeServerTests
     }
 
     [Test]
-    public async Task Compression_AskedFor_IsNotAgreed()
+    public async Task Compression_Requested_IsNotNegotiated()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway, options => options.DangerousDeflateOptions = new WebSocketDeflateOptions());
@@ -69,7 +69,7 @@ public class RosbridgeServerTests
     }
 
     [Test]
-    public async Task Gateway_Stopped_SaysGoodbye()
+    public async Task Gateway_Stopped_SendsACloseFrame()
     {
         var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);

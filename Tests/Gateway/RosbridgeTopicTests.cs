@@ -10,7 +10,7 @@ public class RosbridgeTopicTests
     [TestCase("sensor_msgs/JointState", "secs")]
     [TestCase("sensor_msgs/msg/JointState", "sec")]
     [TestCase(null, "sec")]
-    public async Task Subscribe_TypeNamed_GetsItsSpellingOfTime(string type, string seconds)
+    public async Task Subscribe_TypeNamed_ReceivesItsTimeFormat(string type, string seconds)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -51,7 +51,7 @@ public class RosbridgeTopicTests
     }
 
     [Test]
-    public async Task Unsubscribe_ThenPublish_GetsNothing()
+    public async Task Unsubscribe_ThenPublish_ReceivesNothing()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -66,7 +66,7 @@ public class RosbridgeTopicTests
     }
 
     [Test]
-    public async Task Unsubscribe_OneOfTwoIds_GoesOnWithTheOther()
+    public async Task Unsubscribe_OneOfTwoIds_KeepsTheOther()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -115,7 +115,7 @@ public class RosbridgeTopicTests
     }
 
     [Test]
-    public async Task Subscribe_TopicThatTheGatewayNeverPublishes_GetsAWarning()
+    public async Task Subscribe_TopicNeverPublished_ReceivesAWarning()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -131,7 +131,7 @@ public class RosbridgeTopicTests
     [TestCase(RosTopics.Diagnostics)]
     [TestCase(RosTopics.Displayed)]
     [TestCase(RosTopics.JointStatus)]
-    public async Task Subscribe_TopicWithoutASource_GetsNoWarning(string topic)
+    public async Task Subscribe_TopicWithoutASource_ReceivesNoWarning(string topic)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -158,7 +158,7 @@ public class RosbridgeTopicTests
     }
 
     [Test]
-    public async Task Source_SecondForAJoint_IsRefusedUntilTheFirstGoes()
+    public async Task Source_SecondForAJoint_IsRefusedUntilTheFirstEnds()
     {
         await using var gateway = await Gateways.StartAsync();
         using var first = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -179,7 +179,7 @@ public class RosbridgeTopicTests
     }
 
     [Test]
-    public async Task Diagnostics_OfAHeadset_ReachWhoeverListens()
+    public async Task Diagnostics_OfAHeadset_ReachAllSubscribers()
     {
         await using var gateway = await Gateways.StartAsync();
         using var headset = await RawRosbridgeClient.ConnectAsync(gateway);

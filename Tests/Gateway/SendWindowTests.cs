@@ -12,7 +12,7 @@ public class SendWindowTests
     const double MaxAgeSeconds = 0.75;
 
     [Test]
-    public void Reader_Of4KilobytesASecond_GetsNothingOlderThanTheLimit(
+    public void Reader_At4KilobytesPerSecond_ReceivesNothingOlderThanTheLimit(
         [Values(350, 450, 900)] int messageBytes, [Values(5, 20, 50)] int intervalMs, [Values(1, 40, 120)] int roundTripMs)
     {
         var run = new Run(bytesPerSecond: 4000, messageBytes, intervalMs, roundTripMs);
@@ -24,7 +24,7 @@ public class SendWindowTests
     }
 
     [Test]
-    public void Reader_Fast_GetsEverythingOverALongPath([Values(1, 40, 120, 180)] int roundTripMs)
+    public void Reader_Fast_ReceivesAllDespiteALongRoundTrip([Values(1, 40, 120, 180)] int roundTripMs)
     {
         var run = new Run(bytesPerSecond: 1e7, messageBytes: 450, intervalMs: 20, roundTripMs);
         run.Continue(TimeSpan.FromSeconds(5));
@@ -36,7 +36,7 @@ public class SendWindowTests
     }
 
     [Test]
-    public void Reader_ThatBecomesFast_GetsEverythingAgain()
+    public void Reader_BecomesFast_ReceivesAllAgain()
     {
         var run = new Run(bytesPerSecond: 4000, messageBytes: 450, intervalMs: 20, roundTripMs: 40);
         run.Continue(TimeSpan.FromSeconds(20));
@@ -50,7 +50,7 @@ public class SendWindowTests
     }
 
     [Test]
-    public void Reader_ThatSuddenlyReads4KilobytesASecond_GetsNothingOlderThanTheLimit(
+    public void Reader_SlowsDownTo4KilobytesPerSecond_ReceivesNothingOlderThanTheLimit(
         [Values(20, 50)] int intervalMs, [Values(1, 20)] int roundTripMs, [Values(0, 40_000)] int burstBytes, [Range(0, 80, 16)] int phaseMs)
     {
         var run = new Run(bytesPerSecond: 1e7, messageBytes: 450, intervalMs, roundTripMs);
@@ -65,7 +65,7 @@ public class SendWindowTests
     }
 
     [Test]
-    public void IsOpen_ClientThatNeverAnswersAPing_OpensAtTheAssumedRateAfterTheTimeout()
+    public void IsOpen_ClientNeverAnswersAPing_OpensAtTheAssumedRateAfterTheTimeout()
     {
         var window = new SendWindow();
         window.OnSent(SendWindow.FirstBytes);
@@ -81,7 +81,7 @@ public class SendWindowTests
     }
 
     [Test]
-    public void Reader_Of4KilobytesASecondThatAnswersNoPings_GetsNothingOlderThanTheLimit(
+    public void Reader_At4KilobytesPerSecondWithoutPongs_ReceivesNothingOlderThanTheLimit(
         [Values(350, 450, 900)] int messageBytes, [Values(5, 20, 50)] int intervalMs, [Values(1, 40, 120)] int roundTripMs)
     {
         var run = new Run(bytesPerSecond: 4000, messageBytes, intervalMs, roundTripMs) { AnswersPings = false };
@@ -93,7 +93,7 @@ public class SendWindowTests
     }
 
     [Test]
-    public void Reader_ThatAnswersItsFirstPingLate_GetsEverythingFromThenOn()
+    public void Reader_AnswersItsFirstPingLate_ReceivesAllFromThenOn()
     {
         var run = new Run(bytesPerSecond: 1e7, messageBytes: 450, intervalMs: 20, roundTripMs: 1) { AnswersPings = false };
         run.Continue(TimeSpan.FromSeconds(10));
@@ -107,7 +107,7 @@ public class SendWindowTests
     }
 
     [Test]
-    public void IsOpen_ClientThatAnsweredOnce_StaysClosedUntilThePong()
+    public void IsOpen_ClientAnsweredOnce_StaysClosedUntilThePong()
     {
         var window = new SendWindow();
         window.OnPong(window.OnPing(TimeSpan.Zero), Step);
@@ -122,7 +122,7 @@ public class SendWindowTests
     }
 
     [Test]
-    public void IsPingDueBefore_LongFirstMessage_IsTrueOnceOnly()
+    public void IsPingDueBefore_LongFirstMessage_IsTrueOnlyOnce()
     {
         var window = new SendWindow();
 

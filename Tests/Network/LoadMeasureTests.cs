@@ -51,7 +51,7 @@ public class LoadMeasureTests
 
         Assert.That(counts.Quantile(0.5).TotalMilliseconds, Is.EqualTo(50).Within(0.011));
         Assert.That(counts.Quantile(0.99).TotalMilliseconds, Is.EqualTo(99).Within(0.011));
-        Assert.That(counts.Greatest.TotalMilliseconds, Is.EqualTo(100));
+        Assert.That(counts.Maximum.TotalMilliseconds, Is.EqualTo(100));
     }
 
     [Test]

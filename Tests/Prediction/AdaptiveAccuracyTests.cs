@@ -68,7 +68,7 @@ public class AdaptiveAccuracyTests
     public void SamplingJitter_StampedOrNot_IsTolerated()
     {
         Assert.That(OverQuadratic(s => Motions.FastMoves(s), Usual with { SamplingJitter = 0.005 }), Is.LessThan(0.80), "not stamped, " + Message);
-        Assert.That(OverQuadratic(s => Motions.FastMoves(s), Usual with { ToldJitter = 0.010 }), Is.LessThan(0.80), "stamped, " + Message);
+        Assert.That(OverQuadratic(s => Motions.FastMoves(s), Usual with { StampedJitter = 0.010 }), Is.LessThan(0.80), "stamped, " + Message);
     }
 
     [Test]

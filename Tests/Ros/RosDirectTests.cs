@@ -167,7 +167,7 @@ public class RosDirectTests
 
         await Soon.BecomesAsync(() => _session.Clock.Exchanges > 10, "exchanges");
 
-        Assert.That(_rosbridge.MostInFlight, Is.EqualTo(1));
+        Assert.That(_rosbridge.MaxInFlight, Is.EqualTo(1));
     }
 
     [Test]

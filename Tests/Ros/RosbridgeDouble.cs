@@ -15,7 +15,7 @@ sealed class RosbridgeDouble : IDisposable
     readonly CancellationTokenSource _stop = new();
     readonly List<RosbridgeDoubleClient> _clients = [];
     readonly Task _serving;
-    int _inFlight, _mostInFlight;
+    int _inFlight, _maxInFlight;
 
     public RosbridgeDouble(RosGraph graph)
     {
@@ -36,7 +36,7 @@ sealed class RosbridgeDouble : IDisposable
     public bool IsMute { get; set; }
 
     /// <summary>Maximum number of concurrent calls.</summary>
-    public int MostInFlight => Volatile.Read(ref _mostInFlight);
+    public int MaxInFlight => Volatile.Read(ref _maxInFlight);
 
     public int Connections { get { lock (_clients) return _clients.Count; } }
 
@@ -57,7 +57,7 @@ sealed class RosbridgeDouble : IDisposable
     public void CallBegun()
     {
         var now = Interlocked.Increment(ref _inFlight);
-        if (now > MostInFlight) Volatile.Write(ref _mostInFlight, now);
+        if (now > MaxInFlight) Volatile.Write(ref _maxInFlight, now);
     }
 
     public void CallEnded() => Interlocked.Decrement(ref _inFlight);

@@ -51,12 +51,12 @@ public class SessionFileReaderTests
         Assert.That(Read(Header + "\n" + Sample + "\n" + Sample[..30]), Has.Count.EqualTo(1));
 
         var torn = Assert.Throws<InputException>(() => Read(Header + "\n" + Sample[..30] + "\n" + Sample + "\n"));
-        Assert.That(torn.Message, Does.Contain(".jsonl:2: is no JSON object"));
+        Assert.That(torn.Message, Does.Contain(".jsonl:2: is not a JSON object"));
     }
 
     [TestCase("", "is empty")]
-    [TestCase("t,a\n0,1\n", ":1: is no JSON object")]
-    [TestCase("[]", ":1: is no JSON object")]
+    [TestCase("t,a\n0,1\n", ":1: is not a JSON object")]
+    [TestCase("[]", ":1: is not a JSON object")]
     [TestCase("{\"kind\":\"session\"}", ":1: field 'format' is not 'nowpose-session'")]
     [TestCase("{\"kind\":\"session\",\"format\":\"nowpose-session\",\"version\":2}", ":1: field 'version': the file is of version 2")]
     [TestCase("{\"kind\":\"session\",\"format\":\"nowpose-session\",\"version\":1}", ":1: field 'robot' is missing")]
@@ -71,7 +71,7 @@ public class SessionFileReaderTests
     [TestCase("300", "-1", "field 'settings' horizon cap: -1 ms is out of range")]
     [TestCase("300", "\"x\"", "field 'horizon_cap_ms'")]
     [TestCase("\"upper\":2", "\"upper\":2,\"lower\":3", "field 'lower' 3 is above the upper limit 2")]
-    [TestCase("\"upper\":2", "\"velocity\":0", "field 'velocity' 0 is no limit")]
+    [TestCase("\"upper\":2", "\"velocity\":0", "field 'velocity' 0 is not a valid limit")]
     [TestCase("\"b\"", "\"a\"", "field 'joints' has joint 'a' twice")]
     public void Header_Invalid_NamesTheField(string right, string wrong, string expected)
     {
@@ -85,8 +85,8 @@ public class SessionFileReaderTests
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1.5,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[1]}", "field 'arrival_ns' 1.5 is not a whole number")]
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[null]}", "field 'position' element 1: null is not a finite number")]
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[1,2]}", "field 'position' 2 numbers; there must be 1")]
-    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":\"a\",\"position\":[1]}", "field 'names' is no array")]
-    [TestCase("{\"kind\":\"frame\",\"start_ns\":1,\"joints\":7}", "field 'joints' is no array")]
+    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":\"a\",\"position\":[1]}", "field 'names' is not an array")]
+    [TestCase("{\"kind\":\"frame\",\"start_ns\":1,\"joints\":7}", "field 'joints' is not an array")]
     [TestCase("{\"kind\":\"sync\",\"t1_ns\":1,\"t2_ns\":99999999999999999999,\"t3_ns\":1,\"t4_ns\":1}", "field 't2_ns' 99999999999999999999 is not a whole number (64 bits)")]
     public void Line_Invalid_NamesTheField(string line, string expected)
     {
@@ -113,7 +113,7 @@ public class SessionFileReaderTests
 
     [TestCase("500000000", "0", "field 'time_from_start_ns' of point 2 is not after the point before")]
     [TestCase("[0.5,0.75]", "[0.5]", "field 'position' 1 numbers; there must be 2")]
-    [TestCase("\"points\":[", "\"points\":[7,", "field 'points' 7 is no object")]
+    [TestCase("\"points\":[", "\"points\":[7,", "field 'points' 7 is not an object")]
     [TestCase("\"points\"", "\"dots\"", "field 'points' is missing")]
     public void Plan_Invalid_NamesTheField(string right, string wrong, string expected)
     {

@@ -4,12 +4,12 @@ using Nowpose.Latency.Calibration;
 namespace Nowpose.Cli.Calibrate.Nudge;
 
 /// <summary>The offsets at which hologram and robot coincided by eye.</summary>
-sealed record NudgeMarks(double SpeedMmPerS, double ToldMs, double[] ForwardMm, double[] BackwardMm)
+sealed record NudgeMarks(double SpeedMmPerS, double ConfiguredMs, double[] ForwardMm, double[] BackwardMm)
 {
     /// <exception cref="InputException">A direction is missing, or a value is out of range.</exception>
     public NudgeResult Result()
     {
-        var calibration = new NudgeCalibration(SpeedMmPerS, ToldMs);
+        var calibration = new NudgeCalibration(SpeedMmPerS, ConfiguredMs);
         foreach (var offset in ForwardMm) calibration.AddForward(offset);
         foreach (var offset in BackwardMm) calibration.AddBackward(offset);
         return calibration.Result;

@@ -14,7 +14,8 @@ static class NudgePage
         return new("L_visu by eye",
             string.Create(CultureInfo.InvariantCulture, $"L_visu is {visuMs:0.0} ms ± {result.Spread.TotalMilliseconds:0.0} ms; the base is {result.OffsetMm:0.0} mm off along the motion."),
             [
-                .. ProfileFacts.Of(profile), ["Told before", Number(marks.ToldMs) + " ms"], ["Speed", Number(marks.SpeedMmPerS) + " mm/s"],
+                .. ProfileFacts.Of(profile),
+                ["L_visu used by the headset", Number(marks.ConfiguredMs) + " ms"], ["Speed", Number(marks.SpeedMmPerS) + " mm/s"],
                 ["Offset of the base along the motion", Number(result.OffsetMm) + " mm"],
                 ["Offsets forwards", Numbers(marks.ForwardMm)], ["Offsets backwards", Numbers(marks.BackwardMm)],
             ])
@@ -42,9 +43,10 @@ static class NudgePage
         const double Beyond = 1.2;
         var v = marks.SpeedMmPerS;
         double[] velocities = [.. marks.BackwardMm.Select((_, i) => -v + i * Apart), .. marks.ForwardMm.Select((_, i) => v + i * Apart)];
-        double? At(double velocity) => result.OffsetMm + velocity * (visuMs - marks.ToldMs) / 1000;
-        return new("Offset over the velocity", null, "The slope of the line is the error of the L_visu that the headset was told; where it crosses zero velocity "
-            + "is how far the base is misplaced.",
+        double? At(double velocity) => result.OffsetMm + velocity * (visuMs - marks.ConfiguredMs) / 1000;
+        return new("Offset over the velocity", null,
+            "The slope of the line is the error of the L_visu that the headset used; the line's value at zero velocity is "
+            + "the position error of the base.",
             [new("Offset", new("velocity", "mm/s"), new("offset", "mm"),
             [
                 new("marks", Looks.Hold, velocities, [.. marks.BackwardMm.Concat(marks.ForwardMm).Select(each => (double?)each)]) { Scattered = true },

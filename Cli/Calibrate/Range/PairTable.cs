@@ -11,10 +11,10 @@ namespace Nowpose.Cli.Calibrate.Range;
 static class PairTable
 {
     const string Render = "render_ms", Visu = "visu_ms", Vertices = "vertices", File = "file";
-    const int GreatestVertices = 1_000_000_000;
+    const int MaxVertices = 1_000_000_000;
 
     /// <summary>Maximum number of rows. A recording of a day at 60 Hz has five million.</summary>
-    const int MostRows = 10_000_000;
+    const int MaxRows = 10_000_000;
 
     /// <exception cref="InputException">The file cannot be read or has another format. The message names file, line and field.</exception>
     public static IReadOnlyList<MeasuredPicture> Read(string path)
@@ -41,7 +41,7 @@ static class PairTable
         {
             if (csv.Count == 1 && string.IsNullOrWhiteSpace(csv[0])) continue;
             if (csv.Count != header.Length) throw new InputException($"{path}:{csv.RawRow}: {csv.Count} fields; the header has {header.Length}");
-            if (pairs.Count == MostRows) throw new InputException($"{path}:{csv.RawRow}: more than {MostRows} rows; take fewer pictures");
+            if (pairs.Count == MaxRows) throw new InputException($"{path}:{csv.RawRow}: more than {MaxRows} rows; take fewer pictures");
             pairs.Add(Picture(csv, path, render, visu, vertices, file));
         }
         return pairs.Count > 0 ? pairs : throw new InputException($"{path}: no rows below the header; at least {RangeFit.MinPairs} are needed");
@@ -75,7 +75,7 @@ static class PairTable
             : throw new InputException($"{path}:{csv.RawRow}: {name}: '{csv[column]}' is not a number of milliseconds (a point is the decimal sign)");
 
     static int Count(CsvParser csv, string path, int column) =>
-        int.TryParse(csv[column], NumberStyles.None, CultureInfo.InvariantCulture, out var value) && value <= GreatestVertices
+        int.TryParse(csv[column], NumberStyles.None, CultureInfo.InvariantCulture, out var value) && value <= MaxVertices
             ? value
-            : throw new InputException($"{path}:{csv.RawRow}: {Vertices}: '{csv[column]}' is not a whole number from 0 to {GreatestVertices}");
+            : throw new InputException($"{path}:{csv.RawRow}: {Vertices}: '{csv[column]}' is not a whole number from 0 to {MaxVertices}");
 }

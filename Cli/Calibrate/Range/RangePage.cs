@@ -12,7 +12,7 @@ static class RangePage
         var measured = pictures.Where(each => each.RenderMs.HasValue).ToArray();
         if (measured.Length == 0) yield break;
         yield return new("Render time and L_visu from picture to picture", "Fig. 10",
-            "While frames are ready in time, L_visu stays as it is whatever the render time does; beyond the limit it grows and scatters.",
+            "While frames are ready in time, L_visu does not depend on the render time; beyond the limit it increases and scatters.",
             [RangePlots.OverPictures("Over pictures", measured)]);
         if (measured.Any(each => each.Vertices.HasValue))
         {

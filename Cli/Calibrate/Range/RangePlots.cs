@@ -57,14 +57,14 @@ static class RangePlots
 
     static IEnumerable<PlotMark> LoadMarks(IReadOnlyList<MeasuredPicture> pictures)
     {
-        const int MostNames = 6, RoundLoad = 500_000;
+        const int MaxLabels = 6, RoundLoad = 500_000;
         var loads = pictures.Select(each => each.Vertices).Distinct().Count();
         if (loads == 1) yield break;
         for (var i = 0; i < pictures.Count; i++)
         {
             if (pictures[i].Vertices is not int vertices || i > 0 && pictures[i - 1].Vertices == vertices) continue;
             // More names would overlap.
-            if (loads <= MostNames || vertices % RoundLoad == 0) yield return new(FormattableString.Invariant($"{vertices / 1e6:0.##} M"), i + 1);
+            if (loads <= MaxLabels || vertices % RoundLoad == 0) yield return new(FormattableString.Invariant($"{vertices / 1e6:0.##} M"), i + 1);
         }
     }
 

@@ -21,7 +21,7 @@ static class RangeProfile
         IEnumerable<string> warnings = null) =>
         new(title, Sentence(fit), [.. ProfileFacts.Of(profile), ["Pairs", Count(fit.Pairs)], ["Not of the plateau (misread, or behind a slow frame)", Count(fit.Rejected)], .. more])
         {
-            Warnings = [.. warnings ?? [], .. Doubts(fit)],
+            Warnings = [.. warnings ?? [], .. WarningsOf(fit)],
             Sections = [.. RangePage.Sections(pictures, fit)],
         };
 
@@ -30,10 +30,11 @@ static class RangeProfile
         : string.Create(CultureInfo.InvariantCulture,
             $"L_visu is {fit.VisuMs:0.0} ms ± {fit.SpreadMs:0.0} ms; limit not reached: known up to a render time of {fit.ValidToRenderMs:0.00} ms only.");
 
-    static IEnumerable<string> Doubts(RangeFitResult fit)
+    static IEnumerable<string> WarningsOf(RangeFitResult fit)
     {
         if (fit.LimitRenderMs == null)
-            yield return "limit not reached: beyond the greatest render time seen the headset calls the range unknown; sweep on to a greater load";
+            yield return "limit not reached: beyond the longest measured render time the headset reports the range as unknown; "
+                + "extend the sweep to a higher load";
         if (fit.OpenToRenderMs is double open)
             yield return FormattableString.Invariant(
                 $"the limit may lie anywhere up to {open:0.00} ms, {fit.LimitRenderMs:0.00} ms is taken: sweep in finer steps around it");

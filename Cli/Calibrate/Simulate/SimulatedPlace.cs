@@ -8,7 +8,7 @@ sealed class SimulatedPlace
     public const int Width = 1280, Height = 720;
 
     /// <summary>Range of the side of a code, px. The minimum is a tenth of the picture's height.</summary>
-    const double LeastSide = 72, GreatestSide = 200;
+    const double MinSide = 72, MaxSide = 200;
 
     public SimulatedPlace(int number, int seed)
     {
@@ -22,7 +22,7 @@ sealed class SimulatedPlace
         HeadsetLight = Between(0.15, 0.5);
         Dot = random.Next() < 0.6 ? Between(0.5, 0.85) : 0;
         Panel = random.Next() < 0.7 ? Between(0.01, 0.06) : null;
-        double a = Between(LeastSide, GreatestSide), b = Between(LeastSide, GreatestSide);
+        double a = Between(MinSide, MaxSide), b = Between(MinSide, MaxSide);
         double apart = 0.8 * (a + b) + 10, angle = Between(-0.3, 0.3) + (random.Next() < 0.5 ? 0 : Math.PI);
         double x = Between(0.3, 0.7) * Width, y = Between(0.35, 0.65) * Height;
         Control = Code(x - apart / 2 * Math.Cos(angle), y - apart / 2 * Math.Sin(angle), a, Between);

@@ -56,7 +56,7 @@ static class SimulationOutput
         var earlier = Directory.GetFiles(pictures, "picture-*.jpg");
         if (earlier.Length > 0 && !File.Exists(Path.Combine(folder, TruthFile)))
             throw new InputException(
-                $"--out: {folder}: has {earlier.Length} pictures that are no simulated ones ({TruthFile} is missing); give another folder");
+                $"--out: {folder}: has {earlier.Length} pictures that were not simulated ({TruthFile} is missing); choose another folder");
         foreach (var picture in earlier) File.Delete(picture);
     }
 

@@ -7,18 +7,18 @@ namespace Nowpose.Cli.Calibrate.Sine;
 /// <summary>Options that take a part of a picture: X,Y,WIDTH,HEIGHT in pixels.</summary>
 static class BoxOption
 {
-    const int Least = 8, Greatest = 10_000;
+    const int MinSide = 8, MaxValue = 10_000;
 
     public static Option<PictureBox?> Create(string name, string description) => new(name)
     {
-        Description = $"{description}: X,Y,WIDTH,HEIGHT in px [sides {Least} or more]",
+        Description = $"{description}: X,Y,WIDTH,HEIGHT in px [sides {MinSide} px or more]",
         CustomParser = result =>
         {
             var text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
             int[] numbers = [.. text.Split(',').Select(word => int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out var number) ? number : -1)];
-            if (numbers.Length == 4 && numbers.All(number => number is >= 0 and <= Greatest) && numbers[2] >= Least && numbers[3] >= Least)
+            if (numbers.Length == 4 && numbers.All(number => number is >= 0 and <= MaxValue) && numbers[2] >= MinSide && numbers[3] >= MinSide)
                 return new PictureBox(numbers[0], numbers[1], numbers[2], numbers[3]);
-            result.AddError($"{name}: '{text}' is no box; it is X,Y,WIDTH,HEIGHT in whole px, sides {Least} to {Greatest}.");
+            result.AddError($"{name}: '{text}' is not a box; allowed is X,Y,WIDTH,HEIGHT in whole px, sides {MinSide} to {MaxValue} px.");
             return null;
         },
     };

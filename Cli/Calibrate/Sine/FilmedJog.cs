@@ -7,7 +7,7 @@ namespace Nowpose.Cli.Calibrate.Sine;
 static class FilmedJog
 {
     /// <summary>Below this score, the patch is not the one that was marked.</summary>
-    const double LeastScore = 0.5;
+    const double MinScore = 0.5;
 
     /// <exception cref="InputException">A box is missing or outside the picture, a patch is lost, or the video cannot be read.</exception>
     public static SineTracks Track(string path, PictureBox? robotBox, PictureBox? hologramBox, CancellationToken cancel)
@@ -46,9 +46,9 @@ static class FilmedJog
     static void RequireSeen(IReadOnlyList<TrackedPlace> places, string path, int frame)
     {
         for (var i = 0; i < places.Count; i++)
-            if (!(places[i].Score >= LeastScore))
+            if (!(places[i].Score >= MinScore))
                 throw new InputException(FormattableString.Invariant(
-                    $"{path}: picture {frame}: the {(i == 0 ? "robot's" : "hologram's")} patch is lost (match {places[i].Score:0.00}, at least {LeastScore} is needed); ")
+                    $"{path}: picture {frame}: the {(i == 0 ? "robot's" : "hologram's")} patch is lost (match {places[i].Score:0.00}, at least {MinScore} is needed); ")
                     + "mark one with more contrast, or film a shorter way");
     }
 

@@ -9,10 +9,10 @@ namespace Nowpose.Cli.Calibrate.Sine;
 /// </remarks>
 static class LagEstimator
 {
-    const double LeastLag = -0.1, GreatestLag = 0.6;
+    const double MinLag = -0.1, MaxLag = 0.6;
 
     /// <summary>Minimum correlation. Below it, the hologram does not follow the robot.</summary>
-    const double LeastCorrelation = 0.9;
+    const double MinCorrelation = 0.9;
 
     /// <summary>The result is ambiguous if another maximum reaches this share of the largest one.</summary>
     const double Ambiguous = 0.98;
@@ -20,24 +20,24 @@ static class LagEstimator
     /// <summary>Number of instants to either side for the speed. With fewer, the camera's noise would look like motion.</summary>
     const int SpeedSpan = 5;
 
-    const int MostSteps = 5;
+    const int MaxSteps = 5;
 
     /// <exception cref="InputException">Nothing moves, the two motions differ, or the motion repeats within the tested lags.</exception>
     public static LagEstimate Of(SineTracks tracks)
     {
-        var first = (int)Math.Ceiling(LeastLag / tracks.Interval);
-        var last = (int)Math.Floor(GreatestLag / tracks.Interval);
+        var first = (int)Math.Ceiling(MinLag / tracks.Interval);
+        var last = (int)Math.Floor(MaxLag / tracks.Interval);
         RequireMotion(tracks.Robot, "the robot");
         RequireMotion(tracks.Shown, "the hologram");
         if (tracks.Shown.Length < 3 * last) throw new InputException(FormattableString.Invariant(
-            $"recording: {tracks.Shown.Length * tracks.Interval:0.0} s are too short to look for lags up to {GreatestLag} s; record ten seconds"));
+            $"recording: {tracks.Shown.Length * tracks.Interval:0.0} s are too short to look for lags up to {MaxLag} s; record ten seconds"));
         int from = Math.Max(0, last), to = tracks.Shown.Length + Math.Min(0, first);
         var correlations = Enumerable.Range(first, last - first + 1).Select(lag => ShiftFit.Of(tracks, lag, from, to, 0).Correlation).ToArray();
         var peak = Array.IndexOf(correlations, correlations.Max());
         Check(correlations, peak, first, tracks.Interval);
         var fit = ShiftFit.Of(tracks, first + peak, from, to, SpeedSpan);
         var instants = first + peak;
-        for (var step = 0; step < MostSteps && Math.Abs(fit.Shift) > 0.5 && instants > first && instants < last; step++)
+        for (var step = 0; step < MaxSteps && Math.Abs(fit.Shift) > 0.5 && instants > first && instants < last; step++)
         {
             instants += Math.Sign(fit.Shift);
             fit = ShiftFit.Of(tracks, instants, from, to, SpeedSpan);
@@ -55,13 +55,13 @@ static class LagEstimator
 
     static void Check(double[] correlations, int peak, int first, double interval)
     {
-        if (correlations[peak] < LeastCorrelation)
+        if (correlations[peak] < MinCorrelation)
             throw new InputException(FormattableString.Invariant(
-                $"recording: the hologram does not follow the robot: correlation {correlations[peak]:0.00}, at least {LeastCorrelation} is needed; ")
+                $"recording: the hologram does not follow the robot: correlation {correlations[peak]:0.00}, at least {MinCorrelation} is needed; ")
                 + "check the columns, and whether one of them counts backwards (--inverted)");
         if (peak == 0 || peak == correlations.Length - 1)
             throw new InputException(FormattableString.Invariant(
-                $"recording: the best lag lies at or beyond {(first + peak) * interval * 1000:0} ms; allowed are {LeastLag * 1000:0} to {GreatestLag * 1000:0} ms; check both clocks"));
+                $"recording: the best lag lies at or beyond {(first + peak) * interval * 1000:0} ms; allowed are {MinLag * 1000:0} to {MaxLag * 1000:0} ms; check both clocks"));
         for (var i = 1; i < correlations.Length - 1; i++)
         {
             var isPeak = correlations[i] >= correlations[i - 1] && correlations[i] >= correlations[i + 1];

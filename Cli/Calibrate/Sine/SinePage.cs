@@ -20,14 +20,14 @@ static class SinePage
             ["Taken as", result.Way.Words], ["Recording", path],
         ])
     {
-        Warnings = [.. Doubts(result, profile)],
+        Warnings = [.. WarningsOf(result, profile)],
         Sections = [Motions(result), Correlations(result)],
     };
 
-    static IEnumerable<string> Doubts(SineResult result, LatencyProfile profile)
+    static IEnumerable<string> WarningsOf(SineResult result, LatencyProfile profile)
     {
         const double CertainMs = 1.5;
-        if (profile == null) yield return "no profile was written: say what of the lag is L_visu, by --app-ms or by --told-ms";
+        if (profile == null) yield return "no profile was written: state which part of the lag is L_visu with --app-ms or --told-ms";
         if (result.StepsMs > CertainMs)
             yield return FormattableString.Invariant(
                 $"the ghost moves every {result.Way.HeldMs:0.##} ms, in step with the pictures: the result may be off by up to {result.StepsMs:0.0} ms; ")

@@ -9,7 +9,7 @@ namespace Nowpose.Cli.Calibrate.Sine;
 /// <param name="Shown">Position of the hologram; any unit.</param>
 sealed record SineTracks(double Start, double Interval, double[] Robot, double[] Shown)
 {
-    const int LeastInstants = 60;
+    const int MinInstants = 60;
 
     /// <summary>Reads both from one recording.</summary>
     /// <param name="columns">Names of the two columns, or null if there are exactly two, the robot's first.</param>
@@ -77,9 +77,9 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
     static SineTracks OnGrid(double start, double end, double interval, Func<double, double> robot, Func<double, double> shown, string path)
     {
         var count = (int)Math.Floor((end - start) / interval + 1e-6) + 1;
-        if (!(end > start) || count < LeastInstants)
+        if (!(end > start) || count < MinInstants)
             throw new InputException(FormattableString.Invariant(
-                $"{path}: {Math.Max(0, count)} pictures in which both are seen; at least {LeastInstants} are needed, better ten seconds"));
+                $"{path}: {Math.Max(0, count)} pictures in which both are seen; at least {MinInstants} are needed, better ten seconds"));
         double[] times = [.. Enumerable.Range(0, count).Select(i => start + i * interval)];
         return new SineTracks(start, interval, [.. times.Select(robot)], [.. times.Select(shown)]);
     }

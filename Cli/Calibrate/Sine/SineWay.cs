@@ -7,12 +7,13 @@ namespace Nowpose.Cli.Calibrate.Sine;
 sealed record SineWay(double? KnownMs, string Words, double? HeldMs = null)
 {
     /// <exception cref="InputException">Options of both ways were given.</exception>
-    public static SineWay Of(double? applicationMs, double samplingMs, double? toldMs)
+    public static SineWay Of(double? applicationMs, double samplingMs, double? configuredMs)
     {
-        if (applicationMs.HasValue && toldMs.HasValue)
+        if (applicationMs.HasValue && configuredMs.HasValue)
             throw new InputException("--app-ms and --told-ms exclude each other: film either the ghost, which is not compensated, or the gripper, which is");
-        if (toldMs is double told)
-            return new(-told, FormattableString.Invariant($"compensated: what lags is the error of the {told:0.##} ms that the headset was told"));
+        if (configuredMs is double configured)
+            return new(-configured,
+                FormattableString.Invariant($"compensated: the remaining lag is the error of the {configured:0.##} ms that the headset used"));
         if (applicationMs is double application)
             return new(application + samplingMs / 2,
                 FormattableString.Invariant($"not compensated: L_app {application:0.##} ms and half of T_s, {samplingMs / 2:0.##} ms, are taken off"), samplingMs);

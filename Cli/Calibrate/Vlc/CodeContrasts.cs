@@ -8,7 +8,7 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 sealed class CodeContrasts
 {
     /// <summary>Maximum deviation of a pair's mean, relative to the light. A pair beyond it is covered or overexposed.</summary>
-    const double GreatestRest = 0.45;
+    const double MaxDeviation = 0.45;
 
     readonly double[] _contrasts = new double[TimestampCode.PairCount];
 
@@ -21,7 +21,7 @@ sealed class CodeContrasts
             var cell = TimestampCode.CellOf(pair);
             double left = code.Levels[cell], right = code.Levels[cell + 1];
             _contrasts[pair] = (left - right) / Light;
-            if (Math.Abs((left + right - Light) / 2) > GreatestRest * Light) Covered++;
+            if (Math.Abs((left + right - Light) / 2) > MaxDeviation * Light) Covered++;
         }
     }
 

@@ -9,15 +9,15 @@ static class ControlCode
     const double Decided = 0.55;
 
     /// <summary>Maximum number of undecided pairs. A run of codes leaves no more.</summary>
-    const int MostUndecided = 9;
+    const int MaxUndecided = 9;
 
     /// <summary>Maximum root mean square of the residual, relative to the explained part.</summary>
-    const double GreatestRest = 0.17;
+    const double MaxResidual = 0.17;
 
     /// <summary>Factor by which the next best run must be worse. Below the second number, a residual counts as zero.</summary>
-    const double Margin = 1.6, LeastRest = 0.06;
+    const double Margin = 1.6, MinResidual = 0.06;
 
-    const double LeastAmplitude = 0.4, GreatestAmplitude = 1.35;
+    const double MinAmplitude = 0.4, MaxAmplitude = 1.35;
 
     /// <summary>Runs that are closer than this to each other are the same reading, ms.</summary>
     const double Alike = 2;
@@ -34,7 +34,7 @@ static class ControlCode
         if (contrasts.Covered > 0) return Reading.Not("partly covered");
         var mask = 0;
         for (var pair = 0; pair < TimestampCode.PairCount; pair++) mask = mask << 1 | (Math.Abs(contrasts[pair]) > Decided ? 1 : 0);
-        if (TimestampCode.PairCount - int.PopCount(mask) > MostUndecided) return Reading.Not("undecided");
+        if (TimestampCode.PairCount - int.PopCount(mask) > MaxUndecided) return Reading.Not("undecided");
         Run best = default, other = default;
         best.Rest = other.Rest = double.MaxValue;
         foreach (var value in CodeWords.Matching(contrasts.Word(), mask))
@@ -50,9 +50,9 @@ static class ControlCode
                     else if (run.Rest < other.Rest && !IsSame(run, best)) other = run;
                 }
         if (best.Rest == double.MaxValue) return Reading.Not("wrong parity");
-        if (best.Rest > GreatestRest * best.Amplitude) return Reading.Not("inconsistent");
-        if (best.Amplitude is < LeastAmplitude or > GreatestAmplitude) return Reading.Not("too weak");
-        if (other.Rest < Margin * Math.Max(best.Rest, LeastRest)) return Reading.Not("ambiguous");
+        if (best.Rest > MaxResidual * best.Amplitude) return Reading.Not("inconsistent");
+        if (best.Amplitude is < MinAmplitude or > MaxAmplitude) return Reading.Not("too weak");
+        if (other.Rest < Margin * Math.Max(best.Rest, MinResidual)) return Reading.Not("ambiguous");
         // Value v is shown from v to v + 1, so the mean of the values is half a millisecond before the mean time.
         return Reading.Of(Wrap(MiddleOf(Refined(contrasts, delaysMs, best)) - 0.5));
     }

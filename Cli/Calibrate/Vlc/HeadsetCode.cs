@@ -6,36 +6,36 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 static class HeadsetCode
 {
     /// <summary>Range of the interval between frames, ms: from displays with 250 Hz to several dropped frames at 60 Hz.</summary>
-    const int LeastStep = 4, GreatestStep = 60;
+    const int MinStep = 4, MaxStep = 60;
 
     /// <summary>Minimum contrast of a pair. Below it, the pair is covered, or two codes are equally bright.</summary>
-    const double LeastContrast = 0.22;
+    const double MinContrast = 0.22;
 
     /// <summary>
     /// Maximum root mean square of the residual, relative to the explained part. Good pictures have less than half of it. An edge behind
     /// the hologram that is as bright as its light inverts some pairs and disturbs others.
     /// </summary>
-    const double GreatestRest = 0.15;
+    const double MaxResidual = 0.15;
 
     /// <summary>Minimum share of the light for the brighter code.</summary>
-    const double LeastShare = 0.6;
+    const double MinShare = 0.6;
 
     /// <summary>Range of the amplitude, relative to the light of a lit cell. A weaker code is too blurred to be read.</summary>
-    const double LeastAmplitude = 0.4, GreatestAmplitude = 1.35;
+    const double MinAmplitude = 0.4, MaxAmplitude = 1.35;
 
     /// <returns>The time of the brighter code, which was lit at the middle of the exposure.</returns>
-    public static Reading Read(CodeContrasts contrasts, int leastStep = LeastStep)
+    public static Reading Read(CodeContrasts contrasts, int leastStep = MinStep)
     {
         if (contrasts.Covered > 0) return Reading.Not("partly covered");
         for (var pair = 0; pair < TimestampCode.PairCount; pair++)
-            if (Math.Abs(contrasts[pair]) < LeastContrast) return Reading.Not("undecided");
+            if (Math.Abs(contrasts[pair]) < MinContrast) return Reading.Not("undecided");
         var value = CodeWords.ValueOf(contrasts.Word());
         if (value < 0) return Reading.Not("wrong parity");
-        var best = Enumerable.Range(leastStep, GreatestStep - leastStep + 1).SelectMany(step => new[] { step, -step })
+        var best = Enumerable.Range(leastStep, MaxStep - leastStep + 1).SelectMany(step => new[] { step, -step })
             .Select(step => Fit(contrasts, value, value + step)).Append(Fit(contrasts, value, value)).MinBy(fit => fit.Unexplained);
-        if (best.Unexplained > GreatestRest * best.Amplitude) return Reading.Not("inconsistent");
-        if (best.Amplitude is < LeastAmplitude or > GreatestAmplitude) return Reading.Not("too weak");
-        return best.Share < LeastShare ? Reading.Not("two codes alike") : Reading.Of(value);
+        if (best.Unexplained > MaxResidual * best.Amplitude) return Reading.Not("inconsistent");
+        if (best.Amplitude is < MinAmplitude or > MaxAmplitude) return Reading.Not("too weak");
+        return best.Share < MinShare ? Reading.Not("two codes alike") : Reading.Of(value);
     }
 
     /// <summary>Fits the pairs by two codes; the same code twice for one.</summary>

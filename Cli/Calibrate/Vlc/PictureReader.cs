@@ -9,10 +9,10 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
 {
     /// <summary>Plausible range of L_visu, ms. Beyond it, a code was misread, or the clocks are not synchronised.</summary>
-    const double Least = -50, Greatest = 500;
+    const double MinVisuMs = -50, MaxVisuMs = 500;
 
     /// <summary>Maximum difference of the two ways to read a control code, ms. The brightest code of a run is not always its middle.</summary>
-    const double GreatestDoubt = 2;
+    const double MaxDifferenceMs = 2;
 
     public PictureResult Read(string file, SeenPicture seen)
     {
@@ -28,11 +28,11 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
         var later = ReadoutMs * (MiddleOf(headset) - MiddleOf(control)) / seen.Height;
         var led = Wrapped(lit.Ms + ControlDelayMs + later);
         var visu = Wrapped(led - shown.Ms + TimestampCode.PeriodMs / 2) - TimestampCode.PeriodMs / 2;
-        return visu is >= Least and <= Greatest
+        return visu is >= MinVisuMs and <= MaxVisuMs
             ? new PictureResult(file, led, shown.Ms, visu, null) { Places = CodePlaces.Of(control, headset, later) }
-            : PictureResult.Not(file, visu > Greatest
-                ? FormattableString.Invariant($"codes more than {Greatest} ms apart")
-                : FormattableString.Invariant($"headset code more than {-Least} ms ahead of the control code: ")
+            : PictureResult.Not(file, visu > MaxVisuMs
+                ? FormattableString.Invariant($"codes more than {MaxVisuMs} ms apart")
+                : FormattableString.Invariant($"headset code more than {-MinVisuMs} ms ahead of the control code: ")
                     + "is what shows that one late (--control-delay-ms)?");
     }
 
@@ -40,7 +40,7 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
     static Reading ReadControl(CodeContrasts contrasts, double[] delaysMs)
     {
         Reading run = ControlCode.Read(contrasts, delaysMs), frame = HeadsetCode.Read(contrasts, leastStep: 1);
-        if (run.Fault == null && frame.Fault == null && Math.Abs(Math.IEEERemainder(run.Ms - frame.Ms, TimestampCode.PeriodMs)) > GreatestDoubt)
+        if (run.Fault == null && frame.Fault == null && Math.Abs(Math.IEEERemainder(run.Ms - frame.Ms, TimestampCode.PeriodMs)) > MaxDifferenceMs)
             return Reading.Not("ambiguous");
         return run.Fault == null || frame.Fault != null ? run : frame;
     }

@@ -10,24 +10,24 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 sealed record Plateau(double VisuMs, double SpreadMs, int Count)
 {
     /// <summary>Minimum number of pictures for a profile.</summary>
-    const int LeastCount = 2;
+    const int MinCount = 2;
 
     /// <summary>Maximum standard deviation. Pictures with a larger one are not of a single load.</summary>
-    const double GreatestSpreadMs = 10;
+    const double MaxSpreadMs = 10;
 
-    const double LeastToleranceMs = 3, Deviations = 3.5, PerMedianDeviation = 1.4826;
+    const double MinToleranceMs = 3, Deviations = 3.5, PerMedianDeviation = 1.4826;
 
     /// <summary>Averages pictures at one load. Uses only those near their median, which excludes frames that waited behind a slow one.</summary>
     /// <returns>Null for fewer than two pictures, or if L_visu scatters too much to be constant.</returns>
     public static Plateau OfOneLoad(IReadOnlyList<double> visuMs)
     {
-        if (visuMs.Count < LeastCount) return null;
+        if (visuMs.Count < MinCount) return null;
         var median = Quantile.Of(visuMs, 0.5);
-        var tolerance = Math.Max(LeastToleranceMs, Deviations * PerMedianDeviation * Quantile.Of(visuMs.Select(each => Math.Abs(each - median)), 0.5));
+        var tolerance = Math.Max(MinToleranceMs, Deviations * PerMedianDeviation * Quantile.Of(visuMs.Select(each => Math.Abs(each - median)), 0.5));
         double[] near = [.. visuMs.Where(each => Math.Abs(each - median) <= tolerance)];
         var mean = near.Average();
         var spread = Math.Sqrt(near.Sum(each => (each - mean) * (each - mean)) / Math.Max(1, near.Length - 1));
-        return spread <= GreatestSpreadMs ? new(mean, spread, near.Length) : null;
+        return spread <= MaxSpreadMs ? new(mean, spread, near.Length) : null;
     }
 
     /// <summary>

@@ -12,13 +12,13 @@ static class Strays
     const double FarMs = 200;
 
     /// <summary>Minimum number of pictures. With fewer, outliers cannot be identified.</summary>
-    const int LeastPictures = 10;
+    const int MinPictures = 10;
 
     /// <summary>Returns the same pictures with the outliers rejected.</summary>
     public static IReadOnlyList<PictureResult> Rejected(IReadOnlyList<PictureResult> pictures)
     {
         double[] visu = [.. pictures.Where(picture => picture.IsRead).Select(picture => picture.VisuMs)];
-        if (visu.Length < LeastPictures) return pictures;
+        if (visu.Length < MinPictures) return pictures;
         var middle = Quantile.Of(visu, 0.5);
         return [.. pictures.Select(picture => picture.IsRead && Math.Abs(picture.VisuMs - middle) > FarMs ? PictureResult.Not(picture.File, Fault) : picture)];
     }

@@ -11,10 +11,10 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 sealed class VlcEvaluation
 {
     /// <summary>Minimum share of pictures found in the sweep. By chance, some codes match the log of another recording.</summary>
-    const double LeastShareJoined = 0.2;
+    const double MinShareJoined = 0.2;
 
     /// <summary>Minimum share of pictures near the median. At one load, only a few frames wait behind a slow one.</summary>
-    const double LeastShareNear = 0.9;
+    const double MinShareNear = 0.9;
 
     /// <summary>Fewer pictures do not show how much L_visu scatters, and therefore not how accurate its mean is.</summary>
     const int FewPictures = 10;
@@ -48,7 +48,7 @@ sealed class VlcEvaluation
     IReadOnlyList<MeasuredPicture> Joined(IReadOnlyList<SweepRow> sweep, RenderTimeSourceKind source)
     {
         var joined = new SweepJoin(sweep, source).Join(_result.Pictures);
-        if (joined.Count < LeastShareJoined * _result.Read.Count)
+        if (joined.Count < MinShareJoined * _result.Read.Count)
             throw new InputException($"--sweep: the log has the frames of {joined.Count} of {_result.Read.Count} pictures: it is that of another recording");
         if (joined.Count < _result.Read.Count)
             _warnings.Add($"{_result.Read.Count - joined.Count} of {_result.Read.Count} pictures show a frame that the sweep log does not have");
@@ -85,13 +85,13 @@ sealed class VlcEvaluation
         var plateau = hasSweep && Pictures.Any(each => each.Vertices != Pictures[0].Vertices)
             ? Plateau.OfSweep(Pictures)
             : Plateau.OfOneLoad([.. _result.Read.Select(picture => picture.VisuMs)]);
-        if (!hasSweep && plateau?.Count < LeastShareNear * _result.Read.Count)
+        if (!hasSweep && plateau?.Count < MinShareNear * _result.Read.Count)
             _warnings.Add($"{_result.Read.Count - plateau.Count} of {_result.Read.Count} pictures are late and were left out: "
                 + "were they taken at several loads? Then give the sweep's log (--sweep)");
         if (plateau?.Count < FewPictures) _warnings.Add($"L_visu is of {plateau.Count} pictures only, which may be some ms off: take 30 or more");
         if (plateau != null) return earlier.With(plateau.VisuMs, plateau.SpreadMs, CalibrationMethod.VisibleLight, plateau.Count);
         _warnings.Add(hasSweep
-            ? $"L_visu cannot be told from these {Pictures.Count} pictures of the sweep; no profile was written"
+            ? $"L_visu cannot be determined from these {Pictures.Count} pictures of the sweep; no profile was written"
             : _result.Read.Count < 2
                 ? "one picture is too few for a profile; none was written"
                 : FormattableString.Invariant($"L_visu scatters by {_result.Deviation:0.0} ms, too much to be constant; ")
@@ -102,7 +102,7 @@ sealed class VlcEvaluation
     CalibrationPageData PlainPage() => new(
         "Visible light",
         Profile == null
-            ? string.Create(CultureInfo.InvariantCulture, $"L_visu cannot be told; pictures read: {_result.Read.Count}.")
+            ? string.Create(CultureInfo.InvariantCulture, $"L_visu cannot be determined; pictures read: {_result.Read.Count}.")
             : string.Create(CultureInfo.InvariantCulture,
                 $"L_visu is {Profile.Visualisation.Length.TotalMilliseconds:0.0} ms ± {Profile.Spread.TotalMilliseconds:0.0} ms, of {Profile.Measurements} pictures."),
         [.. Profile == null ? [] : ProfileFacts.Of(Profile), .. Facts()])

@@ -18,7 +18,7 @@ static class Figure10
         for (var i = 0; i < normal.Count; i++) table.Add(i + 1, normal[i].RenderMs, normal[i].VisuMs, high[i].RenderMs, high[i].VisuMs);
         return new Figure("10", "Render time and L_visu at two loads")
         {
-            Claim = "At a normal load, 300 000 vertices, L_visu is constant whatever the render time does; at a high one, 1 500 000, it is so no longer.",
+            Claim = "At a normal load, 300 000 vertices, L_visu does not depend on the render time; at a high one, 1 500 000, it does.",
             Criteria = Criteria(normal, high),
             Conditions = DisplayConditions.Words,
             Table = table,

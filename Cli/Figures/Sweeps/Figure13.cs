@@ -32,13 +32,14 @@ static class Figure13
     { Compared = Polynomials };
 
     public static readonly SweepClaims B = new(
-        "13b", "Interpolating polynomials over the latency", "Whatever the latency, the most accurate predictions are those of the quadratic and the cubic.",
+        "13b", "Interpolating polynomials over the latency",
+        "At every latency, the most accurate predictions are those of the quadratic and the cubic.",
         data => [BestIsCurved(data, data.Values, "at each latency")])
     { Compared = Polynomials };
 
     public static readonly SweepClaims C = new(
         "13c", "Interpolating polynomials over the error of the latency",
-        "Whatever the error of the latency, the most accurate predictions are those of the quadratic and the cubic.",
+        "At every error of the latency, the most accurate predictions are those of the quadratic and the cubic.",
         data =>
         [
             BestIsCurved(data, [.. data.Values.Where(v => Math.Abs(v) <= 20)], "at each error up to ±20 ms"),

@@ -53,7 +53,7 @@ sealed class SweepStudy : IFigureStudy
             Criteria = claims.Criteria(swing),
             Beyond = _ours.Count == 0 ? null : Beyond(claims, swing, random),
             Conditions = $"Varied: {_axis.Column.Label}. Everything else as stated for all figures. "
-                + "Random moves: 7-phase, strokes and limits drawn anew for each, up to 1500 mm/s.",
+                + "Random moves: 7-phase, strokes and limits drawn separately for each move, up to 1500 mm/s.",
             Table = TableOf(shown, swing, random),
             Plots = [new FigurePlot("RMS error", _axis.Column, new FigureColumn("RMS error", "mm"),
                 [.. shown.Select(name => new PlotTrace(name, Looks.Of(name), swing.Values, [.. swing.RmsMm(name)]) { Marked = true })]) { FromZero = true }],

@@ -31,9 +31,10 @@ static class Figure16
     }
 
     public static string ConditionsOf(YoubotSwing swing) =>
-        $"youBot, first axis forth and back by a quarter turn, arm out: the tool goes along a circle of {Text(1000 * swing.Radius)} mm radius at up to "
-        + $"{Text(swing.FullSpeed)} mm/s. Stroke and limits are ours, the paper gives none. Four shorter moves go before, and nothing repeats. "
-        + "The plots show the move forth of the first run, the numbers are of all.";
+        "youBot, first axis forward and back by a quarter turn, arm out: the tool moves on a circle of "
+        + $"{Text(1000 * swing.Radius)} mm radius at up to {Text(swing.FullSpeed)} mm/s. "
+        + "Stroke and limits are ours, the paper gives none. Four shorter moves precede it, and no move repeats. "
+        + "The plots show the forward move of the first run; the numbers include all runs.";
 
     /// <param name="nearerShare">Share of the frames in motion whose error is smaller with compensation.</param>
     /// <param name="steadyMm">RMS error of the compensated signal at constant velocity.</param>

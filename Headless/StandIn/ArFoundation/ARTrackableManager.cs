@@ -57,7 +57,7 @@ public abstract class ARTrackableManager<TSubsystem, TSubsystemDescriptor, TProv
         return new Pose(parent.InverseTransformPoint(place.position), Quaternion.Inverse(parent.rotation) * place.rotation);
     }
 
-    internal virtual void Told(TTrackable trackable, TSessionRelativeData data)
+    internal virtual void OnUpdated(TTrackable trackable, TSessionRelativeData data)
     {
     }
 
@@ -75,6 +75,6 @@ public abstract class ARTrackableManager<TSubsystem, TSubsystemDescriptor, TProv
         }
         trackable.pending = false;
         trackable.Set(data, origin.TrackablesParent);
-        Told(trackable, data);
+        OnUpdated(trackable, data);
     }
 }

@@ -7,5 +7,5 @@ namespace UnityEngine.XR.ARFoundation;
 public sealed class ARTrackedImageManager : ARTrackableManager<
     XRImageTrackingSubsystem, XRImageTrackingSubsystemDescriptor, XRImageTrackingSubsystem.Provider, XRTrackedImage, ARTrackedImage>
 {
-    internal override void Told(ARTrackedImage image, XRTrackedImage data) => image.referenceImage = new XRReferenceImage(data.Name);
+    internal override void OnUpdated(ARTrackedImage image, XRTrackedImage data) => image.referenceImage = new XRReferenceImage(data.Name);
 }

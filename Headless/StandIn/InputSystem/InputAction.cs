@@ -29,7 +29,7 @@ public sealed class InputAction : ICloneable, IDisposable
 
     public void Dispose() => Disable();
 
-    public InputAction Clone() => throw new NotSupportedException("nobody clones an action yet");
+    public InputAction Clone() => throw new NotSupportedException("the stand-in cannot clone an action");
 
     object ICloneable.Clone() => Clone();
 

@@ -31,7 +31,7 @@ public class SerializedProperty : IDisposable
     public int arraySize
     {
         get => ((IList)Value)?.Count ?? 0;
-        set => throw new NotSupportedException("nobody resizes a list yet");
+        set => throw new NotSupportedException("the stand-in cannot resize a list");
     }
 
     public int intValue

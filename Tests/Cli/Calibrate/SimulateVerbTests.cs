@@ -40,7 +40,7 @@ public sealed class SimulateVerbTests
             var run = await CliRun.OfAsync("calibrate", "simulate", "--pictures", "1", "--out", folder);
 
             Assert.That(run.ExitStatus, Is.EqualTo(2));
-            Assert.That(run.Errors, Does.Contain("1 pictures that are no simulated ones"));
+            Assert.That(run.Errors, Does.Contain("1 pictures that were not simulated"));
             Assert.That(File.ReadAllText(taken), Is.EqualTo("by a camera"));
             Assert.That(File.Exists(Path.Combine(folder, "sweep.csv")), Is.False);
         }

@@ -33,7 +33,7 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task SyncReply_NamedClockNotOfferedYet_SaysNotSynchronised()
+    public async Task SyncReply_NamedClockNotOfferedYet_IsNotSynchronised()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { ControlClock = "plc" });
         using var headset = await RawSyncClient.ConnectAsync(gateway);
@@ -47,7 +47,7 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task PlantTime_OwnClockAskedFor_IsComparedOnly()
+    public async Task PlantTime_OwnClockRequested_IsOnlyCompared()
     {
         var own = new StopwatchControlClock(Gateways.Start);
         var plc = new StopwatchControlClock(Gateways.Start + TimeSpan.FromSeconds(3));
@@ -62,14 +62,14 @@ public class PlantTimeTests
         bool IsRight(PlantClockStatus status) =>
             (status.OffsetToControl.Value - truth).Duration() <= status.ErrorBound + TimeSpan.FromMilliseconds(1);
         await Soon.BecomesAsync(
-            () => IsRight(StatusOf(gateway, "plc")), () => $"{truth.TotalSeconds} s ahead; it is said to be {StatusOf(gateway, "plc")}");
+            () => IsRight(StatusOf(gateway, "plc")), () => $"{truth.TotalSeconds} s ahead; the status is {StatusOf(gateway, "plc")}");
         var before = own.Now;
         var served = gateway.Clock.Now;
         Assert.That(served, Is.InRange(before, own.Now));
     }
 
     [Test]
-    public async Task JointState_StampedByASecondClockOfThePlant_IsPutOnC1()
+    public async Task JointState_StampedByASecondPlantClock_IsConvertedToC1()
     {
         var ads = new StopwatchControlClock(PlantStart);
         var opcua = new StopwatchControlClock(PlantStart + TimeSpan.FromSeconds(2));
@@ -91,7 +91,7 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task JointState_WhileItsClockIsUnknown_IsRefusedAndSaysSo()
+    public async Task JointState_ClockNotMeasuredYet_IsRefusedWithAStatus()
     {
         await using var gateway = await Gateways.StartAsync();
         using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "plc", (_, _) => null);
@@ -103,7 +103,7 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task PlantTime_AdapterGoneAndBack_GoesOnWithWhatWasKnown()
+    public async Task PlantTime_AdapterReconnects_KeepsItsEstimate()
     {
         var plc = new StopwatchControlClock(PlantStart);
         await using var gateway = await Gateways.StartAsync();
@@ -121,7 +121,7 @@ public class PlantTimeTests
 
         Assert.That(isServed, Is.True, "a holdover of seconds is good enough");
         Assert.That(served, Is.InRange(before - bound, after + bound));
-        Assert.That(bound, Is.LessThan(TimeSpan.FromSeconds(1)), "whatever is served must not pass");
+        Assert.That(bound, Is.LessThan(TimeSpan.FromSeconds(1)), "a larger bound would accept any served time");
         Assert.That(gateway.PlantClocks.All, Has.Count.EqualTo(1));
     }
 
@@ -139,7 +139,7 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task PlantTime_WithdrawnService_IsAskedNoMore()
+    public async Task PlantTime_ServiceWithdrawn_IsNotCalledAgain()
     {
         await using var gateway = await Gateways.StartAsync();
         using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "plc", new StopwatchControlClock(PlantStart));
@@ -148,7 +148,7 @@ public class PlantTimeTests
 
         await adapter.WithdrawAsync();
 
-        await Soon.BecomesAsync(() => !StatusOf(gateway, "plc").IsConnected, "nobody answers for the clock");
+        await Soon.BecomesAsync(() => !StatusOf(gateway, "plc").IsConnected, "the clock has no connected adapter");
         // One request may still be on its way to the adapter.
         await AsksFiveTimesAsync(other);
         var asked = adapter.Questions;
@@ -160,7 +160,7 @@ public class PlantTimeTests
     [TestCase("/nowpose/plant_time/own", "no such service")]
     [TestCase("/nowpose/plant_time/", "no such service")]
     [TestCase("/rosapi/get_time", "no such service")]
-    public async Task AdvertiseService_OfSomethingElse_IsRefused(string service, string reason)
+    public async Task AdvertiseService_OtherService_IsRefused(string service, string reason)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -172,7 +172,7 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task AdvertiseService_OfAClockThatAnotherAnswersFor_IsRefused()
+    public async Task AdvertiseService_ClockOfAnotherClient_IsRefused()
     {
         await using var gateway = await Gateways.StartAsync();
         using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "plc", new StopwatchControlClock(PlantStart));
@@ -185,7 +185,7 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task AdvertiseService_WhenTheFormerConnectionFellSilent_TakesTheClockOver()
+    public async Task AdvertiseService_FormerConnectionSilent_TakesTheClockOver()
     {
         var plc = new StopwatchControlClock(PlantStart);
         var isGone = false;
@@ -211,7 +211,7 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task JointState_OfAClientWhoseOfferWasRefused_IsStillMappedByThatClock()
+    public async Task JointState_OfAClientWithRefusedOffer_IsMappedByThatClock()
     {
         var ads = new StopwatchControlClock(PlantStart);
         var opcua = new StopwatchControlClock(PlantStart + TimeSpan.FromSeconds(-2));
@@ -233,7 +233,7 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task JointState_OfAClockBeyondTheGreatestNumber_IsRefused()
+    public async Task JointState_ClockBeyondTheMaximumCount_IsRefused()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -252,7 +252,7 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task PlantTime_CallFailsWithALongText_IsKeptAsAShortLine()
+    public async Task PlantTime_CallFailsWithALongText_IsShortenedToOneLine()
     {
         var reason = "stop\\n\\u0007" + new string('x', 5000);
         await using var gateway = await Gateways.StartAsync();
@@ -262,7 +262,7 @@ public class PlantTimeTests
         await Soon.BecomesAsync(() => StatusOf(gateway, "plc")?.Failures > 0, "the failure is counted");
 
         var kept = StatusOf(gateway, "plc").LastFailure;
-        Assert.That(kept, Does.StartWith("stop  xxx").And.Length.LessThanOrEqualTo(PlantClock.LongestFailure));
+        Assert.That(kept, Does.StartWith("stop  xxx").And.Length.LessThanOrEqualTo(PlantClock.MaxFailureLength));
     }
 
     [Test]

@@ -45,7 +45,7 @@ public class StampWatchTests
     [TestCase(2.0)]
     [TestCase(0.3)]
     [TestCase(-1.5)]
-    public void Look_SystemClockCorrectedAndSourcesFollowIt_IsAContradictionThatNamesTheRemedy(double seconds)
+    public void Look_SystemClockCorrectedAndSourcesFollow_IsAContradictionWithTheRemedy(double seconds)
     {
         Run(5, () => System);
         Assert.That(_watch.Warning, Is.Null);
@@ -63,7 +63,7 @@ public class StampWatchTests
     [TestCase(-0.6, "600 ms older")]
     [TestCase(-0.9, "900 ms older")]
     [TestCase(0.11, "110 ms newer")]
-    public void Look_SmallCorrectionThatLeavesStampsPlausible_IsAContradictionOfTheSourcesThatFollow(double seconds, string expected)
+    public void Look_SmallCorrectionWithPlausibleStamps_IsAContradictionOfTheFollowingSources(double seconds, string expected)
     {
         var withoutCorrection = () => _own.Now;
         Run(StampWatch.Seconds + 1, () => System, withoutCorrection);
@@ -84,7 +84,7 @@ public class StampWatchTests
     }
 
     [Test]
-    public void Look_SourceConnectsAgainAfterASmallCorrection_IsStillComparedWithItsFirstSeconds()
+    public void Look_SourceReconnectsAfterASmallCorrection_IsComparedWithItsFirstSeconds()
     {
         Run(StampWatch.Seconds + 1, () => System);
         Run(StampWatch.Seconds + 1);
@@ -106,7 +106,7 @@ public class StampWatchTests
     }
 
     [Test]
-    public void Look_SystemClockCorrectedAndSourcesAskTheGateway_IsAWarningOnly()
+    public void Look_SystemClockCorrectedAndSourcesUseTheGatewaysTime_IsOnlyAWarning()
     {
         Run(5, () => _own.Now);
 
@@ -119,7 +119,7 @@ public class StampWatchTests
     }
 
     [Test]
-    public void Look_SystemClockCorrectedBack_IsWellAgain()
+    public void Look_SystemClockCorrectedBack_EndsTheContradiction()
     {
         _correction = TimeSpan.FromSeconds(10);
         Run(5, () => System);
@@ -182,7 +182,7 @@ public class StampWatchTests
     }
 
     [Test]
-    public void Look_StampsMoveAway_NamesTheDistanceOfTheNewest()
+    public void Look_StampsDiverge_NamesTheDistanceOfTheNewest()
     {
         _isOwnServed = false;
         for (var seconds = 10; seconds < 20; seconds++)
@@ -213,7 +213,7 @@ public class StampWatchTests
     }
 
     [Test]
-    public void Look_SourceThatWasWrongStops_IsForgotten()
+    public void Look_WrongSourceStops_IsRemoved()
     {
         Run(5, () => System + TimeSpan.FromSeconds(5));
         Assert.That(_watch.IsContradicted, Is.True);
@@ -224,7 +224,7 @@ public class StampWatchTests
     }
 
     [Test]
-    public void Look_OwnClockWithARateOfItsOwn_IsNoCorrection()
+    public void Look_OwnClockWithADifferentRate_IsNotACorrection()
     {
         _own.Skew = 100e-6;
         for (var i = 0; i < 3600; i++)

@@ -43,7 +43,7 @@ public class RecorderTests
         Directory.Delete(_folder, true);
     }
 
-    Recorder Open(Func<string, LineFile> open = null, TimeProvider time = null, long greatestBytes = RecordedFile.GreatestBytes) => new(
+    Recorder Open(Func<string, LineFile> open = null, TimeProvider time = null, long greatestBytes = RecordedFile.MaxBytes) => new(
         new GatewayOptions { Recordings = _folder, Cell = "press 1", Time = time ?? TimeProvider.System }, _hub, _clock, _plant, _drops,
         line => { lock (_log) _log.Add(line); }, open, greatestBytes);
 

@@ -12,7 +12,7 @@ public class DiagnosticsBoardTests
         new(default, name, [.. values.Select(pair => KeyValuePair.Create(pair.Key, pair.Value))]);
 
     [Test]
-    public void Read_AfterAWhile_ForgetsWhoIsSilent()
+    public void Read_AfterTheTimeout_OmitsSilentClients()
     {
         var board = new DiagnosticsBoard(_time);
         board.Add(Said("one", ("state", "converging")));
@@ -27,7 +27,7 @@ public class DiagnosticsBoardTests
     }
 
     [Test]
-    public void Add_EverNewNames_StaysBoundedAndKeepsWhoSpeaks()
+    public void Add_ManyNewNames_StaysBoundedAndKeepsActiveClients()
     {
         var board = new DiagnosticsBoard(_time);
         for (var i = 0; i < 20_000; i++)
@@ -37,36 +37,36 @@ public class DiagnosticsBoardTests
             _time.Advance(TimeSpan.FromMilliseconds(1));
         }
 
-        Assert.That(board.Read(), Has.Count.EqualTo(DiagnosticsBoard.Greatest));
+        Assert.That(board.Read(), Has.Count.EqualTo(DiagnosticsBoard.MaxClients));
         Assert.That(board.Read().Select(said => said.Name), Does.Contain("honest"));
     }
 
     [Test]
-    public void Add_ManyValues_KeepsSome()
+    public void Add_TooManyValues_KeepsTheMaximumNumber()
     {
         var board = new DiagnosticsBoard(_time);
         board.Add(Said("a", [.. Enumerable.Range(0, 1000).Select(i => ($"{i}", "1"))]));
 
-        Assert.That(board.Read().Single().Values, Has.Count.EqualTo(DiagnosticsBoard.GreatestValues));
+        Assert.That(board.Read().Single().Values, Has.Count.EqualTo(DiagnosticsBoard.MaxValues));
     }
 
     [Test]
-    public void Add_LongValue_IsCutAndSaysSo()
+    public void Add_LongValue_IsShortenedWithAMark()
     {
         var board = new DiagnosticsBoard(_time);
-        var right = new string('y', DiagnosticsBoard.GreatestValue);
+        var right = new string('y', DiagnosticsBoard.MaxValueLength);
         board.Add(Said("a", ("long", "begin " + new string('x', 5000) + " end"), ("right", right), ("short", "1")));
 
         var values = board.Read().Single().Values.ToDictionary();
 
         Assert.That(values["long"], Does.StartWith("begin x").And.EndsWith("x end").And.Contain("…"));
-        Assert.That(values["long"], Has.Length.LessThanOrEqualTo(DiagnosticsBoard.GreatestValue));
+        Assert.That(values["long"], Has.Length.LessThanOrEqualTo(DiagnosticsBoard.MaxValueLength));
         Assert.That(values["right"], Is.EqualTo(right));
         Assert.That(values["short"], Is.EqualTo("1"));
     }
 
     [Test]
-    public void Add_LongNamesAndValues_KeepsSoManyLettersOnly()
+    public void Add_LongNamesAndValues_KeepsAtMostTheMaximumLength()
     {
         var board = new DiagnosticsBoard(_time);
         var many = Enumerable.Range(0, 60).Select(i => ($"{i}", new string('x', 900))).ToArray();
@@ -78,6 +78,6 @@ public class DiagnosticsBoardTests
         Assert.That(said[0].Values.Single().Key, Is.EqualTo("state"));
         Assert.That(
             said[1].Values.Sum(pair => pair.Key.Length + pair.Value.Length),
-            Is.LessThanOrEqualTo(DiagnosticsBoard.GreatestLength).And.GreaterThan(15_000));
+            Is.LessThanOrEqualTo(DiagnosticsBoard.MaxLength).And.GreaterThan(15_000));
     }
 }

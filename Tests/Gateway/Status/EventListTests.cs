@@ -20,7 +20,7 @@ public class EventListTests
         new("joint", name, "is refused", reason, Level.Error, true, since);
 
     [Test]
-    public void Update_ConditionThatBeginsAndEnds_IsOneEventAndTwoLinesOfTheLog()
+    public void Update_ConditionBeginsAndEnds_IsOneEventAndTwoLogLines()
     {
         var began = _time.GetUtcNow();
         for (var i = 0; i < 10; i++)
@@ -41,7 +41,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Update_ConditionComesAgain_IsANewEvent()
+    public void Update_ConditionRecurs_IsANewEvent()
     {
         _events.Update([Joint("a")]);
         _events.Update([]);
@@ -61,7 +61,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Update_ConditionThatKnowsItsBegin_BeginsThen()
+    public void Update_ConditionWithStartTime_BeginsAtThatTime()
     {
         var since = _time.GetUtcNow() - TimeSpan.FromSeconds(1.8);
 
@@ -71,7 +71,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Date_ConditionWithAndWithoutAnEvent_BeganWithItsEventOrNow()
+    public void Date_ConditionWithAndWithoutAnEvent_StartsAtTheEventOrNow()
     {
         var began = _time.GetUtcNow();
         _events.Update([Joint("a")]);
@@ -83,7 +83,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Update_NormalAtStartAndOverWithinTheGrace_IsNoEvent()
+    public void Update_NormalAtStartAndOverWithinTheGracePeriod_AddsNoEvent()
     {
         _events.Update([Joint("a") with { IsNormalAtStart = true }, Joint("b")]);
         _time.Advance(EventList.StartGrace - TimeSpan.FromSeconds(0.1));
@@ -97,7 +97,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Update_NormalAtStartAndLongerThanTheGrace_IsAnEventFromItsBegin()
+    public void Update_NormalAtStartAndLongerThanTheGracePeriod_AddsAnEventFromItsStart()
     {
         _time.Advance(TimeSpan.FromSeconds(1));
         var began = _time.GetUtcNow();
@@ -116,7 +116,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Update_NormalAtStartButLater_IsAnEventAtOnce()
+    public void Update_NormalAtStartButLater_AddsAnEventImmediately()
     {
         _time.Advance(EventList.StartGrace);
 
@@ -129,7 +129,7 @@ public class EventListTests
     [TestCase("NaN", "", "joint a is refused: NaN", "joint a is refused: NaN (since 2026-11-20 12:00:00 UTC)")]
     [TestCase("", "Repair it.", "joint a is refused. Repair it.", "joint a is refused (since 2026-11-20 12:00:00 UTC). Repair it.")]
     [TestCase("NaN.", "Repair it.", "joint a is refused: NaN. Repair it.", "joint a is refused: NaN (since 2026-11-20 12:00:00 UTC). Repair it.")]
-    public void Text_ReasonAndRemedy_ReadAsSentences(string reason, string remedy, string text, string withSince)
+    public void Text_ReasonAndRemedy_FormSentences(string reason, string remedy, string text, string withSince)
     {
         var condition = Joint("a", reason, new DateTimeOffset(2026, 11, 20, 12, 0, 0, TimeSpan.Zero)) with { Remedy = remedy };
 
@@ -137,7 +137,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Note_SomethingThatDoesNotLast_IsOverAtOnce()
+    public void Note_MomentaryEvent_EndsImmediately()
     {
         _events.Note(new Condition("recording", "x.jsonl", "was deleted", "", Level.Warning));
         _events.Update([]);
@@ -147,7 +147,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Update_MoreEventsThanAreKept_KeepsTheNewestAndThoseThatLast()
+    public void Update_TooManyEvents_KeepsTheNewestAndTheActive()
     {
         var lasting = Joint("lasting");
         for (var i = 0; i < 1000; i++)
@@ -164,7 +164,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Csv_FieldsWithCommasQuotesAndFormulas_StayInTheirFields()
+    public void Csv_FieldsWithCommasQuotesAndFormulas_AreEscaped()
     {
         var text = EventText.Csv([new EventView(7, "joint", "=HYPERLINK(\"x\")", "is refused", "a, \"b\"\nc", "error", "2026-11-20T12:00:00.000Z", null, "Stop \"it\".")]);
 

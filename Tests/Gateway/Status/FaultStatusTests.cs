@@ -87,7 +87,7 @@ public class FaultStatusTests
         () => EventAsync(kind, which).Result is { ValueKind: JsonValueKind.Object } one && one.TryGetProperty("until_utc", out _), $"{kind} {which} ends");
 
     [Test]
-    public async Task Joint_SamplesStop_IsNamedEverywhereWithinTwoSecondsAndGreenAgainAtOnce()
+    public async Task Joint_SamplesStop_IsReportedEverywhereWithinTwoSecondsAndRecoversImmediately()
     {
         await StartAsync();
         Publish("a", "b");
@@ -184,7 +184,7 @@ public class FaultStatusTests
     }
 
     [Test]
-    public async Task Joint_AtRestUncertainlyWithAdviceOfItsAdapter_HasNoOther()
+    public async Task Joint_AtRestUncertainlyWithRemedyOfItsAdapter_HasOnlyThatRemedy()
     {
         await StartAsync();
         Publish("a");
@@ -198,7 +198,7 @@ public class FaultStatusTests
     [TestCase(null, "error")]
     [TestCase("03F3", "error")]
     [TestCase("03E8", "ok")]
-    public async Task Joint_OfAClientThatEnded_IsAFaultWhateverTimePassesUnlessTheClientClosedInOrder(string close, string level)
+    public async Task Joint_OfADisconnectedClient_StaysAFaultUnlessTheClientClosedInOrder(string close, string level)
     {
         await StartAsync();
         using var client = await RawWebSocket.OpenAsync(_gateway);
@@ -252,7 +252,7 @@ public class FaultStatusTests
     }
 
     [Test]
-    public async Task Adapter_NotConnectedThenSilent_IsAnEventEach()
+    public async Task Adapter_NotConnectedThenSilent_AddsTwoEvents()
     {
         await StartAsync();
         _time.Advance(EventList.StartGrace);
@@ -267,7 +267,7 @@ public class FaultStatusTests
     }
 
     [Test]
-    public async Task Adapter_OfTwoOneNeverReports_GatewayIsNotReady()
+    public async Task Adapters_OneOfTwoNeverReports_GatewayIsNotReady()
     {
         await StartAsync(options => options with { ExpectsSources = true });
         var lathe = new AdapterState("lathe", null, "status 1");
@@ -296,7 +296,7 @@ public class FaultStatusTests
     }
 
     [Test]
-    public async Task Start_PlantConnectsWithinTheGrace_BeginsNoEvent()
+    public async Task Start_PlantConnectsWithinTheGracePeriod_AddsNoEvent()
     {
         await StartAsync(options => options with { ExpectsSources = true }, new StopwatchControlClock(Gateways.Start) { IsSynchronised = false });
         Report("adapter/press", ("state", "connecting"), ("samples", "0"), ("joint/a", $"missing {Since()} no value yet"));
@@ -321,7 +321,7 @@ public class FaultStatusTests
     }
 
     [Test]
-    public async Task Clock_NotServed_IsAnEventAndAReason()
+    public async Task Clock_NotServed_AddsAnEventAndAReason()
     {
         await StartAsync(clock: new StopwatchControlClock(Gateways.Start) { IsSynchronised = false });
 
@@ -334,7 +334,7 @@ public class FaultStatusTests
     }
 
     [Test]
-    public async Task Headset_NotCurrentThenLost_IsAnEventEachAndNoReason()
+    public async Task Headset_NotCurrentThenLost_AddsTwoEventsAndNoReason()
     {
         await StartAsync();
         Report("goggles", ("pose", "incomplete"), ("missing_joints", "a,b"));
@@ -364,7 +364,7 @@ public class FaultStatusTests
     }
 
     [Test]
-    public async Task Headset_LinkIsDisposedOfWhileItReceives_IsNotLost()
+    public async Task Headset_LinkDisposedWhileReceiving_IsNotLost()
     {
         await StartAsync();
         var settings = new ConnectionSettings("127.0.0.1", webSocketPort: _gateway.WebSocketEndPoint.Port);
@@ -386,7 +386,7 @@ public class FaultStatusTests
     }
 
     [Test]
-    public async Task Source_SecondOfAJoint_IsAnEventThatEnds()
+    public async Task Source_SecondOfAJoint_AddsAnEventThatEnds()
     {
         await StartAsync();
         Publish("a");
@@ -401,7 +401,7 @@ public class FaultStatusTests
     }
 
     [Test]
-    public async Task Certificate_AboutToExpire_IsAnEvent()
+    public async Task Certificate_AboutToExpire_AddsAnEvent()
     {
         using var certificate = CertificateFiles.Generate();
         _time.Advance(certificate.NotAfter.ToUniversalTime() - TimeSpan.FromDays(3) - _time.GetUtcNow());
@@ -420,7 +420,7 @@ public class FaultStatusTests
 
     [TestCase(null, HttpStatusCode.Unauthorized)]
     [TestCase(Gateways.ObserverToken, HttpStatusCode.OK)]
-    public async Task Events_Downloaded_AreForThoseWhoMaySeeTheState(string token, HttpStatusCode expected)
+    public async Task Events_Downloaded_RequireTheRightToReadTheState(string token, HttpStatusCode expected)
     {
         await StartAsync(options => options with { Tokens = Gateways.Tokens });
 
@@ -568,7 +568,7 @@ public class FaultStatusTests
     }
 
     [Test]
-    public async Task Ready_NoSourceYet_ContainsBeginAndRemedy()
+    public async Task Ready_NoSourceYet_ContainsStartTimeAndRemedy()
     {
         await StartAsync(options => options with { ExpectsSources = true });
         // The first complete check publishes the state of the joints.
@@ -606,7 +606,7 @@ public class FaultStatusTests
     }
 
     [Test]
-    public async Task Watch_SubscriberThrows_IsLoggedAndTheWatchGoesOn()
+    public async Task Watch_SubscriberThrows_IsLoggedAndTheWatchContinues()
     {
         await StartAsync();
         using var broken = _gateway.Hub.Subscribe(RosTopics.JointStatus, message =>
@@ -631,7 +631,7 @@ public class FaultStatusTests
     }
 
     [Test]
-    public async Task Ready_JointOfTheRobotThatNobodyPublishes_IsNamedEverywhere()
+    public async Task Ready_JointOfTheRobotWithoutASource_IsReportedEverywhere()
     {
         await StartAsync();
         _source.TryDescribe(RobotFiles.LoadText("youbot"));

@@ -6,7 +6,7 @@ namespace Nowpose.Headless.Tests.Gateway.Status;
 public class ForwardingTimesTests
 {
     [Test]
-    public void Percentile_AMinuteLater_HasForgotten()
+    public void Percentile_AMinuteLater_ExcludesOldTimes()
     {
         var time = new SteppedTime();
         var times = new ForwardingTimes(time);
@@ -24,7 +24,7 @@ public class ForwardingTimesTests
     }
 
     [Test]
-    public void Counts_OfAll_StayForEverInTheirClasses()
+    public void Counts_AllTimes_StayInTheirBuckets()
     {
         var time = new SteppedTime();
         var times = new ForwardingTimes(time);

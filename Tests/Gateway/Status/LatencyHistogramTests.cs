@@ -10,7 +10,7 @@ public class LatencyHistogramTests
     [TestCase(0.5)]
     [TestCase(0.95)]
     [TestCase(0.99)]
-    public void Percentile_OfManyLengths_IsAtMostAClassTooLong(double fraction)
+    public void Percentile_ManyLengths_IsAtMostOneBucketTooLong(double fraction)
     {
         const int Seed = 7;
         var random = new Random(Seed);
@@ -27,7 +27,7 @@ public class LatencyHistogramTests
     }
 
     [Test]
-    public void Percentile_OfTwoHistograms_IsOfAllTheirLengths()
+    public void Percentile_TwoHistograms_UsesAllLengths()
     {
         var (fast, slow) = (new LatencyHistogram(), new LatencyHistogram());
         for (var i = 0; i < 99; i++) fast.Add(new TimeSpan(3));
@@ -38,12 +38,12 @@ public class LatencyHistogramTests
     }
 
     [Test]
-    public void Percentile_OfNothing_IsUnknown() => Assert.That(LatencyHistogram.Percentile(None, None, 0.5), Is.Null);
+    public void Percentile_Empty_IsNull() => Assert.That(LatencyHistogram.Percentile(None, None, 0.5), Is.Null);
 
     [TestCase(-1)]
     [TestCase(long.MaxValue)]
     [TestCase(long.MinValue)]
-    public void Add_LengthBeyondAllClasses_CountsInTheNearest(long ticks)
+    public void Add_LengthOutsideAllBuckets_CountsInTheNearest(long ticks)
     {
         var histogram = new LatencyHistogram();
 

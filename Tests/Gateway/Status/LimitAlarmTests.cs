@@ -39,7 +39,7 @@ public class LimitAlarmTests
         "it is found");
 
     [Test]
-    public async Task Joints_OneInDegrees_IsSaidOnceAndCounted()
+    public async Task Joints_OneInDegrees_IsLoggedOnceAndCounted()
     {
         _source.TryDescribe(RobotFiles.LoadText("ur5"));
 
@@ -54,7 +54,7 @@ public class LimitAlarmTests
     }
 
     [Test]
-    public async Task Joints_AnotherDescription_IsJudgedAnew()
+    public async Task Joints_NewDescription_AreCheckedAgain()
     {
         var urdf = RobotFiles.LoadText("ur5");
         _source.TryDescribe(urdf);
@@ -72,7 +72,7 @@ public class LimitAlarmTests
     }
 
     [Test]
-    public void Joints_WithoutAUsableDescription_SayNothing()
+    public void Joints_WithoutAUsableDescription_AreNotChecked()
     {
         for (var i = 0; i < 10; i++) Send(90);
         _source.TryDescribe("no robot");

@@ -64,7 +64,7 @@ public class MetricsTests
         .Single(sample => (string)sample[0] == name && (label == null || sample[1].AsObject().Any(pair => (string)pair.Value == label)))[2];
 
     [Test]
-    public void Of_ASnapshot_IsWhatTheParserReads()
+    public void Of_Snapshot_IsReadByTheParser()
     {
         var times = new ForwardingTimes();
         times.Add(TimeSpan.FromMilliseconds(3));
@@ -96,7 +96,7 @@ public class MetricsTests
     }
 
     [Test]
-    public void Of_AJoint_IsOneForItsStateAndZeroForTheOthers()
+    public void Of_Joint_IsOneForItsStateAndZeroForTheOthers()
     {
         var lines = Metrics.Of(Snapshot(), new ForwardingTimes()).Split('\n').Where(line => line.StartsWith("nowpose_joint_state{", StringComparison.Ordinal)).ToList();
 
@@ -108,7 +108,7 @@ public class MetricsTests
     }
 
     [Test]
-    public void Of_JointAtRest_HasItsUncertainty()
+    public void Of_JointAtRest_ContainsItsUncertainty()
     {
         JointView Rest(string name, string uncertain) => new(name, "press", "rest", "2026-11-20T12:00:00.000Z", 5, 0, "no change is reported", uncertain);
         var state = Snapshot() with { Joints = [Rest("sure", null), Rest("doubtful", "the stop itself was not observed")] };
@@ -124,7 +124,7 @@ public class MetricsTests
     [TestCase("held", "held")]
     [TestCase("coarse", "coarse")]
     [TestCase("a word of a later release", "other")]
-    public void Of_AHeadsetsPose_IsOneOfAFixedSetOfStates(string pose, string expected)
+    public void Of_HeadsetPose_IsOneOfAFixedSetOfStates(string pose, string expected)
     {
         var text = Metrics.Of(Snapshot(Words("goggles", ("pose", pose), ("missing_joints", "a,b"), ("current_share", 0.25))), new ForwardingTimes());
 
@@ -155,7 +155,7 @@ public class MetricsTests
     }
 
     [Test]
-    public void Of_SourcesWhoseNamesHoldACommaOrNoUtf8_AreToldApartAndNeverWrittenTwice()
+    public void Of_SourceNamesWithCommaOrInvalidUtf8_HaveUniqueLabels()
     {
         string[][] sources = [["a,b"], ["a", "b"], ["a\\", "b"], ["\ud800"], ["\ud801"]];
         var state = Snapshot() with { Sources = [.. sources.Select(names => new SourceStatus(names, 50, new AgeStatus(80, 120), []))] };
@@ -168,7 +168,7 @@ public class MetricsTests
     }
 
     [Test]
-    public void Of_ACertificate_TellsWhenItExpires()
+    public void Of_Certificate_ContainsItsExpiryTime()
     {
         var text = Metrics.Of(Snapshot() with { CertificateExpiresUtc = new DateTime(2027, 1, 1, 0, 0, 0, DateTimeKind.Utc) }, new ForwardingTimes());
 
@@ -177,7 +177,7 @@ public class MetricsTests
     }
 
     [Test]
-    public void Of_NumbersThatAreNone_LeavesThemOut()
+    public void Of_NumbersNotFinite_AreOmitted()
     {
         var state = Snapshot() with { Sources = [new SourceStatus(["a"], double.PositiveInfinity, new AgeStatus(double.NaN, 120), [])] };
 
@@ -190,7 +190,7 @@ public class MetricsTests
     [TestCase("quote \" backslash \\ line\nfeed \\n")]
     [TestCase("} 1\nevil_metric 1")]
     [TestCase("\r\u2028 \u0085 ünïcode 头")]
-    public void Of_AHeadsetWithANastyName_KeepsItWhole(string name)
+    public void Of_HeadsetNameWithSpecialCharacters_KeepsTheWholeName(string name)
     {
         var families = Parse(Metrics.Of(Snapshot(Words(name, ("state", "synchronised"))), new ForwardingTimes()));
 

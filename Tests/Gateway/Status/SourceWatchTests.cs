@@ -9,7 +9,7 @@ public class SourceWatchTests
     static long At(double seconds) => (long)(1_000_000 + seconds * Stopwatch.Frequency);
 
     [Test]
-    public void Read_OfASteadySource_KnowsRateAndAges()
+    public void Read_SteadySource_ReturnsRateAndAges()
     {
         var watch = new SourceWatch();
         for (var i = 0; i <= 100; i++) watch.Add(["a", "b"], At(i * 0.02), TimeSpan.FromMilliseconds(i));
@@ -22,7 +22,7 @@ public class SourceWatchTests
     }
 
     [Test]
-    public void Read_OfASourceThatStops_FallsAndThenForgets()
+    public void Read_SourceStops_RateFallsAndTheSourceIsRemoved()
     {
         var watch = new SourceWatch();
         for (var i = 0; i <= 100; i++) watch.Add(["a"], At(i * 0.02), TimeSpan.Zero);
@@ -33,7 +33,7 @@ public class SourceWatchTests
     }
 
     [Test]
-    public void Add_ArmAndGripperApart_AreTwo()
+    public void Add_ArmAndGripperSeparately_AreTwoSources()
     {
         var watch = new SourceWatch();
         foreach (var names in new[] { "arm", "gripper", "arm" }) watch.Add([names], At(0), TimeSpan.Zero);
@@ -42,7 +42,7 @@ public class SourceWatchTests
     }
 
     [Test]
-    public void Add_SetsThatOverlap_AreOneSource()
+    public void Add_OverlappingSets_AreOneSource()
     {
         var watch = new SourceWatch();
         string[] joints = ["a", "b", "c", "d", "e"];
@@ -61,7 +61,7 @@ public class SourceWatchTests
     }
 
     [Test]
-    public void Add_SourcesThatTurnOutToBeOne_KeepWhatWasCounted()
+    public void Add_SourcesMerged_KeepTheirCounts()
     {
         var watch = new SourceWatch();
         for (var i = 0; i < 100; i++) watch.Add([i % 2 == 0 ? "a" : "b"], At(i * 0.02), TimeSpan.FromMilliseconds(i));
@@ -76,24 +76,24 @@ public class SourceWatchTests
     }
 
     [Test]
-    public void Add_OneSourceWithEverNewNames_StaysBounded()
+    public void Add_OneSourceWithManyNewNames_StaysBounded()
     {
         var watch = new SourceWatch();
         for (var i = 0; i < 10_000; i++) watch.Add(["a", $"joint {i}"], At(i * 1e-4), TimeSpan.Zero);
 
-        Assert.That(watch.Read(At(1)).Single().Names, Has.Length.EqualTo(SourceWatch.GreatestJoints));
+        Assert.That(watch.Read(At(1)).Single().Names, Has.Length.EqualTo(SourceWatch.MaxJoints));
 
         watch.Add(["late"], At(20), TimeSpan.Zero);
         Assert.That(watch.Read(At(20)).Single().Names, Is.EqualTo(new[] { "late" }), "once they are gone");
     }
 
     [Test]
-    public void Add_EverNewNames_StaysBoundedAndLearnsAgainOnceTheyAreGone()
+    public void Add_ManyNewNames_StaysBoundedAndAcceptsSourcesAfterRemoval()
     {
         var watch = new SourceWatch();
         for (var i = 0; i < 10_000; i++) watch.Add([$"joint {i}"], At(i * 1e-5), TimeSpan.Zero);
 
-        Assert.That(watch.Read(At(0.1)), Has.Count.EqualTo(SourceWatch.Greatest));
+        Assert.That(watch.Read(At(0.1)), Has.Count.EqualTo(SourceWatch.MaxSources));
 
         watch.Add(["late"], At(20), TimeSpan.Zero);
         Assert.That(watch.Read(At(20)).Single().Names, Is.EqualTo(new[] { "late" }));

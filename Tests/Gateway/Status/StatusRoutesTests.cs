@@ -36,7 +36,7 @@ public class StatusRoutesTests
         new(Gateways.Start, name, [.. values.Select(pair => KeyValuePair.Create(pair.Key, pair.Value))]);
 
     [Test]
-    public async Task State_JointBeyondTheLimitsOfTheRobotDescribed_IsNamed()
+    public async Task State_JointOutsideTheLimitsOfTheDescription_IsNamed()
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();
@@ -104,7 +104,7 @@ public class StatusRoutesTests
     [TestCase("/metrics")]
     [TestCase("/vlc")]
     [TestCase("/")]
-    public async Task Origin_Foreign_IsToldTheWordsOfHealthAlone(string path)
+    public async Task Origin_Foreign_ReceivesOnlyTheHealthState(string path)
     {
         await using var gateway = await Gateways.StartAsync();
 
@@ -116,7 +116,7 @@ public class StatusRoutesTests
     }
 
     [Test]
-    public async Task State_AfterTraffic_TellsSourcesHeadsetsAndAdapters()
+    public async Task State_AfterTraffic_ContainsSourcesHeadsetsAndAdapters()
     {
         var clock = new StopwatchControlClock(Gateways.Start);
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Cell = "press" }, clock);
@@ -166,7 +166,7 @@ public class StatusRoutesTests
     }
 
     [Test]
-    public async Task State_HeadsetThatSaysTheGreatestNumbers_IsStillAnswered()
+    public async Task State_HeadsetReportsTheLargestNumbers_IsAnswered()
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();
@@ -183,7 +183,7 @@ public class StatusRoutesTests
     }
 
     [Test]
-    public async Task State_ClockThatWasNeverAnswered_TellsNoNumbersOfIt()
+    public async Task State_ClockNeverAnswered_ContainsNoNumbersOfIt()
     {
         await using var gateway = await Gateways.StartAsync();
         using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "press", (_, _) => null);
@@ -202,7 +202,7 @@ public class StatusRoutesTests
     }
 
     [Test]
-    public async Task State_ClockThatIsKnown_ContainsItsEstimatedErrorBesideItsBound()
+    public async Task State_ClockMeasured_ContainsEstimatedErrorAndBound()
     {
         await using var gateway = await Gateways.StartAsync();
         using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "press", new StopwatchControlClock(Gateways.Start));
@@ -217,7 +217,7 @@ public class StatusRoutesTests
     }
 
     [Test]
-    public async Task State_AdapterWithALongReason_TellsIt()
+    public async Task State_AdapterWithALongReason_ContainsIt()
     {
         var untrusted = $"the server's certificate is not trusted; its thumbprint is {new string('a', 40)} (SHA-1), {new string('b', 64)} (SHA-256). "
             + $"When that is the one of your server, move /{new string('c', 240)}.der to /trusted, "
@@ -234,7 +234,7 @@ public class StatusRoutesTests
     }
 
     [Test]
-    public async Task State_TextsThatAreCutWithinALetter_AreStillAnswered()
+    public async Task State_TextsCutWithinACharacter_AreAnswered()
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();
@@ -247,7 +247,7 @@ public class StatusRoutesTests
     }
 
     [Test]
-    public async Task State_OverTls_TellsWhenTheCertificateExpires()
+    public async Task State_OverTls_ContainsTheExpiryOfTheCertificate()
     {
         using var certificate = CertificateFiles.Generate();
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Certificate = certificate });
@@ -263,7 +263,7 @@ public class StatusRoutesTests
     }
 
     [Test]
-    public void State_NumberThatIsNone_IsNull()
+    public void State_NumberNotFinite_IsNull()
     {
         var text = JsonSerializer.Serialize(new { age = double.NaN, rate = (double?)double.PositiveInfinity, good = 1.5 }, StatusRoutes.Snake);
 
@@ -290,7 +290,7 @@ public class StatusRoutesTests
     [TestCase("/metrics", Gateways.ObserverToken, HttpStatusCode.OK)]
     [TestCase("/healthz", null, HttpStatusCode.OK)]
     [TestCase("/readyz", null, HttpStatusCode.OK)]
-    public async Task Routes_WithTokens_TellOnlyHealthWithout(string path, string token, HttpStatusCode expected)
+    public async Task Routes_WithTokens_WithoutOneReturnOnlyHealth(string path, string token, HttpStatusCode expected)
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
 
@@ -303,7 +303,7 @@ public class StatusRoutesTests
     [TestCase("/operations/state", "evil.example", HttpStatusCode.Forbidden)]
     [TestCase("/metrics", "evil.example", HttpStatusCode.Forbidden)]
     [TestCase("/metrics", "localhost", HttpStatusCode.OK)]
-    public async Task Routes_OfAHostMadeToPointHere_TellNothing(string path, string host, HttpStatusCode expected)
+    public async Task Routes_ReboundHostName_AreRefused(string path, string host, HttpStatusCode expected)
     {
         await using var gateway = await Gateways.StartAsync();
 
@@ -322,7 +322,7 @@ public class StatusRoutesTests
     }
 
     [Test]
-    public async Task Ready_ClockUnsynchronised_Waits()
+    public async Task Ready_ClockUnsynchronised_IsNotReady()
     {
         await using var gateway = await Gateways.StartAsync(clock: new StopwatchControlClock(Gateways.Start) { IsSynchronised = false });
 
@@ -334,7 +334,7 @@ public class StatusRoutesTests
     }
 
     [Test]
-    public async Task Ready_SourcesExpected_WaitsForTheFirst()
+    public async Task Ready_SourcesExpected_IsNotReadyBeforeTheFirst()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { ExpectsSources = true });
         Assert.That((await GetAsync(gateway, "/readyz")).Status, Is.EqualTo(HttpStatusCode.ServiceUnavailable));

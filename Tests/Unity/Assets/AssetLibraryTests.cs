@@ -244,7 +244,7 @@ public sealed class AssetLibraryTests
     [TestCase("  number: 3000000000", "LoaderProbe.number")]
     [TestCase("  exact: .nan", "LoaderProbe.exact")]
     [TestCase("  _flag: true", "LoaderProbe._flag")]
-    [TestCase("  shape: 77", "LoaderProbe.shape: 77 is no member of PrimitiveType")]
+    [TestCase("  shape: 77", "LoaderProbe.shape: 77 is not a member of PrimitiveType")]
     [TestCase("  nonsense: 1", "LoaderProbe: LoaderProbe has no serialised field nonsense")]
     [TestCase("  _private: 1", "has no serialised field _private")]
     [TestCase("  unserialised: 1", "has no serialised field unserialised")]
@@ -288,7 +288,7 @@ public sealed class AssetLibraryTests
     [TestCase("  - component: {fileID: 3}\n", "  - component: {fileID: 4}\n", "&1 GameObject.m_Component: the file has no object 4")]
     [TestCase("  - component: {fileID: 2}\n", "", "a GameObject has one Transform, its first component")]
     [TestCase("!u!4 &12\nTransform", "!u!33 &12\nMeshFilter", "a GameObject has one Transform, its first component")]
-    [TestCase("!u!114 &3\nMonoBehaviour", "!u!999 &3\nWobble", "&3 Wobble: the stand-in knows no class Wobble")]
+    [TestCase("!u!114 &3\nMonoBehaviour", "!u!999 &3\nWobble", "&3 Wobble: the stand-in does not support class Wobble")]
     [TestCase("m_Layer: 5", "m_Lair: 5", "&1 GameObject: GameObject has no serialised field m_Lair")]
     public void Load_InvalidHierarchy_IsRefused(string good, string bad, string expected)
     {

@@ -216,7 +216,7 @@ public sealed class PrefabInstanceTests
     [TestCase("propertyPath: text\n", "propertyPath: parts.Array\n",
         "MonoBehaviour.parts: is a list: its path goes on with Array.size or Array.data[n]")]
     [TestCase("propertyPath: text\n", "propertyPath: parts.Array.data[2].name\n", "MonoBehaviour.parts[2]: the list has only 2")]
-    [TestCase("propertyPath: text\n", "propertyPath: parts.Array.size\n", "MonoBehaviour.parts: \"of the instance\" is no size")]
+    [TestCase("propertyPath: text\n", "propertyPath: parts.Array.size\n", "MonoBehaviour.parts: \"of the instance\" is not a size")]
     [TestCase("propertyPath: text\n", "propertyPath: other\n", "MonoBehaviour.other: is a reference, it takes an objectReference and no value")]
     [TestCase("value: of the instance\n      objectReference: {fileID: 0}", "value: \n      objectReference: {fileID: 99}",
         "text: the file has no object 99")]
@@ -246,7 +246,8 @@ public sealed class PrefabInstanceTests
 
     [TestCase(@"m_CorrespondingSourceObject: \{fileID: \d+", "m_CorrespondingSourceObject: {fileID: 1",
         "Transform.m_CorrespondingSourceObject: the prefab has no object")]
-    [TestCase(@"m_PrefabInstance: \{fileID: \d+", "m_PrefabInstance: {fileID: 1", "Transform.m_PrefabInstance: is no prefab instance of this file")]
+    [TestCase(@"m_PrefabInstance: \{fileID: \d+", "m_PrefabInstance: {fileID: 1",
+        "Transform.m_PrefabInstance: is not a prefab instance of this file")]
     [TestCase("m_CorrespondingSourceObject: ", "m_Source: ", "Transform: has no m_CorrespondingSourceObject")]
     public void Placeholder_Invalid_IsRefused(string good, string bad, string expected)
     {

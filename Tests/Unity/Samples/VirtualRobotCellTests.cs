@@ -132,7 +132,7 @@ public class VirtualRobotCellTests
         Assert.That(Complaints(sample), Is.Empty);
         Assert.That(sample.States[^1], Is.EqualTo(PoseState.Current));
         if (atTheEnd.Count > 30)
-            Assert.That(Rms(atTheEnd.Errors), Is.LessThan(Rms(atTheEnd.HoldErrors) + 0.001), "current poses are no worse than held ones");
+            Assert.That(Rms(atTheEnd.Errors), Is.LessThan(Rms(atTheEnd.HoldErrors) + 0.001), "current poses are at least as accurate as held ones");
     }
 
     [Test]

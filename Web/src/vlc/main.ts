@@ -6,7 +6,7 @@ import { Monitor } from './monitor';
 const NS_PER_MS = 1_000_000n;
 const get = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 
-const canvas = get<HTMLCanvasElement>('code'), doubt = get('doubt'), time = get('time'), facts = get('facts');
+const canvas = get<HTMLCanvasElement>('code'), warning = get('doubt'), time = get('time'), facts = get('facts');
 const form = get<HTMLFormElement>('token'), input = form.querySelector('input')!;
 const light = canvas.getContext('2d', { alpha: false })!;
 const monitor = new Monitor();
@@ -25,10 +25,10 @@ function draw(value: number): void {
 
 function show(why: string | null, ns: bigint, boundMs: number): void {
   canvas.hidden = why != null;
-  doubt.hidden = why == null;
+  warning.hidden = why == null;
   document.body.dataset.state = why == null ? 'synchronised' : 'not synchronised';
   if (why != null) {
-    doubt.textContent = `not synchronised: ${why}`;
+    warning.textContent = `not synchronised: ${why}`;
     time.textContent = facts.textContent = '';
     return;
   }

@@ -33,7 +33,7 @@ export async function run(context: AdapterContext): Promise<void> {
   const trust = new TrustList(settings.security), own = await certificateOf(context, settings, trust);
   if (own === null) return;
   if (settings.security.mode === 'none')
-    log.line('WARNING: plant.security.mode is none: nobody checks who the server is, and everybody on the network can read and change what it says');
+    log.line('WARNING: plant.security.mode is none: the server is not authenticated, and anyone on the network can read and change its values');
   else
     log.line(`own certificate ${own.file}, thumbprint ${thumbprints(own.getCertificate()).sha1}: the server must trust it`);
 

@@ -29,7 +29,7 @@ export async function clockOf(session: ReadOnlySession, settings: OpcUaSettings,
     return { received: time, sent: time };
   };
   if (node !== CURRENT_TIME || !await stands(session, ofNode)) return ofNode;
-  log.change('server clock', 'seldom', 'the server writes its CurrentTime seldom; its clock is told by the time at which it sends its answers');
+  log.change('server clock', 'seldom', 'the server rarely updates CurrentTime; its clock is read from the send time of its answers');
   return async (): Promise<ClockReading> => {
     await session.read(node);
     const sent = sentAt(session);

@@ -38,7 +38,7 @@ export function valueOf(joint: NodeJoint, value: DataValue): { value: unknown } 
   const { value: variant } = value, isArray = variant.arrayType !== VariantArrayType.Scalar;
   if (joint.index === undefined)
     return isArray ? { reason: 'type', text: `${joint.node} is an array; add index` } : { value: numberIn(variant) };
-  if (!isArray) return { reason: 'type', text: `${joint.node} is no array; take index out` };
+  if (!isArray) return { reason: 'type', text: `${joint.node} is not an array; remove index` };
   const elements = variant.value as ArrayLike<unknown> | null, length = elements?.length ?? 0;
   if (joint.index >= length) return { reason: 'index', text: `${joint.node} has ${length} elements; allowed is an index from 0 to ${length - 1}` };
   const element = elements![joint.index];

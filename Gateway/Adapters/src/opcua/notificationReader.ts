@@ -102,7 +102,7 @@ export class NotificationReader {
     const refusal = statusRefusal(value), time = refusal === null ? timeIn(value.value, unit) : null;
     if (refusal !== null) status.refuse(refusal.reason, node, refusal.text);
     else if (time === null || label === null)
-      status.refuse('time-type', node, 'it is no time; name a DateTime, a whole number of 64 bits or an LREAL, and its unit');
+      status.refuse('time-type', node, 'it is not a time; name a DateTime, a whole number of 64 bits or an LREAL, and its unit');
     else this.#time!.learn(label, time);
     return time;
   }

@@ -95,14 +95,14 @@ export class ReadOnlySession {
 
   async read(node: string): Promise<DataValue> {
     const session = this.#session;
-    if (session === null) throw new Error('there is no session');
+    if (session === null) throw new Error('not connected: the session with the server has ended');
     return session.read({ nodeId: node, attributeId: AttributeIds.Value }, 0);
   }
 
   /** Reads the values of nodes. */
   async readAll(nodes: string[]): Promise<DataValue[]> {
     const session = this.#session;
-    if (session === null) throw new Error('there is no session');
+    if (session === null) throw new Error('not connected: the session with the server has ended');
     const values: DataValue[] = [];
     while (values.length < nodes.length) {
       const part = nodes.slice(values.length, values.length + this.#nodesPerRead);

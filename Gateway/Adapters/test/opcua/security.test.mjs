@@ -180,7 +180,7 @@ describe('security in the configuration', () => {
     assert.equal(wrong(me.certificateFile, me.privateKeyFile), '');
     assert.match(wrong(none, me.privateKeyFile), /line 8: plant\.user\.certificate: the file holds no certificate/);
     assert.match(wrong(me.certificateFile, none), /line 9: plant\.user\.key: the file holds no private key/);
-    assert.match(wrong(me.certificateFile, closed), /line 9: plant\.user\.key: the key is guarded by a password/);
+    assert.match(wrong(me.certificateFile, closed), /line 9: plant\.user\.key: the key is encrypted with a password/);
     assert.match(wrong(me.certificateFile, other.privateKeyFile), /line 9: plant\.user\.key: it is not the key of plant\.user\.certificate/);
   });
 

@@ -72,7 +72,7 @@ public class JointBoardTests
     }
 
     [Test]
-    public void Read_SamplesComeAgain_IsLiveSinceThen()
+    public void Read_SamplesResume_IsLiveSinceThen()
     {
         Send(2, "a");
         _time.Advance(TimeSpan.FromSeconds(60));
@@ -107,7 +107,7 @@ public class JointBoardTests
     }
 
     [Test]
-    public void Read_RestAndThenTheAdapterFallsSilent_IsStale()
+    public void Read_RestThenAdapterSilent_IsStale()
     {
         _source.Name = "press";
         Send(3, "a");
@@ -135,7 +135,7 @@ public class JointBoardTests
     }
 
     [Test]
-    public void Read_AdapterReportsLiveAndNothingArrives_IsMissingThenStale()
+    public void Read_AdapterReportsLiveWithoutSamples_IsMissingThenStale()
     {
         Report("press", ("a", "live", ""));
         Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Missing));
@@ -151,7 +151,7 @@ public class JointBoardTests
     }
 
     [Test]
-    public void Read_AdapterConnectsAgainAndHasNotReported_KeepsItsJoint()
+    public void Read_AdapterReconnectedWithoutAReport_KeepsItsJoint()
     {
         _source.Name = "press";
         Send(2, "a");
@@ -166,7 +166,7 @@ public class JointBoardTests
     }
 
     [Test]
-    public void Read_AdapterWithAJointOfAnotherSource_IsRefusedAndNamesTheOwner()
+    public void Read_AdapterWithAJointOfAnotherSource_IsRefusedWithTheOwner()
     {
         _source.Name = "press";
         Send(2, "a");
@@ -234,7 +234,7 @@ public class JointBoardTests
     }
 
     [Test]
-    public void Refuse_EverNewNames_StaysBoundedAndKeepsTheOtherJoints()
+    public void Refuse_ManyNewNames_StaysBoundedAndKeepsTheOtherJoints()
     {
         Report("press", ("configured", "missing", ""));
         Send(1, "live");
@@ -246,7 +246,7 @@ public class JointBoardTests
     }
 
     [Test]
-    public void Read_AdapterWithoutTheJointAnyMore_ForgetsIt()
+    public void Read_AdapterWithoutTheJointAnyMore_RemovesIt()
     {
         Report("press", ("a", "missing", ""), ("b", "missing", ""));
 
@@ -256,7 +256,7 @@ public class JointBoardTests
     }
 
     [Test]
-    public void Read_ConfiguredJointOfALostAdapter_IsNeverForgotten()
+    public void Read_ConfiguredJointOfALostAdapter_IsKept()
     {
         Report("press", ("a", "live", ""));
         Send(2, "client joint");
@@ -270,7 +270,7 @@ public class JointBoardTests
     }
 
     [Test]
-    public void Read_JointOfASourceThatFellSilent_IsStaleUntilItIsPublishedAgain()
+    public void Read_JointOfASilentSource_IsStaleUntilItIsPublishedAgain()
     {
         Send(2, "a", "b");
         var last = _time.GetUtcNow() - TimeSpan.FromMilliseconds(50);
@@ -287,7 +287,7 @@ public class JointBoardTests
     }
 
     [Test]
-    public void Read_JointOfASourceThatEndedInOrder_IsForgottenAfterAWhile()
+    public void Read_JointOfASourceClosedInOrder_IsRemovedAfterTheTimeout()
     {
         Send(2, "a");
         _board.Leave(_source);
@@ -300,7 +300,7 @@ public class JointBoardTests
     }
 
     [Test]
-    public void Read_JointTakenOverByASourceThatFails_IsNotForgottenForTheGoodbyeOfTheFirst()
+    public void Read_JointTakenOverByAFailingSource_IsKeptAfterTheFirstCloses()
     {
         Send(2, "a");
         var first = _source;
@@ -319,7 +319,7 @@ public class JointBoardTests
 
     [TestCase(true)]
     [TestCase(false)]
-    public void Read_AdapterReportsWithoutAJointThatItPublished_IsForgottenUnlessTheAdapterIsAnotherRun(bool isSameRun)
+    public void Read_AdapterReportsWithoutAPublishedJoint_IsRemovedOnlyInTheSameRun(bool isSameRun)
     {
         _source.Name = "press";
         Send(2, "a");
@@ -341,7 +341,7 @@ public class JointBoardTests
     }
 
     [Test]
-    public void Add_EverNewNames_StaysBoundedAndKeepsConfiguredAndLiveJoints()
+    public void Add_ManyNewNames_StaysBoundedAndKeepsConfiguredAndLiveJoints()
     {
         Report("press", ("configured", "missing", ""));
         for (var i = 0; i < 5000; i++)

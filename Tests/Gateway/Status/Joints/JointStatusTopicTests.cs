@@ -30,7 +30,7 @@ public class JointStatusTopicTests
         new(name, "press", state, _time.GetUtcNow() - TimeSpan.FromSeconds(secondsAgo), null, 0, reason);
 
     [Test]
-    public void Publish_JointsThatAreNotLive_NamesThemSinceWhenOnTheControlClock()
+    public void Publish_JointsNotLive_ContainsThemWithControlTime()
     {
         _topic.Publish([Joint("a", JointDataState.Live), Joint("b", JointDataState.Rest, "assumed at rest"), Joint("c", JointDataState.Fault, "the node is gone", 1.25)]);
 
@@ -42,7 +42,7 @@ public class JointStatusTopicTests
     }
 
     [Test]
-    public void Publish_UncertainRest_ReasonNamesTheUncertainty()
+    public void Publish_UncertainRest_ReasonContainsTheUncertainty()
     {
         _topic.Publish([Joint("b", JointDataState.Rest, "no change is reported") with { Uncertainty = "the stop itself was not observed" }]);
 
@@ -50,7 +50,7 @@ public class JointStatusTopicTests
     }
 
     [Test]
-    public void Publish_MoreJointsThanAllowed_KeepsThoseThatFailedLast()
+    public void Publish_TooManyJoints_KeepsTheLatestFailures()
     {
         var old = Enumerable.Range(0, 600).Select(i => Joint($"a{i:000}", JointDataState.Stale, secondsAgo: 90_000 + i));
         var resting = Enumerable.Range(0, 300).Select(i => Joint($"b{i:000}", JointDataState.Rest, secondsAgo: 1));
@@ -62,7 +62,7 @@ public class JointStatusTopicTests
     }
 
     [Test]
-    public void Publish_OverTime_OnEachChangeAndEverySecondWhileThereAreAny()
+    public void Publish_OverTime_SendsOnChangeAndEverySecondWhileAnyIsNotLive()
     {
         JointStatus[] fault = [Joint("a", JointDataState.Fault)];
         JointStatus[] none = [Joint("a", JointDataState.Live)];
@@ -85,7 +85,7 @@ public class JointStatusTopicTests
     }
 
     [Test]
-    public void Subscribe_Later_GetsTheNewest()
+    public void Subscribe_Later_ReceivesTheNewest()
     {
         _topic.Publish([Joint("a", JointDataState.Stale)]);
         var late = new List<HubMessage>();
@@ -98,7 +98,7 @@ public class JointStatusTopicTests
     }
 
     [Test]
-    public void Publish_OneSourceOfTheJointIsLive_LeavesItOut()
+    public void Publish_OneSourceOfTheJointIsLive_OmitsTheJoint()
     {
         _topic.Publish([Joint("a", JointDataState.Live), Joint("a", JointDataState.Refused)]);
 

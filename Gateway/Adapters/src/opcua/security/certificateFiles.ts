@@ -33,7 +33,7 @@ function keyIn(file: YamlFile, entry: Path, text: string): KeyObject | null {
   try {
     return createPrivateKey(text);
   } catch {
-    file.report(entry, /ENCRYPTED/.test(text) ? 'the key is guarded by a password, which nobody gives it at a start; name one that is not'
+    file.report(entry, /ENCRYPTED/.test(text) ? 'the key is encrypted with a password, which cannot be entered at startup; name an unencrypted key'
       : 'the file holds no private key; name one in PEM (-----BEGIN PRIVATE KEY-----)');
     return null;
   }

@@ -18,7 +18,7 @@ export function tryFolder(folder: string): void {
   for (const part of PARTS) {
     let there = join(folder, part);
     while (!existsSync(there)) there = dirname(there);
-    if (!statSync(there).isDirectory()) throw Object.assign(new Error(`${there} is no folder`), { code: 'ENOTDIR' });
+    if (!statSync(there).isDirectory()) throw Object.assign(new Error(`${there} is not a folder`), { code: 'ENOTDIR' });
     accessSync(there, constants.W_OK | constants.X_OK);
   }
 }

@@ -90,7 +90,8 @@ sealed class HierarchyBuilder
             : EngineClasses.Find(described.ClassId, described.ClassName)
 
 
-                        ?? throw described.Place.Error("the stand-in knows no class " + described.ClassName + " with number " + Numbers.Write(described.ClassId));
+                        ?? throw described.Place.Error("the stand-in does not support class "
+                            + described.ClassName + " with number " + Numbers.Write(described.ClassId));
         var component = owner.Add(known.Type);
         if (component is OpaqueComponent opaque) opaque.ClassName = described.ClassName;
         Add(described, known, component);
@@ -145,7 +146,7 @@ sealed class HierarchyBuilder
     {
         return _file.Find(fileId) is { IsTransform: true } found
             ? found
-            : throw from.Place.Error("&" + Numbers.Write(fileId) + " is no Transform of this file");
+            : throw from.Place.Error("&" + Numbers.Write(fileId) + " is not a Transform of this file");
     }
 
     static int RootOrder(FileObject root)

@@ -77,7 +77,7 @@ sealed class LoadedAssets
     public GameObject InstantiatePrefab(GameObject prefab)
     {
         if (!_references.TryGetValue(prefab, out var reference) || _files.Index.ByGuid(reference.Guid) is not { Extension: ".prefab" } file)
-            throw new AssetException(prefab + " is no prefab of this library");
+            throw new AssetException(prefab + " is not a prefab of this library");
         var source = _files.Hierarchy(file);
         return HierarchyBuilder.Build(this, source, new PrefabOrigin.Group(file.Guid, source)).Roots[0];
     }

@@ -73,6 +73,6 @@ sealed class ShaderDeclaration
     {
         return Numbers.TryRead(text, out float value)
             ? value
-            : throw new AssetException(file + ": property " + name + ": \"" + text + "\" is no number");
+            : throw new AssetException(file + ": property " + name + ": \"" + text + "\" is not a number");
     }
 }

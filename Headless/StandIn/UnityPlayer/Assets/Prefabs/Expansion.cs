@@ -65,7 +65,7 @@ sealed class Expansion
         var stripped = new FileObject(document, _file);
         var source = stripped.Reference("m_CorrespondingSourceObject");
         var instance = _instances.Find(i => i.Instance.FileId == stripped.Reference("m_PrefabInstance").FileId).Instance
-            ?? throw stripped.Place.In("m_PrefabInstance").Error("is no prefab instance of this file");
+            ?? throw stripped.Place.In("m_PrefabInstance").Error("is not a prefab instance of this file");
         if (source.Guid != instance.SourceGuid) throw stripped.Place.In("m_CorrespondingSourceObject").Error("is not in the prefab of its instance");
         var found = instance.Source.Find(source.FileId)
             ?? throw stripped.Place.In("m_CorrespondingSourceObject").Error("the prefab has no object " + Numbers.Write(source.FileId));

@@ -86,7 +86,7 @@ static class PropertyPath
     static void Resize(YamlSequenceNode sequence, string value, Place place)
     {
         if (!int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out var size))
-            throw place.Error("\"" + value + "\" is no size of a list");
+            throw place.Error("\"" + value + "\" is not a size of a list");
         sequence.Style = SequenceStyle.Block;
         while (sequence.Children.Count > size) sequence.Children.RemoveAt(sequence.Children.Count - 1);
         while (sequence.Children.Count < size)

@@ -16,7 +16,8 @@ sealed class ColourFormat : IValueFormat
         if (mapping.Children.Count != 2 || Nodes.Find(mapping, Version) == null || Nodes.Find(mapping, Number) == null)
             throw place.Error("has to be serializedVersion and rgba");
         var text = place.In(Number).Scalar(Nodes.Find(mapping, Number));
-        if (!Numbers.TryRead(text, out long bits) || bits < 0 || bits > uint.MaxValue) throw place.In(Number).Error("\"" + text + "\" is no colour");
+        if (!Numbers.TryRead(text, out long bits) || bits < 0 || bits > uint.MaxValue)
+            throw place.In(Number).Error("\"" + text + "\" is not a colour");
         return new Color32((byte)bits, (byte)(bits >> 8), (byte)(bits >> 16), (byte)(bits >> 24));
     }
 
