@@ -277,7 +277,7 @@ public sealed class OpenXrDisplayTimeTests
     {
         new GameObject("Alone").AddComponent<OpenXrDisplayTime>();
 
-        Assert.That(_cell.Messages, Has.Some.Contains("display time 'Alone' has no session on a parent"));
+        Assert.That(_cell.Messages, Has.Some.Contains("display time 'Alone' has no session above it"));
     }
 
     [Test]

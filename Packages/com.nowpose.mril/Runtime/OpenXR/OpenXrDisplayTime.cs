@@ -86,7 +86,7 @@ namespace Nowpose.OpenXR
         void OnEnable()
         {
             _target = this.SessionOr(_session);
-            if (_target == null) ConsoleLog.Warn(this, "display time '" + name + "' has no session on a parent; assign one");
+            if (_target == null) ConsoleLog.Warn(this, "display time '" + name + "' has no session above it to report to; assign one");
             else _target.DisplayTimeSource = this;
         }
 

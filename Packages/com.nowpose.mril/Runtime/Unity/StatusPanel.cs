@@ -54,7 +54,7 @@ namespace Nowpose.Unity
             _anchor = _source != null ? _source.GetComponentInChildren<BaseAnchor>(true) : null;
             _pairing = _source != null ? _source.GetComponentInChildren<CellPairing>(true) : null;
             _due = 0;
-            if (_source == null) ConsoleLog.Warn(this, "status panel '" + name + "' has no session on a parent; assign one");
+            if (_source == null) ConsoleLog.Warn(this, "status panel '" + name + "' has no session above it to show; assign one");
             if (_cell == null) ConsoleLog.Fail(this, "status panel '" + name + "' has no cell to copy; assign a text below it");
         }
 
