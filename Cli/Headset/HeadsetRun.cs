@@ -100,11 +100,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         return session.DescribedRobot;
     }
 
-    CompensationSession Open(RobotModel robot) => new(
-        new SessionSettings(
-            settings.Connection, settings.Visualisation, new PredictionSettings(settings.Predictor), clockEstimator: settings.Estimator,
-            profile: settings.Profile),
-        robot, _clock);
+    CompensationSession Open(RobotModel robot) => new(settings.Session, robot, _clock);
 
     HeadsetResult Result(CompensationSession session, RobotModel robot, TimeSpan length)
     {

@@ -1,5 +1,6 @@
 using Nowpose.Latency;
 using Nowpose.Network;
+using Nowpose.Session;
 
 namespace Nowpose.Cli.Headset;
 
@@ -18,6 +19,10 @@ sealed record HeadsetSettings
     public LatencyProfile Profile { get; init; }
 
     public VisualisationLatency Visualisation { get; init; }
+    /// <summary>Settings of the session.</summary>
+    public SessionSettings Session =>
+        new(Connection, Visualisation, new PredictionSettings(Predictor), clockEstimator: Estimator, profile: Profile);
+
     public double Seconds { get; init; }
     public double FramesPerSecond { get; init; }
 

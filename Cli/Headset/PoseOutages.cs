@@ -44,12 +44,12 @@ sealed class PoseOutages(Action<string> say)
         if (time - _since < (_wasCurrent ? MinLength : MinLengthAtStart) || time < _next) return;
         _next = time + Interval;
         var (pose, joints, reason) = describe();
-        if (_told == (pose, reason)) return;
+        var isNew = _told != (pose, reason);
         _told = (pose, reason);
         if (reason.Length > 0 && _reasons.Count < MaxReasons && !_reasons.Contains(reason)) _reasons.Add(reason);
         _joints.UnionWith(joints);
         _now = new HeadsetResult.OutageResult(_since.Value.TotalSeconds, null, pose, [.. _joints], string.Join("; then ", _reasons));
-        say(FormattableString.Invariant($"at {time.TotalSeconds:0.0} s: the pose is {pose}") + (reason.Length == 0 ? "" : "; " + reason));
+        if (isNew) say(FormattableString.Invariant($"at {time.TotalSeconds:0.0} s: the pose is {pose}") + (reason.Length == 0 ? "" : "; " + reason));
     }
 
     public IReadOnlyList<HeadsetResult.OutageResult> Result() => _now == null ? _outages : [.. _outages, _now];

@@ -28,7 +28,7 @@ static class AdapterProgram
             await process.WaitForExitAsync(patience.Token);
             if (process.ExitCode != 0) throw new WrongEntriesException((await bad).Trim().Split('\n'));
             var lines = (await good).Trim().Split('\n', 2);
-            var content = JsonSerializer.Deserialize<PlantContent>(lines[1], PlantContent.Names);
+            var content = PlantContent.Read(file, lines.Length == 2 ? lines[1] : "");
             return new PlantFile(file, content.Name, lines[0].Trim())
             {
                 Joints = content.Joints, PassesUnlisted = content.PassesUnlisted, Robot = content.Robot,
@@ -75,8 +75,23 @@ static class AdapterProgram
         }
     }
 
-    sealed record PlantContent(string Name, string[] Joints, bool PassesUnlisted, string Robot)
+    internal sealed record PlantContent(string Name, string[] Joints, bool PassesUnlisted, string Robot)
     {
-        public static readonly JsonSerializerOptions Names = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
+        static readonly JsonSerializerOptions Names = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
+
+        /// <exception cref="InputException">The program printed something else, as one of another version may do.</exception>
+        public static PlantContent Read(string file, string json)
+        {
+            try
+            {
+                if (JsonSerializer.Deserialize<PlantContent>(json, Names) is { Name: not null, Joints: not null } content) return content;
+            }
+            catch (JsonException)
+            {
+                // Reported below.
+            }
+
+            throw new InputException($"{file}: the result of its check cannot be read; build gateway and adapters again, together");
+        }
     }
 }

@@ -1,6 +1,8 @@
 using System.Diagnostics;
 using System.Text.Json;
 using NUnit.Framework;
+using Nowpose.Cli.Demo;
+using Nowpose.Cli.Headset;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
@@ -9,6 +11,7 @@ using Nowpose.Headless.Tests.Gateway;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
 using Nowpose.Motion;
+using Nowpose.Network;
 using static System.FormattableString;
 
 namespace Nowpose.Headless.Tests.Cli;
@@ -142,6 +145,17 @@ public class HeadsetVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
         Assert.That(run.Errors, Does.Contain("kalman").And.Contain("ransac"));
+    }
+
+    [Test]
+    public void Estimator_OfHeadsetAndDemo_IsThatOfTheSession()
+    {
+        var connection = new ConnectionSettings("127.0.0.1", 1, 1);
+        var headset = new HeadsetSettings { Connection = connection, Predictor = "linear", Estimator = "ransac" };
+        var demo = new DemoSettings { Predictor = "linear", Estimator = "ransac" };
+
+        Assert.That(headset.Session.ClockEstimator, Is.EqualTo("ransac"));
+        Assert.That(DemoStage.SessionOf(demo, connection).ClockEstimator, Is.EqualTo("ransac"));
     }
 
     static TemporaryFile Profile(double visuMs)

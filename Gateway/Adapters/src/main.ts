@@ -21,10 +21,13 @@ async function main(): Promise<number> {
   if (!isCheck) return runPlant(configuration);
   const kind = kinds[configuration.plant.kind], obstacle = kind.obstacle?.(configuration) ?? null;
   if (obstacle === null) process.stdout.write(`${others[0]} is good: ${kind.summary(configuration)}\n`);
-  if (obstacle === null && configuration.isSupervised) process.stdout.write(`${JSON.stringify(contentOf(kind, configuration))}\n`);
+  if (obstacle === null && configuration.isSupervised) await written(`${JSON.stringify(contentOf(kind, configuration))}\n`);
   if (obstacle !== null) process.stderr.write(`${obstacle}\n`);
   return obstacle === null ? 0 : BAD_INPUT;
 }
+
+/** Writes a text that may be longer than the buffer of a pipe, which the end of the process would cut. */
+const written = (text: string): Promise<unknown> => new Promise(done => { process.stdout.write(text, done); });
 
 /** Gets what the gateway needs to know before it starts the adapter. */
 function contentOf(kind: Kind, configuration: Configuration): object {

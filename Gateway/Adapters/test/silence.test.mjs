@@ -160,7 +160,7 @@ describe('silence', () => {
   });
 
   it('Motion_OfAllJointsCutBelowTheFloorAndNoLongerWritten_IsFault', () => {
-    const prepare = cell => { cell.output.hasSourceStopped = joint => joint === 0 && cell.time.ms > 1000 * Math.PI * 3 + 700; };
+    const prepare = cell => { cell.output.sourceStopOf = joint => joint === 0 && cell.time.ms > 1000 * Math.PI * 3 + 700 ? 'after-change' : null; };
     const cell = swing([0, 1], { prepare });
 
     assert.deepEqual([cell.stateOf('a'), cell.stateOf('b')], ['fault', 'rest']);
@@ -168,6 +168,21 @@ describe('silence', () => {
     const repeated = cell.sent.filter(({ name }) => name.includes('a')).length;
     cell.output.hold(cell.clock.now, 30n * MS);
     assert.equal(cell.sent.filter(({ name }) => name.includes('a')).length, repeated, 'it is not repeated');
+  });
+
+  it('Rest_NoLongerWrittenAfterAnObservedStop_IsUncertain', () => {
+    const cell = plant([{ joint: 'a', maxDeceleration: 200 }, { joint: 'b', maxDeceleration: 200 }]);
+    let stop = null;
+    cell.output.sourceStopOf = joint => joint === 0 ? stop : null;
+    moveAndStop(cell, 2);
+    assert.deepEqual([cell.stateOf('a'), cell.status.level], ['rest', 0]);
+
+    let seconds = 2;
+    for (stop of ['after-change', 'at-rest']) {
+      moveAndStop(cell, ++seconds);
+      assert.deepEqual([cell.stateOf('a'), cell.stateOf('b'), cell.status.level], ['rest', 'live', 1]);
+      assert.match(cell.status.values()['uncertain/a'], /source timestamps show that the value is no longer written/);
+    }
   });
 
   it('Silence_LongerThanConfigured_IsFault', () => {

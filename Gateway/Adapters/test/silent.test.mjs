@@ -14,7 +14,7 @@ const bad = statusCode => new DataValue({ statusCode });
 
 /** Two nodes of a server; `answers` are its answers to a read. */
 function server(answers = [good(1), good(2)]) {
-  const cell = { answers, now: 0, asked: [], lost: [], refused: [], renewed: [], refusal: null };
+  const cell = { answers, now: 0, asked: [], lost: [], refused: [], renewed: [], refusal: null, ended: new Set() };
   cell.nodes = new SilentNodes(
     {
       readAll: async ids => {
@@ -26,7 +26,7 @@ function server(answers = [good(1), good(2)]) {
         return cell.refusal;
       },
     },
-    { nodes: ['n0', 'n1'], lose: (node, reason) => cell.lost.push([node, reason]), refuse: (node, { reason }) => cell.refused.push([node, reason]), expectFirst: () => {} },
+    { nodes: ['n0', 'n1'], lose: (node, reason) => cell.lost.push([node, reason]), refuse: (node, { reason }) => cell.refused.push([node, reason]), expectFirst: () => {}, hasEnded: node => cell.ended.has(node) },
     ['0', '1'], node => `joints[${node}].node`, () => cell.now);
   cell.hear = (node, value) => cell.nodes.heard([{ node, value }]);
   cell.look = async () => {
@@ -137,27 +137,53 @@ describe('silent nodes', () => {
     const cell = server();
     cell.hear(0, good(1, 999_000));
     await atRest(cell, 20, true);
-    assert.equal(cell.nodes.hasStopped(0), false);
+    assert.equal(cell.nodes.stopOf(0), null);
 
     await atRest(cell, 3, false);
-    assert.equal(cell.nodes.hasStopped(0), false, 'three intervals may pass');
+    assert.equal(cell.nodes.stopOf(0), null, 'three intervals may pass');
     await atRest(cell, 1, false);
 
-    assert.deepEqual([cell.nodes.hasStopped(0), cell.nodes.hasStopped(1), cell.renewed], [true, false, []]);
+    assert.deepEqual([cell.nodes.stopOf(0), cell.nodes.stopOf(1), cell.renewed], ['at-rest', null, []]);
   });
 
-  it('Source_ThatWritesAnUnchangedNodeAgain_LetsItBeMonitoredAgain', async () => {
+  it('Source_WritesAnUnchangedNodeOfAJointInFaultAgain_NodeIsMonitoredAgain', async () => {
     const cell = server();
     cell.hear(0, good(1, 999_000));
     await atRest(cell, 20, true);
     await atRest(cell, 10, false);
+    cell.ended.add(0);
 
     await atRest(cell, 1, true);
 
-    assert.deepEqual([cell.nodes.hasStopped(0), cell.renewed], [false, [0]]);
+    assert.deepEqual([cell.nodes.stopOf(0), cell.renewed], [null, [0]]);
+    cell.ended.clear();
     cell.hear(0, good(1, 1_000_000 + cell.now));
     await atRest(cell, 3, true);
     assert.deepEqual(cell.renewed, [0]);
+  });
+
+  it('Read_Late_NeitherMonitorsNodesAgainNorCountsAsAStop', async () => {
+    const cell = server();
+    cell.hear(0, good(1, 999_000));
+    await atRest(cell, 20, true);
+    cell.now += 5000;
+
+    await atRest(cell, 1, true);
+    await atRest(cell, 10, false);
+
+    assert.deepEqual([cell.nodes.stopOf(0), cell.renewed], [null, []], 'it was not written for 5 s before, too');
+  });
+
+  it('Source_StopsAtTheLastChange_IsToldFromAStopAtRest', async () => {
+    const cell = server();
+    cell.hear(0, good(1, 999_000));
+    await atRest(cell, 20, true);
+
+    cell.hear(0, good(2, 1_000_000 + cell.now));
+    cell.answers[0] = good(2, 1_000_000 + cell.now);
+    await atRest(cell, 5, false);
+
+    assert.equal(cell.nodes.stopOf(0), 'after-change');
   });
 
   it('Source_ThatStampsChangesOnly_IsNotKnownToHaveStopped', async () => {
@@ -169,7 +195,7 @@ describe('silent nodes', () => {
     }
     await atRest(cell, 100, false);
 
-    assert.equal(cell.nodes.hasStopped(0), false);
+    assert.equal(cell.nodes.stopOf(0), null);
   });
 
   it('Value_NaN_IsTheSameInEachRead', async () => {

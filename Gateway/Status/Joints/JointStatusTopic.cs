@@ -26,7 +26,8 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
     public void Publish(IReadOnlyList<JointStatus> joints)
     {
         // If two sources have a joint, the better state applies: the other's samples are refused.
-        var troubled = joints.GroupBy(joint => joint.Name, StringComparer.Ordinal).Select(rows => rows.MinBy(row => row.State))
+        // A joint without any source is left out: headsets notice it themselves, and another gateway behind a bridge may have its source.
+        var troubled = joints.Where(row => row.Source != UnpublishedJoints.NoSource).GroupBy(joint => joint.Name, StringComparer.Ordinal).Select(rows => rows.MinBy(row => row.State))
             .Where(row => row.State != JointDataState.Live).ToList();
         // Recent failures have priority over those from long ago.
         if (troubled.Count > ProtocolLimits.Joints)

@@ -65,6 +65,17 @@ public class PoseOutagesTests
         Assert.That(_lines, Has.Count.EqualTo(4));
     }
 
+    [Test]
+    public void Add_JointsLoseTheirDataForTheSameReason_KeepsThem()
+    {
+        Play(5, true);
+        Play(1, false, "connection refused");
+        Play(1, false, "connection refused", "a1", "a2");
+
+        Assert.That(_outages.Result().Single().Joints, Is.EqualTo(new[] { "a1", "a2" }));
+        Assert.That(_lines, Has.Count.EqualTo(1));
+    }
+
     [TestCase(0.3)]
     [TestCase(0.45)]
     public void Add_ShortGap_IsIgnored(double seconds)

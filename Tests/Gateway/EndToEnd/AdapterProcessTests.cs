@@ -182,6 +182,28 @@ public class AdapterProcessTests
             new[] { "shoulder_lift_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint", "wrist_3_joint" }));
     }
 
+    /// <summary>Longer than the buffer of a pipe, which the end of the adapter's process would cut.</summary>
+    [Test]
+    public async Task Check_LongRobotDescription_ArrivesWhole()
+    {
+        var urdf = RobotFiles.LoadText("youbot").Replace("</robot>", $"<!-- {new string('x', 800_000)} --></robot>");
+        Write(urdf, "long.urdf");
+        var path = Write(Good.Replace("joint: a", "joint: arm_joint_1") + "\nrobot: long.urdf\n");
+
+        var plants = await AdapterProcesses.CheckAsync([path], Gateways.Options(), default);
+
+        Assert.That(plants.Single().Robot, Has.Length.EqualTo(urdf.Length));
+    }
+
+    [TestCase("")]
+    [TestCase("name cell")]
+    [TestCase("{}")]
+    [TestCase("null")]
+    [TestCase("{\"name\":\"cell\"}")]
+    public void Check_ResultOfAnotherVersion_IsRefused(string line) => Assert.That(
+        () => AdapterProgram.PlantContent.Read("press.yaml", line),
+        Throws.TypeOf<InputException>().With.Message.StartsWith("press.yaml: the result of its check cannot be read"));
+
     [Test]
     public void Check_PlainGatewayOnALanAddress_IsRefused()
     {

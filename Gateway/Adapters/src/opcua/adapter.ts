@@ -81,7 +81,7 @@ async function attempt(
     await context.clock.attach(await clockOf(session, settings, settings.time === null ? null : nodes.at(-1)!, context.log), stopping);
     reader.startAnew();
     const silent = new SilentNodes(session, reader, reader.jointNodes.map((_, i) => nodes[i]), node => whereIs(context, reader.nodes[node]));
-    reader.hasStopped = node => silent.hasStopped(node);
+    reader.stopOf = node => silent.stopOf(node);
     const monitoring = await session.monitor(nodes, values => {
       silent.heard(values);
       watch.valued();

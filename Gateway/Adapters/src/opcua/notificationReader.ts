@@ -5,6 +5,7 @@ import { ofMilliseconds, type Nanoseconds } from '../times';
 import type { DataValue } from 'node-opcua-client';
 import { isGone, isOverflown, type NodeJoint, statusRefusal, valueOf } from './nodeValues';
 import type { NodeValue } from './readOnlySession';
+import type { SourceStop } from './renewals';
 import type { OpcUaSettings } from './settings';
 import { serverStamp, sourceStamp, timeIn } from './stamps';
 import { TimeVariable } from './timeVariable';
@@ -80,10 +81,13 @@ export class NotificationReader {
     for (const joint of this.#readers[node]) this.context.output.refuse(joint, reason, text);
   }
 
-  /** Sets how to find out whether the source of a node has stopped writing it. */
-  set hasStopped(hasStopped: (node: number) => boolean) {
-    this.context.output.hasSourceStopped = joint => hasStopped(this.#readers.findIndex(joints => joints.includes(joint)));
+  /** Sets how to find out when the source of a node stopped writing it. */
+  set stopOf(stopOf: (node: number) => SourceStop | null) {
+    this.context.output.sourceStopOf = joint => stopOf(this.#readers.findIndex(joints => joints.includes(joint)));
   }
+
+  /** Whether the data of a joint of this node ended in mid-motion. */
+  hasEnded(node: number): boolean { return this.#readers[node].some(joint => this.context.output.hasEnded(joint)); }
 
   /** Marks the next value of this node as the first of a new monitored item. */
   expectFirst(node: number): void {

@@ -4,7 +4,7 @@ import type { Nanoseconds } from '../times';
 const MIN_RENEWALS = 3;
 
 /** A source has stopped writing a node after this time, in ms, and this multiple of the longest observed interval. */
-const STOPPED_MS = 700, INTERVALS = 3;
+const STOPPED_MS = 1200, INTERVALS = 3;
 
 interface Node {
   /** Source timestamp of the last value; null before the first. */
@@ -12,8 +12,13 @@ interface Node {
   /** Time at which this stamp was first seen. */
   changedAt: number;
   renewals: number;
+  /** Whether it was renewed since its value changed. */
+  isRenewed: boolean;
   longestMs: number;
 }
+
+/** When a source stopped writing a node: since its last change, or later at rest. */
+export type SourceStop = 'after-change' | 'at-rest';
 
 /**
  * Source timestamps of nodes whose value does not change. Many sources write their values periodically, also at rest: a notification or a
@@ -25,28 +30,33 @@ export class Renewals {
 
   /** @param now Monotonic time in ms. */
   constructor(nodes: number, readonly now: () => number) {
-    this.#nodes = Array.from({ length: nodes }, () => ({ stamp: null, changedAt: now(), renewals: 0, longestMs: 0 }));
+    this.#nodes = Array.from({ length: nodes }, () => ({ stamp: null, changedAt: now(), renewals: 0, isRenewed: false, longestMs: 0 }));
   }
 
   /** Reports the source timestamp of a new value. */
   changed(node: number, stamp: Nanoseconds | null): void {
-    Object.assign(this.#nodes[node], { stamp, changedAt: this.now() });
+    Object.assign(this.#nodes[node], { stamp, changedAt: this.now(), isRenewed: false });
   }
 
-  /** Reports the source timestamp of a value that did not change. Returns whether the source writes it again after it had stopped. */
-  unchanged(node: number, stamp: Nanoseconds | null): boolean {
+  /**
+   * Reports the source timestamp of a value that did not change. Returns whether the source has written it again.
+   * @param isInFault Whether the source is known to have stopped. Otherwise the interval was a normal one, also if it was long.
+   */
+  unchanged(node: number, stamp: Nanoseconds | null, isInFault = false): boolean {
     const known = this.#nodes[node], interval = this.now() - known.changedAt;
     if (stamp === null || known.stamp !== null && stamp <= known.stamp) return false;
-    const isFirst = known.stamp === null, wasStopped = this.hasStopped(node);
-    if (!isFirst && !wasStopped) known.longestMs = Math.max(known.longestMs, interval);
+    const isFirst = known.stamp === null;
+    if (!isFirst && !isInFault) known.longestMs = Math.max(known.longestMs, interval);
     if (!isFirst) known.renewals++;
     this.changed(node, stamp);
-    return wasStopped;
+    known.isRenewed = !isFirst;
+    return !isFirst;
   }
 
-  /** Whether the source wrote the node periodically at an earlier rest, and has not written it for a while. */
-  hasStopped(node: number): boolean {
-    const { changedAt, renewals, longestMs } = this.#nodes[node];
-    return renewals >= MIN_RENEWALS && this.now() - changedAt > Math.max(STOPPED_MS, INTERVALS * longestMs);
+  /** Whether the source wrote the node periodically at a rest, and has not written it for a while; null if it has, or if it is unknown. */
+  stopOf(node: number): SourceStop | null {
+    const { changedAt, renewals, isRenewed, longestMs } = this.#nodes[node];
+    if (renewals < MIN_RENEWALS || this.now() - changedAt <= Math.max(STOPPED_MS, INTERVALS * longestMs)) return null;
+    return isRenewed ? 'at-rest' : 'after-change';
   }
 }

@@ -3,7 +3,7 @@ import { isDeepStrictEqual } from 'node:util';
 import { isGone, isGood, statusRefusal } from './nodeValues';
 import type { NotificationReader } from './notificationReader';
 import type { NodeValue, ReadOnlySession } from './readOnlySession';
-import { Renewals } from './renewals';
+import { Renewals, type SourceStop } from './renewals';
 import { sourceStamp } from './stamps';
 
 /** Time without a notification after which a node is read. */
@@ -43,8 +43,8 @@ export class SilentNodes {
     this.#renewals = new Renewals(ids.length, now);
   }
 
-  /** Whether the source wrote the node periodically at an earlier rest, and has not written it for a while. */
-  hasStopped(node: number): boolean { return this.#renewals.hasStopped(node); }
+  /** Gets when the source stopped writing the node; null if it has not, or if it is unknown. */
+  stopOf(node: number): SourceStop | null { return this.#renewals.stopOf(node); }
 
   heard(values: NodeValue[]): void {
     for (const { node, value } of values) {
@@ -86,7 +86,7 @@ export class SilentNodes {
     }
     const now = this.now();
     state.differsSince = isSame ? null : state.differsSince ?? now;
-    const isWrittenAgain = isSame && this.#renewals.unchanged(node, sourceStamp(value));
+    const hasEnded = this.reader.hasEnded(node), isWrittenAgain = isSame && this.#renewals.unchanged(node, sourceStamp(value), hasEnded) && hasEnded;
     // A new monitored item immediately sends the value with its stamp.
     const isNew = isWrittenAgain || state.isGone || state.isBad
       || state.differsSince !== null && now - state.differsSince >= Math.max(DIFFERENT_MS, DELAYS * this.delayMs);

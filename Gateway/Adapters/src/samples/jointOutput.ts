@@ -45,6 +45,9 @@ const LIMITS: Record<LimitBasis, string> = {
   assumed: 'that is assumed for it; set max_deceleration if it can brake harder',
 };
 
+/** Reason for a joint whose source stopped. */
+const NOT_WRITTEN = "the server's source timestamps show that the value is no longer written, as it was at rest before";
+
 /** Minimum silence of a joint at rest, and interval of its repeated samples. Headsets predict for about 300 ms. */
 const SILENCE: Nanoseconds = 60n * NS_PER_MS, REPETITION: Nanoseconds = 50n * NS_PER_MS;
 
@@ -73,8 +76,11 @@ export class JointOutput {
   /** Sampling interval of the source in seconds; 0 if unknown. */
   samplingS = 0;
   readonly silence: Silence;
-  /** Whether the source wrote a joint's value periodically at an earlier rest, and has not written it for a while. */
-  hasSourceStopped: (joint: number) => boolean = () => false;
+  /**
+   * Gets when the source stopped writing a joint's value that it wrote periodically at a rest: since the last change, or later at rest; null if it
+   * has not, or if it is unknown.
+   */
+  sourceStopOf: (joint: number) => 'after-change' | 'at-rest' | null = () => null;
 
   /** @param counter Monotonic time in ms; this machine's by default. */
   constructor(
@@ -123,6 +129,9 @@ export class JointOutput {
     this.joints.forEach(({ joint }, i) => { if (faults.has(joint)) this.#standing.forget(i); });
   }
 
+  /** Whether the joint's data ended in mid-motion. */
+  hasEnded(joint: number): boolean { return this.#ended.has(joint); }
+
   /** Reports that the source no longer has this joint. */
   lose(joint: number, reason: string): void {
     this.#standing.forget(joint);
@@ -167,8 +176,9 @@ export class JointOutput {
 
   /** Determines whether the source stopped writing a joint whose stop was not observed. */
   #isAbandoned(joint: number): boolean {
-    if (!this.#unobserved.has(joint) || !this.hasSourceStopped(joint)) return false;
-    this.#end(joint, `${this.#uncertaintyOf(joint)}, and the server's source timestamps show that the value is no longer written, as it was at earlier rests`);
+    const required = this.#unobserved.get(joint);
+    if (required === undefined || this.sourceStopOf(joint) !== 'after-change') return false;
+    this.#end(joint, `${this.#unobservedStop(joint, required)}, and ${NOT_WRITTEN}`);
     return true;
   }
 
@@ -181,8 +191,13 @@ export class JointOutput {
 
   /** Gets the reason why it is uncertain that the joint rests; empty if it is certain. */
   #uncertaintyOf(joint: number): string {
+    if (this.sourceStopOf(joint) !== null) return NOT_WRITTEN;
     const required = this.#unobserved.get(joint);
-    return required === undefined ? '' : `the stop itself was not observed; it would need ${required.toFixed(1)} ${this.#unitOf(joint)}`;
+    return required === undefined ? '' : this.#unobservedStop(joint, required);
+  }
+
+  #unobservedStop(joint: number, required: number): string {
+    return `the stop itself was not observed; it would need ${required.toFixed(1)} ${this.#unitOf(joint)}`;
   }
 
   #unitOf(joint: number): string {

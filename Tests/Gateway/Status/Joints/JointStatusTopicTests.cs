@@ -49,6 +49,15 @@ public class JointStatusTopicTests
         Assert.That(_received.Single().Values.Single().Value, Is.EqualTo("rest 4996.000 may not be at rest: the stop itself was not observed"));
     }
 
+    /// <summary>At the gateway behind a bridge, the joint may have a source.</summary>
+    [Test]
+    public void Publish_JointWithoutAnySource_IsLeftOut()
+    {
+        _topic.Publish([Joint("b", JointDataState.Fault), Joint("c", JointDataState.Missing) with { Source = UnpublishedJoints.NoSource }]);
+
+        Assert.That(_received.Single().Values.Select(pair => pair.Key), Is.EqualTo(new[] { "b" }));
+    }
+
     [Test]
     public void Publish_TooManyJoints_KeepsTheLatestFailures()
     {
