@@ -293,7 +293,7 @@ public sealed class PairingExchangeTests
         Directory.Delete(gateway.ListPath);
         var worked = await gateway.ExchangeAsync(code.Token);
 
-        Assert.That(failed.Problem, Does.Contain("cannot keep"));
+        Assert.That(failed.Problem, Does.Contain("cannot save"));
         Assert.That(failed.IsWorthRetrying, Is.True);
         Assert.That(worked.Token, Is.Not.Null);
     }

@@ -174,6 +174,19 @@ describe('silent nodes', () => {
     assert.deepEqual([cell.nodes.stopOf(0), cell.renewed], [null, []], 'it was not written for 5 s before, too');
   });
 
+  it('Source_ThatWritesAllNodesWhenOneChanges_IsNotKnownToHaveStopped', async () => {
+    const cell = server();
+    cell.hear(0, good(1, 999_000));
+    for (let i = 0; i < 20; i++) {
+      cell.hear(1, good(i, 1_000_000 + cell.now));
+      await atRest(cell, 1, true);
+    }
+
+    await atRest(cell, 100, false);
+
+    assert.equal(cell.nodes.stopOf(0), null);
+  });
+
   it('Source_StopsAtTheLastChange_IsToldFromAStopAtRest', async () => {
     const cell = server();
     cell.hear(0, good(1, 999_000));

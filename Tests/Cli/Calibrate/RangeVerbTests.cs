@@ -57,7 +57,7 @@ public class RangeVerbTests : CalibrationFolder
 
         Assert.That(JsonDocument.Parse(json.Output).RootElement.GetProperty("limit_render_ms").ValueKind, Is.EqualTo(JsonValueKind.Null));
         Assert.That(table.Output, Does.Contain("limit not reached"));
-        Assert.That(new[] { json.Errors, table.Errors }, Has.All.Contain("sweep on to a greater load"));
+        Assert.That(new[] { json.Errors, table.Errors }, Has.All.Contain("extend the sweep to a higher load"));
         Assert.That(LatencyProfileFile.Load(ProfilePath).Range, Is.Null);
     }
 

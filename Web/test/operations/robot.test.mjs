@@ -84,7 +84,7 @@ describe('the robot', () => {
 
     gateway.isSilent = true;
 
-    await becomes(page, '.apart', 'come too late');
+    await becomes(page, '.apart', 'arrive too late');
   });
 
   it('is drawn three times, each in its own colour', async () => {
@@ -100,7 +100,7 @@ describe('the robot', () => {
 
   // Only one other body is drawn, because the mixture of all three colours would be grey again.
   for (const [other, said] of [
-    ['displayed', /shows the tool less than 0\.1.mm from where it was\.$/], ['held', /what it shows; without compensation less than 0\.1/],
+    ['displayed', /shows the tool less than 0\.1.mm from where it was\.$/], ['held', /what it displays; without compensation less than 0\.1/],
   ]) {
     it(`has the colour of the truth where the ${other} pose is the same`, async () => {
       gateway.turned = other === 'displayed' ? 0 : null;

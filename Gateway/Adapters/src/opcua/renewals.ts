@@ -3,6 +3,12 @@ import type { Nanoseconds } from '../times';
 /** Number of renewals of a node at rest after which it is known that its source writes it periodically. */
 const MIN_RENEWALS = 3;
 
+/**
+ * Time without a change of any node, in ms, after which renewals show that the source also writes at rest. Some sources write all values when one
+ * changes, and nothing when all rest.
+ */
+const QUIET_MS = 1000;
+
 /** A source has stopped writing a node after this time, in ms, and this multiple of the longest observed interval. */
 const STOPPED_MS = 1200, INTERVALS = 3;
 
@@ -27,6 +33,7 @@ export type SourceStop = 'after-change' | 'at-rest';
  */
 export class Renewals {
   readonly #nodes: Node[];
+  #lastChange = -Infinity;
 
   /** @param now Monotonic time in ms. */
   constructor(nodes: number, readonly now: () => number) {
@@ -35,7 +42,8 @@ export class Renewals {
 
   /** Reports the source timestamp of a new value. */
   changed(node: number, stamp: Nanoseconds | null): void {
-    Object.assign(this.#nodes[node], { stamp, changedAt: this.now(), isRenewed: false });
+    this.#lastChange = this.now();
+    this.#set(node, stamp, false);
   }
 
   /**
@@ -45,11 +53,10 @@ export class Renewals {
   unchanged(node: number, stamp: Nanoseconds | null, isInFault = false): boolean {
     const known = this.#nodes[node], interval = this.now() - known.changedAt;
     if (stamp === null || known.stamp !== null && stamp <= known.stamp) return false;
-    const isFirst = known.stamp === null;
+    const isFirst = known.stamp === null, isQuiet = this.now() - this.#lastChange > QUIET_MS;
     if (!isFirst && !isInFault) known.longestMs = Math.max(known.longestMs, interval);
-    if (!isFirst) known.renewals++;
-    this.changed(node, stamp);
-    known.isRenewed = !isFirst;
+    if (!isFirst && isQuiet) known.renewals++;
+    this.#set(node, stamp, !isFirst);
     return !isFirst;
   }
 
@@ -58,5 +65,9 @@ export class Renewals {
     const { changedAt, renewals, isRenewed, longestMs } = this.#nodes[node];
     if (renewals < MIN_RENEWALS || this.now() - changedAt <= Math.max(STOPPED_MS, INTERVALS * longestMs)) return null;
     return isRenewed ? 'at-rest' : 'after-change';
+  }
+
+  #set(node: number, stamp: Nanoseconds | null, isRenewed: boolean): void {
+    Object.assign(this.#nodes[node], { stamp, changedAt: this.now(), isRenewed });
   }
 }

@@ -96,7 +96,7 @@ describe('silence over OPC UA', { concurrency: 2 }, () => {
     writers.set('arm_joint_1', writer());
     writers.set('arm_joint_2', writer());
     const atRest = samplesOf(bridge, 'b');
-    await until(() => samplesOf(bridge, 'b') > atRest + 50, 'samples at rest');
+    await until(() => samplesOf(bridge, 'b') > atRest + 200, 'samples at rest');
 
     beganMs = newest.sourceTimestamp.getTime();
     phase = 'moving';
