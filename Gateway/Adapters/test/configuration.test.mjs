@@ -39,7 +39,16 @@ describe('configuration', () => {
     const { status, out } = await check(t, path);
 
     assert.equal(status, 0);
-    assert.match(out, /plant\.yaml is good: .*opc\.tcp:\/\/plc\.example:4840.*arm_joint_1, arm_joint_2.*\nname opcua\n$/);
+    assert.match(out, /plant\.yaml is good: .*opc\.tcp:\/\/plc\.example:4840.*arm_joint_1, arm_joint_2\n$/);
+  });
+
+  it('Check_StartedByTheGateway_AddsTheContentAsJson', async t => {
+    const path = temporaryFile('plant.yaml', GOOD);
+
+    const { status, out } = await check(t, path, { ...process.env, NOWPOSE_SUPERVISED: '1' });
+
+    const [, content] = out.split('\n');
+    assert.deepEqual([status, JSON.parse(content)], [0, { name: 'opcua', joints: ['arm_joint_1', 'arm_joint_2'], passes_unlisted: false, robot: null }]);
   });
 
   for (const [name, from, to, expected] of [
