@@ -21,7 +21,7 @@ sealed class PoseOutages(Action<string> say)
     // Of the present outage. What came first is often the cause of what followed.
     readonly List<string> _reasons = [];
     readonly SortedSet<string> _joints = new(StringComparer.Ordinal);
-    (string Pose, string Reason)? _told;
+    (string Pose, string Reason)? _reported;
     TimeSpan? _since = TimeSpan.Zero;
     TimeSpan _next;
     bool _wasCurrent;
@@ -44,8 +44,8 @@ sealed class PoseOutages(Action<string> say)
         if (time - _since < (_wasCurrent ? MinLength : MinLengthAtStart) || time < _next) return;
         _next = time + Interval;
         var (pose, joints, reason) = describe();
-        var isNew = _told != (pose, reason);
-        _told = (pose, reason);
+        var isNew = _reported != (pose, reason);
+        _reported = (pose, reason);
         if (reason.Length > 0 && _reasons.Count < MaxReasons && !_reasons.Contains(reason)) _reasons.Add(reason);
         _joints.UnionWith(joints);
         _now = new HeadsetResult.OutageResult(_since.Value.TotalSeconds, null, pose, [.. _joints], string.Join("; then ", _reasons));
@@ -63,7 +63,7 @@ sealed class PoseOutages(Action<string> say)
             say(FormattableString.Invariant($"at {time.TotalSeconds:0.0} s: the pose is current again, after {(time - _since.Value).TotalSeconds:0.0} s"));
         }
 
-        (_since, _now, _told, _next) = (null, null, null, TimeSpan.Zero);
+        (_since, _now, _reported, _next) = (null, null, null, TimeSpan.Zero);
         _reasons.Clear();
         _joints.Clear();
     }

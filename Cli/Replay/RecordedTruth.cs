@@ -34,7 +34,7 @@ sealed class RecordedTruth
         _isSorted = true;
     }
 
-    /// <returns>False if there is no truth at that time.</returns>
+    /// <returns>False if the truth is unknown at that time.</returns>
     public bool TryAt(ControlTime at, out double position)
     {
         var ticks = at.SinceEpoch.Ticks;

@@ -18,7 +18,7 @@ sealed class SessionTruth
     /// <summary>Whether a joint has any samples.</summary>
     public bool Has(int joint) => _truths.Keys.Any(key => key.Joint == joint);
 
-    /// <returns>False if there is no truth at that time.</returns>
+    /// <returns>False if the truth is unknown at that time.</returns>
     public bool TryAt(int joint, in RecordedSession.Event frame, out double position)
     {
         position = 0;

@@ -124,7 +124,7 @@ public class SineVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Sine_WithoutAppOrToldMs_ReportsTheTotalWithoutAProfile()
+    public async Task Sine_NoLatencyGiven_ReportsTheTotalWithoutAProfile()
     {
         var result = await Measured(new Jog(120));
 

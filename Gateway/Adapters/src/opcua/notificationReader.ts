@@ -1,11 +1,10 @@
 import type { AdapterContext } from '../adapter';
-import type { JointValue } from '../samples/jointOutput';
+import type { JointValue, SourceStop } from '../samples/jointOutput';
 import type { Refusal } from '../samples/stampRule';
 import { ofMilliseconds, type Nanoseconds } from '../times';
 import type { DataValue } from 'node-opcua-client';
 import { isGone, isOverflown, type NodeJoint, statusRefusal, valueOf } from './nodeValues';
 import type { NodeValue } from './readOnlySession';
-import type { SourceStop } from './renewals';
 import type { OpcUaSettings } from './settings';
 import { serverStamp, sourceStamp, timeIn } from './stamps';
 import { TimeVariable } from './timeVariable';

@@ -1,3 +1,4 @@
+import type { SourceStop } from '../samples/jointOutput';
 import type { Nanoseconds } from '../times';
 
 /** Number of renewals of a node at rest after which it is known that its source writes it periodically. */
@@ -22,9 +23,6 @@ interface Node {
   isRenewed: boolean;
   longestMs: number;
 }
-
-/** When a source stopped writing a node: since its last change, or later at rest. */
-export type SourceStop = 'after-change' | 'at-rest';
 
 /**
  * Source timestamps of nodes whose value does not change. Many sources write their values periodically, also at rest: a notification or a

@@ -3,7 +3,8 @@ import { isDeepStrictEqual } from 'node:util';
 import { isGone, isGood, statusRefusal } from './nodeValues';
 import type { NotificationReader } from './notificationReader';
 import type { NodeValue, ReadOnlySession } from './readOnlySession';
-import { Renewals, type SourceStop } from './renewals';
+import type { SourceStop } from '../samples/jointOutput';
+import { Renewals } from './renewals';
 import { sourceStamp } from './stamps';
 
 /** Time without a notification after which a node is read. */

@@ -38,6 +38,9 @@ export interface JointOutputOptions {
 /** Refusals that are normal for the stamp of a value from before the connection. */
 const OF_LONG_AGO = ['stamp-old', 'stamp-not-newer', 'stamp-missing'];
 
+/** When a source stopped writing a value: after its last change, or later at rest. */
+export type SourceStop = 'after-change' | 'at-rest';
+
 /** Description of the exceeded limit in a fault. */
 const LIMITS: Record<LimitBasis, string> = {
   configured: 'of max_deceleration',
@@ -76,11 +79,8 @@ export class JointOutput {
   /** Sampling interval of the source in seconds; 0 if unknown. */
   samplingS = 0;
   readonly silence: Silence;
-  /**
-   * Gets when the source stopped writing a joint's value that it wrote periodically at a rest: since the last change, or later at rest; null if it
-   * has not, or if it is unknown.
-   */
-  sourceStopOf: (joint: number) => 'after-change' | 'at-rest' | null = () => null;
+  /** Gets when the source stopped writing a joint's value that it wrote periodically at rest; null if it has not, or if it is unknown. */
+  sourceStopOf: (joint: number) => SourceStop | null = () => null;
 
   /** @param counter Monotonic time in ms; this machine's by default. */
   constructor(

@@ -11,15 +11,15 @@ namespace Nowpose.Sync
     sealed class OffsetShift
     {
         /// <summary>Minimum number of exchanges that determine a step, and how many of them must break the bound.</summary>
-        public const int FewestExchanges = 15;
+        public const int MinExchanges = 15;
 
         const int Violations = 3;
 
         /// <summary>Maximum number of exchanges: three seconds at the quick pace. What they do not decide is a change of the path.</summary>
-        const int MostExchanges = 60;
+        const int MaxExchanges = 60;
 
         /// <summary>Minimum step, s; and in mean latenesses divided by the number of older exchanges, which is the accuracy of the bounds.</summary>
-        const double LeastShift = 0.15e-3, LatenessShare = 10;
+        const double MinShift = 0.15e-3, LatenessShare = 10;
 
         /// <summary>
         /// Minimum ratio of the smaller movement to the larger one. A step moves both bounds by the same amount, so the minimum round-trip
@@ -34,8 +34,8 @@ namespace Nowpose.Sync
         const double RowShare = 0.75;
 
         readonly int _sign;
-        readonly OffsetCorridor _past = new OffsetCorridor(FewestExchanges);
-        readonly List<SyncExchange> _since = new List<SyncExchange>(MostExchanges);
+        readonly OffsetCorridor _past = new OffsetCorridor(MinExchanges);
+        readonly List<SyncExchange> _since = new List<SyncExchange>(MaxExchanges);
         ClockLine _line;
         int _violations;
         double _broken, _other;
@@ -56,7 +56,7 @@ namespace Nowpose.Sync
         /// <param name="past">Bounds relative to the line, without the newest exchanges.</param>
         public bool Judge(in SyncExchange exchange, in ClockLine line, OffsetCorridor past)
         {
-            if (_since.Count == MostExchanges) _since.Clear();
+            if (_since.Count == MaxExchanges) _since.Clear();
             if (_since.Count == 0)
             {
                 if (Violation(exchange, line, past) <= Margin(exchange, line, past)) return false;
@@ -72,9 +72,9 @@ namespace Nowpose.Sync
             if (violation > margin) _violations++;
             _broken = Math.Max(_broken, violation);
             _other = Math.Min(_other, _sign > 0 ? above - _past.Greatest : _past.Least - below);
-            if (_since.Count < FewestExchanges || _violations < Violations) return false;
+            if (_since.Count < MinExchanges || _violations < Violations) return false;
             // The best of more packets is less late.
-            var byChance = RowShare * (_sign > 0 ? _past.RowAbove : _past.RowBelow) * FewestExchanges / _since.Count;
+            var byChance = RowShare * (_sign > 0 ? _past.RowAbove : _past.RowBelow) * MinExchanges / _since.Count;
             return _other - byChance > Math.Max(margin, CommonShare * _broken)
                 && CommonShare * _other <= _broken + ClockTicks.Seconds(exchange.Resolution);
         }
@@ -87,7 +87,7 @@ namespace Nowpose.Sync
 
         // A clock with a coarse resolution appears to step by its resolution occasionally.
         static double Margin(in SyncExchange exchange, in ClockLine line, OffsetCorridor past) =>
-            Math.Max(LeastShift + ClockTicks.Seconds(exchange.Resolution), LatenessShare * past.Lateness / past.Count)
+            Math.Max(MinShift + ClockTicks.Seconds(exchange.Resolution), LatenessShare * past.Lateness / past.Count)
             + line.SkewError * ClockTicks.Seconds(exchange.T4 - line.Reference);
     }
 }

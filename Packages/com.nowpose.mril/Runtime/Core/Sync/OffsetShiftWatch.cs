@@ -16,12 +16,12 @@ namespace Nowpose.Sync
         /// Age in exchanges after which an exchange contributes to the bounds, and minimum number of older exchanges. Otherwise a step
         /// whose first exchanges are late would move the bounds in small parts.
         /// </summary>
-        const int Guard = 2 * OffsetShift.FewestExchanges, FewestPast = 30;
+        const int Guard = 2 * OffsetShift.MinExchanges, MinPast = 30;
 
         /// <summary>Maximum standard error of the skew with which a bound can be extrapolated over a minute.</summary>
-        const double GreatestSkewError = 25e-6;
+        const double MaxSkewError = 25e-6;
 
-        readonly OffsetCorridor _past = new OffsetCorridor(OffsetShift.FewestExchanges);
+        readonly OffsetCorridor _past = new OffsetCorridor(OffsetShift.MinExchanges);
         readonly OffsetShift _rise = new OffsetShift(1), _fall = new OffsetShift(-1);
 
         /// <summary>Maximum violation of a bound by recent exchanges, caused by a step or by a path that has become shorter; zero for none.</summary>
@@ -42,9 +42,9 @@ namespace Nowpose.Sync
         public bool Judge(in SyncExchange exchange, in ClockLine line, OffsetEnvelope envelope)
         {
             if (line.Exchanges == 0) Reset();
-            if (line.Exchanges == 0 || line.SkewError > GreatestSkewError) return false;
+            if (line.Exchanges == 0 || line.SkewError > MaxSkewError) return false;
             envelope.Fill(_past, line, Guard - 1);
-            if (_past.Count < FewestPast) return false;
+            if (_past.Count < MinPast) return false;
             var hasRisen = _rise.Judge(exchange, line, _past);
             var hasFallen = _fall.Judge(exchange, line, _past);
             Since = hasRisen ? _rise.Since : _fall.Since;
