@@ -1,7 +1,7 @@
-# What failed, by the output of dotnet test or of node --test: of each test a line with its name, a tabulator and how its message begins.
-# Suites of node that failed by a test within, which has a line of its own, are left out. Without any test: the first errors of a build.
+# Lists the failures in the output of dotnet test or node --test: one line per test with its name, a tab and the start of its message.
+# Omits suites of node that failed because of a test in them, which has its own line. If no test failed: the first build errors.
 
-function told() {
+function report() {
   if (name != "") { print name "\t" substr(message, 1, 120); tests++ }
   name = message = ""
   isMessage = 0
@@ -9,20 +9,20 @@ function told() {
 
 function trimmed(text) { gsub(/^[ \t]+|[ \t\r]+$/, "", text); return text }
 
-function said(text) { if (text != "" && length(message) < 120) message = message (message == "" ? "" : " ") text }
+function append(text) { if (text != "" && length(message) < 120) message = message (message == "" ? "" : " ") text }
 
-/^ +Failed .+ \[[^]]+\]$/ { told(); name = trimmed($0); sub(/^Failed /, "", name); sub(/ \[[^]]+\]$/, "", name); next }
-/^The active test run was aborted/ { told(); name = trimmed($0); told() }
+/^ +Failed .+ \[[^]]+\]$/ { report(); name = trimmed($0); sub(/^Failed /, "", name); sub(/ \[[^]]+\]$/, "", name); next }
+/^The active test run was aborted/ { report(); name = trimmed($0); report() }
 /^ +Error Message:$/ { isMessage = 1; next }
-/^ +Stack Trace:$/ { told(); next }
+/^ +Stack Trace:$/ { report(); next }
 
-/^ *not ok [0-9]+ - / { told(); name = trimmed($0); sub(/^not ok [0-9]+ - /, "", name); next }
+/^ *not ok [0-9]+ - / { report(); name = trimmed($0); sub(/^not ok [0-9]+ - /, "", name); next }
 /^ +failureType: 'subtestsFailed'$/ { name = "" }
 /^ +error: / { isMessage = 1; sub(/^ +error: ([|>]-?$)?/, "") }
 /^ +(code|stack|name|expected|actual|operator): / { isMessage = 0 }
-/^ +\.\.\.$/ { told() }
+/^ +\.\.\.$/ { report() }
 
-isMessage { said(trimmed($0)) }
+isMessage { append(trimmed($0)) }
 
 /(^|: )error( [A-Z]+[0-9]+)?: / {
   error = trimmed($0)
@@ -31,6 +31,6 @@ isMessage { said(trimmed($0)) }
 }
 
 END {
-  told()
+  report()
   if (tests == 0) for (i = 0; i < errors; i++) print substr(first[i], 1, 240) "\t"
 }

@@ -18,12 +18,12 @@ static class ComparisonTable
         foreach (var condition in Conditions.All) Row(to, condition.Name, candidate => Share(errors[candidate, condition]));
         Row(to, "geometric mean", candidate => Share(errors.Mean(candidate)));
         Row(to, "– ÷ quadratic's", candidate => Ratio(errors.Mean(candidate) / errors.Mean(baseline)));
-        Row(to, "a joint's sample, ns", candidate => Number(costs.Sample(candidate)?.Nanoseconds));
+        Row(to, "time per joint and sample, ns", candidate => Number(costs.Sample(candidate)?.Nanoseconds));
         Row(to, "– ÷ quadratic's", candidate => Ratio(costs.Sample(candidate)?.Nanoseconds / costs.Sample(baseline)?.Nanoseconds));
-        Row(to, "a joint's frame, ns", candidate => Number(costs.Frame(candidate)?.Nanoseconds));
+        Row(to, "time per joint and frame, ns", candidate => Number(costs.Frame(candidate)?.Nanoseconds));
         Row(to, "– ÷ quadratic's", candidate => Ratio(costs.Frame(candidate)?.Nanoseconds / costs.Frame(baseline)?.Nanoseconds));
-        Row(to, "allocated by a sample, B", candidate => Number(costs.Sample(candidate)?.Bytes));
-        Row(to, "allocated by a frame, B", candidate => Number(costs.Frame(candidate)?.Bytes));
+        Row(to, "allocated per sample, B", candidate => Number(costs.Sample(candidate)?.Bytes));
+        Row(to, "allocated per frame, B", candidate => Number(costs.Frame(candidate)?.Bytes));
         to.WriteLine();
         to.WriteLine($"Errors on seeds {string.Join(", ", Conditions.CheckingSeeds)}; constants of the last three tuned on {string.Join(", ", Conditions.TuningSeeds)}.");
     }

@@ -8,8 +8,8 @@ namespace Nowpose.Benchmarks;
 
 /// <summary>
 /// One frame of the seven-joint arm, 75 to 125 ms after the newest sample, compared with the naive method: solving Schnierle &amp;
-/// Röck 2022, Eq. (8), for each joint in each frame, without kinematics. By default, MathNet distributes even a system of three equations
-/// over threads, which takes most of its time, and several times as much while other programs run.
+/// Röck 2022, Eq. (8), for each joint in each frame, without kinematics. By default, MathNet solves even a system of three equations on
+/// several threads. This takes most of the time of the solution, and several times as much while other programs run.
 /// </summary>
 public class FrameBenchmarks
 {
@@ -57,10 +57,10 @@ public class FrameBenchmarks
     [Benchmark(Description = "Frame: session tick, 7 quadratic joints and all link poses")]
     public DisplayFrame Tick() => _virtual.Session.Tick(_starts[NextFrame()]);
 
-    [Benchmark(Description = "– the same with adaptive ones")]
+    [Benchmark(Description = "– the same with adaptive predictors")]
     public DisplayFrame TickDefault() => _experienced.Session.Tick(_starts[NextFrame()]);
 
-    [Benchmark(Description = "– of it predictors and forward kinematics")]
+    [Benchmark(Description = "– share of predictors and forward kinematics")]
     public double Predict()
     {
         var horizon = _horizons[NextFrame()];
@@ -78,7 +78,7 @@ public class FrameBenchmarks
         return _positions[0];
     }
 
-    [Benchmark(Description = "– the same with MathNet kept to one thread")]
+    [Benchmark(Description = "– the same with MathNet limited to one thread")]
     public double SolveOnOneThread() => Solve();
 
     void SetFrames(VirtualSession session)
@@ -119,7 +119,7 @@ public class FrameBenchmarks
     static void RequireSame(ReadOnlySpan<double> expected, ReadOnlySpan<double> actual)
     {
         for (var i = 0; i < expected.Length; i++)
-            // A few ticks of the time types at the arm's maximum speed.
+            // The tolerance is the motion at maximum speed within a few ticks (100 ns) of the time types.
             if (!(Math.Abs(expected[i] - actual[i]) < 1e-6))
                 throw new InvalidOperationException($"joint {i + 1}: {actual[i]} rad instead of {expected[i]} rad");
     }

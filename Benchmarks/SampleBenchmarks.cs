@@ -75,7 +75,7 @@ public class SampleBenchmarks
     [Benchmark(Description = "Frame that takes a sample: queue, 7 quadratic predictors, tick")]
     public DisplayFrame Take() => _virtual.Session.Tick(_virtual.Sample());
 
-    [Benchmark(Description = "– the same with adaptive ones")]
+    [Benchmark(Description = "– the same with adaptive predictors")]
     public DisplayFrame TakeWithDefault() => _experienced.Session.Tick(_experienced.Sample());
 
     static SampledJoint[] Joints(double interval) =>

@@ -32,6 +32,6 @@ public class SceneBenchmarks : IDisposable
     [Benchmark(Description = "– the same with all ghosts shown")]
     public void PlayWithGhosts() => _scene.Play();
 
-    [Benchmark(Description = "– of it the simulated plants")]
+    [Benchmark(Description = "– share of the simulated plants")]
     public void Receive() => _scene.Receive();
 }

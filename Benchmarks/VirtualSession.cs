@@ -48,7 +48,7 @@ sealed class VirtualSession
     public static JointPredictor[] CreatePredictors(PredictionSettings prediction) =>
         [.. SevenJointArm.Model.MovingJoints.Select(joint => prediction.Create(joint.Limits))];
 
-    /// <summary>A session with the default predictor that has seen more of the motion than it remembers.</summary>
+    /// <summary>A session with the default predictor after a motion that is longer than the history of the predictor.</summary>
     public static VirtualSession Experienced()
     {
         var session = new VirtualSession(PredictionSettings.Default);
@@ -57,7 +57,7 @@ sealed class VirtualSession
     }
 
     /// <summary>The next sample arrives.</summary>
-    /// <returns>When.</returns>
+    /// <returns>Arrival time of the sample.</returns>
     public HeadsetTime Sample()
     {
         var positions = _positions[Next(out var arrival)];
@@ -65,8 +65,8 @@ sealed class VirtualSession
         return arrival;
     }
 
-    /// <summary>The next sample arrives as it does from a socket: as the bytes of a message.</summary>
-    /// <returns>When.</returns>
+    /// <summary>Receives the next sample as from a socket: as the bytes of a message.</summary>
+    /// <returns>Arrival time of the sample.</returns>
     public HeadsetTime ReceiveSample()
     {
         var text = _texts[Next(out var arrival)];

@@ -12,13 +12,13 @@ static class PredictorOption
         var list = string.Join(", ", Predictors.Names);
         var option = new Option<string>(name)
         {
-            Description = $"How joints are predicted [{list}; a history h of its own: linear-h4]",
+            Description = $"Prediction method [{list}; with another history h, for example: linear-h4]",
             DefaultValueFactory = _ => Predictors.Default,
         };
         option.Validators.Add(result =>
         {
             if (result.GetValueOrDefault<string>() is string value && !IsKnown(value))
-                result.AddError($"{name}: '{value}' is not known; allowed are {list}; or a history h of its own, as linear-h4.");
+                result.AddError($"{name}: '{value}' is unknown; allowed are {list}, or one with another history h, for example linear-h4.");
         });
         return option;
     }

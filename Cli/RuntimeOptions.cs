@@ -13,7 +13,7 @@ static class RuntimeOptions
 
     public static Option<string> Profile() => new("--profile")
     {
-        Description = "Latency profile that calibrate has written: sets the display latency and its render time limit", HelpName = "FILE.json",
+        Description = "Latency profile written by calibrate; sets the display latency and the render time limit", HelpName = "FILE.json",
     };
 
     /// <summary>Reads the latency profile.</summary>
@@ -24,7 +24,7 @@ static class RuntimeOptions
     {
         if (parsed.GetValue(profile) is not { } path) return null;
         if (Array.Find(given, option => parsed.GetResult(option) is { Implicit: false }) is { } other)
-            throw new InputException($"--profile and {other.Name} both set the display latency; give one of them");
+            throw new InputException($"--profile and {other.Name} both set the display latency; use one of them");
         return LatencyProfileFile.Load(path);
     }
 }

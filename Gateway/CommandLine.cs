@@ -11,7 +11,7 @@ public static class CommandLine
     public static Task<int> RunAsync(string[] args)
     {
         var root = Invocation.Root(
-            "nowpose-gateway", "Clock sync and joint positions for headsets. Ends with Ctrl-C.",
+            "nowpose-gateway", "Serves the control time and joint positions to headsets. Stop it with Ctrl-C.",
             PlantVerb.Simulate(), PlantVerb.Replay(), ServeVerb.Create(),
             CellVerb.Create(), PairVerb.Create(), PairingsVerb.Create());
         var configured = new ConfiguredArguments();

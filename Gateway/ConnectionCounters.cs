@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway;
 
-/// <summary>Counts current and past connections and the reasons why they ended. Any thread.</summary>
+/// <summary>Counts current and past connections and the reasons why they ended. Thread-safe.</summary>
 public sealed class ConnectionCounters
 {
     readonly long[] _closures = new long[Enum.GetValues<Closure>().Length];

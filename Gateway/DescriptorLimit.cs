@@ -43,7 +43,7 @@ static class DescriptorLimit
         var possible = ((long)allowed - Reserve) / 2;
         var remedy = $"raise the limit to {needed} (ulimit -n, LimitNOFILE= of the systemd unit, --ulimit nofile= of the container)";
         return $"--max-connections {maxConnections}: two ports with this number of connections need {needed} file descriptors, and the system allows "
-            + (possible < 1 ? $"{allowed}; {remedy}" : $"{allowed}; allowed are 1 to {possible} here, or {remedy}");
+            + (possible < 1 ? $"{allowed}; {remedy}" : $"{allowed}; use 1 to {possible}, or {remedy}");
     }
 
     /// <summary>Gets the limit; the maximum number if the system has no limit, or none that can be read.</summary>

@@ -146,19 +146,19 @@ public sealed record GatewayOptions
     internal void Check(bool pairsHeadsets)
     {
         if (Certificate == null && !IsLoopback && !Tokens.IsEmpty)
-            throw new InputException($"--tokens without --tls on {Bind}: tokens travel over TLS or loopback only; add --tls or bind to loopback");
+            throw new InputException($"--tokens without --tls on {Bind}: tokens are sent only over TLS or loopback; add --tls or bind to loopback");
         if (Certificate == null && !IsLoopback && pairsHeadsets)
-            throw new InputException($"--pairing without --certificate on {Bind}: tokens travel over TLS or loopback only; add it or bind to loopback");
+            throw new InputException($"--pairing without --certificate on {Bind}: tokens are sent only over TLS or loopback; add --certificate or bind to loopback");
         if (Certificate == null && !IsLoopback && !AllowInsecureLan)
-            throw new InputException($"--bind {Bind}: plain connections from other machines need --insecure-lan; better add --tls");
+            throw new InputException($"--bind {Bind}: unencrypted connections from other machines need --insecure-lan; --tls is safer");
         if (Certificate is { HasPrivateKey: false })
-            throw new InputException("--certificate: has no private key, which a server needs");
+            throw new InputException("--certificate: has no private key; use a certificate with its private key");
         CheckPort("--sync-port", SyncPort);
         CheckPort("--ws-port", WebSocketPort);
         if (SyncPort == WebSocketPort && SyncPort != 0)
-            throw new InputException($"{OptionOfTheSamePort} {SyncPort}: both ports are the same; each needs one of its own");
+            throw new InputException($"{OptionOfTheSamePort} {SyncPort}: both ports are the same; use two different ports");
         if (MaxConnections < 1)
-            throw new InputException($"--max-connections {MaxConnections}: at least 1");
+            throw new InputException($"--max-connections {MaxConnections}: must be at least 1");
         DescriptorLimit.Check(MaxConnections);
         CheckRate(nameof(SourceMessagesPerSecond), SourceMessagesPerSecond);
         CheckRate(nameof(ObserverMessagesPerSecond), ObserverMessagesPerSecond);
@@ -178,6 +178,6 @@ public sealed record GatewayOptions
     static void CheckPort(string option, int port)
     {
         if (port is < 0 or > IPEndPoint.MaxPort)
-            throw new InputException($"{option} {port}: allowed are 0 (any free one) to {IPEndPoint.MaxPort}");
+            throw new InputException($"{option} {port}: allowed are 0 (any free port) to {IPEndPoint.MaxPort}");
     }
 }

@@ -10,7 +10,7 @@ sealed partial class HtmlPage(string html)
 {
     /// <summary>Message for a missing page.</summary>
     public const string Missing =
-        "the page is missing, for this gateway was built without Node.js; install Node.js 20 or newer with npm and build again";
+        "the page is missing because this gateway was built without Node.js; install Node.js 20 or newer with npm and build again";
 
     readonly string _policy = PolicyOf(html);
     readonly byte[] _page = html == null ? null : Encoding.UTF8.GetBytes(html);
@@ -24,7 +24,7 @@ sealed partial class HtmlPage(string html)
         response.ContentType = "text/html; charset=utf-8";
         response.ContentLength = _page.Length;
         response.Headers.CacheControl = "no-store";
-        // Closed, because this connection needed no token and must not use a place of those that did.
+        // Closes the connection, because it needed no token and must not use a place of connections with a token.
         response.Headers.Connection = "close";
         response.Headers.ContentSecurityPolicy = _policy;
         return response.Body.WriteAsync(_page).AsTask();

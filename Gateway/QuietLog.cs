@@ -1,7 +1,7 @@
 namespace Nowpose.Gateway;
 
 /// <summary>
-/// Writes lines with a limit per minute for equal lines, followed by the number of suppressed ones, so that peers cannot fill the disk. Any thread.
+/// Writes lines with a limit per minute for equal lines, followed by the number of suppressed ones, so that peers cannot fill the disk. Thread-safe.
 /// </summary>
 sealed class QuietLog : IDisposable
 {
@@ -54,6 +54,6 @@ sealed class QuietLog : IDisposable
         }
 
         foreach (var (line, seen) in over)
-            if (seen.Count > LinesAMinute) _log($"{line} ({seen.Count - LinesAMinute} more of these)");
+            if (seen.Count > LinesAMinute) _log($"{line} ({seen.Count - LinesAMinute} more)");
     }
 }

@@ -1,19 +1,19 @@
 using System.Collections.Concurrent;
+using System.Runtime.ExceptionServices;
 using System.Text.Json;
 using Nowpose.Latency;
 
 namespace Nowpose.Vision;
 
 /// <summary>Analyses many pictures, as many in parallel as there are cores.</summary>
-/// <remarks>
-/// A picture at which a worker ends, for example because of too little memory, is reported as faulty, and another worker continues. Each
-/// worker stores the last position of the codes. The assignment of pictures to workers depends on their number alone, so results are
-/// reproducible.
-/// </remarks>
+/// <remarks>A picture at which a worker ends, for example because of too little memory, is reported as faulty, and another worker continues.</remarks>
 public sealed class VisionPool : IDisposable
 {
     const int MaxWorkers = 4;
     const int Waiting = 4;
+
+    /// <summary>Number of pictures per worker. The start of a worker takes as long as reading about that many pictures.</summary>
+    const int PicturesPerWorker = 12;
 
     /// <summary>Number of consecutive pictures that end a worker after which the cause is assumed not to be the pictures.</summary>
     const int MaxEnded = 3;
@@ -21,7 +21,7 @@ public sealed class VisionPool : IDisposable
     readonly string _script;
     readonly VisionWorker[] _workers;
 
-    /// <param name="workers">Number of workers; 0 for the number of cores, at most four.</param>
+    /// <param name="workers">Maximum number of workers; 0 for the number of cores, at most four.</param>
     /// <exception cref="InputException">Node.js is missing, or was missing when this program was built.</exception>
     public VisionPool(int workers = 0) : this(workers, null)
     {
@@ -32,71 +32,59 @@ public sealed class VisionPool : IDisposable
     {
         _script = script;
         _workers = new VisionWorker[workers > 0 ? workers : Math.Clamp(Environment.ProcessorCount, 1, MaxWorkers)];
-        // Started now, so that a missing Node.js is reported at once. The others start in parallel, each with its first picture.
+        // Starts now, so that a missing Node.js is reported at once. Each other worker starts when it gets its first picture.
         _workers[0] = new VisionWorker(script);
     }
 
     /// <summary>Analyses all pictures, or runs until it is cancelled. Errors after the cancellation are ignored.</summary>
-    /// <param name="pictures">Enumerated on demand, on a separate thread.</param>
+    /// <param name="pictures">Enumerated on demand, on the calling thread.</param>
     /// <param name="seen">Receives each picture's index and its result; one call at a time, in any order.</param>
     internal void Look(IEnumerable<PictureRequest> pictures, Action<int, SeenPicture> seen, CancellationToken cancellation)
     {
         using var stop = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
-        var queues = _workers.Select(_ => new BlockingCollection<(int, PictureRequest)>(Waiting)).ToArray();
+        using var queue = new BlockingCollection<(int Place, PictureRequest Picture)>(Waiting * _workers.Length);
+        var faults = new ConcurrentQueue<Exception>();
         var gate = new object();
-        Task[] tasks =
-        [
-            Task.Run(() => Feed(pictures, queues, stop), CancellationToken.None),
-            .. _workers.Select((_, i) => Task.Factory.StartNew(
-                () => Work(i, queues[i], (place, picture) => { lock (gate) seen(place, picture); }, stop),
-                CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default)),
-        ];
-        try
+        void Guard(Action action)
         {
-            Task.WaitAll(tasks, CancellationToken.None);
+            try
+            {
+                action();
+            }
+            catch (OperationCanceledException)
+            {
+                // The user or another thread has stopped the analysis.
+            }
+            catch (Exception fault)
+            {
+                faults.Enqueue(fault);
+                stop.Cancel();
+            }
         }
-        catch (AggregateException faults)
-        {
-            if (cancellation.IsCancellationRequested) return;
-            var faultsProper = faults.Flatten().InnerExceptions.Where(fault => fault is not OperationCanceledException).ToList();
-            if (faultsProper.Count > 0) throw faultsProper.OfType<InputException>().FirstOrDefault() ?? faultsProper[0];
-        }
-    }
 
-    static void Feed(IEnumerable<PictureRequest> pictures, BlockingCollection<(int, PictureRequest)>[] queues, CancellationTokenSource stop)
-    {
-        try
+        var workers = new List<Task>();
+        Task Start(int worker) => Task.Factory.StartNew(
+            () => Guard(() => Work(worker, queue.GetConsumingEnumerable(stop.Token), (place, picture) => { lock (gate) seen(place, picture); })),
+            CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+        Guard(() =>
         {
             var place = 0;
             foreach (var picture in pictures)
             {
-                queues[place % queues.Length].Add((place, picture), stop.Token);
-                place++;
+                if (place == PicturesPerWorker * workers.Count && workers.Count < _workers.Length) workers.Add(Start(workers.Count));
+                queue.Add((place++, picture), stop.Token);
             }
-        }
-        catch (Exception e) when (e is not OperationCanceledException)
-        {
-            stop.Cancel();
-            throw;
-        }
-        finally
-        {
-            foreach (var queue in queues) queue.CompleteAdding();
-        }
+        });
+        queue.CompleteAdding();
+        Task.WaitAll([.. workers], CancellationToken.None);
+        if (!cancellation.IsCancellationRequested && !faults.IsEmpty)
+            ExceptionDispatchInfo.Throw(faults.OfType<InputException>().FirstOrDefault() ?? faults.First());
     }
 
-    void Work(int worker, BlockingCollection<(int, PictureRequest)> queue, Action<int, SeenPicture> seen, CancellationTokenSource stop)
+    void Work(int worker, IEnumerable<(int Place, PictureRequest Picture)> queue, Action<int, SeenPicture> seen)
     {
-        try
-        {
-            var ended = 0;
-            foreach (var (place, picture) in queue.GetConsumingEnumerable(stop.Token)) seen(place, Ask(worker, picture, ref ended));
-        }
-        catch (Exception e) when (e is not OperationCanceledException)
-        {
-            stop.Cancel();
-            throw;
-        }
+        var ended = 0;
+        foreach (var (place, picture) in queue) seen(place, Ask(worker, picture, ref ended));
     }
 
     SeenPicture Ask(int worker, PictureRequest picture, ref int ended)
@@ -112,15 +100,18 @@ public sealed class VisionPool : IDisposable
         {
             asked.Dispose();
             _workers[worker] = null;
-            return new SeenPicture(0, 0, [], "what reads pictures has ended at it; is it too large?");
+            return SeenPicture.Not("the picture reader stopped at this picture; it may be too large, so try a smaller one");
         }
     }
 
     static SeenPicture SeenOf(JsonElement answer)
     {
-        if (answer.TryGetProperty("error", out var error)) return new SeenPicture(0, 0, [], error.GetString().ReplaceLineEndings(" "));
+        if (answer.TryGetProperty("error", out var error)) return SeenPicture.Not(error.GetString().ReplaceLineEndings(" "));
         if (!answer.TryGetProperty("codes", out var codes)) return new SeenPicture(0, 0, [], null);
-        return new SeenPicture(answer.GetProperty("width").GetInt32(), answer.GetProperty("height").GetInt32(), [.. codes.EnumerateArray().Select(CodeOf)], null);
+        return new SeenPicture(answer.GetProperty("width").GetInt32(), answer.GetProperty("height").GetInt32(), [.. codes.EnumerateArray().Select(CodeOf)], null)
+        {
+            IsMirrored = answer.GetProperty("isMirrored").GetBoolean(),
+        };
     }
 
     static FoundCode CodeOf(JsonElement code) => new(

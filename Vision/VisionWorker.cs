@@ -69,8 +69,9 @@ sealed class VisionWorker : IDisposable
         {
             // The pipe is closed; the error is reported below.
         }
-        _process.WaitForExit(1000);
-        lock (_errors) throw new WorkerEndedException($"what reads pictures has ended unexpectedly ({_script}): {_errors.ToString().Trim()}");
+        // The wait with a limit does not wait for the last error lines; the wait without one does.
+        if (_process.WaitForExit(1000)) _process.WaitForExit();
+        lock (_errors) throw new WorkerEndedException($"the picture reader ended unexpectedly ({_script}): {_errors.ToString().Trim()}");
     }
 
     public void Dispose()

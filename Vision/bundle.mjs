@@ -1,5 +1,5 @@
-// Makes dist/worker.mjs, one file with OpenCV and the codecs inside, and the licences of what it contains.
-// `npm run build` and prepare.mjs call it.
+// Builds dist/worker.mjs, one file with OpenCV and the codecs inside, and the licences of the bundled packages.
+// `npm run build` and prepare.mjs run it.
 import { mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -13,7 +13,7 @@ const licences = {
   pngjs: 'pngjs/LICENSE',
 };
 
-// Renamed into place: a build that reads the file meanwhile sees the old one or the new one, never half of one.
+// Renamed into place, so that a concurrent build never reads an incomplete file.
 function write(name, text) {
   const unfinished = join(vision, 'dist', `${name}.${process.pid}.tmp`);
   writeFileSync(unfinished, text);
@@ -30,7 +30,7 @@ const { outputFiles } = await build({
   target: 'node18',
   charset: 'utf8',
   loader: { '.wasm': 'binary' },
-  // OpenCV's script asks for Node's modules as CommonJS does.
+  // OpenCV's script loads Node's modules with require, like CommonJS.
   banner: {
     js: `// Contains OpenCV, MozJPEG and pngjs; see worker-licences.txt.
 import { createRequire } from 'node:module';

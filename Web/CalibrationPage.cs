@@ -1,6 +1,6 @@
 namespace Nowpose.Web;
 
-/// <summary>One calibration as an HTML page that needs no network: with plots, or without when built without Node.js.</summary>
+/// <summary>One calibration as an HTML page that needs no network. It has plots unless it was built without Node.js.</summary>
 public static class CalibrationPage
 {
     static readonly PageTemplate Template = PageTemplate.Named("calibration.html");

@@ -1,6 +1,6 @@
 namespace Nowpose.Web;
 
-/// <summary>The paper's figures as one HTML page that needs no network: with plots, or without when built without Node.js.</summary>
+/// <summary>The paper's figures as one HTML page that needs no network. It has plots unless it was built without Node.js.</summary>
 public static class FiguresPage
 {
     static readonly PageTemplate Template = PageTemplate.Named("figures.html");

@@ -1,8 +1,8 @@
 namespace Nowpose.Web;
 
-/// <summary>The page of operations: plants, headsets, latencies, both robots; it asks the gateway it came from for all of it.</summary>
+/// <summary>The operations page: plants, headsets, latencies and both robots. It requests all data from its gateway.</summary>
 public static class OperationsPage
 {
-    /// <summary>Null when Node.js was missing where this assembly was built.</summary>
+    /// <summary>Null if this assembly was built without Node.js.</summary>
     public static string Html { get; } = PageTemplate.Read("operations.html");
 }

@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Nowpose.Web;
 
-/// <summary>A page that the bundler made, with a place for its data. One HTML file that needs no network.</summary>
+/// <summary>A page from the bundler with a placeholder for its data: one HTML file that needs no network.</summary>
 sealed class PageTemplate
 {
     const string Placeholder = "__REPORT_DATA__";
@@ -11,14 +11,14 @@ sealed class PageTemplate
 
     PageTemplate(string html) => _html = html;
 
-    /// <summary>Null when Node.js was missing where this assembly was built.</summary>
+    /// <summary>Null if this assembly was built without Node.js.</summary>
     public static PageTemplate Named(string resource)
     {
         var html = Read(resource);
         return html == null ? null : new PageTemplate(html);
     }
 
-    /// <summary>A page that needs no data. Null when Node.js was missing where this assembly was built.</summary>
+    /// <summary>A page that needs no data. Null if this assembly was built without Node.js.</summary>
     public static string Read(string resource)
     {
         using var stream = typeof(PageTemplate).Assembly.GetManifestResourceStream(resource);
@@ -45,7 +45,9 @@ sealed class PageTemplate
         throw new ArgumentException($"the page's data is a JSON {kind}, an object is needed", nameof(json));
     }
 
-    /// <summary>In JSON a &lt; stands only inside strings, where its escape means the same and cannot end the script element.</summary>
+    /// <summary>
+    /// Escapes each &lt;. In JSON it occurs only inside strings, where the escape has the same meaning and cannot end the script element.
+    /// </summary>
     public string With(string json)
     {
         var at = _html.IndexOf(Placeholder, StringComparison.Ordinal);

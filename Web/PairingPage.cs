@@ -1,8 +1,8 @@
 namespace Nowpose.Web;
 
-/// <summary>The page that shows the code which pairs a headset, and prints markers; it asks the gateway it came from for both.</summary>
+/// <summary>The page that shows the code that pairs a headset, and prints markers. It requests both from its gateway.</summary>
 public static class PairingPage
 {
-    /// <summary>Null when Node.js was missing where this assembly was built.</summary>
+    /// <summary>Null if this assembly was built without Node.js.</summary>
     public static string Html { get; } = PageTemplate.Read("pairing.html");
 }

@@ -6,7 +6,7 @@ namespace Nowpose.Web;
 /// <summary>A calibration without plots and without JavaScript, for builds on machines that have no Node.js.</summary>
 public static class PlainCalibration
 {
-    /// <param name="page">As <see cref="CalibrationPage.Render"/> takes it.</param>
+    /// <param name="page">The data in the format of <see cref="CalibrationPage.Render"/>.</param>
     public static string Render(JsonElement page)
     {
         var html = Begin(Text(page, "title"), "body{color-scheme:light dark}");

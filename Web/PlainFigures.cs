@@ -11,7 +11,7 @@ public static class PlainFigures
     const string Style = "body{color-scheme:light;--truth:#b9c2cc;--hold:#d9741a;--adaptive:#0b4a8f;--quadratic:#00856f;--ink:#16202c;"
         + "--muted:#55616f;--surface:#fff}svg{width:20rem;max-width:100%}";
 
-    /// <param name="page">As <see cref="FiguresPage.Render"/> takes it.</param>
+    /// <param name="page">The data in the format of <see cref="FiguresPage.Render"/>.</param>
     public static string Render(JsonElement page)
     {
         var html = Begin(Text(page, "title"), Style);

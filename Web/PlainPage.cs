@@ -12,8 +12,8 @@ static class PlainPage
         + "table{border-collapse:collapse;margin:1rem 0}caption{font-weight:600;text-align:left}"
         + "th,td{padding:.25rem 1rem .25rem 0;border-bottom:1px solid #8886;text-align:left}";
 
-    /// <param name="title">Encoded already.</param>
-    /// <param name="style">What the page needs beyond the common style.</param>
+    /// <param name="title">HTML-encoded title.</param>
+    /// <param name="style">Style sheet in addition to the common style.</param>
     public static StringBuilder Begin(string title, string style)
     {
         var html = new StringBuilder();

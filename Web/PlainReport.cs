@@ -12,7 +12,7 @@ public static class PlainReport
         + "table{border-collapse:collapse;margin:1rem 0}caption{font-weight:600;text-align:left}"
         + "th,td{padding:.25rem 1rem .25rem 0;border-bottom:1px solid #8886;text-align:left}.n{text-align:right}";
 
-    /// <param name="report">As <see cref="ReportPage.Render"/> takes it.</param>
+    /// <param name="report">The data in the format of <see cref="ReportPage.Render"/>.</param>
     public static string Render(JsonElement report)
     {
         var title = Text(report, "title") ?? "Nowpose report";
@@ -22,6 +22,7 @@ public static class PlainReport
             .Append(CultureInfo.InvariantCulture, $"<title>{Encode(title)}</title>\n<style>{Style}</style>\n</head>\n<body>\n")
             .Append(CultureInfo.InvariantCulture, $"<h1>{Encode(title)}</h1>\n<p>{Encode(Text(report, "subtitle"))}</p>\n");
         AppendSummary(page, report);
+        AppendClaims(page, report);
         AppendFacts(page, report, "facts", "Measured");
         AppendFacts(page, report, "settings", "Settings");
         return page.Append("<p>This page has no plots: Nowpose was built without Node.js. Install Node.js 20 or newer with npm, ")
@@ -37,6 +38,16 @@ public static class PlainReport
             var label = string.IsNullOrEmpty(unit) ? Text(row, "label") : $"{Text(row, "label")} ({unit})";
             return $"<th>{Encode(label)}</th>{NumberCell(row, "uncompensated")}{NumberCell(row, "compensated")}";
         });
+    }
+
+    // Only a run of the paper's scenario has claims.
+    static void AppendClaims(StringBuilder page, JsonElement report)
+    {
+        if (!report.TryGetProperty("claims", out var claims) || claims.ValueKind != JsonValueKind.Array) return;
+        const string Header = "<th>Figure</th><th>Claim</th><th>Paper</th><th>Measured</th><th>Verdict</th>";
+        AppendTable(page, report, "claims", "The paper’s claims and this run", Header, claim =>
+            $"<th>Fig. {Encode(Text(claim, "figure"))}</th><td>{Encode(Text(claim, "claim"))}</td><td>{Encode(Text(claim, "paper"))}</td>"
+            + $"<td>{Encode(Text(claim, "measured"))}</td><td>{(claim.GetProperty("holds").GetBoolean() ? "holds" : "does not hold")}</td>");
     }
 
     static void AppendFacts(StringBuilder page, JsonElement report, string section, string caption)

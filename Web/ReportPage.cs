@@ -5,7 +5,7 @@ public static class ReportPage
 {
     static readonly PageTemplate Template = PageTemplate.Named("report.html");
 
-    /// <summary>True when the page draws plots; false when Node.js was missing where this assembly was built.</summary>
+    /// <summary>True when the page draws plots; false if this assembly was built without Node.js.</summary>
     public static bool HasPlots => Template != null;
 
     /// <param name="json">One JSON object; the fields are those of <c>Web/src/data.ts</c>, each of which may be null or absent.</param>

@@ -1,4 +1,5 @@
-// Makes dist/report.html, figures.html, calibration.html, vlc.html, pairing.html and operations.html: each one page with its script and style inside. `npm run build` and prepare.mjs call it.
+// Builds dist/report.html, figures.html, calibration.html, vlc.html, pairing.html and operations.html, each with its script and style inside.
+// `npm run build` and prepare.mjs run it.
 import { mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { createHash } from 'node:crypto';
 import { dirname, join } from 'node:path';

@@ -1,6 +1,6 @@
-// What builds of projects with bundling.targets run: installs the pinned packages when package-lock.json changed and bundles when
-// a source changed. Builds that run at the same time take turns.
-// Status: 0 done, 3 the packages cannot be had here (the build goes on without), 1 the sources are at fault.
+// Run by builds of projects with bundling.targets. Installs the pinned packages if package-lock.json has changed, and bundles if a source
+// has changed. Concurrent builds wait for each other.
+// Exit status: 0 success, 3 the packages are not available (the build continues without the bundle), 1 an error in the sources.
 import { execSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
@@ -22,7 +22,7 @@ function isRunning(pid) {
   }
 }
 
-/** Waits for the other build, however long its installation takes; one that died does not hold us up. */
+/** Waits for another build, for any duration of its installation. Ignores a build that has crashed. */
 async function takeTurn(lock) {
   mkdirSync(dirname(lock), { recursive: true });
   for (;;) {
@@ -58,9 +58,9 @@ function isCurrent(folder, sources, outputs) {
 }
 
 /**
- * Bundles what is in a folder with package.json and bundle.mjs, when it must.
- * @param sources Files and folders whose change makes the bundle old.
- * @param outputs What bundle.mjs writes to dist.
+ * Bundles a folder with package.json and bundle.mjs if its bundle is missing or outdated.
+ * @param sources Files and folders that the bundle depends on.
+ * @param outputs Files that bundle.mjs writes to dist.
  */
 export async function prepare({ folder, sources, outputs }) {
   if (Number(process.versions.node.split('.')[0]) < 20) {

@@ -20,16 +20,16 @@ static class AblationVerb
     {
         var recordings = new Option<DirectoryInfo>("--recordings")
         {
-            Description = "Folder of motions as replay reads them (*.csv, *.csv.gz); without it simulated motions alone", HelpName = "DIR",
+            Description = "Folder with motions in the format of replay (*.csv, *.csv.gz). Default: simulated motions only", HelpName = "DIR",
         };
         recordings.AcceptExistingOnly();
-        var command = new Command("ablation", "Errors with one part left out over those of the whole, in virtual time") { recordings };
+        var command = new Command("ablation", "Compare the errors without one part of the predictor with those of the whole predictor, in virtual time") { recordings };
         command.SetAction((parsed, stop) =>
         {
             Write(parsed.GetValue(recordings)?.FullName, stop);
             return Task.FromResult(ExitStatus.Done);
         });
-        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "What Nowpose costs.", command), args);
+        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "Benchmarks of Nowpose.", command), args);
     }
 
     static void Write(string recordings, CancellationToken stop)
@@ -46,7 +46,7 @@ static class AblationVerb
         }
 
         Console.WriteLine();
-        Console.WriteLine("RMS error over that of the whole, geometric mean and (greatest).");
+        Console.WriteLine("RMS error divided by that of the whole predictor: geometric mean and (maximum).");
         for (var i = 0; i < groups.Count; i++) WriteRuns(groups[i], whole[i]);
     }
 

@@ -28,11 +28,11 @@ public static class Candidates
     /// <param name="jerkToNoise">Ratio of jerk to noise, s⁻⁵.</param>
     public static JointPredictor Kalman(double jerkToNoise) => By(new KalmanFilter(jerkToNoise));
 
-    /// <param name="leastCutoff">Minimum cut-off frequency, Hz.</param>
+    /// <param name="minCutoff">Minimum cut-off frequency, Hz.</param>
     /// <param name="slope">Slope of the cut-off frequency, Hz per mm/s.</param>
     /// <param name="velocityCutoff">Cut-off frequency of the velocity, Hz.</param>
-    public static JointPredictor OneEuro(double leastCutoff, double slope, double velocityCutoff) =>
-        By(new OneEuroFilter(leastCutoff, slope, velocityCutoff));
+    public static JointPredictor OneEuro(double minCutoff, double slope, double velocityCutoff) =>
+        By(new OneEuroFilter(minCutoff, slope, velocityCutoff));
 
     /// <param name="timeConstant">Time constant, s.</param>
     public static JointPredictor DoubleExponential(double timeConstant) => By(new DoubleExponential(timeConstant));

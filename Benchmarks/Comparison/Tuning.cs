@@ -18,7 +18,9 @@ static class Tuning
         to.WriteLine($"Tuned on seeds {string.Join(", ", Conditions.TuningSeeds)}; RMS over hold:");
         Report(to, "Kalman (jerk to noise, s⁻⁵)", [1e10], x => Candidates.Kalman(x[0]));
         Report(to, "double exponential (time constant, s)", [0.01], x => Candidates.DoubleExponential(x[0]));
-        Report(to, "One-Euro (least cut-off Hz, Hz per mm/s, velocity's cut-off Hz)", [4, 0.01, 30], x => Candidates.OneEuro(x[0], x[1], x[2]));
+        Report(
+            to, "One-Euro (minimum cut-off in Hz, Hz per mm/s, cut-off of the velocity in Hz)", [4, 0.01, 30],
+            x => Candidates.OneEuro(x[0], x[1], x[2]));
     }
 
     static void Report(TextWriter to, string name, double[] start, Func<double[], JointPredictor> create)
@@ -31,15 +33,15 @@ static class Tuning
     static void Report(TextWriter to, string name, double[] start, Func<double[], JointPredictor> create, IReadOnlyList<Condition> conditions)
     {
         double[] constants = [.. start];
-        var least = double.PositiveInfinity;
+        var min = double.PositiveInfinity;
         for (var round = 0; round < MaxRounds; round++)
         {
-            var before = least;
-            for (var i = 0; i < constants.Length; i++) least = Improve(constants, i, create, conditions);
-            if (!(least * AsGood < before)) break;
+            var before = min;
+            for (var i = 0; i < constants.Length; i++) min = Improve(constants, i, create, conditions);
+            if (!(min * AsGood < before)) break;
         }
         to.WriteLine(string.Create(CultureInfo.InvariantCulture,
-            $"  {name}: {string.Join(", ", constants.Select(value => value.ToString("G3", CultureInfo.InvariantCulture)))} leaves {least:0.000}"));
+            $"  {name}: {string.Join(", ", constants.Select(value => value.ToString("G3", CultureInfo.InvariantCulture)))} leaves {min:0.000}"));
     }
 
     // Finds the best value of a constant on the grid around its current value, and sets it.
@@ -56,8 +58,8 @@ static class Tuning
             // Excludes meaningless values of a constant; NaN would count as the minimum.
             .Where(result => double.IsFinite(result.Error))
             .ToList();
-        var least = tried.Min(result => result.Error);
-        var best = tried.Where(result => result.Error <= AsGood * least).MinBy(result => Math.Abs(result.Step));
+        var min = tried.Min(result => result.Error);
+        var best = tried.Where(result => result.Error <= AsGood * min).MinBy(result => Math.Abs(result.Step));
         constants[index] = best.Value;
         return best.Error;
     }

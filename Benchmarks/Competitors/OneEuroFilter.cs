@@ -1,10 +1,10 @@
 namespace Nowpose.Benchmarks.Competitors;
 
 /// <summary>The One-Euro filter (Casiez, Roussel, Vogel 2012), extrapolated with its own filtered velocity.</summary>
-/// <param name="leastCutoff">f_cmin, Hz: the cut-off at rest.</param>
+/// <param name="minCutoff">f_cmin, Hz: the cut-off at rest.</param>
 /// <param name="slope">β, Hz per unit of velocity: how the cut-off rises with speed.</param>
 /// <param name="velocityCutoff">f_cd, Hz: the cut-off for the velocity.</param>
-sealed class OneEuroFilter(double leastCutoff, double slope, double velocityCutoff) : RecursiveFilter
+sealed class OneEuroFilter(double minCutoff, double slope, double velocityCutoff) : RecursiveFilter
 {
     double _position, _velocity;
 
@@ -13,7 +13,7 @@ sealed class OneEuroFilter(double leastCutoff, double slope, double velocityCuto
     protected override void Update(double interval, double position)
     {
         _velocity += Share(velocityCutoff, interval) * ((position - Newest) / interval - _velocity);
-        _position += Share(leastCutoff + slope * Math.Abs(_velocity), interval) * (position - _position);
+        _position += Share(minCutoff + slope * Math.Abs(_velocity), interval) * (position - _position);
     }
 
     protected override double PositionAt(double ahead) => _position + _velocity * ahead;

@@ -19,11 +19,13 @@ static class LinkTable
         var table = new Table().AddColumns(
             "link", "runs", "current\nafter s", "coarse\ns", "synchro-\nnised s", "current\n%", "not cur-\nrent s",
             "reduc-\ntion %", "error mm\n(held)", "clock error\nP50, P99 µs", "stated\n± µs", "within\n± %",
-            "stall: held,\nback s", "late: packets\nµs, frames ms");
+            "stall: held\nafter s, back s", "late: packets\nµs, frames ms");
         foreach (var runs in results.GroupBy(result => result.Profile)) table.AddRow([.. Row([.. runs]).Select(Markup.Escape)]);
         console.Write(table);
         console.WriteLine(
-            "Medians over the runs. Errors are against the true motion and the true clock. Late: P99, from other load on this machine.");
+            "Medians over the runs. Errors are against the true motion and the true clock. "
+            + "Stall: times until the pose is held and until it is current again. "
+            + "Late: P99 of the delays that other load on this machine causes.");
     }
 
     public static string Json(IReadOnlyList<LinkResult> results) => JsonSerializer.Serialize(results, Snake);

@@ -30,11 +30,11 @@ sealed partial class LinkTruth : IDemoTruth
     public ControlTime ControlAt(HeadsetTime t) =>
         ControlTime.FromNanoseconds(_interceptNs + t.Nanoseconds + (long)Math.Round(t.Nanoseconds * _skew));
 
-    public void JointsAt(ControlTime t, Span<double> positions) => _motion.At(SinceStart(t), positions);
+    public void JointsAt(ControlTime t, Span<double> positions) => _motion.At(MotionSecondsAt(t), positions);
 
-    public int CycleAt(ControlTime t) => (int)(SinceStart(t) / _motion.CycleSeconds);
+    public double MotionSecondsAt(ControlTime t) => (t - _motionStart).Ticks / (double)TimeSpan.TicksPerSecond;
 
-    double SinceStart(ControlTime t) => (t - _motionStart).Ticks / (double)TimeSpan.TicksPerSecond;
+    public int CycleAt(ControlTime t) => (int)(MotionSecondsAt(t) / _motion.CycleSeconds);
 
     [GeneratedRegex(@"^c1_ns = (?<A>-?\d+) \+ (?<B>\S+) \* monotonic_ns$")]
     private static partial Regex ClockLine();

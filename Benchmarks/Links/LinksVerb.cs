@@ -12,26 +12,26 @@ static class LinksVerb
         Description = $"Link to run, any number of times [{string.Join(", ", LinkProfile.All.Select(p => p.Name))}] [default: all]",
         HelpName = "NAME",
     };
-    static readonly Option<int> Repeats = NumberOption.Create("--repeats", "Runs over each link", 5, 1, 1000, "");
+    static readonly Option<int> Repeats = NumberOption.Create("--repeats", "Number of runs over each link", 5, 1, 1000, "");
     static readonly Option<double> Seconds = NumberOption.Create(
         "--seconds", "Length of a run; limits hold for 30 s or more", LinkLimits.Seconds, 5, 3600, "s");
-    static readonly Option<int> Seed = NumberOption.Create("--seed", "Of the first run; each further one takes the next", 1, 0, 1_000_000, "");
-    static readonly Option<bool> Reorder = new("--reorder") { Description = "Let packets overtake each other" };
-    static readonly Option<string> Out = new("--out") { Description = "Write every run there as JSON", HelpName = "FILE" };
+    static readonly Option<int> Seed = NumberOption.Create("--seed", "Seed of the first run; each further run uses the next one", 1, 0, 1_000_000, "");
+    static readonly Option<bool> Reorder = new("--reorder") { Description = "Allow packets to overtake each other" };
+    static readonly Option<string> Out = new("--out") { Description = "File for the results of all runs, as JSON", HelpName = "FILE" };
     static readonly Option<string> Sessions = new("--sessions")
     {
-        Description = "Keep the headset's session files in this folder, which is made when it does not exist", HelpName = "FOLDER",
+        Description = "Folder for the headset's session files; created if it does not exist", HelpName = "FOLDER",
     };
 
     public static Task<int> RunAsync(string[] args)
     {
         var command = new Command(
-            "links", "A gateway and a headset in network namespaces of their own, with an emulated link between them. Linux, as root.")
+            "links", "Run a gateway and a headset in separate network namespaces with an emulated link between them. Needs Linux and root.")
         {
             Profiles, Repeats, Seconds, Seed, Reorder, Out, Sessions,
         };
         command.SetAction((parsed, stop) => RunAsync(Settings(parsed), parsed.GetValue(Out), stop));
-        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "What Nowpose costs.", command), args);
+        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "Benchmarks of Nowpose.", command), args);
     }
 
     static LinkSettings Settings(ParseResult parsed)

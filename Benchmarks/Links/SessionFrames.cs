@@ -40,7 +40,7 @@ sealed class SessionFrames
         {
             case "frame": _frames.Add(FrameOf(line)); break;
             case "clock": _clockStates.TryAdd(line.GetProperty("state").GetString(), HeadsetTime.FromNanoseconds(Whole(line, "at_ns").Value)); break;
-            case "lost": throw new InputException("the headset's session file lacks lines: the disk did not keep up");
+            case "lost": throw new InputException("lines are missing in the headset's session file, because the disk was too slow");
             default: break;
         }
     }

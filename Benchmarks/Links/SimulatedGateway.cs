@@ -19,7 +19,7 @@ sealed class SimulatedGateway
         // Read continuously: a full pipe would block the gateway.
         var errors = process.StandardError.ReadToEndAsync(CancellationToken.None);
         if (!await gateway.ReadAsync(process.StandardOutput).WaitAsync(StartTimeout, stop))
-            throw new InputException("the gateway ended before it served: " + (await errors).ReplaceLineEndings(" "));
+            throw new InputException("the gateway ended before it was ready: " + (await errors).ReplaceLineEndings(" "));
         _ = process.StandardOutput.ReadToEndAsync(CancellationToken.None);
         return gateway;
     }

@@ -27,7 +27,7 @@ sealed class FrameReader
         var (head, length) = bytes[1] switch
         {
             126 => (4, bytes.Length < 4 ? int.MaxValue : BinaryPrimitives.ReadUInt16BigEndian(bytes[2..])),
-            127 => throw new InputException("the gateway sent a frame that no joint state needs"),
+            127 => throw new InputException("the gateway sent a frame that is too long for a joint state"),
             var small => (2, small),
         };
         if (length > bytes.Length - head) return false;

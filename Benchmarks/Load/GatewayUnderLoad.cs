@@ -51,7 +51,7 @@ sealed class GatewayUnderLoad : IDisposable
         start.Environment["MALLOC_ARENA_MAX"] = "1";
         var gateway = new GatewayUnderLoad(new Process { StartInfo = start, EnableRaisingEvents = true });
         gateway._process.OutputDataReceived += (_, line) => gateway.Take(line.Data);
-        gateway._process.Exited += (_, _) => gateway._serves.TrySetException(new InputException("the gateway ended before it served"));
+        gateway._process.Exited += (_, _) => gateway._serves.TrySetException(new InputException("the gateway ended before it was ready"));
         gateway._process.Start();
         gateway._process.BeginOutputReadLine();
         try

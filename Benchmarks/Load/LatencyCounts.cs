@@ -1,6 +1,6 @@
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>Counts latencies in classes of 10 µs; all above a second are one class. Any thread; counting does not allocate.</summary>
+/// <summary>Counts latencies in classes of 10 µs; all above a second are one class. Thread-safe; counting does not allocate.</summary>
 sealed class LatencyCounts
 {
     const long StepNs = 10_000;

@@ -62,7 +62,7 @@ sealed class LoadRun : IDisposable
             _headsets.Count(headset => headset.Problem != null), _headsets.Sum(headset => headset.Refused),
             _latencies.Quantile(0.5).TotalMilliseconds, _latencies.Quantile(0.99).TotalMilliseconds, _latencies.Maximum.TotalMilliseconds,
             _sampled.ErrorUs(0.5), _sampled.ErrorUs(0.95), _truth.Bound.TotalMicroseconds,
-            memory.MeanMiB, memory.GreatestMiB, memory.Deviation,
+            memory.MeanMiB, memory.MaxMiB, memory.Deviation,
             (_gateway.ProcessorTime - gatewayBefore).TotalSeconds / seconds, (self.TotalProcessorTime - selfBefore).TotalSeconds / seconds);
     }
 

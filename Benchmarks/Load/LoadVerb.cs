@@ -15,15 +15,15 @@ static class LoadVerb
 
     public static Task<int> RunAsync(string[] args)
     {
-        var headsets = NumberOption.Create("--headsets", "Headsets, each with both its connections", 200, 1, 4000, "");
-        var rate = NumberOption.Create("--rate-hz", "Samples a second", 50.0, 1, 1000, "Hz");
-        var seconds = NumberOption.Create("--seconds", "How long to measure, after 10 s that are not", 300, 1, 86_400, "s");
+        var headsets = NumberOption.Create("--headsets", "Number of headsets, with two connections each", 200, 1, 4000, "");
+        var rate = NumberOption.Create("--rate-hz", "Samples per second", 50.0, 1, 1000, "Hz");
+        var seconds = NumberOption.Create("--seconds", "Duration of the measurement, after a warm-up of 10 s", 300, 1, 86_400, "s");
         var breaks = new Option<bool>("--until-it-breaks")
         {
-            Description = "Then a quarter more headsets again and again, 20 s each, until P99 is 5 ms or samples are lost",
+            Description = "Afterwards, add a quarter more headsets every 20 s until P99 reaches 5 ms or samples are lost",
         };
         var command = new Command(
-            "gateway", "A gateway in a process of its own, and very many headsets, which share this machine's processors with it")
+            "gateway", "Run a gateway in a separate process with many headsets, which share this machine's processors with it")
         {
             headsets, rate, seconds, breaks,
         };
@@ -36,7 +36,7 @@ static class LoadVerb
             if (results.Count > 1) TellTheBreak(results);
             return Judge(results[0]);
         });
-        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "What Nowpose costs.", command), args);
+        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "Benchmarks of Nowpose.", command), args);
     }
 
     static async Task<List<LoadResult>> MeasureAsync(LoadSettings settings, bool untilItBreaks, CancellationToken stop)
@@ -70,6 +70,7 @@ static class LoadVerb
     {
         var last = results[^1];
         Console.Error.WriteLine(last.Break == null
-            ? $"did not break with {last.Headsets} headsets" : $"breaks with {last.Headsets} headsets ({last.Break}), holds with {results[^2].Headsets}");
+            ? $"within the limits with {last.Headsets} headsets"
+            : $"exceeds a limit with {last.Headsets} headsets ({last.Break}), not with {results[^2].Headsets}");
     }
 }

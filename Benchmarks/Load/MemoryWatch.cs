@@ -14,7 +14,7 @@ sealed class MemoryWatch
 
     public double MeanMiB => _bytes.Count == 0 ? 0 : _bytes.Average() / Mebibyte;
 
-    public double GreatestMiB => _bytes.Count == 0 ? 0 : _bytes.Max() / Mebibyte;
+    public double MaxMiB => _bytes.Count == 0 ? 0 : _bytes.Max() / Mebibyte;
 
     /// <summary>Maximum deviation of the ten-second mean from the mean of all samples, as a share of the latter.</summary>
     public double Deviation =>

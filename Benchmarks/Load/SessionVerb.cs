@@ -13,16 +13,16 @@ static class SessionVerb
 
     public static Task<int> RunAsync(string[] args)
     {
-        var headsets = NumberOption.Create("--headsets", "Headsets that are connected at the same time", 200, 1, 2000, "");
-        var rounds = NumberOption.Create("--rounds", "How often all of them come and go", 40, 8, 10_000, "");
-        var milliseconds = NumberOption.Create("--stay-ms", "How long they stay", 1000, 0, 3_600_000, "ms");
-        var command = new Command("sessions", "A gateway in a process of its own, and headsets that come and go: its memory must level off")
+        var headsets = NumberOption.Create("--headsets", "Number of headsets that are connected at the same time", 200, 1, 2000, "");
+        var rounds = NumberOption.Create("--rounds", "Number of times that all headsets connect and disconnect", 40, 8, 10_000, "");
+        var milliseconds = NumberOption.Create("--stay-ms", "Duration of each connection", 1000, 0, 3_600_000, "ms");
+        var command = new Command("sessions", "Run a gateway in a separate process while headsets connect and disconnect; its memory must stop growing")
         {
             headsets, rounds, milliseconds,
         };
         command.SetAction((parsed, stop) => MeasureAsync(
             parsed.GetValue(headsets), parsed.GetValue(rounds), TimeSpan.FromMilliseconds(parsed.GetValue(milliseconds)), stop));
-        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "What Nowpose costs.", command), args);
+        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "Benchmarks of Nowpose.", command), args);
     }
 
     static async Task<int> MeasureAsync(int headsets, int rounds, TimeSpan stay, CancellationToken stop)
@@ -86,7 +86,7 @@ static class SessionVerb
         Console.WriteLine();
         Console.WriteLine(FormattableString.Invariant($"last quarter {last:0.0} MiB, the quarter before {before:0.0} MiB ({100 * growth:+0.0;-0.0} %)"));
         if (growth <= MaxGrowth) return ExitStatus.Done;
-        Console.Error.WriteLine(FormattableString.Invariant($"error: the memory still grows, by {100 * growth:0.0} %; allowed are {100 * MaxGrowth:0} %"));
+        Console.Error.WriteLine(FormattableString.Invariant($"error: the memory still grows by {100 * growth:0.0} %; allowed are {100 * MaxGrowth:0} %"));
         return ExitStatus.Failed;
     }
 }

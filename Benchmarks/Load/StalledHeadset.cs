@@ -20,7 +20,7 @@ static class StalledHeadset
             {
                 if (await ProblemAsync(gateway.WebSocket, stop) is not { } problem) continue;
                 // Logged, because the results must be measured with this headset connected.
-                Console.Error.WriteLine($"the headset that reads nothing: {problem}; it comes again");
+                Console.Error.WriteLine($"the headset that stops reading: {problem}; it reconnects");
                 await Task.Delay(Pause, stop);
             }
         }

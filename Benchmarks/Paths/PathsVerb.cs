@@ -13,21 +13,21 @@ static class PathsVerb
 
     public static Task<int> RunAsync(string[] args)
     {
-        var seeds = NumberOption.Create("--seeds", "Runs of each change", 6, 1, 1000, "");
-        var first = NumberOption.Create("--first-seed", "Of the first run; each further one takes the next", 7000, 0, 1_000_000, "");
+        var seeds = NumberOption.Create("--seeds", "Number of runs for each change", 6, 1, 1000, "");
+        var first = NumberOption.Create("--first-seed", "Seed of the first run; each further run uses the next one", 7000, 0, 1_000_000, "");
         var estimator = new Option<string>("--estimator")
         {
             Description = $"Clock estimator [{string.Join(", ", ClockEstimators.Names)}]", HelpName = "NAME",
             DefaultValueFactory = _ => ClockEstimators.Default,
         };
         estimator.AcceptOnlyFromAmong([.. ClockEstimators.Names]);
-        var command = new Command("paths", "The clock while the least delays of a path change, in virtual time, against the true clock")
+        var command = new Command("paths", "Compare the estimated clock with the true clock while the minimum delays of a path change, in virtual time")
         {
             seeds, first, estimator,
         };
         command.SetAction((parsed, stop) => Task.FromResult(
             Run(parsed.GetValue(estimator), [.. Enumerable.Range(parsed.GetValue(first), parsed.GetValue(seeds))], stop)));
-        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "What Nowpose costs.", command), args);
+        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "Benchmarks of Nowpose.", command), args);
     }
 
     static int Run(string estimator, int[] seeds, CancellationToken stop)
@@ -50,8 +50,8 @@ static class PathsVerb
 
         Console.WriteLine();
         Console.WriteLine(
-            "Greatest error / half the difference of the changes of both directions, greatest distance of the skew from its value before, and "
-            + "the share of the time in which the error was within the stated ±, of the worst run; from 5 s after the change on. ** misses a limit.");
+            "Cells: maximum error divided by half the difference of the changes of both directions, maximum change of the skew, and share of the "
+            + "time in which the error was within the stated ±. Values of the worst run, from 5 s after the change on. **: exceeds a limit.");
         foreach (var line in missed) Console.Error.WriteLine("error: " + line);
         return missed.Count == 0 ? ExitStatus.Done : ExitStatus.Failed;
     }

@@ -6,7 +6,7 @@ namespace Nowpose.Cli.Calibrate;
 static class CalibrateVerb
 {
     public static Command Create() => new(
-        "calibrate", "Visualisation latency and constant-latency range from measurements; each way writes a profile for the headset and a page.")
+        "calibrate", "Determine the visualisation latency and the constant-latency range. Each method writes a profile for the headset and a page.")
     {
         VlcVerb.Create(), HeadVerb.Create(), RangeVerb.Create(), SineVerb.Create(), NudgeVerb.Create(), SimulateVerb.Create(),
     };

@@ -64,8 +64,8 @@ sealed class CalibrationOutput
     string Beside(TimeSpan limit)
     {
         Console.Error.WriteLine(FormattableString.Invariant(
-            $"nowpose: {ProfilePath} has a limit of the render time, {limit.TotalMilliseconds:0.00} ms, and stays; ")
-            + $"the new profile has none and is written beside it. For the new L_visu with that limit, vlc, sine and nudge take --profile {ProfilePath}");
+            $"nowpose: {ProfilePath} has a render time limit of {limit.TotalMilliseconds:0.00} ms and was kept; ")
+            + $"the new profile has no limit and was written beside it. To keep the limit with the new L_visu, run vlc, sine or nudge with --profile {ProfilePath}");
         return UnlimitedProfilePath;
     }
 

@@ -11,12 +11,12 @@ sealed class DeviceOptions
 {
     readonly Option<string> _device = new("--device")
     {
-        Description = "The headset's model, as Unity's SystemInfo.deviceModel and the sweep's log have it; the headset refuses a profile of another "
-            + "one. Not said: taken from the sweep's log, else the profile fits any",
+        Description = "Model of the headset, as in Unity's SystemInfo.deviceModel and the sweep's log. The headset refuses a profile of another "
+            + "model. Default: the model in the sweep's log; without a log, the profile is valid for any model",
     };
 
     readonly Option<double> _displayHz = NumberOption.Create(
-        "--display-hz", "Refresh rate of the headset's display; 0 for not said, as of --device", 0.0, 0, 1000, "Hz");
+        "--display-hz", "Refresh rate of the headset's display; 0: the default as for --device", 0.0, 0, 1000, "Hz");
 
     readonly Option<string> _graphicsApi = Text("--graphics-api", "Graphics API, as SystemInfo.graphicsDeviceType names it: Direct3D11");
 
@@ -58,15 +58,15 @@ sealed class DeviceOptions
 
     /// <summary>The option for the source of the render time, for methods that find a limit.</summary>
     public static Option<string> Source() => ChoiceOption.Create(
-        "--source", "What render_ms was measured with; the limit holds for no other", RenderTimeSourceNames.NameOf(RenderTimeSourceKind.DisplayGpuTime),
+        "--source", "Source of render_ms; the limit is valid for this source only", RenderTimeSourceNames.NameOf(RenderTimeSourceKind.DisplayGpuTime),
         [.. Enum.GetValues<RenderTimeSourceKind>().Where(kind => kind != RenderTimeSourceKind.None).Select(RenderTimeSourceNames.NameOf)]);
 
     /// <param name="source">A choice of <see cref="Source"/>.</param>
     public static RenderTimeSourceKind KindOf(string source) =>
-        RenderTimeSourceNames.TryParse(source, out var kind) ? kind : throw new InputException($"--source: '{source}' is not known");
+        RenderTimeSourceNames.TryParse(source, out var kind) ? kind : throw new InputException($"--source: '{source}' is unknown; allowed are {RenderTimeSourceNames.All}");
 
-    static Option<string> Text(string name, string description) => new(name) { Description = description + "; as of --device" };
+    static Option<string> Text(string name, string description) => new(name) { Description = description + "; default as for --device" };
 
     static Option<string> Choice(string name, string description, string[] allowed) =>
-        ChoiceOption.Create(name, description + "; as of --device", null, allowed);
+        ChoiceOption.Create(name, description + "; default as for --device", null, allowed);
 }

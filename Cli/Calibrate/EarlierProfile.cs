@@ -26,7 +26,7 @@ sealed class EarlierProfile
 
     public static Option<string> Option() => new("--profile")
     {
-        Description = "An earlier profile of the same device, whose limit of the render time is kept",
+        Description = "An earlier profile of the same device, whose render time limit is kept",
     };
 
     /// <summary>Reads the profile. Call this before the measurement, so that an invalid profile is reported early.</summary>
@@ -40,14 +40,14 @@ sealed class EarlierProfile
         if (sweep != null)
             warnings.AddRange(sweep.MismatchesWith(given).Select(each =>
                 $"--sweep: the log was written with {each.Label} '{each.Calibrated}', the options say '{each.Actual}'; "
-                + "the pictures must be of the sweep: take both again under the same settings"));
+                + "the pictures must belong to the sweep: repeat both with the same settings"));
         var conditions = sweep == null ? given : given.Or(sweep);
         var profile = path == null ? null : LatencyProfileFile.Load(path);
         if (profile?.RefusalFor(conditions) is string refusal) throw new InputException($"--profile: {path}: {refusal}");
         if (profile != null)
             warnings.AddRange(profile.MismatchesWith(conditions).Select(each =>
                 $"--profile: {path}: was measured with {each.Label} '{each.Calibrated}', this measurement has '{each.Actual}'; "
-                + "what is kept of the profile may not hold: sweep again"));
+                + "the values kept from the profile may be wrong: repeat the load sweep"));
         return new EarlierProfile(profile, conditions, warnings);
     }
 

@@ -12,15 +12,15 @@ static class HeadVerb
 {
     static readonly Argument<string[]> Pictures = new("PICTURES")
     {
-        Description = "Pictures of a headset that is turned to and fro, 25 a second or more, in the order they were taken: files, a folder or "
-            + "a video (needs ffmpeg).",
+        Description = "Pictures of a headset that is turned to the left and right, 25 per second or more, in the order in which they were taken: files, "
+            + "a folder or a video (needs ffmpeg).",
         Arity = ArgumentArity.OneOrMore,
     };
     static readonly Option<double> Readout = VlcVerb.ReadoutOption();
     static readonly Option<double> ControlDelay = VlcVerb.ControlDelayOption();
     static readonly Option<string> Earlier = new("--profile")
     {
-        Description = "The profile of the still pictures: it is written again with the latency for head motion",
+        Description = "Profile of the still pictures, to which the latency for head motion is added",
     };
     static readonly Option<string> Output = OutOption.Create();
     static readonly Option<bool> Json = OutOption.Json();

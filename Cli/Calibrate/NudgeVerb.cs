@@ -20,7 +20,7 @@ static class NudgeVerb
 
     public static Command Create()
     {
-        var verb = new Command("nudge", "L_visu by eye: the offsets at which hologram and robot agree in two directions. Without options: how it is done.")
+        var verb = new Command("nudge", "Determine L_visu by eye, from the offsets at which hologram and robot agree in both directions. Without options: print the instructions.")
         {
             Speed, Configured, Forward, Backward, Earlier, Output, Json,
         };
@@ -51,7 +51,7 @@ static class NudgeVerb
 
     static Option<double[]> Offsets(string name, string direction) => new(name)
     {
-        Description = $"Offset along the motion at which they agreed going {direction}, mm; several of them are better than one [-1000 to 1000 mm]",
+        Description = $"Offset along the motion at which hologram and robot agreed moving {direction}, mm; repeat for several measurements [-1000 to 1000 mm]",
         AllowMultipleArgumentsPerToken = true,
         DefaultValueFactory = _ => [],
     };

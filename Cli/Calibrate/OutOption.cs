@@ -7,7 +7,7 @@ static class OutOption
 {
     public static Option<string> Create() => new("--out")
     {
-        Description = "Folder for profile.json, calibration.html and, of pictures, pairs.csv",
+        Description = "Folder for profile.json, calibration.html and, for pictures, pairs.csv",
         DefaultValueFactory = _ => "nowpose-calibration",
     };
 

@@ -12,11 +12,11 @@ static class ProfileFacts
     {
         yield return ["L_visu", Ms(profile.Visualisation.Length)];
         yield return ["Spread (standard deviation)", Ms(profile.Spread)];
-        yield return ["Limit of the render time", profile.Range == null ? "not known" : Ms(profile.Range.Limit)];
+        yield return ["Render time limit", profile.Range == null ? "unknown" : Ms(profile.Range.Limit)];
         if (profile.ValidToRenderTime is TimeSpan valid) yield return ["Known to be constant up to", Ms(valid)];
         if (profile.Range != null) yield return ["Render time measured with", RenderTimeSourceNames.NameOf(profile.Range.Source)];
-        yield return ["Device", profile.Device.Length > 0 ? profile.Device : "not said: fits any"];
-        yield return ["Display", profile.DisplayHz > 0 ? profile.DisplayHz.ToString("0.##", CultureInfo.InvariantCulture) + " Hz" : "not said: fits any"];
+        yield return ["Device", profile.Device.Length > 0 ? profile.Device : "not stated: valid for any"];
+        yield return ["Display", profile.DisplayHz > 0 ? profile.DisplayHz.ToString("0.##", CultureInfo.InvariantCulture) + " Hz" : "not stated: valid for any"];
         for (var condition = DisplayCondition.GraphicsApi; condition <= DisplayCondition.Reprojection; condition++)
             if (profile.Conditions[condition] is string value) yield return [DisplayConditionNames.TitleOf(condition), value];
         if (profile.HeadMotion is HeadMotionLatency head) yield return ["Latency for head motion", $"{Ms(head.Latency)} ± {Ms(head.Uncertainty)}"];

@@ -12,12 +12,12 @@ static class RangeVerb
 {
     public static Command Create()
     {
-        var file = new Argument<string>("FILE") { Description = "Pairs: columns render_ms and visu_ms, and vertices where known; .csv or .csv.gz." };
+        var file = new Argument<string>("FILE") { Description = "Pairs: columns render_ms and visu_ms, optionally vertices; .csv or .csv.gz." };
         var device = new DeviceOptions();
         var source = DeviceOptions.Source();
         var output = OutOption.Create();
         var json = OutOption.Json();
-        var verb = new Command("range", "Fit the constant-latency range: L_visu, and the render time up to which it is constant.") { file, source, output, json };
+        var verb = new Command("range", "Estimate L_visu and the render time up to which it is constant.") { file, source, output, json };
         device.AddTo(verb);
         verb.SetAction(parsed => Run(
             parsed.GetValue(file), parsed.GetValue(source), device.Conditions(parsed), parsed.GetValue(output), parsed.GetValue(json)));
@@ -49,8 +49,8 @@ static class RangeVerb
         double low = loads[..third].Average(), high = loads[^third..].Average();
         if (high - low >= MinRise * low) return;
         throw new InputException(FormattableString.Invariant(
-            $"{file}: this source cannot see load: at the lowest loads {source} was {low:0.00} ms, at the highest {high:0.00} ms; ")
-            + "measure the render time by another source and sweep again, or take L_visu alone by calibrate vlc without a limit");
+            $"{file}: this source does not respond to load: at the lowest loads {source} was {low:0.00} ms, at the highest {high:0.00} ms; ")
+            + "repeat the sweep with another source of the render time, or run calibrate vlc for L_visu without a limit");
     }
 
     static RangeFitResult FitOf(IReadOnlyList<MeasuredPicture> pictures, string file)

@@ -15,18 +15,21 @@ static class SimulateVerb
     static readonly Option<int> PerPlace = NumberOption.Create(
         "--per-place", "Number of pictures after which the camera moves.", Standard.PicturesPerPlace, 1, 100_000, "");
     static readonly Option<int> LoadSteps = NumberOption.Create(
-        "--load-steps", "Steps of the load from 0 to 2 million vertices; 0 stays at 300 000.", Standard.LoadSteps, 0, 100, "");
+        "--load-steps", "Number of load steps from 0 to 2 million vertices; 0: a constant load of 300 000 vertices.", Standard.LoadSteps, 0, 100, "");
     static readonly Option<double> Lit = NumberOption.Create(
-        "--lit-ms", "How long each frame is in the light; pictures scatter by half of it.", Standard.LitMs, 0.5, 16.6, "ms");
+        "--lit-ms", "Time for which each frame is lit; the results scatter by half of it.", Standard.LitMs, 0.5, 16.6, "ms");
     static readonly Option<double> Exposure = NumberOption.Create(
         "--exposure-ms", "Maximum exposure, uniform from 1 ms.", Standard.ExposureMs, 1, 40, "ms");
     static readonly Option<double> Readout = NumberOption.Create(
-        "--readout-ms", "Rolling shutter: how much later the last row is exposed than the first.", 0.0, -100, 100, "ms");
+        "--readout-ms", "Rolling shutter: delay of the last row's exposure after the first row's.", 0.0, -100, 100, "ms");
     static readonly Option<double?> HeadLatency = NumberOption.CreateOptional(
-        "--head-latency-ms", "Turn headset and camera to and fro, 30 pictures a second from one place at an ordinary load, with this latency for "
-        + "head motion: pictures for calibrate head", -100.0, 300, "ms");
+        "--head-latency-ms", "Create pictures for calibrate head instead: headset and camera turn to and fro with this latency for head motion, at "
+        + "30 pictures a second, from one place and at a constant load", -100.0, 300, "ms");
     static readonly Option<int> Seed = NumberOption.Create("--seed", "Seed of the random numbers.", Standard.Seed, int.MinValue, int.MaxValue, "");
-    static readonly Option<bool> Check = new("--check") { Description = "Keep no pictures: read each at once, and say how well. 1 is returned when L_visu is missed." };
+    static readonly Option<bool> Check = new("--check")
+    {
+        Description = "Read each picture immediately instead of storing it, and report the accuracy. Exit status 1 if L_visu is wrong.",
+    };
     static readonly Option<string> Output = new("--out")
     {
         Description = "Folder for pictures, sweep.csv and truth.csv", DefaultValueFactory = _ => "nowpose-pictures",
@@ -34,7 +37,7 @@ static class SimulateVerb
 
     public static Command Create()
     {
-        var verb = new Command("simulate", "Take pictures of a simulated display and LED matrix, with a sweep's log and the truth, to try calibrate vlc on.")
+        var verb = new Command("simulate", "Create pictures of a simulated display and LED matrix, with a sweep's log and the true values, as a test of calibrate vlc.")
         {
             Pictures, PerPlace, Visu, Spoiled, LoadSteps, Lit, Exposure, Readout, HeadLatency, Seed, Check, Output,
         };

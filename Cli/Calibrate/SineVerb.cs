@@ -13,24 +13,24 @@ static class SineVerb
 {
     static readonly Argument<string> Recording = new("RECORDING")
     {
-        Description = "What the camera saw: the time in s (t or t_s), then where the robot and where the hologram is, in pixels, .csv or .csv.gz; "
+        Description = "Positions in the camera's pictures: the time in s (t or t_s), then the positions of robot and hologram in pixels, .csv or .csv.gz; "
             + "or the video itself, with both boxes (needs ffmpeg).",
     };
-    static readonly Option<string> Columns = new("--columns") { Description = "Names of the robot's and the hologram's column, where there are more: ROBOT,HOLOGRAM" };
+    static readonly Option<string> Columns = new("--columns") { Description = "Names of the columns of robot and hologram, if there are more than two: ROBOT,HOLOGRAM" };
     static readonly Option<string> Control = new("--control")
     {
-        Description = "The control's positions over time, where the camera's clock is the control's: RECORDING then holds the hologram only",
+        Description = "Positions recorded by the control system, if the camera uses the control clock; RECORDING then has the hologram only",
     };
     static readonly Option<string> Joint = new("--joint") { Description = "Column of --control" };
     static readonly Option<PictureBox?> RobotBox = BoxOption.Create("--robot-box", "Video: a patch of the robot's tool in the first picture");
     static readonly Option<PictureBox?> HologramBox = BoxOption.Create("--hologram-box", "Video: a patch of the hologram in the first picture");
-    static readonly Option<bool> Inverted = new("--inverted") { Description = "One of the two counts backwards" };
+    static readonly Option<bool> Inverted = new("--inverted") { Description = "Robot and hologram count in opposite directions" };
     static readonly Option<double?> Application = NumberOption.CreateOptional(
-        "--app-ms", "Compensation off (the ghost): L_app as the panel shows it", 0.0, 1000, "ms");
+        "--app-ms", "Compensation off (the ghost): L_app as shown on the status panel", 0.0, 1000, "ms");
     static readonly Option<double> Sampling = NumberOption.Create(
-        "--sampling-ms", "With --app-ms: sampling interval T_s; a held sample is half of it late besides", 50.0, 1, 1000, "ms");
+        "--sampling-ms", "With --app-ms: sampling interval T_s; half of it is subtracted, too", 50.0, 1, 1000, "ms");
     static readonly Option<double?> Configured = NumberOption.CreateOptional(
-        "--told-ms", "Compensation on (the gripper): L_visu that the headset used; the remaining lag is its error", 0.0, 500, "ms");
+        "--told-ms", "Compensation on (the gripper): L_visu that the headset used; the remaining lag is the error of this value", 0.0, 500, "ms");
     static readonly Option<string> Earlier = EarlierProfile.Option();
     static readonly Option<string> Output = OutOption.Create();
     static readonly Option<bool> Json = OutOption.Json();
@@ -38,7 +38,7 @@ static class SineVerb
 
     public static Command Create()
     {
-        var verb = new Command("sine", "Estimate the total latency from a jog to and fro that a camera has seen, for those with a phone only.")
+        var verb = new Command("sine", "Estimate the total latency from a filmed jog back and forth. A phone's camera is sufficient.")
         {
             Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Configured, Earlier, Output, Json,
         };

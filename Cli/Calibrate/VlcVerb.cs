@@ -14,10 +14,10 @@ static class VlcVerb
 
     static readonly Argument<string[]> Pictures = new("PICTURES")
     {
-        Description = "Pictures (.png, .jpg) in the order they were taken, a folder of them, or a video (needs ffmpeg).",
+        Description = "Pictures (.png, .jpg) in the order in which they were taken, a folder of them, or a video (needs ffmpeg).",
         Arity = ArgumentArity.OneOrMore,
     };
-    static readonly Option<string> Sweep = new("--sweep") { Description = "The load sweep's log, by which each picture's render time is found" };
+    static readonly Option<string> Sweep = new("--sweep") { Description = "Log of the load sweep, which contains the render time of each picture" };
     static readonly Option<double> Readout = ReadoutOption();
     static readonly Option<double> ControlDelay = ControlDelayOption();
     static readonly Option<string> Earlier = EarlierProfile.Option();
@@ -27,7 +27,8 @@ static class VlcVerb
 
     public static Command Create()
     {
-        var verb = new Command("vlc", "Evaluate pictures of both codes, the control's and the headset's: L_visu of each, and with a sweep's log the range.")
+        var verb = new Command(
+            "vlc", "Determine L_visu from pictures of the control code and the headset's code and, with a sweep's log, the constant-latency range.")
         {
             Pictures, Sweep, Readout, ControlDelay, Earlier, Output, Json,
         };
@@ -53,15 +54,15 @@ static class VlcVerb
         var evaluation = new VlcEvaluation(result, sweep, earlier);
         var written = output.Write(evaluation.Profile, evaluation.Page);
         if (sweep != null) output.WritePairs(evaluation.Pictures);
-        ResultTable.Print(evaluation.Page, written, output.PagePath, parsed.GetValue(Json) ? VlcJson.Of(result) : null);
+        ResultTable.Print(evaluation.Page, written, output.PagePath, parsed.GetValue(Json) ? VlcJson.Of(result, evaluation.Profile) : null);
         return status;
     }
 
     public static Option<double> ReadoutOption() => NumberOption.Create(
-        "--readout-ms", "Rolling shutter: how much later the last row of a picture is exposed than the first", 0.0, -100, 100, "ms");
+        "--readout-ms", "Rolling shutter: delay of the last row's exposure after the first row's", 0.0, -100, 100, "ms");
 
     public static Option<double> ControlDelayOption() => NumberOption.Create(
-        "--control-delay-ms", "By how much what shows the control's code is late: switching time of LEDs, latency of a monitor", 0.0, 0, 500, "ms");
+        "--control-delay-ms", "Delay of the device that shows the control code: switching time of LEDs, latency of a monitor", 0.0, 0, 500, "ms");
 
     public static void Tell(VlcResult result)
     {
@@ -74,7 +75,7 @@ static class VlcVerb
     public static InputException NothingRead(string[] arguments, VlcResult result)
     {
         if (result.Pictures.Count == 1) return new InputException($"{result.Pictures[0].File}: {result.Pictures[0].Fault}");
-        var (fault, count) = result.Faults().First();
-        return new InputException($"{arguments[0]}: none of {result.Pictures.Count} pictures could be read; {count} of them: {fault}");
+        var (fault, files) = result.Faults().First();
+        return new InputException($"{arguments[0]}: none of {result.Pictures.Count} pictures could be read; {files.Count} of them: {fault}");
     }
 }

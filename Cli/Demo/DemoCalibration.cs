@@ -15,15 +15,12 @@ static class DemoCalibration
     /// <summary>Number of frames in which the queue in front of the display settles.</summary>
     const int FramesBefore = 10;
 
-    /// <summary>Maximum L_visu that the runtime allows, ms.</summary>
-    const double MaxMs = 500;
-
     /// <param name="settings">The settings, including the error to add to L_visu.</param>
     public static LatencyProfile Of(DemoSettings settings)
     {
         var fit = RangeFit.Fit(Sweep(settings));
         return new LatencyProfile(
-            Math.Clamp(fit.VisuMs + settings.VisualisationErrorMs, 0, MaxMs), fit.SpreadMs, "simulated headset", DemoDisplay.FramesPerSecond,
+            Math.Clamp(fit.VisuMs + settings.VisualisationErrorMs, 0, LatencyProfile.MaxVisuMs), fit.SpreadMs, "simulated headset", DemoDisplay.FramesPerSecond,
             DateTime.UtcNow, CalibrationMethod.VisibleLight, fit.Pairs, fit.LimitRenderMs, RenderTimeSourceKind.DisplayGpuTime, fit.ValidToRenderMs);
     }
 

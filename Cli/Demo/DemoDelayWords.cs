@@ -24,5 +24,5 @@ sealed class DemoDelayWords(DemoFrames frames)
 
     static string Text(List<double> delays, int frames) => string.Create(
         CultureInfo.InvariantCulture,
-        $"{delays.Count} of {frames}, by up to {delays.Max():0} ms: this machine was busy, and delays and errors are larger for it");
+        $"{delays.Count} of {frames}, by up to {delays.Max():0} ms: this machine was busy, which increased delays and errors");
 }

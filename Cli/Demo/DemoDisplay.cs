@@ -3,7 +3,7 @@ using Nowpose.Simulation;
 namespace Nowpose.Cli.Demo;
 
 /// <summary>The simulated headset's display: when frames start, and when their light is seen.</summary>
-/// <remarks>Without a load: 60 frames a second, constant L_visu and no render times. Allocates no memory after construction.</remarks>
+/// <remarks>Without vertices to render: 60 frames a second, constant L_visu and no render times. Allocates no memory after construction.</remarks>
 sealed class DemoDisplay
 {
     public const int FramesPerSecond = 60;
@@ -12,7 +12,7 @@ sealed class DemoDisplay
     const int Remembered = 4;
 
     readonly DisplayPipeline _pipeline;
-    readonly DemoLoad _load;
+    readonly Func<TimeSpan, double> _verticesAt;
     readonly TimeSpan _visualisation;
     readonly PipelineFrame[] _newest = new PipelineFrame[Remembered];
     long _frames;
@@ -20,8 +20,9 @@ sealed class DemoDisplay
     public DemoDisplay(DemoSettings settings)
     {
         _visualisation = TimeSpan.FromMilliseconds(settings.VisualisationMs);
-        if (settings.Load is not int vertices) return;
-        _load = new DemoLoad(vertices, settings.Seconds);
+        if (!settings.IsRendered) return;
+        _verticesAt = settings.Load is int vertices
+            ? new DemoLoad(vertices, settings.Seconds).VerticesAt : _ => settings.SteadyVertices.Value;
         _pipeline = new DisplayPipeline(settings.Seed, Settings(settings));
     }
 
@@ -31,7 +32,7 @@ sealed class DemoDisplay
     /// <summary>True L_visu of the newest frame.</summary>
     public TimeSpan Visualisation => Rendered?.Visualisation ?? _visualisation;
 
-    /// <summary>The newest frame's timing in the pipeline; null without a load.</summary>
+    /// <summary>The newest frame's timing in the pipeline; null without vertices to render.</summary>
     public PipelineFrame? Rendered => _pipeline == null || _frames == 0 ? null : _newest[(_frames - 1) % Remembered];
 
     /// <summary>The driver's render time at the start of the newest frame: that of the last finished frame. Null if there is none.</summary>
@@ -50,12 +51,12 @@ sealed class DemoDisplay
     }
 
     /// <summary>Gets the pipeline settings of a run.</summary>
-    public static DisplayPipelineSettings Settings(DemoSettings settings) => new(plateauMs: settings.VisualisationMs);
+    public static DisplayPipelineSettings Settings(DemoSettings settings) => new(settings.RefreshMs, plateauMs: settings.VisualisationMs);
 
     /// <summary>Renders the next frame.</summary>
     public void Render()
     {
-        if (_pipeline != null) _newest[_frames % Remembered] = _pipeline.Next(_load.VerticesAt(_pipeline.NextStart));
+        if (_pipeline != null) _newest[_frames % Remembered] = _pipeline.Next(_verticesAt(_pipeline.NextStart));
         _frames++;
     }
 }

@@ -6,7 +6,7 @@ namespace Nowpose.Cli.Demo;
 
 /// <summary>The headset's frame loop at the rate of its display: reads C2, plays the frame and records the displayed pose.</summary>
 /// <param name="waitUntil">Returns once the headset clock has reached the given time.</param>
-sealed class DemoFrameLoop(DemoSettings settings, DemoHeadset headset, IHeadsetClock clock, IDemoTruth truth, Action<HeadsetTime> waitUntil)
+sealed class DemoFrameLoop(DemoSettings settings, IDemoHeadset headset, IHeadsetClock clock, IDemoTruth truth, Action<HeadsetTime> waitUntil)
 {
     readonly DemoDisplay _display = new(settings);
 

@@ -39,11 +39,11 @@ sealed class DemoFrames
     {
         for (var frame = 0; frame < Rows.Count; frame++)
         {
-            if (!Rows[frame].Tool.IsFinite) return $"frame {frame}: the displayed tool is not at a finite position";
-            if (!Rows[frame].HeldTool.IsFinite) return $"frame {frame}: the ghost's tool is not at a finite position";
+            if (!Rows[frame].Tool.IsFinite) return $"frame {frame}: the position of the displayed tool is not finite";
+            if (!Rows[frame].HeldTool.IsFinite) return $"frame {frame}: the position of the ghost's tool is not finite";
             for (var joint = 0; joint < _joints; joint++)
                 if (!double.IsFinite(_displayed[frame * _joints + joint] + _held[frame * _joints + joint]))
-                    return $"frame {frame}: moving joint {joint} is not at a finite position";
+                    return $"frame {frame}: the position of moving joint {joint} is not finite";
             if (Rows[frame].Clock.IsKnown && !double.IsFinite(Rows[frame].OffsetErrorUs)) return $"frame {frame}: the clock offset is not finite";
         }
         return null;

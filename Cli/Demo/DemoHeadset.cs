@@ -8,7 +8,7 @@ using UnityEngine;
 namespace Nowpose.Cli.Demo;
 
 /// <summary>The headset: the package's own sample scene, played on the stand-in engine. Its displayed poses are read from its transforms.</summary>
-sealed class DemoHeadset : IDisposable
+sealed class DemoHeadset : IDemoHeadset
 {
     const string Package = "Packages/com.nowpose.mril/";
     const string Sample = Package + "Samples~/Connect to a Gateway/";
@@ -17,7 +17,6 @@ sealed class DemoHeadset : IDisposable
     readonly MrilSession _component;
     readonly RobotRig _displayed;
     readonly RobotRig _held;
-    readonly List<TimeSpan> _latencies;
     readonly string _recordingPath;
     CompensationSession _watched;
     SessionRecorder _recorder;
@@ -28,8 +27,7 @@ sealed class DemoHeadset : IDisposable
     public DemoHeadset(RobotModel robot, SessionSettings settings, IHeadsetClock clock, int samples, string recordingPath = null)
     {
         _recordingPath = recordingPath;
-        // Capacity for all samples: the frame is checked for allocations, and this list is filled within it.
-        _latencies = new List<TimeSpan>(samples);
+        Log = new SessionLog(samples);
         var assets = new AssetLibrary(Path.Combine(AppContext.BaseDirectory, "UnityProject"));
         _player = new Player(assets);
         // Set before the scene wakes, because the component connects immediately.
@@ -53,13 +51,11 @@ sealed class DemoHeadset : IDisposable
         _displayed = _component.GetComponentsInChildren<RobotRig>().First(rig => rig.Shows == RigPose.Displayed);
     }
 
-    /// <summary>The displayed frame, or null before the robot is known.</summary>
     public DisplayFrame Frame => _component.Frame;
 
     public CompensationSession Session => _component.Session;
 
-    /// <summary>L_app of every sample that arrived while the clock was synchronised.</summary>
-    public IReadOnlyList<TimeSpan> ApplicationLatencies => _latencies;
+    public SessionLog Log { get; }
 
     /// <summary>Position of the tool in the scene; the origin before the robot is known.</summary>
     public ToolPosition Tool => ToolOf(_displayed);
@@ -74,11 +70,8 @@ sealed class DemoHeadset : IDisposable
     public string Complaint => _player.Logs
         .FirstOrDefault(entry => entry.Type is LogType.Error or LogType.Exception or LogType.Assert)?.ToString();
 
-    /// <summary>Reports the GPU time of the newest finished frame, as the display's driver does.</summary>
     public void ReportGpuTime(TimeSpan length) => _player.ReportGpuTime(length);
 
-    /// <summary>Plays one frame.</summary>
-    /// <param name="seconds">Time since the scene was loaded.</param>
     public void Step(double seconds)
     {
         Watch();
@@ -119,12 +112,9 @@ sealed class DemoHeadset : IDisposable
         var session = _component.Session;
         if (session == _watched || session == null) return;
         _watched = session;
+        Log.Follow(session);
         // The first session of a cell for any robot has no joints and is not recorded.
         if (_recordingPath != null && session.Robot.MovingJoints.Count > 0) Record(session);
-        session.Intake.SampleTaken += (_, latency) =>
-        {
-            if (latency.HasValue) _latencies.Add(latency.Value);
-        };
     }
 
     void Record(CompensationSession session)

@@ -1,3 +1,5 @@
+using Nowpose.Cli.Demo.Paper;
+using Nowpose.Cli.Figures.Model;
 using Nowpose.Web;
 
 namespace Nowpose.Cli.Demo;
@@ -10,8 +12,10 @@ sealed class DemoOutput
         ResultPath = Path.Combine(folder, "result.json");
         ReportPath = Path.Combine(folder, "report.html");
         SessionPath = Path.Combine(folder, "session.jsonl");
+        Folder = folder;
     }
 
+    public string Folder { get; }
     public string ResultPath { get; }
     public string ReportPath { get; }
 
@@ -27,6 +31,7 @@ sealed class DemoOutput
             var output = new DemoOutput(Directory.CreateDirectory(folder).FullName);
             File.Delete(output.ReportPath);
             File.Delete(output.SessionPath);
+            PaperOutput.RemoveEarlier(output.Folder);
             File.WriteAllText(output.ResultPath, "");
             File.Delete(output.ResultPath);
             return output;
@@ -37,9 +42,10 @@ sealed class DemoOutput
         }
     }
 
-    public void Write(DemoScore score, DemoRun run, DemoResult result)
+    /// <param name="figures">The paper's figures of this run; null without <c>--paper</c>.</param>
+    public void Write(DemoScore score, DemoRun run, DemoResult result, IReadOnlyList<Figure> figures = null)
     {
         File.WriteAllText(ResultPath, DemoResultJson.Of(result));
-        File.WriteAllText(ReportPath, ReportPage.Render(DemoReport.Of(score, run, result)));
+        File.WriteAllText(ReportPath, ReportPage.Render(DemoReport.Of(score, run, result, figures)));
     }
 }

@@ -2,7 +2,7 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Compares a run with a load with the constant-latency range, as estimated by the runtime and in truth.</summary>
+/// <summary>Compares the constant-latency range that the runtime estimated in a run under load with the true one.</summary>
 sealed class DemoRange(DemoRun run, IReadOnlyList<DemoError> errors)
 {
     /// <summary>Gets the object for result.json; null without a load.</summary>

@@ -1,5 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
+using Nowpose.Cli.Figures;
+using Nowpose.Cli.Figures.Model;
 using Nowpose.Latency;
 
 namespace Nowpose.Cli.Demo;
@@ -13,13 +15,14 @@ static class DemoReport
     static readonly double[] IsoErrorsMm = [5, 10, 25, 50, 100, 200];
     static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
 
-    public static string Of(DemoScore score, DemoRun run, DemoResult result)
+    /// <param name="figures">The paper's figures of this run; null without <c>--paper</c>.</param>
+    public static string Of(DemoScore score, DemoRun run, DemoResult result, IReadOnlyList<Figure> figures = null)
     {
         var start = run.Frames.Rows.Count > 0 ? run.Frames.Rows[0].TrueLight : default;
         return JsonSerializer.Serialize(new
         {
             Title = $"Nowpose demo: {run.Settings.Robot.Name}",
-            Subtitle = "What the headset would have shown, against where the simulated robot truly was at the moment of light.",
+            Subtitle = "What the headset would have shown, compared with the true position of the simulated robot at the display time.",
             Settings = Settings(run.Settings),
             Summary = Summary(score, result.ToolErrorMm),
             Facts = Facts(result, new DemoRangeWords(run.Settings, result, score.Range), new DemoDelayWords(run.Frames)),
@@ -29,6 +32,11 @@ static class DemoReport
             Clock = Clock(run, start),
             Latency = Latency(run.ApplicationLatencies),
             Range = Range(run, start),
+            Claims = result.Claims?.Select(claim => new
+            {
+                claim.Figure, claim.Claim, Paper = claim.PaperText, Measured = claim.MeasuredText, claim.Holds,
+            }),
+            Figures = figures?.Select(FiguresJson.Of),
             Playback = new DemoPlayback(score, run, start).Instants(),
         }, Options);
     }
@@ -43,8 +51,8 @@ static class DemoReport
         ["Sampling interval", Ms(s.SamplingMs)],
         ["Acquisition", s.Acquisition + " ms"],
         ["Display latency", $"{Ms(s.VisualisationMs)}, the runtime uses {Ms(s.GivenVisualisationMs)}"],
-        ["Frame rate", s.Load == null ? $"{DemoDisplay.FramesPerSecond} fps" : $"{DemoDisplay.FramesPerSecond} fps, less while held back"],
-        ["Load", s.Load is int vertices ? vertices.ToString("0 vertices", CultureInfo.InvariantCulture) : "none"],
+        ["Frame rate", !s.IsRendered ? $"{DemoDisplay.FramesPerSecond} fps" : $"{DemoDisplay.FramesPerSecond} fps, less under load"],
+        ["Load", (s.Load ?? s.SteadyVertices) is int vertices ? vertices.ToString("0 vertices", CultureInfo.InvariantCulture) : "none"],
         ["Set-points ahead", s.PublishesPlan ? "published" : "none"],
         ["Seed", s.Seed.ToString(CultureInfo.InvariantCulture)],
     ];
@@ -53,20 +61,20 @@ static class DemoReport
     [
         new { Label = "RMS", Unit = "mm", Uncompensated = tool.HoldRms, Compensated = tool.Rms },
         new { Label = "P95", Unit = "mm", Uncompensated = score.HoldP95Mm, Compensated = tool.P95 },
-        new { Label = "Greatest", Unit = "mm", Uncompensated = tool.HoldMax, Compensated = tool.Max },
+        new { Label = "Maximum", Unit = "mm", Uncompensated = tool.HoldMax, Compensated = tool.Max },
     ];
 
     static string[][] Facts(DemoResult r, DemoRangeWords range, DemoDelayWords delays) =>
     [
-        ["Reduction as the headset measured it", $"{Number(100 * r.Hindcast.Reduction)} ± {Number(100 * r.Hindcast.ReductionUncertainty)} %"],
+        ["Reduction as the headset measured it", r.Hindcast.ReductionText],
         ["Application latency, median and P95", $"{Number(r.LatencyMs.AppP50)} ms, {Number(r.LatencyMs.AppP95)} ms"],
-        ["Error of the moment of light, P95", $"{Number(r.LatencyMs.TotalErrorP95)} ms"],
+        ["Display time error, P95", $"{Number(r.LatencyMs.TotalErrorP95)} ms"],
         .. Facts(range.Rows),
         ["Clock offset error, median and P95", $"{Number(r.Clock.OffsetErrorUsP50)} µs, {Number(r.Clock.OffsetErrorUsP95)} µs"],
-        ["Clock offset error, greatest", $"{Number(r.Clock.OffsetErrorUsMax)} µs"],
-        ["Clock offset error as stated, median; held in", $"± {Number(r.Clock.StatedErrorUsP50)} µs; {Number(100 * r.Clock.WithinStatedShare)} % of the frames"],
+        ["Clock offset error, maximum", $"{Number(r.Clock.OffsetErrorUsMax)} µs"],
+        ["Estimated clock offset error, median; true error within it in", $"± {Number(r.Clock.StatedErrorUsP50)} µs; {Number(100 * r.Clock.WithinStatedShare)} % of the frames"],
         ["Clock synchronised after", $"{Number(r.Clock.ConvergedS)} s"],
-        ["Time of a frame, the whole player loop, median and P99", $"{Number(r.Frame.CpuUsP50)} µs, {Number(r.Frame.CpuUsP99)} µs"],
+        ["Duration of a frame in the player loop, median and P99", $"{Number(r.Frame.CpuUsP50)} µs, {Number(r.Frame.CpuUsP99)} µs"],
         ["Allocated per frame", $"{Number(r.Frame.AllocatedBytesPerFrame)} B"],
         ["Frames, samples, dropped", $"{r.Frames}, {r.Samples}, {r.Dropped}"],
         .. Facts(delays.Rows),

@@ -1,4 +1,5 @@
 using System.Text.Json.Serialization;
+using Nowpose.Cli.Demo.Paper;
 
 namespace Nowpose.Cli.Demo;
 
@@ -6,13 +7,20 @@ namespace Nowpose.Cli.Demo;
 sealed record DemoResult(
     double Seconds, int Frames, long Samples, long Dropped, string Network,
     DemoResult.Latencies LatencyMs, DemoResult.ClockErrors Clock, DemoResult.ToolErrors ToolErrorMm, DemoResult.FrameCost Frame,
-    DemoResult.Hindcasts Hindcast, DemoResult.Ranges Range)
+    DemoResult.Hindcasts Hindcast, DemoResult.Ranges Range, DemoResult.LightErrors LightErrorMs)
 {
+    /// <summary>The paper's claims with this run's numbers; null without <c>--paper</c>.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public IReadOnlyList<PaperClaim> Claims { get; init; }
+
     /// <summary>Milliseconds. <see cref="Visu"/> is the simulated headset's true L_visu.</summary>
     public sealed record Latencies(double? AppP50, double? AppP95, double Visu, double? TotalErrorP95);
 
-    /// <param name="StatedErrorUsP50">The runtime's stated uncertainty. Like the next value not in result.json, whose fields are fixed.</param>
-    /// <param name="WithinStatedShare">Share of the time in which the true error was within the stated uncertainty.</param>
+    /// <summary>Error of the end-to-end latency: magnitude of the assumed minus the true control time of the light, ms.</summary>
+    public sealed record LightErrors(double? P50, double? P95, double? Max);
+
+    /// <param name="StatedErrorUsP50">The runtime's estimated error. This and the next value are not in result.json, whose fields are fixed.</param>
+    /// <param name="WithinStatedShare">Share of the time in which the true error was within the estimated error.</param>
     public sealed record ClockErrors(
         double? OffsetErrorUsP50, double? OffsetErrorUsP95, double? OffsetErrorUsMax, double? SkewErrorPpm, double? ConvergedS,
         [property: JsonIgnore] double? StatedErrorUsP50, [property: JsonIgnore] double? WithinStatedShare);
@@ -22,7 +30,16 @@ sealed record DemoResult(
         double? Reduction, double? ReductionFirstCycle, double? ReductionRepeated);
 
     /// <summary>The runtime's own measurement, without the truth. The uncertainty is half of the 95 % confidence interval.</summary>
-    public sealed record Hindcasts(double? Reduction, double? ReductionUncertainty, double? RmsMm, double? HoldRmsMm);
+    /// <param name="IsWithheld">Whether the runtime gives no numbers, because the render time has been outside the range.</param>
+    public sealed record Hindcasts(
+        double? Reduction, double? ReductionUncertainty, double? RmsMm, double? HoldRmsMm, [property: JsonIgnore] bool IsWithheld)
+    {
+        /// <summary>The runtime's own reduction, or why there is none.</summary>
+        [JsonIgnore]
+        public string ReductionText => IsWithheld ? "withheld: the render time was outside the constant-latency range"
+            : Reduction == null ? "–"
+            : FormattableString.Invariant($"{100 * Reduction:0.0} ± {100 * ReductionUncertainty:0.0} %");
+    }
 
     /// <summary>
     /// When the runtime detected that the constant-latency range was left and finally entered again, s since the start; the number of

@@ -1,4 +1,5 @@
 using Nowpose.Session;
+using Nowpose.Sync;
 
 namespace Nowpose.Cli.Demo;
 
@@ -11,14 +12,18 @@ sealed record DemoRun(
     DemoSettings Settings, IDemoTruth Truth, DemoFrames Frames, IReadOnlyList<TimeSpan> ApplicationLatencies, SessionStatistics Statistics,
     TimeSpan? Limit = null, int Alarms = 0)
 {
+    /// <summary>The sync exchanges that the runtime received, in order.</summary>
+    public IReadOnlyList<SyncExchange> Exchanges { get; init; } = [];
+
     /// <summary>Gets the reason why the run has no valid result; null if it has one.</summary>
-    public string Failure()
+    /// <param name="needsClock">Whether a clock that never became synchronised is a failure, too.</param>
+    public string Failure(bool needsClock = true)
     {
         var broken = Frames.FirstNotFinite();
         if (broken != null) return broken;
         var links = $"joint positions {Statistics.SampleLink}; clock sync {Statistics.SyncLink}";
-        if (Statistics.Samples == 0) return $"no sample was used, {Statistics.Dropped} were dropped; {links}";
-        if (Frames.Rows.Any(row => row.Clock.State == ClockState.Synchronised)) return null;
+        if (Statistics.Samples == 0) return $"no sample was used, and {Statistics.Dropped} were dropped; {links}";
+        if (!needsClock || Frames.Rows.Any(row => row.Clock.State == ClockState.Synchronised)) return null;
         var state = Statistics.Clock.State.Word();
         return FormattableString.Invariant($"the clock was still {state} after {Settings.Seconds} s: run longer (--seconds); {links}");
     }

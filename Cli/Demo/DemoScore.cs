@@ -31,11 +31,11 @@ sealed class DemoScore
         var statistics = _run.Statistics;
         return new DemoResult(
             Seconds(), _run.Frames.Rows.Count, statistics.Samples, statistics.Dropped,
-            _run.Settings.Network.Name, Latencies(), Clock(), Tool(), Frame(), Hindcast(), Range.Result());
+            _run.Settings.Network.Name, Latencies(), Clock(), Tool(), Frame(), Hindcast(), Range.Result(), LightErrors());
     }
 
     // 60 frames a second, unless a load slows the display.
-    double Seconds() => _run.Settings.Load == null
+    double Seconds() => !_run.Settings.IsRendered
         ? Round(_run.Frames.Rows.Count / (double)DemoDisplay.FramesPerSecond)
         : Round(_run.Frames.Rows.Select(row => row.Elapsed.TotalSeconds + 1.0 / DemoDisplay.FramesPerSecond).LastOrDefault());
 
@@ -75,6 +75,12 @@ sealed class DemoScore
             Percentile(Errors.Select(e => Math.Abs(e.LightMs)), 0.95));
     }
 
+    DemoResult.LightErrors LightErrors()
+    {
+        var errors = Errors.Select(e => Math.Abs(e.LightMs)).ToList();
+        return new DemoResult.LightErrors(Percentile(errors, 0.5), Percentile(errors, 0.95), Percentile(errors, 1));
+    }
+
     DemoResult.ClockErrors Clock()
     {
         var rows = _run.Frames.Rows.Where(row => row.Elapsed >= _converged).ToList();
@@ -110,7 +116,8 @@ sealed class DemoScore
     DemoResult.Hindcasts Hindcast()
     {
         var error = _run.Statistics.ToolErrorOfRun;
-        return new DemoResult.Hindcasts(error?.Reduction, error?.ReductionUncertainty, error?.Rms, error?.HoldRms);
+        return new DemoResult.Hindcasts(
+            error?.Reduction, error?.ReductionUncertainty, error?.Rms, error?.HoldRms, _run.Statistics.IsRunPartlyOutsideRange);
     }
 
     static double? Reduction(IEnumerable<DemoError> errors)

@@ -2,6 +2,7 @@ using Nowpose.Gateway.Options;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Motion;
+using Nowpose.Session;
 using Nowpose.Simulation;
 using Nowpose.Sync;
 
@@ -24,6 +25,9 @@ sealed record DemoSettings
     public string MotionName { get; init; }
 
     public string Predictor { get; init; }
+
+    /// <summary>Blend time of the prediction's sections, ms.</summary>
+    public double BlendMs { get; init; } = PredictionSettings.DefaultBlendMs;
     public string Estimator { get; init; } = ClockEstimators.Default;
 
     /// <summary>The profile that the runtime is given; null for the true display latency with <see cref="VisualisationErrorMs"/>.</summary>
@@ -41,6 +45,18 @@ sealed record DemoSettings
 
     /// <summary>Vertices of the scene's load; null for a display whose frames are never late.</summary>
     public int? Load { get; init; }
+
+    /// <summary>Constant number of vertices of a scene whose frames have render times; null for none. Ignored if <see cref="Load"/> is set.</summary>
+    public int? SteadyVertices { get; init; }
+
+    /// <summary>Refresh interval of a display with render times, ms.</summary>
+    public double RefreshMs { get; init; } = 1000.0 / DemoDisplay.FramesPerSecond;
+
+    /// <summary>Whether frames have render times, and may be late.</summary>
+    public bool IsRendered => Load != null || SteadyVertices != null;
+
+    /// <summary>Whether sync exchanges have the same interval at all times, as in the paper.</summary>
+    public bool HasConstantSyncInterval { get; init; }
 
     /// <summary>Whether the cell publishes its set-points in advance.</summary>
     public bool PublishesPlan { get; init; }

@@ -43,9 +43,13 @@ static class DemoStage
         TimeSpan.FromMilliseconds(settings.Acquisition.Min), TimeSpan.FromMilliseconds(settings.Acquisition.Max));
 
     /// <summary>Gets the settings of the headset's session. With a load and without a profile, the display is calibrated first.</summary>
-    internal static SessionSettings SessionOf(DemoSettings settings, ConnectionSettings connection) => new(
-        connection, VisualisationLatency.FromMilliseconds(settings.GivenVisualisationMs), new PredictionSettings(settings.Predictor),
-        clockEstimator: settings.Estimator, profile: settings.Profile ?? (settings.Load == null ? null : DemoCalibration.Of(settings)));
+    internal static SessionSettings SessionOf(DemoSettings settings, ConnectionSettings connection)
+    {
+        var session = new SessionSettings(
+            connection, VisualisationLatency.FromMilliseconds(settings.GivenVisualisationMs), new PredictionSettings(settings.Predictor, blendMs: settings.BlendMs),
+            clockEstimator: settings.Estimator, profile: settings.Profile ?? (settings.Load == null ? null : DemoCalibration.Of(settings)));
+        return settings.HasConstantSyncInterval ? session.WithConstantSyncInterval() : session;
+    }
 
     static DemoRun Play(
         DemoSettings settings, ConnectionSettings connection, DemoTruth truth, string recordingPath, CancellationToken cancel)
@@ -59,7 +63,7 @@ static class DemoStage
         DemoProgress.Run(settings.Seconds, report => loop.Run(report, cancel));
         if (headset.EndRecording() is string problem) Console.Error.WriteLine("nowpose: " + problem);
         if (headset.Complaint is string complaint) throw new DemoFailedException("the scene logged an error: " + complaint);
-        return new DemoRun(settings, truth, loop.Frames, headset.ApplicationLatencies, headset.Session.Statistics(clock.Now),
-            session.Range?.Limit, headset.Alarms);
+        return new DemoRun(settings, truth, loop.Frames, headset.Log.ApplicationLatencies, headset.Session.Statistics(clock.Now),
+            session.Range?.Limit, headset.Alarms) { Exchanges = headset.Log.Exchanges() };
     }
 }

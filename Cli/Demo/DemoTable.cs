@@ -27,7 +27,7 @@ static class DemoTable
             table.AddColumn(new TableColumn(heading).RightAligned());
         table.AddRow("RMS", Mm(tool.HoldRms), Mm(tool.Rms), Percent(tool.Reduction));
         table.AddRow("P95", Mm(score.HoldP95Mm), Mm(tool.P95), "");
-        table.AddRow("greatest", Mm(tool.HoldMax), Mm(tool.Max), "");
+        table.AddRow("maximum", Mm(tool.HoldMax), Mm(tool.Max), "");
         return table;
     }
 
@@ -36,17 +36,18 @@ static class DemoTable
         var grid = new Grid().AddColumn().AddColumn();
         void Row(string label, string value) => grid.AddRow(Markup.Escape(label), Markup.Escape(value));
         var hindcast = result.Hindcast;
-        Row("as the headset measured it", $"{Percent(hindcast.Reduction)} ± {Percent(hindcast.ReductionUncertainty)}, {Mm(hindcast.HoldRmsMm)} to {Mm(hindcast.RmsMm)} RMS");
+        var errors = hindcast.IsWithheld ? "" : $", {Mm(hindcast.HoldRmsMm)} to {Mm(hindcast.RmsMm)} RMS";
+        Row("as the headset measured it", hindcast.ReductionText + errors);
         Row("application latency", $"{Ms(result.LatencyMs.AppP50)} median, {Ms(result.LatencyMs.AppP95)} P95");
         Row("visualisation latency", Ms(result.LatencyMs.Visu));
-        Row("error of the moment of light", $"{Ms(result.LatencyMs.TotalErrorP95)} P95");
+        Row("display time error", $"{Ms(result.LatencyMs.TotalErrorP95)} P95");
         foreach (var (label, value) in range.Rows) Row(label, value);
         var clock = result.Clock;
-        Row("clock offset error", $"{Us(clock.OffsetErrorUsP50)} median, {Us(clock.OffsetErrorUsP95)} P95, {Us(clock.OffsetErrorUsMax)} greatest");
-        Row("clock offset error as stated", $"± {Us(clock.StatedErrorUsP50)} median, held in {Percent(clock.WithinStatedShare)} of the frames");
+        Row("clock offset error", $"{Us(clock.OffsetErrorUsP50)} median, {Us(clock.OffsetErrorUsP95)} P95, {Us(clock.OffsetErrorUsMax)} maximum");
+        Row("estimated clock offset error", $"± {Us(clock.StatedErrorUsP50)} median, true error within it in {Percent(clock.WithinStatedShare)} of the frames");
         Row("clock synchronised after", Text(result.Clock.ConvergedS, "0.0", " s"));
         var allocated = Text(result.Frame.AllocatedBytesPerFrame, "0.##", " B");
-        Row("frame, the whole player loop", $"{Us(result.Frame.CpuUsP50)} median, {Us(result.Frame.CpuUsP99)} P99, {allocated} allocated");
+        Row("frame in the player loop", $"{Us(result.Frame.CpuUsP50)} median, {Us(result.Frame.CpuUsP99)} P99, {allocated} allocated");
         Row("frames, samples, dropped", $"{result.Frames}, {result.Samples}, {result.Dropped}");
         foreach (var (label, value) in delays.Rows) Row(label, value);
         return grid;

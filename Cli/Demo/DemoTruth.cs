@@ -13,5 +13,7 @@ sealed class DemoTruth(StopwatchControlClock control, SimulatedCell cell, IMotio
 
     public void JointsAt(ControlTime t, Span<double> positions) => cell.TruthAt(t, positions);
 
-    public int CycleAt(ControlTime t) => (int)((t - cell.Start).TotalSeconds / motion.CycleSeconds);
+    public double MotionSecondsAt(ControlTime t) => (t - cell.Start).TotalSeconds;
+
+    public int CycleAt(ControlTime t) => (int)(MotionSecondsAt(t) / motion.CycleSeconds);
 }

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Cli.Demo.Paper;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
@@ -13,7 +14,7 @@ namespace Nowpose.Cli.Demo;
 /// <c>demo</c>, the default verb: gateway, network, headset runtime and a moving robot in one process, compared with the truth.
 static class DemoVerb
 {
-    static readonly Option<double> Seconds = NumberOption.Create("--seconds", "How long to run", 20.0, 5, 3600, "s");
+    static readonly Option<double> Seconds = NumberOption.Create("--seconds", "Duration of the run", 20.0, 5, 3600, "s");
     static readonly Option<string> Network = ChoiceOption.Create(
         "--network", "Simulated network between gateway and headset", "wifi", [.. NetworkProfile.All.Select(profile => profile.Name)]);
     static readonly Option<string> Robot = new("--robot")
@@ -23,7 +24,7 @@ static class DemoVerb
     };
     static readonly Option<string> Recording = new("--recording")
     {
-        Description = "Motion to play forward and backward: .csv or .csv.gz, time in s, then one column per joint",
+        Description = "Motion that is played forward and backward: .csv or .csv.gz with the time in s and one column per joint",
     };
     static readonly Option<string> Predictor = PredictorOption.Create();
     static readonly Option<string> Estimator = RuntimeOptions.Estimator();
@@ -31,21 +32,27 @@ static class DemoVerb
     static readonly Option<double> Sampling = NumberOption.Create(
         "--sampling-ms", "Sampling interval T_s of the control system", 50.0, 1, 1000, "ms");
     static readonly Option<MillisecondRange> Acquisition = RangeOption.Create(
-        "--acquisition-ms", "What subscription and middleware add to each sample before it is sent", new MillisecondRange(55, 105), 1000);
+        "--acquisition-ms", "Delay that subscription and middleware add to each sample before it is sent", new MillisecondRange(55, 105), 1000);
     static readonly Option<double> Visualisation = NumberOption.Create(
         "--visu-ms", "True display latency of the simulated headset", 40.0, 0, 400, "ms");
     static readonly Option<double> VisualisationError = NumberOption.Create(
         "--visu-error-ms", "Error of the display latency that the runtime uses", 0.0, -100, 100, "ms");
     static readonly Option<int?> Load = NumberOption.CreateOptional(
-        "--load", "Vertices to be rendered from the first third of the run to its last quarter", 0, SweepPlan.MaxVertices, "vertices");
+        "--load", "Number of vertices rendered from one third of the run to three quarters of it", 0, SweepPlan.MaxVertices, "vertices");
     static readonly Option<bool> Trajectory = new("--trajectory")
     {
-        Description = "Let the cell publish its set-points ahead of time, too",
+        Description = "Also publish the cell's set-points ahead of time",
     };
-    static readonly Option<int> Seed = NumberOption.Create("--seed", "Seed of everything random", 1, 0, 1_000_000, "");
+    static readonly Option<int> Seed = NumberOption.Create("--seed", "Seed of the random numbers", 1, 0, 1_000_000, "");
+    static readonly Option<bool> Paper = new("--paper")
+    {
+        Description = "Reproduce Sect. 3 of the paper: its swing, clock and predictor, a display calibrated by pictures, and a verdict on each claim "
+            + FormattableString.Invariant($"of Figs 8, 16, 17 and 18; {PaperScenario.Seconds} s by default"),
+    };
+    static readonly Option<int> Repeats = NumberOption.Create("--repeats", "Number of runs over which --paper states the uncertainty", 1, 1, 100, "");
     static readonly Option<string> Output = new("--out")
     {
-        Description = "Folder for report.html, result.json and session.jsonl",
+        Description = "Folder for report.html, result.json, session.jsonl, and with --paper the data of figures, frames and exchanges",
         DefaultValueFactory = _ => "nowpose-demo",
     };
 
@@ -55,24 +62,52 @@ static class DemoVerb
     public static Command Create()
     {
         var verb = new Command(
-            "demo", "Run the headset runtime against a simulated cell over real sockets, and score what it shows against the truth.")
+            "demo", "Run the headset runtime with a simulated cell over real sockets, and compare the displayed poses with the true ones.")
         {
             Seconds, Network, Robot, Recording, Predictor, Estimator, Profile, Sampling, Acquisition, Visualisation,
-            VisualisationError, Load, Trajectory, Seed, Output,
+            VisualisationError, Load, Trajectory, Seed, Paper, Repeats, Output,
         };
-        verb.SetAction((parsed, cancel) => RunAsync(Settings(parsed), parsed.GetValue(Output), cancel));
+        verb.SetAction((parsed, cancel) => parsed.GetValue(Paper)
+            ? PaperSession.RunAsync(PaperSettings(parsed), parsed.GetValue(Repeats), parsed.GetValue(Output), cancel)
+            : RunAsync(Settings(parsed), parsed.GetValue(Output), cancel));
         return verb;
     }
 
+    static DemoSettings PaperSettings(ParseResult parsed)
+    {
+        Option[] other =
+        [
+            .. Others(parsed, Robot, PaperScenario.Robot), .. Others(parsed, Recording), .. Others(parsed, Predictor, PaperScenario.Predictor),
+            .. Others(parsed, Estimator, PaperScenario.Estimator), .. Others(parsed, Profile), .. Others(parsed, Sampling, PaperScenario.SamplingMs),
+            .. Others(parsed, Load), .. Others(parsed, Trajectory),
+        ];
+        if (other.Length > 0)
+            throw new InputException($"{string.Join(", ", other.Select(option => option.Name))}: cannot be combined with --paper, which sets the paper's "
+                + "robot, motion, predictor, clock estimator, sampling interval and load, and measures the profile itself");
+        var seconds = IsGiven(parsed, Seconds) ? parsed.GetValue(Seconds) : PaperScenario.Seconds;
+        if (seconds < PaperScenario.MinSeconds)
+            throw new InputException(FormattableString.Invariant(
+                $"--seconds: {seconds} s is out of range; with --paper allowed are {PaperScenario.MinSeconds} to 3600 s"));
+        return Settings(parsed) with { Seconds = seconds };
+    }
+
+    // An option that has the paper's own value is allowed.
+    static IEnumerable<Option> Others<T>(ParseResult parsed, Option<T> option, T papers = default) =>
+        IsGiven(parsed, option) && !EqualityComparer<T>.Default.Equals(parsed.GetValue(option), papers) ? [option] : [];
+
+    static bool IsGiven(ParseResult parsed, Option option) => parsed.GetResult(option) is { Implicit: false };
+
     static DemoSettings Settings(ParseResult parsed)
     {
-        var told = parsed.GetValue(Visualisation) + parsed.GetValue(VisualisationError);
-        if (told is < 0 or > 500)
+        var assumed = parsed.GetValue(Visualisation) + parsed.GetValue(VisualisationError);
+        if (assumed is < 0 or > 500)
             throw new InputException(FormattableString.Invariant(
-                $"--visu-ms plus --visu-error-ms: {told} ms is out of range; allowed are 0 to 500 ms"));
-        if (parsed.GetValue(Load) != null && parsed.GetValue(Visualisation) < MinWithLoadMs)
+                $"--visu-ms plus --visu-error-ms: {assumed} ms is out of range; allowed are 0 to 500 ms"));
+        var renders = parsed.GetValue(Paper) ? Paper.Name : parsed.GetValue(Load) != null ? Load.Name : null;
+        if (renders != null && parsed.GetValue(Visualisation) < MinWithLoadMs)
             throw new InputException(FormattableString.Invariant($"--visu-ms: {parsed.GetValue(Visualisation)} ms is out of range; ")
-                + $"with --load allowed are {MinWithLoadMs} to 400 ms, for the display has 60 Hz");
+                + $"with {renders}, {MinWithLoadMs} to 400 ms are allowed, because the display runs at 60 Hz");
+        if (IsGiven(parsed, Repeats) && !parsed.GetValue(Paper)) throw new InputException("--repeats: needs --paper");
         var robot = RobotFiles.Load(parsed.GetValue(Robot), out var urdf);
         var recording = parsed.GetValue(Recording);
         return new DemoSettings

@@ -12,6 +12,9 @@ interface IDemoTruth
     /// <summary>Gets the joint positions of the real robot at a past or future control time, one per moving joint.</summary>
     void JointsAt(ControlTime t, Span<double> positions);
 
+    /// <summary>Gets the time since the start of the motion, s.</summary>
+    double MotionSecondsAt(ControlTime t);
+
     /// <summary>Gets the index of the motion cycle, from 0.</summary>
     int CycleAt(ControlTime t);
 }

@@ -36,11 +36,11 @@ sealed class Figure12 : IFigureStudy
             && Motions.PaperMove.VelocityAt(f.Time - Start - Lag) > Velocity - 1e-6).Select(f => f.Truth - f.Held).ToArray();
         yield return new Figure("12", "The test signal")
         {
-            Claim = "A position profile of seven phases with limited velocity, acceleration and jerk, the usual set-point of servo drives, "
-                + "is sampled every T_s and seen L later; both may be known inexactly.",
+            Claim = "A position profile of seven phases with limited velocity, acceleration and jerk, as usual for servo drives, "
+                + "is sampled every T_s and seen L later. Both values may be inaccurate.",
             Criteria = Criteria(Motions.PaperMove, steady),
-            Conditions = $"500 mm with {Velocity:0} mm/s, {Acceleration:0} mm/s², {Jerk:0} mm/s³: our limits, the paper gives none. "
-                + "Drawn at 240 instants a second.",
+            Conditions = $"500 mm with {Velocity:0} mm/s, {Acceleration:0} mm/s², {Jerk:0} mm/s³: our limits, because the paper states none. "
+                + "Drawn with 240 points per second.",
             Table = table,
             Plots = [.. PlotsOf(table)],
         };

@@ -1,3 +1,4 @@
+using Nowpose.Latency;
 using Nowpose.Prediction;
 using Nowpose.Studies;
 
@@ -11,7 +12,7 @@ sealed record FigureSettings
 
     public static readonly FigureSettings Full = new() { Phases = 32, ClockRuns = 32, ClockSeconds = 300 };
 
-    public static readonly FigureSettings Quick = new() { Phases = 8, ClockRuns = 8 };
+    public static readonly FigureSettings Quick = new() { Phases = 8, ClockRuns = 8, PicturesPerLoad = 5 };
 
     /// <summary>Number of runs with random phases of sampling and frames. The phase alone changes a ratio by a tenth.</summary>
     public required int Phases { get; init; }
@@ -29,6 +30,12 @@ sealed record FigureSettings
     public double RandomSeconds { get; init; } = 30;
 
     public int Seed { get; init; } = 1;
+
+    /// <summary>Number of pictures at each load from which the swing's L_visu is measured.</summary>
+    public int PicturesPerLoad { get; init; } = 20;
+
+    /// <summary>The profile of the swing's display; null to measure it.</summary>
+    public LatencyProfile Profile { get; init; }
 
     /// <summary>Those of <see cref="OurPredictors"/> that the sweeps compare with the paper's.</summary>
     public IReadOnlyList<string> Ours { get; init; } = OurPredictors;

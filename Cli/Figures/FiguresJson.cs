@@ -10,15 +10,23 @@ static class FiguresJson
 {
     static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
 
-    public static string Of(IReadOnlyList<Figure> figures, FigureSettings settings) => JsonSerializer.Serialize(new
-    {
-        Title = "The paper's figures, recomputed",
-        Subtitle = "Latency and sampling compensation in mixed-reality-in-the-loop simulations of production systems, "
-            + "Schnierle & Röck 2022: what it claims beside what Nowpose's own classes give.",
-        Conditions = Conditions(settings),
-        Missing = FigureSet.Numbers.Except(figures.Select(f => f.Number)),
-        Figures = figures.Select(Of),
-    }, Options);
+    public static string Of(IReadOnlyList<Figure> figures, FigureSettings settings) => Of(
+        "The paper's figures, recomputed",
+        "Latency and sampling compensation in mixed-reality-in-the-loop simulations of production systems, "
+        + "Schnierle & Röck 2022: the paper's claims beside the results of Nowpose's classes.",
+        Conditions(settings), FigureSet.Numbers.Except(figures.Select(f => f.Number)), figures);
+
+    /// <param name="conditions">Names and values.</param>
+    /// <param name="missing">Numbers of the figures that are missing.</param>
+    public static string Of(string title, string subtitle, string[][] conditions, IEnumerable<string> missing, IReadOnlyList<Figure> figures) =>
+        JsonSerializer.Serialize(new
+        {
+            Title = title,
+            Subtitle = subtitle,
+            Conditions = conditions,
+            Missing = missing,
+            Figures = figures.Select(Of),
+        }, Options);
 
     static string[][] Conditions(FigureSettings settings) =>
     [
@@ -26,7 +34,7 @@ static class FiguresJson
         ["Latency L, from t_k to the display time", Ms(settings.Study.Latency)],
         ["Frames", $"{settings.Study.FrameRateHz.ToString(CultureInfo.InvariantCulture)} per second"],
         ["Motion of Figs 12 to 14",
-            "500 mm forward and back, 1000 mm/s, 5000 mm/s², 50 000 mm/s³, 0.4 s dwell; the limits are ours, the paper gives none"],
+            "500 mm forward and back, 1000 mm/s, 5000 mm/s², 50 000 mm/s³, 0.4 s dwell; the limits are ours, because the paper states none"],
         ["Runs", $"{settings.Phases} with random phases of sampling and frames; clock: {settings.ClockRuns} of {Numbers.Text(settings.ClockSeconds)} s"],
         ["Seed", settings.Seed.ToString(CultureInfo.InvariantCulture)],
         ["Errors", "RMS over all frames of all runs; ratio: over the RMS of hold, the newest sample that has arrived"],
@@ -39,7 +47,8 @@ static class FiguresJson
 
     static string Ms(double seconds) => (1000 * seconds).ToString("0.###", CultureInfo.InvariantCulture) + " ms";
 
-    static object Of(Figure figure) => new
+    /// <summary>Gets one figure; the fields are those of <c>FigureData</c>.</summary>
+    public static object Of(Figure figure) => new
     {
         figure.Number,
         figure.Title,

@@ -15,9 +15,9 @@ static class FiguresVerb
             Description = "Folder for figures.html and one CSV per figure",
             DefaultValueFactory = _ => "nowpose-figures",
         };
-        var quick = new Option<bool>("--quick") { Description = "A quarter of the runs: under 30 s instead of 3 minutes, numbers a little rougher" };
+        var quick = new Option<bool>("--quick") { Description = "A quarter of the runs: under a minute, with slightly less accurate numbers" };
         var pictures = new Option<string>("--pictures") { Description = "Folder for the pictures of the documentation, as SVG" };
-        var verb = new Command("figures", "The paper's figures, recomputed: data as CSV and one HTML page, with what the paper claims beside what we find.")
+        var verb = new Command("figures", "Recompute the paper's figures: data as CSV, and one HTML page with the paper's claims beside our results.")
         {
             output, quick, pictures,
         };

@@ -92,7 +92,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
             cancel.ThrowIfCancellationRequested();
             if (_clock.Now - since > DescriptionTimeout)
                 throw new InputException(
-                    $"--robot: missing, and the gateway described none within {DescriptionTimeout.TotalSeconds} s "
+                    $"--robot: missing, and the gateway did not describe a robot within {DescriptionTimeout.TotalSeconds} s "
                     + $"({session.RobotDescriptionFault ?? session.SampleLink.Detail}); name youbot, ur5 or a .urdf file");
             Thread.Sleep(5);
         }

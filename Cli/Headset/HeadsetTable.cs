@@ -8,7 +8,7 @@ static class HeadsetTable
 {
     public static void Print(HeadsetResult result, IAnsiConsole console)
     {
-        console.WriteLine($"{result.Robot}: how a headset does on this gateway");
+        console.WriteLine($"{result.Robot}: results of a headset at this gateway");
         var grid = new Grid().AddColumn().AddColumn();
         void Row(string label, string value) => grid.AddRow(Markup.Escape(label), Markup.Escape(value));
         var clock = result.Clock;

@@ -12,37 +12,37 @@ namespace Nowpose.Cli.Headset;
 /// <c>headset</c>: checks whether a gateway and its plant are good enough before a headset is used.
 static class HeadsetVerb
 {
-    static readonly Option<string> Host = new("--host") { Description = "The gateway's name or address", DefaultValueFactory = _ => "127.0.0.1" };
+    static readonly Option<string> Host = new("--host") { Description = "Name or address of the gateway", DefaultValueFactory = _ => "127.0.0.1" };
     static readonly Option<int> SyncPort = NumberOption.Create(
-        "--sync-port", "TCP port of the clock sync", ProtocolLimits.SyncPort, 1, IPEndPoint.MaxPort, "");
+        "--sync-port", "TCP port of the clock synchronisation", ProtocolLimits.SyncPort, 1, IPEndPoint.MaxPort, "");
     static readonly Option<int> WebSocketPort = NumberOption.Create(
-        "--ws-port", "Port of the joint positions", ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort, "");
+        "--ws-port", "TCP port of the joint positions", ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort, "");
     static readonly Option<string> Pin = new("--pin")
     {
-        Description = "The gateway's pin, as it prints it: encrypts both connections", HelpName = "PIN",
+        Description = "Pin that the gateway prints; encrypts both connections", HelpName = "PIN",
     };
     static readonly Option<string> TokenFile = new("--token-file")
     {
-        Description = "File that holds the token of an observer and nothing else", HelpName = "FILE",
+        Description = "File that contains only the token of an observer", HelpName = "FILE",
     };
     static readonly Option<bool> InsecureLan = new("--insecure-lan")
     {
-        Description = "Allow plain connections to another machine: on a trusted network only",
+        Description = "Allow unencrypted connections to another machine. Use it in a trusted network only",
     };
-    static readonly Option<string> Name = new("--name") { Description = "This headset's name", DefaultValueFactory = _ => "headless" };
+    static readonly Option<string> Name = new("--name") { Description = "Name of this headset", DefaultValueFactory = _ => "headless" };
     static readonly Option<string> Robot = new("--robot") { Description = RobotFiles.Names + " or a .urdf file [default: as the gateway describes it]" };
     static readonly Option<string> Predictor = PredictorOption.Create();
     static readonly Option<string> Estimator = RuntimeOptions.Estimator();
     static readonly Option<string> Profile = RuntimeOptions.Profile();
     static readonly Option<double> Visualisation = NumberOption.Create("--visu-ms", "Display latency that the runtime uses", 40.0, 0, 500, "ms");
-    static readonly Option<double> FramesPerSecond = NumberOption.Create("--fps", "Frames a second", 60.0, 1, 240, "Hz");
-    static readonly Option<double> Seconds = NumberOption.Create("--seconds", "How long to run", 20.0, 1, 86_400, "s");
-    static readonly Option<string> Record = new("--record") { Description = "Record the session there, .jsonl", HelpName = "FILE" };
+    static readonly Option<double> FramesPerSecond = NumberOption.Create("--fps", "Frames per second", 60.0, 1, 240, "Hz");
+    static readonly Option<double> Seconds = NumberOption.Create("--seconds", "Duration of the run", 20.0, 1, 86_400, "s");
+    static readonly Option<string> Record = new("--record") { Description = "File for a recording of the session, .jsonl", HelpName = "FILE" };
     static readonly Option<bool> Json = new("--json") { Description = "Print the result as JSON" };
 
     public static Command Create()
     {
-        var verb = new Command("headset", "Run the headset runtime on a gateway that serves already, and say how well it does.")
+        var verb = new Command("headset", "Connect the headset runtime to a running gateway, and report accuracy and latency.")
         {
             Host, SyncPort, WebSocketPort, Pin, TokenFile, InsecureLan, Name, Robot, Predictor, Estimator, Profile, Visualisation,
             FramesPerSecond, Seconds, Record, Json,

@@ -21,7 +21,7 @@ static class HeadsetVerdict
         if (!wasTimeTrusted) return $"the clock was never synchronised: {statistics.SyncLink.Detail}";
         if (statistics.Samples == 0) return $"no joint positions arrived: {statistics.SampleLink.Detail}";
         var joints = JointStatusText.Of(statistics.JointStatuses.Where(joint => joint.IsMissing));
-        var why = joints.Length > 0 ? joints : LinkFaultOf(statistics) ?? LongestOf(outages) ?? $"at the end it is {pose.State}";
+        var why = joints.Length > 0 ? joints : LinkFaultOf(statistics) ?? LongestOf(outages) ?? $"at the end the pose is {pose.State}";
         return pose.CurrentAfterS == null
             ? $"the pose was never current; {why}"
             : FormattableString.Invariant($"the pose was current for {100 * share:0} % of the time, at least {100 * MinCurrentShare:0} % is required; {why}");

@@ -18,7 +18,7 @@ sealed class PoseOutages(Action<string> say)
     internal const int MaxReasons = 5;
 
     readonly List<HeadsetResult.OutageResult> _outages = [];
-    // Of the present outage. What came first is often the cause of what followed.
+    // Reasons of the current outage. The first one is often the cause of the others.
     readonly List<string> _reasons = [];
     readonly SortedSet<string> _joints = new(StringComparer.Ordinal);
     (string Pose, string Reason)? _reported;

@@ -42,7 +42,7 @@ sealed class JointValues
     {
         var unit = joint.Kind == JointKind.Prismatic ? "m" : "rad";
         return FormattableString.Invariant(
-            $"joint {joint.Name}: {value} {unit} is outside its limits {joint.Limits.Lower} to {joint.Limits.Upper} {unit}; computed as given");
+            $"joint {joint.Name}: {value} {unit} is outside its limits {joint.Limits.Lower} to {joint.Limits.Upper} {unit}; the given value is used");
     }
 
     void Take(string entry)
@@ -61,7 +61,7 @@ sealed class JointValues
         if (index >= 0) return index;
         var reason = _model.Joints.Any(joint => joint.Name == name) ? $"{name} is a fixed joint" : $"there is no joint {name}";
         var names = string.Join(", ", _model.MovingJoints.Select(joint => joint.Name));
-        throw new InputException($"--joints: {reason}; {(names.Length == 0 ? "this robot has none that moves" : "allowed are " + names)}");
+        throw new InputException($"--joints: {reason}; {(names.Length == 0 ? "this robot has no moving joint" : "allowed are " + names)}");
     }
 
     static double Value(RobotJoint joint, string text)

@@ -13,7 +13,7 @@ static class KinematicsVerb
         var file = new Argument<string>("FILE.urdf") { Description = $"The robot: a URDF, or one of {RobotFiles.Names}." };
         var joints = new Option<string>("--joints")
         {
-            Description = "Joint values in rad (prismatic: m), as in a=0.1,b=-0.2; others are 0, mimic joints follow their masters unless given.",
+            Description = "Joint values in rad (prismatic: m), as in a=0.1,b=-0.2; other joints are 0; mimic joints follow the joint that they mimic unless given.",
         };
         var json = new Option<bool>("--json") { Description = "Print JSON instead of matrices." };
         var verb = new Command("kinematics", "Compute the poses of all links relative to the root link.") { file, joints, json };
@@ -38,7 +38,7 @@ static class KinematicsVerb
         new ForwardKinematics(model).Compute(positions, poses);
         var matrices = Array.ConvertAll(poses, pose => pose.ToRowMajor16());
         if (!matrices.All(matrix => matrix.All(double.IsFinite)))
-            throw new InputException("--joints: these values are too large; the poses leave the range of numbers");
+            throw new InputException("--joints: these values are too large to compute the poses; use smaller ones");
         return matrices;
     }
 }

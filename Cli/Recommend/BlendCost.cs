@@ -20,7 +20,7 @@ sealed class BlendCost
     /// <summary>Relative increase of the RMS error with the default blend, over both halves; null without an error, or when interrupted.</summary>
     public double? Share { get; }
 
-    /// <summary>The same for each half.</summary>
+    /// <summary>Share of the error for each half of the recording.</summary>
     public IReadOnlyList<double?> ShareOfHalves { get; } = [null, null];
 
     /// <summary>Time constant to use, ms.</summary>

@@ -14,10 +14,10 @@ static class Halving
     /// <returns>Number of steps in the first half.</returns>
     public static int MiddleOf(IReadOnlyList<double> ways)
     {
-        var least = (int)(MinShare * ways.Count);
+        var min = (int)(MinShare * ways.Count);
         var half = ways.Sum() / 2;
         var (middle, way) = (0, 0.0);
         while (middle < ways.Count && way < half) way += ways[middle++];
-        return half > 0 ? Math.Clamp(middle, least, ways.Count - least) : ways.Count / 2;
+        return half > 0 ? Math.Clamp(middle, min, ways.Count - min) : ways.Count / 2;
     }
 }

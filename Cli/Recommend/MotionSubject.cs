@@ -20,7 +20,7 @@ sealed class MotionSubject : ISubject
         var middle = motion.Times[Halving.MiddleOf(WaysOf(motion))];
         _halves = [motion.Between(0, middle), motion.Between(middle, motion.Duration)];
         if (_halves.Any(half => half == null))
-            throw new InputException($"{path}: has too few rows to be halved; what is recommended must hold for both halves");
+            throw new InputException($"{path}: has too few rows; a recommendation needs enough rows for two halves");
     }
 
     public double? SamplingMs { get; }

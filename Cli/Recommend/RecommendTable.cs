@@ -30,17 +30,17 @@ static class RecommendTable
                 trial.Predictor, trial.Rms.ToString("G4", CultureInfo.InvariantCulture), Percent(trial.Reduction), Percent(trial.First.Reduction),
                 Percent(trial.Second.Reduction), trial == verdict.Default ? "" : Percent(trial.GainOver(verdict.Default), "+0.0;-0.0;0.0"),
                 Mark(verdict, trial));
-        table.Caption("reduction: how much less it errs than showing the newest sample");
+        table.Caption("reduction: share of the error of showing the newest sample that the predictor removes");
         console.Write(table);
         console.WriteLine($"Use predictor {verdict.Recommended.Predictor}: {verdict.Reason}.");
         var reduction = Percent(verdict.Recommended.Reduction, "0");
-        console.WriteLine($"It takes {reduction} of the error away ({Percent(verdict.Recommended.First.Reduction, "0")} and "
+        console.WriteLine($"It removes {reduction} of the error ({Percent(verdict.Recommended.First.Reduction, "0")} and "
             + $"{Percent(verdict.Recommended.Second.Reduction, "0")} in the halves).");
         // The run was interrupted before the blend was tried.
         if (blend.Share == null) return;
         console.WriteLine(Text($"Use blend {blend.RecommendedMs:0} ms: ")
             + $"{PredictionSettings.DefaultBlendMs} ms cost {Percent(blend.Share)} of RMS error ({Percent(blend.ShareOfHalves[0])} and "
-            + $"{Percent(blend.ShareOfHalves[1])} in the halves), and take the jumps between predictions.");
+            + $"{Percent(blend.ShareOfHalves[1])} in the halves), and remove the jumps between predictions.");
     }
 
     static string Condition(ISubject subject) => subject.SamplingMs is double sampling

@@ -23,7 +23,7 @@ static class RecommendVerb
         var grid = new Option<bool>("--grid") { Description = "Try a motion at 20/100, 50/100 and 100/150 ms (T_s/L) instead." };
         var json = new Option<bool>("--json") { Description = "Print JSON instead of tables." };
         var verb = new Command(
-            "recommend", "Try every predictor, and polynomials of other histories, on both halves of a recording, and say which to use.")
+            "recommend", "Try every predictor, and polynomials with other histories, on both halves of a recording, and recommend one.")
         {
             file, sampling, latency, grid, json,
         };
@@ -31,7 +31,7 @@ static class RecommendVerb
         {
             var path = parsed.GetRequiredValue(file);
             if (SessionFileReader.IsSession(path)) RecordingOptions.RequireUnsetForSession(parsed, path, sampling, latency, grid);
-            else if (parsed.GetValue(grid)) RecordingOptions.RequireUnset(parsed, "--grid has its own; leave one of them out", sampling, latency);
+            else if (parsed.GetValue(grid)) RecordingOptions.RequireUnset(parsed, "--grid sets it; remove one of the two options", sampling, latency);
             (double, double)[] conditions = parsed.GetValue(grid) ? Grid : [(parsed.GetValue(sampling), parsed.GetValue(latency))];
             // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
             return Task.Run(() => Run(path, conditions, parsed.GetValue(json), cancel), CancellationToken.None);

@@ -53,15 +53,15 @@ sealed class RecordingTraits
     public IEnumerable<string> Warnings()
     {
         if (MaxRange < Standstill)
-            yield return Text($"nothing moves by more than {MaxRange:G2} rad or m: from a standstill nothing can be recommended");
+            yield return Text($"no joint moves by more than {MaxRange:G2} rad or m: a recommendation needs a recording of motion");
         if (Duration < MinDuration)
-            yield return Text($"{Duration:0.0} s are short: chance may decide; record {MinDuration} s or more");
+            yield return Text($"{Duration:0.0} s is a short recording: the result may be random; record {MinDuration} s or more");
         if (IntervalP95 - IntervalP5 > NoticeableSpread * Interval)
             yield return Text($"the samples' stamps lie {1e3 * IntervalP5:0.0} to {1e3 * IntervalP95:0.0} ms apart (P5 to P95): ")
-                + "a stamp given late costs accuracy";
+                + "late time stamps reduce the accuracy";
         if (Repeats > NoticeableRepeats)
-            yield return Text($"{100 * Repeats:0.0} % of a moving joint's samples repeat the one before: ")
-                + "the machine, or its rounding, is coarser than the recording";
+            yield return Text($"{100 * Repeats:0.0} % of a moving joint's samples repeat the previous one: ")
+                + "the robot's sampling interval or rounding is coarser than the recording";
     }
 
     static double RepeatsOf(List<JointSeries> joints)
@@ -91,10 +91,10 @@ sealed class RecordingTraits
         const double noise = 1e-9;
         var steps = positions.Zip(positions.Skip(1), (a, b) => Math.Abs(b - a)).Where(step => step > noise).ToList();
         if (steps.Count < 20) return null;
-        var least = steps.Min();
-        var multiples = steps.Count(step => Math.Abs(step / least - Math.Round(step / least)) < 0.01);
+        var min = steps.Min();
+        var multiples = steps.Count(step => Math.Abs(step / min - Math.Round(step / min)) < 0.01);
         // A smooth motion has steps of every size, and its smallest is then a thousandth of the others.
-        return multiples > 0.99 * steps.Count && Quantile.Of(steps, 0.5) < 1000 * least ? Rounded(least) : null;
+        return multiples > 0.99 * steps.Count && Quantile.Of(steps, 0.5) < 1000 * min ? Rounded(min) : null;
     }
 
     static double Rounded(double value)

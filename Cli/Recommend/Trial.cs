@@ -8,7 +8,7 @@ sealed record Trial(string Predictor, ReplayResult First, ReplayResult Second)
     /// <summary>RMS error over the frames of both halves.</summary>
     public double Rms => Pooled(result => result.Rms);
 
-    /// <summary>The same for holding the newest sample.</summary>
+    /// <summary>RMS error of holding the newest sample.</summary>
     public double RmsHold => Pooled(result => result.RmsHold);
 
     /// <summary>1 − rms ÷ rms_hold; null if nothing moved.</summary>

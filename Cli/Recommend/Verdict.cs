@@ -45,12 +45,12 @@ sealed class Verdict
         {
             var best = Trials[0];
             if (Recommended != Default)
-                return FormattableString.Invariant($"errs {100 * Recommended.GainOver(Default):0} % less than {Default.Predictor} ")
+                return FormattableString.Invariant($"its error is {100 * Recommended.GainOver(Default):0} % smaller than that of {Default.Predictor} ")
                     + $"({Percent(Half.First)} and {Percent(Half.Second)} in the halves)";
-            if (best == Default) return "no other errs less";
+            if (best == Default) return "no other has a smaller error";
             return IsTie(best)
-                ? $"{best.Predictor} is a tie: it wins on one half and loses on the other"
-                : FormattableString.Invariant($"{best.Predictor} errs less, but by no more than {100 * MinGain:0} %");
+                ? $"{best.Predictor} is equally good: it is better on one half and worse on the other"
+                : FormattableString.Invariant($"the error of {best.Predictor} is smaller, but by at most {100 * MinGain:0} %");
         }
     }
 

@@ -74,7 +74,7 @@ sealed class RecordedSession
             case LostLine lost: Lost += lost.Count; break;
         }
         if (_values.Count + _displayed.Count + _planned > MaxNumbers)
-            throw new InputException($"{_path}: is too long to be kept in memory; record shorter sessions");
+            throw new InputException($"{_path}: is too long for this machine's memory; record shorter sessions");
     }
 
     /// <summary>Gets the set-points of a plan, for the header's joints.</summary>

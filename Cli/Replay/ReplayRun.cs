@@ -56,7 +56,7 @@ public sealed class ReplayRun
         var axes = _errors.Zip(_recording.Names, (error, name) => error.Summary(name));
         var result = new ReplayResult(_path, _settings.Predictor, _frames, [.. axes]);
         if (!double.IsFinite(result.Rms + result.RmsHold))
-            throw new InputException($"{_path}: the errors are too large to be squared; are the positions in rad or m?");
+            throw new InputException($"{_path}: the errors are too large to compute; the positions must be in rad or m");
         return result;
     }
 
@@ -100,7 +100,7 @@ public sealed class ReplayRun
     {
         var needed = 4 * _settings.SamplingInterval + _settings.Latency + _settings.Jitter + 1 / _settings.FrameRateHz;
         var cause = _recording.Duration < needed
-            ? FormattableString.Invariant($"{_recording.Duration:G6} s are too short to score a frame: sample 4 must arrive first, ")
+            ? FormattableString.Invariant($"{_recording.Duration:G6} s are too short: a frame is evaluated only after sample 4 has arrived, ")
                 + FormattableString.Invariant($"which takes up to {needed:G6} s")
             : FormattableString.Invariant($"--loss {_settings.Loss}: no sample arrived, so no frame could be scored");
         return new InputException($"{_path}: {cause}");

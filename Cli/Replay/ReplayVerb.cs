@@ -15,21 +15,21 @@ static class ReplayVerb
         var file = new Argument<string>("FILE")
         {
             Description = "A motion (.csv or .csv.gz): header, time in seconds named t or t_s, then one column per joint. Or a session "
-                + "(.jsonl or .jsonl.gz), which has its own sampling, latency and frames; the truth is then its samples, joined by cubics."
+                + "(.jsonl or .jsonl.gz), which contains sampling, latency and frames; cubics through its samples are then the true motion."
         };
         var sampling = NumberOption.Create("--sampling-ms", "Sampling interval T_s.", 50.0, 0.1, 10000, "ms");
         var latency = NumberOption.Create("--latency-ms", "Latency L from a sample to its arrival.", 100.0, 0, 10000, "ms");
         var fps = NumberOption.Create("--fps", "Frames per second.", 60.0, 1, 1000, "");
         var predictor = PredictorOption.Create();
-        var latencyError = NumberOption.Create("--latency-error-ms", "Added to the time asked for.", 0.0, -10000, 10000, "ms");
-        var stampError = NumberOption.Create("--stamp-error-ms", "Half-width of a uniform error on each t_k.", 0.0, 0, 10000, "ms");
-        var jitter = NumberOption.Create("--jitter-ms", "Maximum additional delay, uniform from 0.", 0.0, 0, 10000, "ms");
+        var latencyError = NumberOption.Create("--latency-error-ms", "Error that is added to the requested time.", 0.0, -10000, 10000, "ms");
+        var stampError = NumberOption.Create("--stamp-error-ms", "Maximum error of each t_k, uniformly distributed around zero.", 0.0, 0, 10000, "ms");
+        var jitter = NumberOption.Create("--jitter-ms", "Maximum additional delay, uniformly distributed from 0.", 0.0, 0, 10000, "ms");
         var loss = NumberOption.Create("--loss", "Probability that a sample never arrives.", 0.0, 0, 1, "");
-        var blend = NumberOption.Create("--blend-ms", "Time constant within which a new section replaces the old one; a session has its own.", 0.0, 0, 200, "ms");
+        var blend = NumberOption.Create("--blend-ms", "Time constant with which a new section replaces the old one; a session contains it.", 0.0, 0, 200, "ms");
         var seed = NumberOption.Create("--seed", "Seed of the random numbers.", 1, int.MinValue, int.MaxValue, "");
         var json = new Option<bool>("--json") { Description = "Print JSON instead of a table." };
 
-        var verb = new Command("replay", "Predicts a recorded motion or session as the headset would have; no network, virtual time.")
+        var verb = new Command("replay", "Predict a recorded motion or session as on the headset, without a network and in virtual time.")
         {
             file, sampling, latency, fps, predictor, latencyError, stampError, jitter, loss, blend, seed, json
         };
@@ -70,7 +70,7 @@ static class ReplayVerb
     static ReplayResult RunSession(string path, ReplaySettings settings, CancellationToken cancellation)
     {
         var session = RecordedSession.Read(path);
-        if (session.Lost > 0) Console.Error.WriteLine($"nowpose: {path}: {session.Lost} lines are missing: the recording could not keep up");
+        if (session.Lost > 0) Console.Error.WriteLine($"nowpose: {path}: {session.Lost} lines are missing, because the recording was slower than the session");
         return new SessionReplay(path, session, new SessionTruth(session), settings).Run(cancellation);
     }
 }

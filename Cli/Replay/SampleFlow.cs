@@ -54,13 +54,13 @@ sealed class SampleFlow
     {
         // Every sample draws from every stream, so that changing one option does not change another's random numbers.
         var time = TimeOf(index);
-        var told = time + _settings.StampError * (2 * _stamp.Next() - 1);
+        var stamp = time + _settings.StampError * (2 * _stamp.Next() - 1);
         var arrival = Ticks.Of(time + _settings.Latency + _settings.Jitter * _jitter.Next());
         var lost = _loss.Next() < _settings.Loss;
         if (index == FirstScoredSample) _scoringStart = arrival;
         if (lost) return;
         var positions = new double[_recording.Names.Count];
         _recording.At(time, positions);
-        _underWay.Enqueue(new Sample(time, told, positions), (arrival, index));
+        _underWay.Enqueue(new Sample(time, stamp, positions), (arrival, index));
     }
 }

@@ -66,14 +66,14 @@ sealed class SessionReplay
         if (_frames == 0)
         {
             cancellation.ThrowIfCancellationRequested();
-            throw new InputException($"{_path}: no frame could be scored: there must be frames that knew a control time, after "
-                + $"{SamplesBeforeScoring} samples of a joint and before its last, and no longer pauses than the maximum gap");
+            throw new InputException($"{_path}: no frame could be evaluated: it must have a control time, be between sample {SamplesBeforeScoring} "
+                + "and the last sample of a joint, and no gap between samples may exceed the maximum gap");
         }
         var axes = Enumerable.Range(0, _errors.Length).Where(i => _errors[i].Count > 0)
             .Select(i => _errors[i].Summary(_session.Header.Joints[i].Name));
         var result = new ReplayResult(_path, _settings.Predictor, _frames, [.. axes]);
         return double.IsFinite(result.Rms + result.RmsHold)
-            ? result : throw new InputException($"{_path}: the errors are too large to be squared; are the positions in rad or m?");
+            ? result : throw new InputException($"{_path}: the errors are too large to compute; the positions must be in rad or m");
     }
 
     void Play(in RecordedSession.Event next)
@@ -101,10 +101,10 @@ sealed class SessionReplay
     void Take(in RecordedSession.Event sample)
     {
         var time = Seconds(sample.At);
-        var told = time + _settings.StampError * (2 * _stampErrors.Next() - 1);
+        var stamp = time + _settings.StampError * (2 * _stampErrors.Next() - 1);
         foreach (var value in _session.ValuesOf(sample))
         {
-            _joints[value.Joint].Add(new JointSample(told, value.Position, time, value.Velocity, value.Acceleration), _displayed);
+            _joints[value.Joint].Add(new JointSample(stamp, value.Position, time, value.Velocity, value.Acceleration), _displayed);
             _samples[value.Joint]++;
         }
     }

@@ -48,7 +48,7 @@ readonly struct LineFields(string place, JsonElement fields)
     public double[] Numbers(string name, int? count = null, bool mayBeAbsent = false)
     {
         var array = Array(name);
-        if (count.HasValue && array.GetArrayLength() != count) throw Wrong(name, $"{array.GetArrayLength()} numbers; there must be {count}");
+        if (count.HasValue && array.GetArrayLength() != count) throw Wrong(name, $"{array.GetArrayLength()} numbers; it must have {count}");
         var numbers = new double[array.GetArrayLength()];
         var i = 0;
         foreach (var value in array.EnumerateArray())

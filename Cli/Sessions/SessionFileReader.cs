@@ -76,7 +76,7 @@ sealed class SessionFileReader : IDisposable
             var version = fields.Whole("version");
             if (version is < 1 or > SessionFormat.Version)
                 throw new InputException($"{Place}: field 'version': the file is of version {version}; this program reads version "
-                    + $"{SessionFormat.Version}, use a newer one");
+                    + $"{SessionFormat.Version}; use a newer program");
             return SessionLines.ReadHeader(fields);
         }
         catch (JsonException broken)

@@ -95,7 +95,7 @@ static class SessionLines
         {
             var time = new TimeSpan(point.Whole("time_from_start_ns") / NanosecondsPerTick);
             if (time < TimeSpan.Zero || (points.Count > 0 && time <= points[^1].TimeFromStart))
-                throw point.Wrong("time_from_start_ns", $"of point {points.Count + 1} is not after the point before, or the stamp");
+                throw point.Wrong("time_from_start_ns", $"of point {points.Count + 1} is not later than that of the previous point or the time stamp");
             points.Add(new JointTrajectoryPoint(
                 time, point.Numbers("position", names.Length), Optional(point, "velocity", names.Length),
                 Optional(point, "acceleration", names.Length)));

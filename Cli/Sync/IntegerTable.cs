@@ -39,7 +39,7 @@ static class IntegerTable
     static long[] Row(CsvParser csv, string path, string[] header)
     {
         if (csv.Count != header.Length)
-            throw new InputException($"{path}:{csv.RawRow}: {csv.Count} fields; there must be {header.Length}");
+            throw new InputException($"{path}:{csv.RawRow}: {csv.Count} fields; it must have {header.Length}");
         var row = new long[header.Length];
         for (var i = 0; i < row.Length; i++)
             if (!long.TryParse(csv[i], NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out row[i]))

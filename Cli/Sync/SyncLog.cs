@@ -23,7 +23,7 @@ static class SyncLog
     {
         using var file = new SessionFileReader(path);
         var exchanges = file.Lines().OfType<SyncLine>().Select(line => (line.T4Nanoseconds, line.Exchange)).ToList();
-        return exchanges.Count > 0 ? exchanges : throw new InputException($"{path}: holds no sync exchange; at least one is needed");
+        return exchanges.Count > 0 ? exchanges : throw new InputException($"{path}: contains no sync exchange; at least one is needed");
     }
 
     public static IReadOnlyList<long> ReadInstants(string path)

@@ -17,26 +17,42 @@ static class SyncVerb
         var estimator = RuntimeOptions.Estimator();
         var at = new Option<string>("--at")
         {
-            Description = "File of instants (t_ns on C2, increasing): print what was known at each, instead of after each exchange.",
+            Description = "File of instants (t_ns on C2, increasing): print the estimate at each of them instead of after each exchange.",
         };
         var json = new Option<bool>("--json") { Description = "Print JSON instead of CSV." };
-        var verb = new Command("sync", "Run the clock estimator over a log of sync exchanges.") { file, estimator, at, json };
+        var page = new Option<string>("--page")
+        {
+            Description = $"Also write Fig. 8 of the paper for this log as a page, {SyncPage.DefaultPath} unless named here, and its data as CSV.",
+            Arity = ArgumentArity.ZeroOrOne,
+            HelpName = "FILE.html",
+        };
+        var verb = new Command("sync", "Run the clock estimator with a log of sync exchanges.") { file, estimator, at, json, page };
         // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
         verb.SetAction((parsed, cancel) => Task.Run(
-            () => Run(parsed.GetValue(file), parsed.GetValue(estimator), parsed.GetValue(at), parsed.GetValue(json), cancel), CancellationToken.None));
+            () => Run(parsed.GetValue(file), parsed.GetValue(estimator), parsed.GetValue(at), parsed.GetValue(json), PageOf(parsed, page), cancel),
+            CancellationToken.None));
         return verb;
     }
 
-    static int Run(string file, string estimator, string at, bool json, CancellationToken cancel)
+    static string PageOf(ParseResult parsed, Option<string> page) =>
+        parsed.GetResult(page) is { Implicit: false } ? parsed.GetValue(page) ?? SyncPage.DefaultPath : null;
+
+    /// <param name="page">Path of the page; null for none.</param>
+    static int Run(string file, string estimator, string at, bool json, string page, CancellationToken cancel)
     {
         var log = SyncLog.Read(file);
         var replay = new SyncReplay(ClockEstimators.Create(estimator));
         var beliefs = at == null ? replay.AfterEach(log) : replay.At(SyncLog.ReadInstants(at), log);
+        if (page != null)
+        {
+            SyncPage.Write(page, file, [.. log.Select(each => each.Exchange)], estimator);
+            Console.Error.WriteLine(page);
+        }
         Print(beliefs.TakeWhile(_ => !cancel.IsCancellationRequested), at != null, json);
         foreach (var (fault, count) in replay.Dropped)
             Console.Error.WriteLine($"nowpose: {file}: dropped {count} of {log.Count} exchanges: {fault}");
         if (replay.Steps > 0)
-            Console.Error.WriteLine($"nowpose: {file}: {replay.Steps} clock step(s) found");
+            Console.Error.WriteLine($"nowpose: {file}: {replay.Steps} clock steps detected");
         return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
     }
 

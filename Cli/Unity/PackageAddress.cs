@@ -13,7 +13,7 @@ static class PackageAddress
     /// <summary>Gets the absolute address of a folder. A relative one would break when only the project or only the clone is moved.</summary>
     public static string Of(PackageFolder folder) => File + folder.Root.Replace('\\', '/');
 
-    /// <param name="given">What the user typed.</param>
+    /// <param name="given">Address as entered by the user.</param>
     /// <param name="version">The version of the package that this program belongs to.</param>
     /// <param name="project">The project in whose manifest the address is written.</param>
     /// <exception cref="InputException">There is no package at this address.</exception>
@@ -34,7 +34,7 @@ static class PackageAddress
     static string Git(string given, string version)
     {
         if (given.Contains("/OWNER/", StringComparison.Ordinal))
-            throw new InputException("--package: put the host of your copy of the repository in the place of OWNER");
+            throw new InputException("--package: replace OWNER by the host of your copy of the repository");
         var hash = given.IndexOf('#', StringComparison.Ordinal);
         var repository = hash < 0 ? given : given[..hash];
         if (repository.Contains('?', StringComparison.Ordinal)) return given;

@@ -6,7 +6,7 @@ namespace Nowpose.Cli.Unity;
 /// <summary>Plan of the changes to a project.</summary>
 sealed class Preparation
 {
-    const string InUnity = "Open the project in Unity. Window → Nowpose → Project Setup shows what else a headset needs, and does most of it.";
+    const string InUnity = "Open the project in Unity. Window → Nowpose → Project Setup lists the remaining settings for a headset, and applies most of them.";
 
     static readonly string[] AfterMrtk3 =
     [
@@ -103,7 +103,7 @@ sealed class Preparation
                 $"--package: {Project.Root} has the package in Packages/{ProjectNeeds.Package}, which Unity prefers; remove that folder first");
         }
         var address = _settings.Package == null ? PackageAddress.Of(package) : PackageAddress.Read(_settings.Package, package.Version, Project);
-        var origin = PackageOrigin.At(ProjectNeeds.Package, address, least: package.Version);
+        var origin = PackageOrigin.At(ProjectNeeds.Package, address, min: package.Version);
         // Without --package, an existing folder or commit is sufficient.
         var present = _merge.VersionOf(ProjectNeeds.Package);
         if (_settings.Package == null && present != null && origin.Serves(present) == null) return;
@@ -121,7 +121,7 @@ sealed class Preparation
     {
         if (_settings.OnConflict != ConflictRule.Keep)
             throw new InputException($"{string.Join("; ", conflicts)}. Change it there, or use --on-conflict {Rules()}.");
-        _notes.AddRange(conflicts.Select(conflict => conflict + "; it stays"));
+        _notes.AddRange(conflicts.Select(conflict => conflict + "; the entry is kept"));
     }
 
     string Rules() => _settings.OnConflict == ConflictRule.Refuse && _merge.CanReplaceAll ? "keep or replace" : "keep";

@@ -27,10 +27,10 @@ sealed class UnityProject
         if (string.IsNullOrWhiteSpace(path)) throw new InputException("PATH is empty; the folder of a Unity project is needed");
         var root = Path.TrimEndingDirectorySeparator(Path.GetFullPath(path));
         if (File.Exists(root)) throw new InputException($"{path}: is a file; the folder of a Unity project is needed");
-        if (!Directory.Exists(root)) throw new InputException($"{path}: no such folder; the folder of a Unity project is needed");
+        if (!Directory.Exists(root)) throw new InputException($"{path}: folder not found; the folder of a Unity project is needed");
         foreach (var needed in new[] { VersionIn(root), ManifestIn(root) })
             if (!File.Exists(needed))
-                throw new InputException($"{path}: not a Unity project: {Path.GetRelativePath(root, needed)} is missing{Hint(root)}");
+                throw new InputException($"{path}: is not a Unity project: {Path.GetRelativePath(root, needed)} is missing{Hint(root)}");
 
         var version = UnityVersion.InProjectFile(File.ReadAllText(VersionIn(root)));
         return new UnityProject(root, version ?? throw new InputException(

@@ -11,7 +11,7 @@ static class UnityVerb
     public static Command Create()
     {
         var path = new Argument<string>("PATH") { Description = "Folder of the Unity project." };
-        var mrtk3 = new Option<bool>("--mrtk3") { Description = "Add MRTK3 and what a HoloLens 2 needs." };
+        var mrtk3 = new Option<bool>("--mrtk3") { Description = "Add MRTK3 and the packages that a HoloLens 2 needs." };
         var webSocket = new Option<bool>("--native-websocket") { Description = "Add NativeWebSocket, another WebSocket client." };
         var samples = new Option<string[]>("--sample")
         {
@@ -20,13 +20,13 @@ static class UnityVerb
         };
         var package = new Option<string>("--package")
         {
-            Description = "Where the package comes from: a git address, file:PATH or a folder. Default: what the project names already, or "
-                + "file: and the folder of the clone or published program that runs.",
+            Description = "Source of the package: a git address, file:PATH or a folder. Default: the source in the project's manifest, or "
+                + "file: with the folder of this clone or published program.",
             HelpName = "ADDRESS",
         };
         var onConflict = new Option<string>("--on-conflict")
         {
-            Description = "How to treat an older or different entry: change nothing at all (refuse), let it stay (keep), or replace it (replace).",
+            Description = "Treatment of older or different entries: refuse (change nothing), keep, or replace.",
             DefaultValueFactory = _ => "refuse",
             HelpName = "refuse|keep|replace",
         };

@@ -5,7 +5,7 @@ namespace Nowpose.Gateway.Clock;
 /// <summary>One clock of the control system, offered by an adapter. Measured against this machine's counter as a headset measures C1.</summary>
 /// <remarks>
 /// The gateway acts as the headset of these exchanges, with its counter as C2. The estimate is kept when the adapter disconnects, and is
-/// continued when one with the same name connects. Any thread.
+/// continued when one with the same name connects. Thread-safe.
 /// </remarks>
 public sealed class PlantClock
 {
@@ -106,7 +106,7 @@ public sealed class PlantClock
     {
         _synchroniser.Add(exchange, out var fault);
         if (fault == SyncExchangeFault.None) Interlocked.Increment(ref _exchanges);
-        else Failed($"the exchange was unusable: {fault}");
+        else Failed($"the exchange cannot be used: {fault}");
     }
 
     /// <param name="why">The reason; may contain text from a peer.</param>

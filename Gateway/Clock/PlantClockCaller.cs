@@ -31,7 +31,7 @@ sealed class PlantClockCaller : IDisposable
     /// <summary>Starts the requests.</summary>
     public void Start() => _ = Task.Run(AskAsync);
 
-    /// <summary>Takes an answer; any thread. Ignores a late answer, which has already been counted as a failure.</summary>
+    /// <summary>Takes an answer. Thread-safe. Ignores a late answer, which has already been counted as a failure.</summary>
     /// <param name="arrival">Time at which its last byte was read.</param>
     public void Answer(RosbridgeMessage response, HeadsetTime arrival)
     {

@@ -2,7 +2,7 @@ using System.Collections.Immutable;
 
 namespace Nowpose.Gateway.Clock;
 
-/// <summary>The clocks of the control system that adapters offer, and the selection of C1. Any thread.</summary>
+/// <summary>The clocks of the control system that adapters offer, and the selection of C1. Thread-safe.</summary>
 public sealed class PlantClocks
 {
     /// <summary>Selects the gateway's own clock, even if adapters offer others.</summary>

@@ -3,7 +3,7 @@ using Nowpose.Gateway.Hub;
 
 namespace Nowpose.Gateway.Clock;
 
-/// <summary>Detects contradictions between the served clock and the stamps of the sources. Any thread.</summary>
+/// <summary>Detects contradictions between the served clock and the stamps of the sources. Thread-safe.</summary>
 /// <remarks>
 /// If a source stamps with system time and the control clock does not follow a correction of the system clock, the two differ from then
 /// on. The source's samples are then in the future and refused, or they are old. Only stamps without a plant clock are checked.
@@ -92,7 +92,7 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
         Found = contradicting.Length > 0 ? Contradiction(contradicting) : Correction();
         var kind = IsContradicted ? "contradiction" : Warning;
         if (kind == _said) return;
-        log(Warning == null ? "clock: stamps and control clock agree again" : "clock: " + Warning);
+        log(Warning == null ? "clock: time stamps and control clock agree again" : "clock: " + Warning);
         _said = kind;
     }
 
@@ -134,11 +134,11 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
     }
 
     StampWarning Correction() => _correction.Duration() < MinCorrection ? null : new StampWarning(
-        Text($"the system clock was corrected by {_correction.TotalSeconds:+0.0;-0.0} s since the start, and the control clock, the gateway's own, did not ")
-            + "follow. Stamps that a source takes from the system clock are wrong by that",
+        Text($"the system clock was corrected by {_correction.TotalSeconds:+0.0;-0.0} s since the start, and the gateway's own control clock did not ")
+            + "follow. Time stamps that a source takes from the system clock are wrong by this amount",
         Remedy, false);
 
-    // The worst first.
+    // Sorts the sources, the worst one first.
     StampWarning Contradiction((string Source, StampCounts Counts)[] sources)
     {
         var (source, counts) = sources[0];

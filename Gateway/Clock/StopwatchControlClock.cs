@@ -15,7 +15,7 @@ public sealed class StopwatchControlClock : IControlClock
     public StopwatchControlClock(ControlTime atStart, double skew = 0)
     {
         if (!(Math.Abs(skew) < 0.1))
-            throw new ArgumentOutOfRangeException(nameof(skew), skew, "a clock's skew lies within ±0.1 (100 000 ppm)");
+            throw new ArgumentOutOfRangeException(nameof(skew), skew, "a clock's skew must be within ±0.1 (100 000 ppm)");
         _start = atStart;
         _skew = skew;
     }

@@ -24,7 +24,7 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, Door door, Co
     /// <summary>Answers its own requests and passes on the others, WebSockets on every path.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
-        // Read first: any work before it would count as network latency.
+        // Reads the time first, because any work before it would count as network latency.
         var received = clock.Now;
         var isSocket = context.Request.Headers.Upgrade.Count > 0;
         if (!isSocket && context.Request.Path == TimePath) return TellTimeAsync(context, received);

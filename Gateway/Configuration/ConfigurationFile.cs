@@ -24,16 +24,16 @@ static class ConfigurationFile
         {
             parser.Consume<StreamStart>();
             if (parser.TryConsume<DocumentStart>(out _) && TryReadDocument(parser, path, entries, wrong) && !parser.Accept<StreamEnd>(out _))
-                wrong.Add($"{PlaceOf(path, parser.Current)}: a second document; one is enough");
+                wrong.Add($"{PlaceOf(path, parser.Current)}: a second document starts here; a configuration must have one");
         }
         catch (YamlException broken)
         {
-            wrong.Add($"{path}:{broken.Start.Line}: is not valid YAML: {(broken.InnerException ?? broken).Message.ReplaceLineEndings(" ")}");
+            wrong.Add($"{path}:{broken.Start.Line}: not valid YAML: {(broken.InnerException ?? broken).Message.ReplaceLineEndings(" ")}");
         }
         // Exceptions of the parser itself, for example for a plain word in an unclosed flow mapping.
         catch (Exception broken) when (broken is InvalidOperationException or ArgumentException or IndexOutOfRangeException or EndOfStreamException)
         {
-            wrong.Add($"{PlaceOf(path, parser.Current)}: is not valid YAML, here or in the lines that follow");
+            wrong.Add($"{PlaceOf(path, parser.Current)}: not valid YAML, in this line or a later one");
         }
 
         return entries;
@@ -45,7 +45,7 @@ static class ConfigurationFile
         {
             var file = new FileInfo(path);
             if (file.Exists && file.Length > MaxBytes)
-                throw new InputException($"--config {path}: {file.Length} bytes; a configuration has no more than {MaxBytes}");
+                throw new InputException($"--config {path}: {file.Length} bytes; the maximum is {MaxBytes}");
             return File.ReadAllText(path);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
@@ -56,14 +56,14 @@ static class ConfigurationFile
 
     static bool TryReadDocument(Parser parser, string path, List<ConfigurationEntry> entries, List<string> wrong)
     {
-        // Everything is commented out: nothing is set.
+        // All lines are comments, so no option is set.
         if (parser.Accept<Scalar>(out var only) && only.Value.Length == 0)
         {
             parser.Consume<Scalar>();
         }
         else if (!IsBare(parser.Current) || !parser.TryConsume<MappingStart>(out _))
         {
-            wrong.Add($"{PlaceOf(path, parser.Current)}: lines \"key: value\" are needed");
+            wrong.Add($"{PlaceOf(path, parser.Current)}: a line \"key: value\" is needed");
             return false;
         }
         else
@@ -80,7 +80,7 @@ static class ConfigurationFile
         var place = PlaceOf(path, parser.Current);
         if (!TryReadWord(parser, out var key))
         {
-            wrong.Add($"{place}: a key is a word, without tags and anchors");
+            wrong.Add($"{place}: a key must be a word without tags and anchors");
             Skip(parser);
             Skip(parser);
             return;
@@ -88,7 +88,7 @@ static class ConfigurationFile
 
         var entry = ReadValue(parser, key, place);
         var earlier = entries.FirstOrDefault(other => other.Key == key);
-        if (earlier != null) wrong.Add($"{place}: {key}: stands there twice, first at {earlier.Place}");
+        if (earlier != null) wrong.Add($"{place}: {key}: occurs twice, first at {earlier.Place}; remove one");
         else if (entry == null) wrong.Add($"{place}: {key}: allowed is a word, a number, or a list of words, without tags and anchors");
         else entries.Add(entry);
     }

@@ -34,7 +34,7 @@ sealed class ConfiguredArguments
         var wrong = new List<string>();
         foreach (var entry in ConfigurationFile.Read(path, wrong)) Add(root, typed, entry, path, added, wrong);
         if (wrong.Count > 0) throw new WrongEntriesException(wrong);
-        // Before the typed arguments, which may end with values without an option.
+        // Inserted before the typed arguments, because these may end with values without an option.
         var place = Array.IndexOf(args, verb.Name) + 1;
         return [.. args[..place], .. added, .. args[place..]];
     }
@@ -57,7 +57,7 @@ sealed class ConfiguredArguments
         var fault = Fault(entry, option);
         if (fault == null)
         {
-            // As one argument, because a value may begin with a dash or an @.
+            // Passes name and value as one argument, because a value may begin with a dash or an @.
             foreach (var value in entry.Values) arguments.Add($"{name}={Placed(value, option, path)}");
             fault = root.Parse([verb.Name, .. arguments]).Errors.FirstOrDefault(error => IsOf(error, option))?.Message;
         }
@@ -74,9 +74,9 @@ sealed class ConfiguredArguments
     static string Fault(ConfigurationEntry entry, Option option)
     {
         var takesMany = option.Arity.MaximumNumberOfValues > 1;
-        if (entry.IsList && !takesMany) return "a list; allowed is one value";
+        if (entry.IsList && !takesMany) return "is a list; allowed is one value";
         if (entry.Values.Count == 0 || entry.Values.Any(value => value.Length == 0)) return "has no value";
-        if (entry.Values.Any(value => value.Any(char.IsControl))) return "holds a line end or another control character";
+        if (entry.Values.Any(value => value.Any(char.IsControl))) return "contains a line end or another control character";
         if (option.ValueType == typeof(bool) && entry.Values[0] is not ("true" or "false"))
             return $"'{entry.Values[0]}' is neither true nor false";
         return null;
@@ -95,6 +95,6 @@ sealed class ConfiguredArguments
     {
         var keys = verb.Options.Where(option => !NotInAFile.Contains(option.Name)).Select(option => option.Name[2..])
             .Select(name => Plurals.FirstOrDefault(plural => plural.Value == name).Key ?? name).ToArray();
-        return Nearest.Of(key, keys) is { } near ? $"is '{near}' meant?" : $"there are {string.Join(", ", keys.Order(StringComparer.Ordinal))}";
+        return Nearest.Of(key, keys) is { } near ? $"did you mean '{near}'?" : $"allowed are {string.Join(", ", keys.Order(StringComparer.Ordinal))}";
     }
 }

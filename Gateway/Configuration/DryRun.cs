@@ -15,7 +15,7 @@ static class DryRun
         if (!File.Exists(path) && keyPath == null)
         {
             RequireRoom("--certificate", path);
-            findings.Good("certificate", $"{path} (would be made)");
+            findings.Good("certificate", $"{path} (would be created)");
             return CertificateFiles.Generate();
         }
 
@@ -36,14 +36,14 @@ static class DryRun
     {
         if (!File.Exists(path)) RequireRoom("--pairing", path);
         var paired = HeadsetFile.Load(path);
-        findings.Good("pairing", File.Exists(path) ? $"{path} ({paired.Count} headsets)" : $"{path} (would be made)");
+        findings.Good("pairing", File.Exists(path) ? $"{path} ({paired.Count} headsets)" : $"{path} (would be created)");
     }
 
     public static void Recordings(string folder, Findings findings)
     {
         if (File.Exists(folder)) throw new InputException($"--recordings {folder}: is a file; a folder is needed");
         RequireWritable("--recordings", folder, Directory.Exists(folder) ? folder : FolderOf("--recordings", folder));
-        findings.Good("recordings", Directory.Exists(folder) ? folder : $"{folder} (would be made)");
+        findings.Good("recordings", Directory.Exists(folder) ? folder : $"{folder} (would be created)");
     }
 
     public static void Ports(GatewayOptions options, Findings findings)
@@ -64,7 +64,7 @@ static class DryRun
         }
         catch (IOException refused)
         {
-            return PortListener.IsTaken(refused) ? $" (port {at.Port} is taken now)" : throw new InputException(refused.Message, refused);
+            return PortListener.IsTaken(refused) ? $" (port {at.Port} is in use)" : throw new InputException(refused.Message, refused);
         }
     }
 

@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Hub;
 
-/// <summary>Distributes messages from sources to subscribers. Any thread; publishing never waits for a subscriber.</summary>
+/// <summary>Distributes messages from sources to subscribers. Thread-safe; publishing never waits for a subscriber.</summary>
 public sealed class MessageHub
 {
     readonly Lock _lock = new();

@@ -3,7 +3,7 @@ namespace Nowpose.Gateway.MotionRecordings;
 /// <summary>Joint positions over time as recorded by a user, with linear interpolation between rows.</summary>
 /// <remarks>
 /// Units are the file's own (rad, m). Times are seconds relative to the file's first row, which preserves the precision of a recording
-/// stamped with dates. Immutable, any thread.
+/// stamped with dates. Immutable, so any thread may use it.
 /// </remarks>
 public sealed class MotionRecording
 {
@@ -45,9 +45,9 @@ public sealed class MotionRecording
     /// <param name="positions">Receives one element per joint, in the order of <see cref="Names"/>.</param>
     public void At(double secondsSinceStart, Span<double> positions)
     {
-        if (double.IsNaN(secondsSinceStart)) throw new ArgumentException("a time is a number", nameof(secondsSinceStart));
+        if (double.IsNaN(secondsSinceStart)) throw new ArgumentException("a time must be a number", nameof(secondsSinceStart));
         if (positions.Length != _names.Length)
-            throw new ArgumentException($"room for {positions.Length} joints, not {_names.Length}", nameof(positions));
+            throw new ArgumentException($"the array has {positions.Length} elements; the recording has {_names.Length} joints", nameof(positions));
 
         var after = FirstRowAfter(secondsSinceStart);
         if (after == 0 || after == _times.Length)

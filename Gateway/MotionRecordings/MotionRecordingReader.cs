@@ -29,7 +29,7 @@ sealed class MotionRecordingReader : IDisposable
             TrimOptions = TrimOptions.Trim,
             IgnoreBlankLines = true,
             BadDataFound = bad => throw new InputException(
-                $"{path}:{_row}: a quotation mark that opens or closes no field; quote whole fields or none")
+                $"{path}:{_row}: a quotation mark is inside a field; quote whole fields or none")
         };
         _csv = new CsvParser(text, configuration);
     }
@@ -67,7 +67,7 @@ sealed class MotionRecordingReader : IDisposable
         var name = _header[column];
         if (name.Length == 0) throw Wrong($"column {column + 1} has no name; each joint needs one");
         if (Array.IndexOf(_header, name) < column)
-            throw Wrong($"column {column + 1}: name {Shown(name)} stands twice; each joint needs its own");
+            throw Wrong($"column {column + 1}: name {Shown(name)} occurs twice; each joint needs its own name");
     }
 
     bool NextRow()
@@ -92,7 +92,7 @@ sealed class MotionRecordingReader : IDisposable
         // A double that holds a date has a resolution of 0.24 µs, so the difference is computed before rounding.
         var elapsed = (double?)(exact - _exactStart) ?? time - _start;
         if (_times.Count > 0 && !(elapsed > _times[^1]))
-            throw Wrong($"field {_header[0]}: {Shown(_csv[0])} s is not after the row before; time must increase strictly");
+            throw Wrong($"field {_header[0]}: {Shown(_csv[0])} s is not later than the previous row; times must increase");
         _times.Add(elapsed);
         for (var i = 1; i < _header.Length; i++) _positions.Add(Number(i));
     }
@@ -110,7 +110,7 @@ sealed class MotionRecordingReader : IDisposable
         var text = _csv[column];
         if (text.Length == 0) throw Wrong($"field {Shown(_header[column])} is empty; a number is needed");
         if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value))
-            throw Wrong($"field {Shown(_header[column])}: {Shown(text)} is not a number (a point is the decimal sign)");
+            throw Wrong($"field {Shown(_header[column])}: {Shown(text)} is not a number; the decimal separator is a point");
         if (!double.IsFinite(value)) throw Wrong($"field {Shown(_header[column])}: {Shown(text)} is not a finite number");
         if (Math.Abs(value) > MaxMagnitude)
             throw Wrong($"field {Shown(_header[column])}: {Shown(text)} is too large; up to {MaxMagnitude:0e+0} are allowed");

@@ -10,7 +10,7 @@ public static class RecordingText
     public static TextReader Open(string path)
     {
         if (string.IsNullOrWhiteSpace(path))
-            throw new InputException("no file named; a path of a .csv or .csv.gz file is needed");
+            throw new InputException("no file is named; a path of a .csv or .csv.gz file is needed");
         if (Directory.Exists(path))
             throw new InputException($"{path}: is a folder; the path of a .csv or .csv.gz file is needed");
         try
@@ -22,7 +22,7 @@ public static class RecordingText
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
-            throw new InputException($"{path}: no such file", e);
+            throw new InputException($"{path}: file not found", e);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {
@@ -32,6 +32,6 @@ public static class RecordingText
 
     /// <summary>Creates the exception for a failure in the middle of reading.</summary>
     public static InputException Unreadable(string path, Exception e) => e is InvalidDataException
-        ? new InputException($"{path}: is not a complete gzip file; a name ending in .gz promises one", e)
+        ? new InputException($"{path}: is not a complete gzip file, although its name ends in .gz", e)
         : new InputException($"{path}: cannot be read: {e.Message.ReplaceLineEndings(" ")}", e);
 }

@@ -14,7 +14,7 @@ sealed class BrowserLogin(GatewayOptions options, Door door, ConnectionCounters 
     {
         if (await RefuseBlockedAsync(context)) return;
         if (!options.AsksForTokens)
-            await RefuseAsync(context, StatusCodes.Status400BadRequest, "this gateway asks for no token");
+            await RefuseAsync(context, StatusCodes.Status400BadRequest, "this gateway requires no token");
         // The address may have been blocked by other requests while the body was being received.
         else if (await SmallJson.ReadAsync(context) is not { } request || await RefuseBlockedAsync(context))
             return;
@@ -24,7 +24,7 @@ sealed class BrowserLogin(GatewayOptions options, Door door, ConnectionCounters 
         {
             _wrong.Count(context.Connection.RemoteIpAddress);
             counters.Count(Closure.Token);
-            log("operations: refused a token that is none of those known");
+            log("operations: refused an unknown token");
             await RefuseAsync(context, StatusCodes.Status401Unauthorized, "not a token of this gateway");
         }
     }

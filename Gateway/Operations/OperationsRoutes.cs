@@ -38,7 +38,7 @@ sealed class OperationsRoutes(GatewayOptions options, Door door, ConnectionCount
         if (door.IsNoRebinding(context)) return true;
         await Door.AnswerAsync(
             context, StatusCodes.Status403Forbidden,
-            "without tokens the page of operations is found by the gateway's address, its machine's name or localhost");
+            "without tokens, the operations page is available under the gateway's address, its machine's name and localhost only");
         return false;
     }
 }

@@ -15,7 +15,7 @@ public static class Invocation
     }
 
     /// <param name="root">The command from <see cref="Root"/>. Its name precedes each error message.</param>
-    /// <param name="args">As typed.</param>
+    /// <param name="args">The arguments of the command line.</param>
     /// <param name="whenTerminated">Exit status after a request to end other than Ctrl-C, for example by a service manager.</param>
     /// <param name="complete">Adds configured arguments; null for none.</param>
     /// <param name="place">Adds the place in the configuration to an error message; null to leave it unchanged.</param>
@@ -61,7 +61,7 @@ public static class Invocation
         if (parsed.UnmatchedTokens.Count == 0) return parsed.Errors[0].Message;
         var unknown = parsed.UnmatchedTokens[0];
         var isVerb = parsed.RootCommandResult.Command.Subcommands.Any(verb => verb.Name == unknown);
-        return isVerb ? $"'{unknown}' comes too late: the verb stands first." : $"'{unknown}' is not known.";
+        return isVerb ? $"'{unknown}' must be the first argument, because it is a command." : $"'{unknown}' is not known.";
     }
 
     static int Fail(string program, int status, string message)

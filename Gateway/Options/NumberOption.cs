@@ -9,43 +9,43 @@ namespace Nowpose.Gateway.Options;
 public static class NumberOption
 {
     /// <param name="unit">Unit after the numbers in messages: "ms", "s", or empty.</param>
-    public static Option<T> Create<T>(string name, string description, T standard, T least, T greatest, string unit)
+    public static Option<T> Create<T>(string name, string description, T standard, T min, T max, string unit)
         where T : INumber<T>
     {
         return new Option<T>(name)
         {
-            Description = Invariant($"{description} [{least} to {greatest}{Suffix(unit)}]"),
+            Description = Invariant($"{description} [{min} to {max}{Suffix(unit)}]"),
             DefaultValueFactory = _ => standard,
-            CustomParser = result => Parse(result, name, least, greatest, unit),
+            CustomParser = result => Parse(result, name, min, max, unit),
         };
     }
 
     /// <summary>Creates an option without a default: null when it is not given.</summary>
-    public static Option<T?> CreateOptional<T>(string name, string description, T least, T greatest, string unit)
+    public static Option<T?> CreateOptional<T>(string name, string description, T min, T max, string unit)
         where T : struct, INumber<T>
     {
         return new Option<T?>(name)
         {
-            Description = Invariant($"{description} [{least} to {greatest}{Suffix(unit)}]"),
-            CustomParser = result => Parse(result, name, least, greatest, unit),
+            Description = Invariant($"{description} [{min} to {max}{Suffix(unit)}]"),
+            CustomParser = result => Parse(result, name, min, max, unit),
         };
     }
 
-    static T Parse<T>(ArgumentResult result, string name, T least, T greatest, string unit)
+    static T Parse<T>(ArgumentResult result, string name, T min, T max, string unit)
         where T : INumber<T>
     {
         var text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
-        var allowed = Invariant($"allowed are {least} to {greatest}{Suffix(unit)}.");
+        var allowed = Invariant($"allowed are {min} to {max}{Suffix(unit)}.");
         // Parsed as a double first: a number that does not fit the type is out of range, not "no number".
         if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var number))
             result.AddError($"{name}: '{text}' is not a number; {allowed}");
-        else if (!(number >= double.CreateChecked(least) && number <= double.CreateChecked(greatest)))
+        else if (!(number >= double.CreateChecked(min) && number <= double.CreateChecked(max)))
             result.AddError($"{name}: {text}{Suffix(unit)} is out of range; {allowed}");
         else if (T.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value))
             return value;
         else
             result.AddError($"{name}: '{text}' is not a whole number; {allowed}");
-        return least;
+        return min;
     }
 
     static string Suffix(string unit) => unit.Length == 0 ? "" : " " + unit;

@@ -7,28 +7,28 @@ namespace Nowpose.Gateway.Options;
 /// <summary>Options that take a range of milliseconds, MIN-MAX, or one number for both.</summary>
 public static class RangeOption
 {
-    public static Option<MillisecondRange> Create(string name, string description, MillisecondRange standard, double greatest)
+    public static Option<MillisecondRange> Create(string name, string description, MillisecondRange standard, double limit)
     {
         return new Option<MillisecondRange>(name)
         {
-            Description = FormattableString.Invariant($"{description} [MIN-MAX, 0 to {greatest} ms]"),
+            Description = FormattableString.Invariant($"{description} [MIN-MAX, 0 to {limit} ms]"),
             HelpName = "MIN-MAX",
             DefaultValueFactory = _ => standard,
-            CustomParser = result => Parse(result, name, greatest),
+            CustomParser = result => Parse(result, name, limit),
         };
     }
 
-    static MillisecondRange Parse(ArgumentResult result, string name, double greatest)
+    static MillisecondRange Parse(ArgumentResult result, string name, double limit)
     {
         var text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
         var ends = text.Split('-');
-        if (ends.Length <= 2 && IsNumber(ends[0], out var min) && IsNumber(ends[^1], out var max) && min <= max && max <= greatest)
+        if (ends.Length <= 2 && IsNumber(ends[0], out var min) && IsNumber(ends[^1], out var max) && min <= max && max <= limit)
             return new MillisecondRange(min, max);
-        result.AddError(FormattableString.Invariant($"{name}: '{text}' is not a range; allowed is MIN-MAX with 0 <= MIN <= MAX <= {greatest} ms."));
+        result.AddError(FormattableString.Invariant($"{name}: '{text}' is not a range; allowed is MIN-MAX with 0 <= MIN <= MAX <= {limit} ms."));
         return default;
     }
 
-    // Without a sign: "5--3" is not a range.
+    // Accepts no sign, because "5--3" is not a range.
     static bool IsNumber(string text, out double value) =>
         double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out value);
 }

@@ -5,7 +5,7 @@ namespace Nowpose.Gateway.Pairing;
 /// <summary>The file of paired headsets, one line each, for programs and people. Only its owner may read it.</summary>
 static class HeadsetFile
 {
-    const string Head = "# Headsets that this gateway has paired. Remove a line to revoke its token; its connections end at once.\n";
+    const string Head = "# Headsets that this gateway has paired. Remove a line to revoke its token; its connections end immediately.\n";
 
     const int Attempts = 20;
 
@@ -59,7 +59,7 @@ static class HeadsetFile
             var line = lines[i].Trim();
             if (line.Length == 0 || line[0] == '#') continue;
             if (PairedHeadset.Read(line) is { } headset) headsets.Add(headset);
-            else fault ??= $"{path}, line {i + 1}: is not a paired headset; correct or remove it";
+            else fault ??= $"{path}, line {i + 1}: not an entry of a paired headset; correct or remove the line";
         }
 
         return headsets;

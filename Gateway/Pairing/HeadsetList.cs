@@ -4,7 +4,7 @@ using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>The headsets that may connect with their own tokens. Any thread.</summary>
+/// <summary>The headsets that may connect with their own tokens. Thread-safe.</summary>
 /// <remarks>Follows its file: the token of a removed line is no longer valid.</remarks>
 public sealed class HeadsetList
 {
@@ -19,14 +19,14 @@ public sealed class HeadsetList
     readonly FollowedFile<IReadOnlyList<PairedHeadset>> _headsets;
 
     /// <param name="path">Path of the file; created if it does not exist.</param>
-    /// <param name="log">Receives a line when the file cannot be read any more; null for none.</param>
+    /// <param name="log">Receives a line when the file can no longer be read; null for none.</param>
     /// <exception cref="InputException">The file is invalid. The message names it and the line.</exception>
     public HeadsetList(string path, TimeProvider time = null, Action<string> log = null)
     {
         _path = path;
         _time = time ?? TimeProvider.System;
         HeadsetFile.Open(path);
-        // Without a delay: a writer locks the file exclusively.
+        // No delay is needed, because a writer locks the file exclusively.
         _headsets = new FollowedFile<IReadOnlyList<PairedHeadset>>(
             [path], (out string fault) => HeadsetFile.Load(path, out fault), TimeSpan.Zero, log);
     }
@@ -57,7 +57,7 @@ public sealed class HeadsetList
         lock (_gate)
         {
             if (_headsets.Current.Count >= MaxCount)
-                throw new InputException($"{_path}: holds {MaxCount} headsets already; revoke some");
+                throw new InputException($"{_path}: already contains {MaxCount} headsets; revoke some");
             headset = new PairedHeadset(PairedHeadset.NameOf(name), _time.GetUtcNow().UtcDateTime, TokenList.HashOf(token));
             HeadsetFile.Add(_path, headset);
         }

@@ -82,7 +82,7 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, Door door, str
         if (door.IsOperator(context)) return true;
         await Door.AnswerAsync(
             context, StatusCodes.Status403Forbidden,
-            "the page of pairing is for browsers on the gateway's own machine, by its address, its name or localhost, and for operators who logged in");
+            "the pairing page is available to browsers on the gateway's machine, under its address, its name or localhost, and to operators who have logged in");
         return false;
     }
 

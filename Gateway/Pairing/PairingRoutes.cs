@@ -37,7 +37,7 @@ sealed class PairingRoutes
             CodePath when isPost => Page.TellCodeAsync(context),
             CellPath when isPost => Page.TellCellAsync(context),
             PairingLimits.Path or CodePath or CellPath => Door.RefuseMethodAsync(context, request.Path == PairingLimits.Path ? "GET, POST" : "POST"),
-            _ => Door.AnswerAsync(context, StatusCodes.Status404NotFound, $"{request.Path}: there is no such page"),
+            _ => Door.AnswerAsync(context, StatusCodes.Status404NotFound, $"{request.Path}: page not found"),
         };
     }
 }

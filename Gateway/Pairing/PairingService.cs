@@ -37,18 +37,18 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, Door door, 
         {
             // The code stays valid: the failure was not the headset's.
             log("pairing: " + fault.Message);
-            return Door.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, "the headset's token cannot be kept");
+            return Door.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, "the headset's token cannot be stored");
         }
 
         if (own != null)
         {
-            log($"pairing: headset '{headset.Name}' was given a token");
+            log($"pairing: headset '{headset.Name}' received a token");
             return SmallJson.AnswerAsync(context, new { token = own });
         }
 
         _wrong.Count(context.Connection.RemoteIpAddress);
         counters.Count(Closure.Token);
-        log("pairing: refused a code that is not the shown one");
-        return Door.AnswerAsync(context, StatusCodes.Status401Unauthorized, "not the code that is shown now");
+        log("pairing: refused a wrong code");
+        return Door.AnswerAsync(context, StatusCodes.Status401Unauthorized, "this is not the current code");
     }
 }

@@ -6,7 +6,7 @@ using Base64Url = System.Buffers.Text.Base64Url;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>The code that a headset can exchange at present. Any thread.</summary>
+/// <summary>The code that a headset can exchange at present. Thread-safe.</summary>
 /// <remarks>It is replaced when it is used, when it expires, and on request.</remarks>
 sealed class ShownCode(CertificatePin pin, TimeProvider time)
 {

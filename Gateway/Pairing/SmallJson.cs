@@ -22,7 +22,7 @@ static class SmallJson
         }
 
         if (length is > 0 && await BodyAsync(context, (int)length) is { } texts) return texts;
-        await Door.AnswerAsync(context, StatusCodes.Status400BadRequest, "a JSON object of texts with a Content-Length is needed");
+        await Door.AnswerAsync(context, StatusCodes.Status400BadRequest, "the request must be a JSON object of strings with a Content-Length");
         return null;
     }
 

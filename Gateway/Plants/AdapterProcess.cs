@@ -61,7 +61,7 @@ sealed class AdapterProcess : IAsyncDisposable
             _process = null;
             if (_stop.IsCancellationRequested) return;
             if (Stopwatch.GetElapsedTime(started) > Steady) pause = FirstPause;
-            _log($"{_plant.Path}: its adapter ended, {end}; it is started again in {pause.TotalSeconds:0.#} s");
+            _log($"{_plant.Path}: its adapter ended ({end}) and starts again in {pause.TotalSeconds:0.#} s");
             await Task.Delay(pause, _stop.Token).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
             pause = pause * 2 < MaxPause ? pause * 2 : MaxPause;
         }

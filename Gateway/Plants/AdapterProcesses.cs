@@ -18,14 +18,14 @@ sealed class AdapterProcesses : IAsyncDisposable
     {
         if (files.Count > 0 && options.Certificate == null && !options.IsLoopback && !IsAny(options.Bind))
             throw new InputException(
-                $"--plant with --bind {options.Bind} and no --tls: adapters come over TLS or loopback only; add --tls, or bind to any");
+                $"--plant with --bind {options.Bind} and no --tls: adapters connect only over TLS or loopback; add --tls, or bind to any");
         var good = new List<PlantFile>();
         var bad = new List<string>();
         foreach (var file in files)
         {
             if (!File.Exists(file))
             {
-                bad.Add($"{file}: there is no such file");
+                bad.Add($"{file}: file not found");
                 continue;
             }
 
@@ -33,7 +33,7 @@ sealed class AdapterProcesses : IAsyncDisposable
             {
                 var plant = await AdapterProgram.CheckAsync(file, stop);
                 if (good.Find(other => other.Name == plant.Name) is { } other)
-                    bad.Add($"{file}: its plant has the name '{plant.Name}' of the one in {other.Path}; set another plant.name in one of the two files");
+                    bad.Add($"{file}: its plant has the same name '{plant.Name}' as the one in {other.Path}; set another plant.name in one of the two files");
                 good.Add(plant);
             }
             catch (WrongEntriesException wrong)

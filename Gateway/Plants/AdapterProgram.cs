@@ -36,7 +36,7 @@ static class AdapterProgram
         }
         catch (OperationCanceledException) when (!stop.IsCancellationRequested)
         {
-            throw new InputException($"{file}: its check did not end within {CheckTimeout.TotalSeconds} s");
+            throw new InputException($"{file}: its check did not end within {CheckTimeout.TotalSeconds} s; try again when the machine is less busy");
         }
         finally
         {
@@ -91,7 +91,7 @@ static class AdapterProgram
                 // Reported below.
             }
 
-            throw new InputException($"{file}: the result of its check cannot be read; build gateway and adapters again, together");
+            throw new InputException($"{file}: the result of its check cannot be read; build the gateway and the adapters from the same version");
         }
     }
 }

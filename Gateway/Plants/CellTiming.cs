@@ -12,9 +12,9 @@ public sealed record CellTiming
     public CellTiming(TimeSpan samplingInterval, TimeSpan acquisitionMin, TimeSpan acquisitionMax)
     {
         if (samplingInterval < Cycle)
-            throw new ArgumentOutOfRangeException(nameof(samplingInterval), samplingInterval, "at least one control cycle of 1 ms");
+            throw new ArgumentOutOfRangeException(nameof(samplingInterval), samplingInterval, "must be at least one control cycle of 1 ms");
         if (acquisitionMin < TimeSpan.Zero || acquisitionMax < acquisitionMin)
-            throw new ArgumentOutOfRangeException(nameof(acquisitionMin), acquisitionMin, $"from 0 to the longest, {acquisitionMax}");
+            throw new ArgumentOutOfRangeException(nameof(acquisitionMin), acquisitionMin, $"must be from 0 to the maximum, {acquisitionMax}");
         SamplingInterval = samplingInterval;
         AcquisitionMin = acquisitionMin;
         AcquisitionMax = acquisitionMax;

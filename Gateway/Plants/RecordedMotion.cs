@@ -52,7 +52,7 @@ public sealed class RecordedMotion : IMotion
         if (recording.Names.Count > joints.Length)
             throw new InputException(
                 $"the recording has {recording.Names.Count} columns ({string.Join(", ", recording.Names)}), "
-                + $"robot {robot.Name} has {joints.Length} joints that move by themselves; choose a robot with as many");
+                + $"robot {robot.Name} has {joints.Length} joints that move independently; choose a robot with this number of columns");
         return joints[..recording.Names.Count];
     }
 }

@@ -31,7 +31,7 @@ public static class RobotFiles
     {
         if (IsIncluded(nameOrPath))
             return File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "Robots", nameOrPath + ".urdf"));
-        if (string.IsNullOrWhiteSpace(nameOrPath)) throw new InputException("no robot named; " + Allowed);
+        if (string.IsNullOrWhiteSpace(nameOrPath)) throw new InputException("no robot is named; " + Allowed);
         if (Directory.Exists(nameOrPath)) throw new InputException($"{nameOrPath}: is a folder; {Allowed}");
         try
         {
@@ -39,7 +39,7 @@ public static class RobotFiles
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
-            throw new InputException($"{nameOrPath}: no such file; {Allowed}", e);
+            throw new InputException($"{nameOrPath}: file not found; {Allowed}", e);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {

@@ -35,10 +35,10 @@ public sealed class SimulatedCell : IDisposable
     /// <summary>Start of the motion.</summary>
     public ControlTime Start { get; }
 
-    /// <summary>Samples sent so far. Any thread.</summary>
+    /// <summary>Samples sent so far. Thread-safe.</summary>
     public long Samples => Interlocked.Read(ref _samples);
 
-    /// <summary>Gets the robot's true position; any thread, no allocations.</summary>
+    /// <summary>Gets the robot's true position. Thread-safe; allocates nothing.</summary>
     /// <param name="positions">As long as the motion's joint names, rad or m.</param>
     public void TruthAt(ControlTime time, Span<double> positions) => Motion.At((time - Start).Ticks / (double)TimeSpan.TicksPerSecond, positions);
 

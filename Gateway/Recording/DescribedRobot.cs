@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Recording;
 
-/// <summary>The robot description from a source, with its model. Any thread.</summary>
+/// <summary>The robot description from a source, with its model. Thread-safe.</summary>
 sealed class DescribedRobot(string urdf)
 {
     public static readonly DescribedRobot None = new(null);

@@ -33,7 +33,7 @@ sealed class LineFile : Stream
         return new LineFile(new FileStream(path, options));
     }
 
-    /// <summary>Number of records on the disk, including buffered ones as long as nothing has failed. Any thread.</summary>
+    /// <summary>Number of records on the disk, including buffered ones as long as nothing has failed. Thread-safe.</summary>
     public long Records => Interlocked.Read(ref _lines) + (Volatile.Read(ref _hasFailed) ? 0 : Interlocked.Read(ref _waiting));
 
     public override bool CanRead => false;

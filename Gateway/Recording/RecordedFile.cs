@@ -54,17 +54,17 @@ sealed class RecordedFile
     public long Bytes => _writer.Written;
     public Task Ended => _writer.Ended;
 
-    /// <summary>Number of records in the file or on their way to it. Any thread.</summary>
+    /// <summary>Number of records in the file or on their way to it. Thread-safe.</summary>
     public long Records => State == RecordingState.Recording && !IsDeleted ? Interlocked.Read(ref _offered) - _ring.Lost : Written;
 
-    /// <summary>Number of missing records: because the ring was full, or since the disk failed. Any thread.</summary>
+    /// <summary>Number of missing records: because the ring was full, or since the disk failed. Thread-safe.</summary>
     public long Lost => Interlocked.Read(ref _offered) - Records;
 
-    /// <summary>Whether the file has reached its maximum size and the next one must be started. True only once. Any thread.</summary>
-    public bool AsksForTheNext(long greatestBytes) => Bytes > greatestBytes && Interlocked.Exchange(ref _isNextAskedFor, 1) == 0;
+    /// <summary>Whether the file has reached its maximum size and the next one must be started. True only once. Thread-safe.</summary>
+    public bool AsksForTheNext(long maxBytes) => Bytes > maxBytes && Interlocked.Exchange(ref _isNextAskedFor, 1) == 0;
 
     /// <summary>
-    /// Gets a record to fill and pass to <see cref="Publish"/>; null if it cannot be stored, which is counted as lost. Any thread; does not wait.
+    /// Gets a record to fill and pass to <see cref="Publish"/>; null if it cannot be stored, which is counted as lost. Thread-safe; does not wait.
     /// </summary>
     public SessionRecord TryClaim(RecordKind kind)
     {
@@ -85,7 +85,7 @@ sealed class RecordedFile
     public void SetDeleted(bool isRecording)
     {
         IsDeleted = true;
-        if (isRecording) _deletion = "the file was deleted while it was written, and its lines are lost";
+        if (isRecording) _deletion = "the file was deleted during the recording, and its lines are lost";
     }
 
     /// <summary>Whether the file has been created.</summary>

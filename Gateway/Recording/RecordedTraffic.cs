@@ -9,7 +9,7 @@ using Nowpose.Sync;
 namespace Nowpose.Gateway.Recording;
 
 /// <summary>Converts the gateway's traffic to records of a session file, with the gateway's counter as C2.</summary>
-/// <remarks>Any thread; publishers never wait.</remarks>
+/// <remarks>Thread-safe; publishers never wait.</remarks>
 sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters drops)
 {
     readonly IPerformanceCounterClock _counter = plant.Counter;

@@ -8,7 +8,7 @@ using Nowpose.Recording;
 
 namespace Nowpose.Gateway.Recording;
 
-/// <summary>Records the gateway's traffic to session files while it is enabled. Any thread; the hub never waits for it.</summary>
+/// <summary>Records the gateway's traffic to session files while it is enabled. Thread-safe; the hub never waits for it.</summary>
 /// <remarks>
 /// A new robot starts a new file, because a file's header describes one robot; so does reaching the maximum size. A disk error ends the
 /// recording until it is enabled again. The status gives the reason and the number of missing lines.
@@ -30,7 +30,7 @@ public sealed class Recorder : IAsyncDisposable
     readonly Action<string> _log;
     readonly Func<string, LineFile> _open;
     readonly Func<string, bool> _exists;
-    readonly long _greatestBytes;
+    readonly long _maxBytes;
     readonly Lock _gate = new();
     readonly List<IDisposable> _subscriptions = [];
     readonly HashSet<PlantClock> _listened = [];
@@ -48,12 +48,12 @@ public sealed class Recorder : IAsyncDisposable
     long _linesBefore, _lostBefore;
 
     /// <param name="open">Creates a file at a path that does not exist yet; null for a file on the disk.</param>
-    /// <param name="greatestBytes">Size of a file after which the next one is started.</param>
+    /// <param name="maxBytes">Size of a file after which the next one is started.</param>
     internal Recorder(
         GatewayOptions options, MessageHub hub, ServedClock clock, PlantClocks plant, DropCounters drops, Action<string> log,
-        Func<string, LineFile> open = null, long greatestBytes = RecordedFile.MaxBytes)
+        Func<string, LineFile> open = null, long maxBytes = RecordedFile.MaxBytes)
     {
-        _greatestBytes = greatestBytes;
+        _maxBytes = maxBytes;
         _options = options;
         _plant = plant;
         _traffic = new RecordedTraffic(clock, plant, drops);
@@ -157,7 +157,7 @@ public sealed class Recorder : IAsyncDisposable
         await _timer.DisposeAsync();
         var ended = SwitchOffAsync();
         if (await Task.WhenAny(ended, Task.Delay(TimeToEnd)) != ended)
-            _log($"recording {_file.Path}: the disk did not take it within {TimeToEnd.TotalSeconds:0} s; what is missing in it is lost");
+            _log($"recording {_file.Path}: the disk did not store the data within {TimeToEnd.TotalSeconds:0} s; the remaining lines are lost");
     }
 
     void Take(HubMessage message)
@@ -165,17 +165,17 @@ public sealed class Recorder : IAsyncDisposable
         if (!_isWanted) return;
         var file = _file;
         _traffic.Add(file, message);
-        if (file.AsksForTheNext(_greatestBytes)) ThreadPool.UnsafeQueueUserWorkItem(_ => Renew(file), null);
+        if (file.AsksForTheNext(_maxBytes)) ThreadPool.UnsafeQueueUserWorkItem(_ => Renew(file), null);
     }
 
     void Describe(HubMessage message)
     {
-        // Under the hub's lock: this must not wait.
+        // Called under the hub's lock, so it must not wait.
         Interlocked.Exchange(ref _robot, new DescribedRobot((string)message.Content));
         RenewForANewRobot();
     }
 
-    // Called after a robot was described and after a file was started: the later call sees the change of the other.
+    // Called after a robot was described and after a file was started; the later of the two calls finds both changes.
     void RenewForANewRobot()
     {
         Interlocked.MemoryBarrier();
@@ -220,7 +220,7 @@ public sealed class Recorder : IAsyncDisposable
         RenewForANewRobot();
     }
 
-    // Without the lock, because a long URDF is read and the disk is accessed here.
+    // Called without the lock, because it reads a long URDF and accesses the disk.
     (DateTime Now, string Path, DescribedRobot Robot) Prepare()
     {
         var robot = _robot;

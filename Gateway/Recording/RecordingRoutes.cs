@@ -28,7 +28,7 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, Door do
         if (!await door.AdmitOperatorAsync(context) || await SmallJson.ReadAsync(context) is not { } request) return;
         if (request.GetValueOrDefault("on") is not ("true" or "false"))
         {
-            await Door.AnswerAsync(context, StatusCodes.Status400BadRequest, "on: \"true\" or \"false\" is needed");
+            await Door.AnswerAsync(context, StatusCodes.Status400BadRequest, "on: must be \"true\" or \"false\"");
             return;
         }
 
@@ -73,7 +73,7 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, Door do
     async Task<bool> AdmitReaderAsync(HttpContext context)
     {
         if (door.IsNoRebinding(context)) return await door.AdmitOperatorAsync(context);
-        await Door.AnswerAsync(context, StatusCodes.Status403Forbidden, "ask by the gateway's address, its name or localhost");
+        await Door.AnswerAsync(context, StatusCodes.Status403Forbidden, "use the gateway's address, its name or localhost");
         return false;
     }
 }

@@ -6,7 +6,7 @@ namespace Nowpose.Gateway.Recording;
 /// <summary>A recording in the folder.</summary>
 sealed record StoredRecording(string Name, long Bytes, string ChangedUtc);
 
-/// <summary>The recordings in the gateway's folder. Any thread.</summary>
+/// <summary>The recordings in the gateway's folder. Thread-safe.</summary>
 /// <param name="path">Path of the folder; null if none is configured.</param>
 sealed partial class RecordingsFolder(string path)
 {

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Ensures that each name is used by one client at a time, so that no client can impersonate another. Any thread.</summary>
+/// <summary>Ensures that each name is used by one client at a time, so that no client can impersonate another. Thread-safe.</summary>
 sealed class NamesInUse(TimeProvider time)
 {
     /// <summary>Headsets report once a second. A headset that reconnects gets its name before pings detect the loss of its old connection.</summary>

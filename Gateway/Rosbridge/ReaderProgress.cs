@@ -2,7 +2,7 @@ using System.Buffers.Binary;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Measures by pings how far a client has read, and limits the unread data. Any thread.</summary>
+/// <summary>Measures by pings how far a client has read, and limits the unread data. Thread-safe.</summary>
 sealed class ReaderProgress : IDisposable
 {
     const int PayloadBytes = sizeof(long);
@@ -11,10 +11,14 @@ sealed class ReaderProgress : IDisposable
     const double MinBytesPerSecond = 3000;
 
     /// <summary>Time from the message that makes a ping due to the ping.</summary>
-    /// <remarks>A sample goes to all clients at once. Immediate pings and their pongs delayed the sample for the last clients.</remarks>
+    /// <remarks>A sample is sent to all clients at the same time, and immediate pings with their pongs would delay it for the last clients.</remarks>
     internal static readonly TimeSpan PingDelay = TimeSpan.FromMilliseconds(5);
 
-    static readonly TimeSpan MaxTick = TimeSpan.FromMilliseconds(250);
+    /// <summary>Ping delay for a near client. Its window allows a longer delay, and sending a sample to 200 clients may take more than 5 ms.</summary>
+    internal static readonly TimeSpan NearPingDelay = TimeSpan.FromMilliseconds(11);
+
+    /// <summary>Interval at which a waiting message checks the window, which also opens over time for a client that does not answer pings.</summary>
+    static readonly TimeSpan WaitStep = TimeSpan.FromMilliseconds(250);
 
     readonly Func<ReadOnlyMemory<byte>, Task> _sendPing;
     readonly TimeSpan _pingInterval;
@@ -35,7 +39,9 @@ sealed class ReaderProgress : IDisposable
     TimeSpan _lastReceived;
 
     /// <param name="sendPing">Sends a ping with a payload after everything that was sent before.</param>
-    /// <param name="unanswered">Called once when messages are limited to an assumed read rate, because the client answers no pings; null for none.</param>
+    /// <param name="unanswered">
+    /// Called once when messages are limited to an assumed read rate, because the client does not answer pings; null for none.
+    /// </param>
     public ReaderProgress(
         Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan pingInterval, TimeSpan pongTimeout, TimeProvider time, Action unanswered = null)
     {
@@ -61,7 +67,8 @@ sealed class ReaderProgress : IDisposable
     {
         while (NextChange() is { } change)
         {
-            await change.WaitAsync(stop);
+            await Task.WhenAny(change, Task.Delay(WaitStep, _time, stop));
+            stop.ThrowIfCancellationRequested();
             OnWaited();
         }
     }
@@ -111,14 +118,12 @@ sealed class ReaderProgress : IDisposable
     public async Task BecomesSilentAsync(CancellationToken stop)
     {
         var shortest = _pingInterval < _pongTimeout ? _pingInterval : _pongTimeout;
-        using var timer = new PeriodicTimer(shortest / 4 < MaxTick ? shortest / 4 : MaxTick, _time);
+        using var timer = new PeriodicTimer(shortest / 4, _time);
         while (await timer.WaitForNextTickAsync(stop))
         {
             if (IsSilent()) return;
             bool isPingDue;
             lock (_lock) isPingDue = _window.PingAt == null && Now - _lastPing >= _pingInterval;
-            // The window also depends on time: it opens slowly for a client that answers no pings.
-            Signal();
             if (isPingDue) _ = PingAsync();
         }
     }
@@ -143,7 +148,7 @@ sealed class ReaderProgress : IDisposable
     {
         if (_isPingPlanned || !_window.IsPingDue) return;
         _isPingPlanned = true;
-        _delayedPing.Change(PingDelay, Timeout.InfiniteTimeSpan);
+        _delayedPing.Change(_window.IsNear ? NearPingDelay : PingDelay, Timeout.InfiniteTimeSpan);
     }
 
     async Task PingAsync()

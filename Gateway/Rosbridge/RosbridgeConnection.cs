@@ -50,7 +50,7 @@ sealed class RosbridgeConnection : IDisposable
         own.Start(subscription);
     }
 
-    /// <summary>Starts the close and ignores further messages. Any thread; does not wait.</summary>
+    /// <summary>Starts the close and ignores further messages. Thread-safe; does not wait.</summary>
     public void End(Closure why)
     {
         if (Interlocked.CompareExchange(ref _ended, (int)why, NotEnded) == NotEnded)
@@ -120,7 +120,7 @@ sealed class RosbridgeConnection : IDisposable
             await SendAsync(_ => _replies.Reader.TryRead(out var reply) ? reply : default);
     }
 
-    // The message is selected when it can be sent: one selected earlier would be outdated by then.
+    // Selects the message only when it can be sent, because a message selected earlier would be outdated.
     async Task SendAsync(Func<long, ReadOnlyMemory<byte>> next)
     {
         await _sending.WaitAsync(_stop.Token);

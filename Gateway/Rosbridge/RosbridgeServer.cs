@@ -81,7 +81,8 @@ sealed class RosbridgeServer(
         var receiver = new MessageReceiver(socket, upgrade.Fragments, options, longest, allowed, TimeProvider.System);
         using var reader = new ReaderProgress(
             upgrade.PingAsync, options.PingInterval, options.PongTimeout, TimeProvider.System,
-            () => log($"websocket: {AddressOf(context.Connection)} answers no pings, so it is sent at most {SendWindow.AssumedBytesPerSecond / 1000:0} kB/s"));
+            () => log($"websocket: {AddressOf(context.Connection)} does not answer pings, "
+                + $"so it receives at most {SendWindow.AssumedBytesPerSecond / 1000:0} kB/s"));
         upgrade.Fragments.Pong = payload => reader.OnPong(payload.Span);
         upgrade.Received = reader.OnReceived;
         SendBuffer.Limit(context);
@@ -102,7 +103,7 @@ sealed class RosbridgeServer(
     static string AddressOf(ConnectionInfo connection)
     {
         if (connection.RemoteIpAddress is not { } address) return null;
-        // Without the port, which changes with each connection: a client that reconnects is the same source in the list of events.
+        // Omits the port, which changes with each connection, so that a client that reconnects is the same source in the list of events.
         return (address.IsIPv4MappedToIPv6 ? address.MapToIPv4() : address).ToString();
     }
 }

@@ -123,7 +123,7 @@ sealed class RosbridgeSession : IDisposable
             return;
         Warn(message);
         if (!Publications.IsKnown(message.Topic))
-            Warn(message, $"gets no messages: the gateway never publishes this topic. Its topics: {Topics}");
+            Warn(message, $"receives no messages, because the gateway never publishes this topic. Its topics: {Topics}");
         Remember(message.Type);
         _subscriptions.Add(message.Topic, message.Id, SubscriptionTerms.Of(message));
     }
@@ -196,7 +196,7 @@ sealed class RosbridgeSession : IDisposable
         return StampRule.IsInFuture(stamp, _clock.Now, _clock.ErrorBound) ? DropReason.StampInFuture : DropReason.None;
     }
 
-    // Returns the joint or topic that belongs to another source; null if the message was published.
+    // Publishes the message. Returns null on success, otherwise the joint or topic that belongs to another source.
     string Hand(RosbridgeMessage message, ControlTime stamp)
     {
         if (message.JointState is { } state)

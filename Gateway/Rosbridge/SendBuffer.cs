@@ -3,7 +3,7 @@ using Microsoft.AspNetCore.Connections.Features;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Limits the kernel's unsent data for a slow reader that answers no pings.</summary>
+/// <summary>Limits the kernel's unsent data for a slow reader that does not answer pings.</summary>
 static class SendBuffer
 {
     const int UnsentBytes = 4096;

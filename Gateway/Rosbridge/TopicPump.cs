@@ -2,8 +2,8 @@ namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>Sends the messages of a client's subscriptions to one topic, one subscription after the other.</summary>
 /// <remarks>
-/// A client that does not read may change its subscription any number of times: one is being sent, one waits, and those in between are
-/// never started.
+/// If a client that does not read changes its subscription repeatedly, one subscription is active, the newest one waits, and those in
+/// between are skipped.
 /// </remarks>
 /// <param name="pump">Sends the messages of a subscription until its end.</param>
 sealed class TopicPump(Func<Subscription, Task> pump)

@@ -12,9 +12,9 @@ static class Unsupported
         using var message = JsonDocument.Parse(text);
         var root = message.RootElement;
         if (root.TryGetProperty("compression", out var compression) && !IsNone(compression))
-            return $"compression {Short(compression)} is not supported; allowed is none. Messages are sent as plain JSON text";
+            return $"compression {Short(compression)} is not supported; use none. Messages are sent as JSON text";
         return root.TryGetProperty("fragment_size", out var size) && size.ValueKind != JsonValueKind.Null
-            ? $"fragment_size {Short(size)} is not supported; leave it out. Messages are sent whole" : null;
+            ? $"fragment_size {Short(size)} is not supported; remove it. Messages are not fragmented" : null;
     }
 
     static bool IsNone(JsonElement compression) => compression.ValueKind == JsonValueKind.Null

@@ -31,7 +31,7 @@ sealed class AccessRule(GatewayOptions options, BrowserSessions sessions)
         ", ", OwnHosts.Of(context.Connection.LocalIpAddress).Select(host => $"{Scheme}://{host}:{context.Connection.LocalPort}"));
 
     /// <summary>Gets the role of a request, or null if its token is missing or unknown.</summary>
-    /// <remarks>If no tokens are required, the gateway's own adapter still shows its token: bound to one address, it comes from there.</remarks>
+    /// <remarks>The gateway's own adapter sends its token even if no tokens are required, because it may connect from the bound address.</remarks>
     public Role? RoleOf(HttpContext context)
     {
         var known = TokenHashOf(context) is { } hash ? options.RoleOf(hash) : null;

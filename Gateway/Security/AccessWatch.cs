@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Ends connections whose token is no longer valid. Any thread.</summary>
+/// <summary>Ends connections whose token is no longer valid. Thread-safe.</summary>
 /// <remarks>The check also updates the lists and the certificate from their files, and reports errors when no clients connect.</remarks>
 sealed class AccessWatch : IDisposable
 {
@@ -61,7 +61,7 @@ sealed class AccessWatch : IDisposable
         catch (Exception e)
         {
             // Catches all exceptions: an unhandled one on a timer's thread ends the process with every connection.
-            _log($"security: tokens and certificate could not be looked at ({e.GetType().Name}: {e.Message})");
+            _log($"security: tokens and certificate could not be checked ({e.GetType().Name}: {e.Message})");
         }
 
         try

@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>The gateway's certificate, updated from its file: new connections get a renewed one. Any thread.</summary>
+/// <summary>The gateway's certificate, updated from its file: new connections get a renewed one. Thread-safe.</summary>
 /// <remarks>Only a certificate with the same key is used. Headsets pin the key, and would refuse another one without informing the gateway.</remarks>
 public sealed class CertificateFile
 {
@@ -42,6 +42,6 @@ public sealed class CertificateFile
         var pin = CertificatePin.Of(certificate);
         if (pin.Equals(_pin)) return certificate;
         certificate.Dispose();
-        throw new InputException($"{path}: has another key (pin {pin}), which no headset expects; restart the gateway to use it");
+        throw new InputException($"{path}: has a different key (pin {pin}), which paired headsets refuse; restart the gateway to use it");
     }
 }

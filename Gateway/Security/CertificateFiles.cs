@@ -44,7 +44,7 @@ public static class CertificateFiles
         if (now < certificate.NotBefore || now > certificate.NotAfter)
             throw new InputException(
                 $"{path}: valid from {certificate.NotBefore:yyyy-MM-dd} to {certificate.NotAfter:yyyy-MM-dd}, not today; "
-                + "renew it or delete it to have a new one made");
+                + "renew it, or delete it so that the gateway creates a new one");
         return certificate;
     }
 
@@ -64,7 +64,7 @@ public static class CertificateFiles
     }
 
     static X509Certificate2 WithKey(X509Certificate2 certificate, string path) => certificate.HasPrivateKey
-        ? certificate : throw new InputException($"{path}: the certificate has no private key, which a server needs");
+        ? certificate : throw new InputException($"{path}: the certificate has no private key; use a certificate with its private key");
 
     static void Save(string path)
     {
@@ -80,7 +80,7 @@ public static class CertificateFiles
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            throw new InputException($"{path}: the new certificate cannot be written ({e.Message})", e);
+            throw new InputException($"{path}: the new certificate cannot be written ({e.Message}); check the folder's permissions", e);
         }
     }
 

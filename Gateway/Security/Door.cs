@@ -19,12 +19,12 @@ sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters 
         return null;
     }
 
-    /// <summary>Whether the request does not come from another site's page. If it does, it was refused and answered.</summary>
+    /// <summary>Refuses and answers a request from another site's page. Returns whether the request may continue.</summary>
     public async Task<bool> AdmitOriginAsync(HttpContext context)
     {
         if (Rule.IsOriginAllowed(context)) return true;
         await RefuseAsync(context, StatusCodes.Status403Forbidden, Closure.Origin,
-            $"the Origin is not the gateway's own; allowed are {Rule.AllowedOrigins(context)}");
+            $"the Origin is not that of the gateway; allowed are {Rule.AllowedOrigins(context)}");
         return false;
     }
 
@@ -34,7 +34,7 @@ sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters 
         if (await AdmitAsync(context) == null) return false;
         if (IsOperator(context)) return true;
         await AnswerAsync(context, StatusCodes.Status403Forbidden,
-            "this is for the role operator; log in with a token of a line \"operator TOKEN\", or ask on the gateway's own machine where there are none");
+            "this needs the role operator; log in with a token of a line \"operator TOKEN\". Without tokens, use a browser on the gateway's machine");
         return false;
     }
 
@@ -47,7 +47,7 @@ sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters 
     /// <inheritdoc cref="AccessRule.LoginOf"/>
     public Func<bool> LoginOf(HttpContext context) => Rule.LoginOf(context);
 
-    /// <summary>Whether the request cannot come from a page by DNS rebinding. Such a page has no token where one is required.</summary>
+    /// <summary>Whether DNS rebinding is excluded for a request. Where tokens are required, a page that uses it has no token.</summary>
     public bool IsNoRebinding(HttpContext context) => options.AsksForTokens || IsOwnHost(context);
 
     /// <inheritdoc cref="AccessRule.IsOwnHost"/>
@@ -89,7 +89,7 @@ sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters 
     // Known tokens are accepted before this, also from an address with many wrong ones.
     async Task RefuseTokenAsync(HttpContext context)
     {
-        const string Text = "no or an unknown bearer token";
+        const string Text = "the bearer token is missing or unknown";
         var address = context.Connection.RemoteIpAddress;
         var blocked = wrong.BlockedFor(address);
         var wait = AccessRule.HasBearer(context) ? wrong.Count(address, options.WrongTokenDelay) : TimeSpan.Zero;
@@ -100,10 +100,10 @@ sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters 
         }
 
         counters.Count(Closure.Token);
-        log("websocket: refused a connection, too many wrong tokens of its address");
+        log("websocket: refused a connection, too many wrong tokens from its address");
         // Waits even if the client disconnects: until then, it uses a place of the pending connections.
         await Task.Delay(wait, options.Time);
-        await RefuseForNowAsync(context, blocked, $"{Text}, and too many of them from this address");
+        await RefuseForNowAsync(context, blocked, $"{Text}; too many wrong tokens from this address");
     }
 
     Task RefuseAsync(HttpContext context, int status, Closure why, string text)

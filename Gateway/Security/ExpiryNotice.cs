@@ -16,10 +16,10 @@ sealed class ExpiryNotice(Action<string> log)
         var (isClose, isOver) = (end - now < Ahead, end < now);
         var day = end.ToString("yyyy-MM-dd HH:mm", CultureInfo.InvariantCulture);
         if (isOver && !_isOver)
-            log($"certificate: expired on {day}, headsets refuse it; renew the file with the same key, it is taken without a restart");
+            log($"certificate: expired on {day}, headsets refuse it; renew the file with the same key, no restart is needed");
         else if (isClose && !_isClose)
             log(string.Create(CultureInfo.InvariantCulture,
-                $"certificate: expires on {day}, in {(end - now).TotalDays:0.0} days; renew the file with the same key, it is taken without a restart"));
+                $"certificate: expires on {day}, in {(end - now).TotalDays:0.0} days; renew the file with the same key, no restart is needed"));
         else if (!isClose && _isClose)
             log($"certificate: renewed, valid to {day}");
         (_isClose, _isOver) = (isClose, isOver);

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Security;
 
-/// <summary>The content of a file. It is read again on access after the file has changed. Any thread.</summary>
+/// <summary>The content of a file. It is read again on access after the file has changed. Thread-safe.</summary>
 sealed class FollowedFile<T>
 {
     /// <param name="fault">The reason why a part of the file is invalid; null if all of it is valid.</param>
@@ -53,13 +53,13 @@ sealed class FollowedFile<T>
             if (IsChangedSince(stamps)) return;
             _value = value;
             _stamps = stamps;
-            Tell(fault, "; what else it says holds");
+            Tell(fault, "; its other lines are used");
         }
         catch (InputException fault)
         {
             if (IsChangedSince(stamps)) return;
             // Read again on the next access, because it may only have been locked.
-            Tell(fault.Message, "; what it said before goes on, also what was removed from it");
+            Tell(fault.Message, "; its former content stays in use, including removed lines");
         }
     }
 

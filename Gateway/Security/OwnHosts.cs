@@ -33,7 +33,7 @@ static class OwnHosts
     static IEnumerable<string> NamesOf(IPAddress local) =>
         IPAddress.IsLoopback(local) ? ["localhost", Environment.MachineName] : [Environment.MachineName];
 
-    // Without link-local IPv6 addresses: they need the name of an interface, which browsers do not accept.
+    // Omits link-local IPv6 addresses, because they need the name of an interface, which browsers do not accept.
     static IEnumerable<IPAddress> AddressesOfThisMachine() =>
         from network in NetworkInterface.GetAllNetworkInterfaces()
         where network.OperationalStatus == OperationalStatus.Up && network.NetworkInterfaceType != NetworkInterfaceType.Loopback

@@ -2,7 +2,7 @@ using System.Net;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>A connection that has not been authenticated yet. Any thread.</summary>
+/// <summary>A connection that has not been authenticated yet. Thread-safe.</summary>
 sealed class PendingConnection : IDisposable
 {
     readonly PendingConnections _all;

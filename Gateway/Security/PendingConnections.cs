@@ -3,7 +3,7 @@ using System.Net;
 namespace Nowpose.Gateway.Security;
 
 /// <summary>
-/// Limits the connections that have not been authenticated yet, for each address and in total. Any thread.
+/// Limits the connections that have not been authenticated yet, for each address and in total. Thread-safe.
 /// </summary>
 /// <remarks>
 /// A full address loses its oldest connection, not the new one: behind one NAT address, there may be a headset next to many half-open

@@ -37,7 +37,7 @@ sealed class PendingPlaces(PendingConnections pending, ConnectionCounters counte
     void Evict(ConnectionContext connection)
     {
         counters.Count(Closure.ConnectionLimit);
-        log("websocket: closed a connection that was not let in yet for a newer one");
+        log("websocket: closed a connection without authentication in favour of a newer one");
         connection.Abort();
     }
 

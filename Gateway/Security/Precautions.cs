@@ -10,9 +10,9 @@ static class Precautions
     public static IEnumerable<string> Of(GatewayOptions options, string credentials)
     {
         if (Environment.IsPrivilegedProcess)
-            yield return "security: runs as root or administrator, and needs no such rights; run it as a user of its own";
+            yield return "security: the gateway runs as root or administrator without need; run it as a separate user";
         if (options.Certificate == null && !options.IsLoopback)
-            yield return "security: everybody on this network can read and change what is sent, for --insecure-lan was given; better use --tls";
+            yield return "security: anyone on this network can read and change the data, because of --insecure-lan; use --tls instead";
         foreach (var (where, bits) in options.Tokens.Weak)
             yield return $"security: {where}: the token has a strength of {Math.Floor(bits)} bits and can be guessed; {TokenStrength.MinBits} bits "
                 + "or more are needed; replace it, for example with the output of: openssl rand -hex 32";
@@ -23,7 +23,7 @@ static class Precautions
             // A file owned by root that only the gateway's own group may read is as safe as a file of its own.
             var shared = (mode & Group) == UnixFileMode.GroupRead && FileOwner.IsOthersForOwnGroup(path) ? Others : Others | Group;
             if ((mode & shared) != 0)
-                yield return $"security: {path} can be read by others than its owner (mode {Convert.ToString((int)mode, 8)}); chmod 600 {path}";
+                yield return $"security: {path} can be read by users other than its owner (mode {Convert.ToString((int)mode, 8)}); chmod 600 {path}";
         }
     }
 

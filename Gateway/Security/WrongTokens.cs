@@ -6,7 +6,7 @@ namespace Nowpose.Gateway.Security;
 
 /// <summary>
 /// Counts the wrong tokens and codes of each IPv4 address and each IPv6 network (/64), and blocks an address with too many until the minute
-/// is over. Any thread.
+/// is over. Thread-safe.
 /// </summary>
 /// <remarks>128 bits cannot be guessed at any rate. The limit slows the guessing of weaker tokens, and reduces log output and load.</remarks>
 sealed class WrongTokens(TimeProvider time)

@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>The latest diagnostics of each headset and adapter. Any thread; the number of names is limited.</summary>
+/// <summary>The latest diagnostics of each headset and adapter. Thread-safe; the number of names is limited.</summary>
 sealed class DiagnosticsBoard(TimeProvider time)
 {
     /// <summary>Maximum number of names. More do not report within the timeout, unless a client invents names.</summary>

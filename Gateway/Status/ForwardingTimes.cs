@@ -3,7 +3,7 @@ using System.Diagnostics;
 namespace Nowpose.Gateway.Status;
 
 /// <summary>Times from a joint state's receipt until a subscriber's socket accepts it: in total, and over the last half minute to minute.</summary>
-/// <remarks>Any thread. Messages that a client throttles are not counted, because their wait is intended.</remarks>
+/// <remarks>Thread-safe. Messages that a client throttles are not counted, because their wait is intended.</remarks>
 public sealed class ForwardingTimes(TimeProvider time = null)
 {
     static readonly TimeSpan Window = TimeSpan.FromSeconds(30);

@@ -11,7 +11,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>Monitors the hub and reports the state of the gateway. Any thread; publishers never wait.</summary>
+/// <summary>Monitors the hub and reports the state of the gateway. Thread-safe; publishers never wait.</summary>
 sealed class GatewayStatus : IDisposable
 {
     // Each page reads the state once per second; /operations/events has all events.

@@ -23,7 +23,7 @@ static class JointMetrics
         AddRefusals(text, state.Adapters);
         AddPoses(text, state.Headsets);
         if (state.Events.Count == 0) return;
-        text.Begin("nowpose_events_active", Gauge, "Events that last, by kind.");
+        text.Begin("nowpose_events_active", Gauge, "Active events, by kind.");
         foreach (var kind in state.Events.GroupBy(one => one.Kind)) text.Add(kind.Count(one => one.UntilUtc == null), ("kind", kind.Key));
     }
 
@@ -72,7 +72,7 @@ static class JointMetrics
 
         text.Begin("nowpose_headset_current_share_ratio", Gauge, "Share of frames with a current pose.");
         foreach (var headset in known) text.Add(StatusObjects.Number(headset, "current_share"), ("headset", (string)headset["name"]));
-        text.Begin("nowpose_headset_missing_joints", Gauge, "Joints of the robot that the headset has no sample of.");
+        text.Begin("nowpose_headset_missing_joints", Gauge, "Joints of the robot without a sample on the headset.");
         foreach (var headset in known)
             text.Add(
                 StatusObjects.Word(headset, "missing_joints")?.Split(',', StringSplitOptions.RemoveEmptyEntries).Length ?? 0,

@@ -3,7 +3,7 @@ using System.Numerics;
 namespace Nowpose.Gateway.Status;
 
 /// <summary>
-/// A histogram of durations with classes that are 6 % wide. Its memory is constant. Any thread; adding never waits.
+/// A histogram of durations with classes that are 6 % wide. It uses constant memory. Thread-safe; adding never waits.
 /// </summary>
 sealed class LatencyHistogram
 {

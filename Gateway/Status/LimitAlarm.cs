@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Status;
 
 /// <summary>
-/// Logs once per joint that its published position is beyond the limits of the described robot. Any thread; publishers never wait.
+/// Logs once per joint that its published position is beyond the limits of the described robot. Thread-safe; publishers never wait.
 /// </summary>
 sealed class LimitAlarm : IDisposable
 {

@@ -15,9 +15,9 @@ static class Metrics
         var text = new PrometheusText();
         text.Begin("nowpose_gateway_info", Gauge, "Version of the gateway.").Add(1, ("version", state.Version));
         text.One("nowpose_uptime_seconds", Gauge, "Time since the start.", state.UptimeS);
-        text.One("nowpose_ready", Gauge, "1 when headsets can be served: /readyz names what is missing.", state.IsReady ? 1 : 0);
+        text.One("nowpose_ready", Gauge, "1 when headsets can be served; /readyz names the missing parts.", state.IsReady ? 1 : 0);
         text.One(
-            "nowpose_certificate_expiry_timestamp_seconds", Gauge, "When headsets will refuse the certificate, Unix time.",
+            "nowpose_certificate_expiry_timestamp_seconds", Gauge, "Unix time at which the certificate expires.",
             (state.CertificateExpiresUtc - DateTime.UnixEpoch)?.TotalSeconds);
         AddClock(text, state.Clock);
         AddPlantClocks(text, state.PlantClocks);
@@ -34,10 +34,10 @@ static class Metrics
 
     static void AddClock(PrometheusText text, ClockStatus clock)
     {
-        text.Begin("nowpose_clock_synchronised", Gauge, "1 while headsets may trust the control clock that is served.")
+        text.Begin("nowpose_clock_synchronised", Gauge, "1 while the served control clock is synchronised.")
             .Add(clock.IsServed ? 1 : 0, ("source", clock.Source));
-        text.One("nowpose_clock_error_bound_seconds", Gauge, "How wrong the served control clock may be.", clock.ErrorBoundUs * Micro);
-        text.One("nowpose_clock_skew_ratio", Gauge, "Rate of the control clock against the gateway's counter, less one.", clock.SkewPpm * Micro);
+        text.One("nowpose_clock_error_bound_seconds", Gauge, "Error bound of the served control clock.", clock.ErrorBoundUs * Micro);
+        text.One("nowpose_clock_skew_ratio", Gauge, "Rate of the control clock relative to the gateway's counter, minus one.", clock.SkewPpm * Micro);
         text.One("nowpose_clock_resolution_seconds", Gauge, "Step of the control clock.", clock.ResolutionUs * Micro);
         text.One("nowpose_clock_warning", Gauge, "1 while stamps of sources contradict the control clock.", clock.Warning == null ? 0 : 1);
         text.One("nowpose_clock_steps_total", Counter, "Steps of the control clock since the start.", clock.Steps);
@@ -48,14 +48,14 @@ static class Metrics
         void Add(string name, string type, string help, Func<PlantClockView, double?> value) =>
             AddEach(text, name, type, help, clocks, clock => ("clock", clock.Name), value);
 
-        Add("nowpose_plant_clock_connected", Gauge, "1 while it can be asked.", clock => clock.Connected ? 1 : 0);
-        Add("nowpose_plant_clock_offset_seconds", Gauge, "This clock less the control clock.", clock => clock.OffsetToControlMs * Milli);
-        Add("nowpose_plant_clock_drift_ratio", Gauge, "Rate of this clock against the control clock, less one.", clock => clock.DriftPpm * Micro);
-        Add("nowpose_plant_clock_round_trip_seconds", Gauge, "Time of an exchange.", clock => clock.RttMs * Milli);
-        Add("nowpose_plant_clock_estimated_error_seconds", Gauge, "Estimated error of the estimate.", clock => clock.EstimatedErrorUs * Micro);
-        Add("nowpose_plant_clock_error_bound_seconds", Gauge, "How wrong the estimate may be.", clock => clock.ErrorBoundUs * Micro);
-        Add("nowpose_plant_clock_exchanges_total", Counter, "Exchanges that were answered.", clock => clock.Exchanges);
-        Add("nowpose_plant_clock_failures_total", Counter, "Exchanges that were not.", clock => clock.Failures);
+        Add("nowpose_plant_clock_connected", Gauge, "1 while the clock is connected.", clock => clock.Connected ? 1 : 0);
+        Add("nowpose_plant_clock_offset_seconds", Gauge, "This clock minus the control clock.", clock => clock.OffsetToControlMs * Milli);
+        Add("nowpose_plant_clock_drift_ratio", Gauge, "Rate of this clock relative to the control clock, minus one.", clock => clock.DriftPpm * Micro);
+        Add("nowpose_plant_clock_round_trip_seconds", Gauge, "Round-trip time of an exchange.", clock => clock.RttMs * Milli);
+        Add("nowpose_plant_clock_estimated_error_seconds", Gauge, "Estimated error of the offset.", clock => clock.EstimatedErrorUs * Micro);
+        Add("nowpose_plant_clock_error_bound_seconds", Gauge, "Error bound of the offset.", clock => clock.ErrorBoundUs * Micro);
+        Add("nowpose_plant_clock_exchanges_total", Counter, "Answered exchanges.", clock => clock.Exchanges);
+        Add("nowpose_plant_clock_failures_total", Counter, "Unanswered exchanges.", clock => clock.Failures);
     }
 
     static void AddAdapters(PrometheusText text, IReadOnlyList<JsonObject> adapters)
@@ -63,16 +63,16 @@ static class Metrics
         void Add(string name, string type, string help, Func<JsonObject, double?> value) =>
             AddEach(text, name, type, help, adapters, adapter => ("adapter", NameOf(adapter)), value);
 
-        Add("nowpose_adapter_connected", Gauge, "1 while the adapter is connected with its plant.", adapter => Says(adapter, "state", "connected"));
+        Add("nowpose_adapter_connected", Gauge, "1 while the adapter is connected to its plant.", adapter => Says(adapter, "state", "connected"));
         Add("nowpose_adapter_samples_total", Counter, "Samples that the adapter published.", adapter => StatusObjects.Number(adapter, "samples"));
-        Add("nowpose_adapter_refused_total", Counter, "Values that could not be used: a bad status, no finite number, a wrong stamp, or a deleted node.", adapter => StatusObjects.Number(adapter, "refused"));
-        Add("nowpose_adapter_reconnects_total", Counter, "Connections after the first.", adapter => StatusObjects.Number(adapter, "reconnects"));
+        Add("nowpose_adapter_refused_total", Counter, "Refused values: bad status, no finite number, invalid time stamp, or deleted node.", adapter => StatusObjects.Number(adapter, "refused"));
+        Add("nowpose_adapter_reconnects_total", Counter, "Number of reconnections.", adapter => StatusObjects.Number(adapter, "reconnects"));
     }
 
     static void AddSources(PrometheusText text, IReadOnlyList<SourceStatus> sources)
     {
-        AddEach(text, "nowpose_source_rate_hertz", Gauge, "Messages a second, of the last seconds.", sources, LabelOf, source => source.RateHz);
-        text.Begin("nowpose_source_age_seconds", "summary", "Control time at the gateway less the samples' stamp, of the last seconds.");
+        AddEach(text, "nowpose_source_rate_hertz", Gauge, "Messages per second over the last seconds.", sources, LabelOf, source => source.RateHz);
+        text.Begin("nowpose_source_age_seconds", "summary", "Control time at the gateway minus the samples' time stamps, over the last seconds.");
         foreach (var source in sources)
         {
             text.Add(source.AgeMs?.P50 * Milli, LabelOf(source), ("quantile", "0.5"));
@@ -86,7 +86,7 @@ static class Metrics
 
     static void AddForwarding(PrometheusText text, ForwardingTimes times)
     {
-        text.Begin("nowpose_forward_seconds", "histogram", "From a sample's receipt to a subscriber's socket.");
+        text.Begin("nowpose_forward_seconds", "histogram", "Time from a sample's receipt to a subscriber's socket.");
         var counts = times.Counts();
         var below = 0L;
         for (var i = 0; i < ForwardingTimes.Limits.Length; i++)
@@ -100,20 +100,20 @@ static class Metrics
 
     static void AddHeadsets(PrometheusText text, IReadOnlyList<JsonObject> headsets)
     {
-        text.One("nowpose_headsets", Gauge, "Headsets that spoke within the last half minute.", headsets.Count);
+        text.One("nowpose_headsets", Gauge, "Headsets that reported within the last half minute.", headsets.Count);
         void Add(string name, string help, string key, double unit) => AddEach(
             text, name, Gauge, help, headsets, headset => ("headset", NameOf(headset)), headset => StatusObjects.Number(headset, key) * unit);
 
         AddEach(
-            text, "nowpose_headset_synchronised", Gauge, "1 while it knows the control clock.", headsets, headset => ("headset", NameOf(headset)),
+            text, "nowpose_headset_synchronised", Gauge, "1 while the headset's clock is synchronised.", headsets, headset => ("headset", NameOf(headset)),
             headset => Says(headset, "state", "synchronised", "holdover"));
-        Add("nowpose_headset_seen_seconds", "Since it spoke last.", "seen_s_ago", 1);
-        Add("nowpose_headset_clock_error_bound_seconds", "How wrong its control clock may be.", "error_bound_us", Micro);
-        Add("nowpose_headset_round_trip_seconds", "Of its clock sync.", "rtt_ms", Milli);
+        Add("nowpose_headset_seen_seconds", "Time since the headset's last report.", "seen_s_ago", 1);
+        Add("nowpose_headset_clock_error_bound_seconds", "Error bound of the headset's clock.", "error_bound_us", Micro);
+        Add("nowpose_headset_round_trip_seconds", "Round-trip time of the headset's clock synchronisation.", "rtt_ms", Milli);
         Add("nowpose_headset_application_latency_seconds", "L_app.", "l_app_ms", Milli);
         Add("nowpose_headset_visualisation_latency_seconds", "L_visu.", "l_visu_ms", Milli);
         Add("nowpose_headset_render_seconds", "Render time of the last frame.", "render_ms", Milli);
-        Add("nowpose_headset_error_reduction_ratio", "Share of the error without compensation that it removes.", "reduction", 1);
+        Add("nowpose_headset_error_reduction_ratio", "Share of the uncompensated error that the prediction removes.", "reduction", 1);
     }
 
     static void AddCounts(PrometheusText text, StatusSnapshot state)
@@ -121,19 +121,19 @@ static class Metrics
         var servers = state.Connections.ToList();
         AddEach(text, "nowpose_connections", Gauge, "Open connections.", servers, server => ("server", server.Key), server => server.Value.Open);
         AddEach(
-            text, "nowpose_connections_accepted_total", Counter, "Connections that were let in.", servers, server => ("server", server.Key),
+            text, "nowpose_connections_accepted_total", Counter, "Accepted connections.", servers, server => ("server", server.Key),
             server => server.Value.Accepted);
-        text.Begin("nowpose_connections_closed_total", Counter, "Connections that were refused or ended, by reason.");
+        text.Begin("nowpose_connections_closed_total", Counter, "Refused or ended connections, by reason.");
         foreach (var (server, connections) in servers)
             foreach (var (reason, count) in connections.Closures) text.Add(count, ("server", server), ("reason", reason));
-        AddEach(text, "nowpose_messages_total", Counter, "Messages that passed.", [.. state.Messages], one => ("topic", one.Key), one => one.Value);
-        AddEach(text, "nowpose_drops_total", Counter, "Messages that were dropped.", [.. state.Drops], one => ("reason", one.Key), one => one.Value);
+        AddEach(text, "nowpose_messages_total", Counter, "Forwarded messages.", [.. state.Messages], one => ("topic", one.Key), one => one.Value);
+        AddEach(text, "nowpose_drops_total", Counter, "Dropped messages.", [.. state.Drops], one => ("reason", one.Key), one => one.Value);
     }
 
     static void AddRecording(PrometheusText text, RecordingStatus recording)
     {
         text.One("nowpose_recording_on", Gauge, "1 while the gateway records.", recording.On ? 1 : 0);
-        text.One("nowpose_recording_failed", Gauge, "1 when the recording stopped by itself.", recording.Problem == null ? 0 : 1);
+        text.One("nowpose_recording_failed", Gauge, "1 when the recording stopped because of a problem.", recording.Problem == null ? 0 : 1);
         text.One("nowpose_recording_lines", Gauge, "Lines in the newest recording.", recording.Lines);
         text.One("nowpose_recording_bytes", Gauge, "Size of the newest recording.", recording.Bytes);
         text.One("nowpose_recording_lost_lines", Gauge, "Lines that are missing in the newest recording.", recording.Lost);

@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>The rate of each source's samples and their ages. Any thread; bounded.</summary>
+/// <summary>The rate of each source's samples and their ages. Thread-safe; bounded.</summary>
 /// <remarks>
 /// A source is a set of messages that share joints: a publisher that sends only changes uses varying sets of one robot's joints. An arm and
 /// a gripper that are never published together are two sources.
@@ -89,7 +89,7 @@ sealed class SourceWatch
     static double RateHz((long At, TimeSpan Age)[] samples, long now)
     {
         if (samples.Length < 2) return 0;
-        // Up to now, not to the newest sample: the rate of a source that stops decreases before it is removed.
+        // Counts up to now instead of the newest sample, so that the rate of a stopped source decreases until the source is removed.
         var (first, last) = (samples.Min(sample => sample.At), samples.Max(sample => sample.At));
         return (samples.Length - 1) / Math.Max(1e-6, Stopwatch.GetElapsedTime(first, Math.Max(now, last)).TotalSeconds);
     }

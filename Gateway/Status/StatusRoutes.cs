@@ -85,7 +85,7 @@ sealed class StatusRoutes(GatewayStatus status, Door door)
     {
         // Browsers send no Origin header when a page requests from its own host.
         if (door.IsNoRebinding(context)) return await door.AdmitAsync(context);
-        await Door.AnswerAsync(context, StatusCodes.Status403Forbidden, "ask by the gateway's address, its name or localhost");
+        await Door.AnswerAsync(context, StatusCodes.Status403Forbidden, "use the gateway's address, its name or localhost");
         return null;
     }
 

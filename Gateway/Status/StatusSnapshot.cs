@@ -7,7 +7,7 @@ namespace Nowpose.Gateway.Status;
 /// <summary>The state of a gateway at an instant, as answered by /operations/state with names in snake case. Names contain the units.</summary>
 /// <param name="ControlTimeS">The control clock's time.</param>
 /// <param name="Adapters">The latest diagnostics of each adapter, with their age.</param>
-/// <param name="Headsets">The same for headsets, with the share of each hop in the latency.</param>
+/// <param name="Headsets">The latest diagnostics of each headset, with their age and the share of each hop in the latency.</param>
 /// <param name="Messages">Number of forwarded messages by topic.</param>
 /// <param name="Drops">Number of dropped messages by reason.</param>
 /// <param name="Role">Role of the requesting client.</param>

@@ -54,7 +54,7 @@ sealed class SyncConnection
 
     public void Start() => _thread.Start();
 
-    /// <summary>Ends the connection. Any thread.</summary>
+    /// <summary>Ends the connection. Thread-safe.</summary>
     public void Stop(Closure why)
     {
         Interlocked.CompareExchange(ref _stopped, (int)why, NotStopped);
@@ -120,7 +120,7 @@ sealed class SyncConnection
         {
             if (!TryReadFrame(stream, deadline))
                 return Closure.ByPeer;
-            // First, because any work before it would count as network time.
+            // Reads the time first, because any work before it would count as network time.
             var t2 = _clock.Now;
             if (!_rate.TryTake())
                 return Closure.TooManyRequests;

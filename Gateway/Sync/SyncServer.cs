@@ -130,7 +130,7 @@ sealed class SyncServer : IDisposable
 
     void Evict(SyncConnection connection)
     {
-        // Immediately, because the place belongs to the next connection.
+        // Reports the end immediately, because the place is needed for the next connection.
         Ended(connection, Closure.ConnectionLimit, null);
         connection.Stop(Closure.ConnectionLimit);
     }

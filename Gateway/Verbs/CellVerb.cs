@@ -21,16 +21,16 @@ static class CellVerb
         var pin = new PinArguments();
         var offset = new Option<string>("--offset")
         {
-            Description = "Marker in the robot's base frame, metres and degrees; without it the code does not say where the base is",
+            Description = "Pose of the marker in the robot's base frame, metres and degrees; without it the code does not contain the base's position",
             HelpName = "X,Y,Z[,ROLL,PITCH,YAW]",
         };
         var size = NumberOption.Create(
             "--size-mm", "Edge of the printed code without its white margin", 120.0, CellCode.MinSizeMetres * 1000,
             CellCode.MaxSizeMetres * 1000, "mm");
-        var sync = NumberOption.Create("--sync-port", "TCP port of the clock sync", ProtocolLimits.SyncPort, 1, IPEndPoint.MaxPort, "");
-        var socket = NumberOption.Create("--ws-port", "Port of the WebSocket", ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort, "");
-        var file = new Option<string>("--out") { Description = "Draw it there, .svg in true size or .png [default: on the terminal]", HelpName = "FILE" };
-        var command = new Command("cell", "Makes the code of a robot's marker: cell, gateway and where it is on the base; no secret")
+        var sync = NumberOption.Create("--sync-port", "TCP port of the clock synchronisation", ProtocolLimits.SyncPort, 1, IPEndPoint.MaxPort, "");
+        var socket = NumberOption.Create("--ws-port", "TCP port of the WebSocket", ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort, "");
+        var file = new Option<string>("--out") { Description = "File for the code, .svg in true size or .png [default: the terminal]", HelpName = "FILE" };
+        var command = new Command("cell", "Create the code of a robot's marker with the cell, the gateway and the marker's pose; it contains no secret")
         {
             cell, host, offset, size, sync, socket, file,
         };

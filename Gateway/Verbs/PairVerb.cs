@@ -19,12 +19,12 @@ static class PairVerb
     {
         var host = new Option<string>("--host")
         {
-            Description = "The address that the gateway listens on, which must be this machine's", HelpName = "HOST", DefaultValueFactory = _ => "127.0.0.1",
+            Description = "Address on which the gateway listens; it must belong to this machine", HelpName = "HOST", DefaultValueFactory = _ => "127.0.0.1",
         };
-        var socket = NumberOption.Create("--ws-port", "Port of the gateway's WebSocket", ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort, "");
+        var socket = NumberOption.Create("--ws-port", "TCP port of the gateway's WebSocket", ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort, "");
         var pin = new PinArguments();
-        var renew = new Option<bool>("--renew") { Description = "Another code: the one that is shown now is worth nothing then" };
-        var command = new Command("pair", "Shows the code that pairs a headset with the gateway that runs on this machine; valid once, 5 minutes")
+        var renew = new Option<bool>("--renew") { Description = "Create a new code; the current code becomes invalid" };
+        var command = new Command("pair", "Show the code that pairs a headset with the gateway on this machine; valid once and for 5 minutes")
         {
             host, socket, renew,
         };
@@ -67,7 +67,7 @@ static class PairVerb
             using var response = await http.PostAsync(uri, body, stop);
             var text = await response.Content.ReadAsStringAsync(stop);
             if (!response.IsSuccessStatusCode)
-                throw new InputException($"{uri}: {(int)response.StatusCode} {text.Trim()}; was the gateway started with --pairing?");
+                throw new InputException($"{uri}: {(int)response.StatusCode} {text.Trim()}; check that the gateway was started with --pairing");
             using var json = JsonDocument.Parse(text);
             return (TokenCode.Parse(json.RootElement.GetProperty("text").GetString()), json.RootElement.GetProperty("left_s").GetDouble());
         }
@@ -75,7 +75,7 @@ static class PairVerb
             || (e is TaskCanceledException && !stop.IsCancellationRequested))
         {
             throw new InputException(
-                $"{uri}: {refusal ?? (e.InnerException ?? e).Message}; does the gateway run, and is it TLS that needs --certificate or --pin?", e);
+                $"{uri}: {refusal ?? (e.InnerException ?? e).Message}; check that the gateway runs; if it uses TLS, add --certificate or --pin", e);
         }
     }
 }

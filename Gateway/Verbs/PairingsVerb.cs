@@ -12,14 +12,14 @@ static class PairingsVerb
         var file = new Option<string>("--pairing") { Description = "The gateway's list of headsets", HelpName = "FILE", Required = true };
         var revoke = new Option<string>("--revoke")
         {
-            Description = "Remove all headsets of this name; a gateway that runs ends their connections at once", HelpName = "NAME",
+            Description = "Remove all headsets of this name; a running gateway ends their connections immediately", HelpName = "NAME",
         };
-        var command = new Command("pairings", "Lists the paired headsets, oldest first; also while the gateway runs") { file, revoke };
+        var command = new Command("pairings", "List the paired headsets, oldest first; also while the gateway runs") { file, revoke };
         command.SetAction(parsed =>
         {
             var path = parsed.GetValue(file);
             if (!File.Exists(path))
-                throw new InputException($"--pairing {path}: there is no such file; a gateway with --pairing makes it");
+                throw new InputException($"--pairing {path}: file not found; a gateway with --pairing creates it");
             var name = parsed.GetValue(revoke);
             if (name != null) Revoke(path, name);
             foreach (var headset in HeadsetFile.Load(path))
@@ -36,7 +36,7 @@ static class PairingsVerb
         if (gone.Length == 0)
         {
             var there = headsets.Count == 0 ? "none" : string.Join(", ", headsets.Select(headset => $"'{headset.Name}'"));
-            throw new InputException($"--revoke '{name}': no headset is of this name; there are {there}");
+            throw new InputException($"--revoke '{name}': no headset has this name; the names are {there}");
         }
 
         HeadsetFile.Remove(path, gone);

@@ -7,9 +7,9 @@ namespace Nowpose.Gateway.Verbs;
 /// <summary>Options that identify a gateway's key: by its certificate, or by the pin that it prints.</summary>
 sealed class PinArguments
 {
-    readonly Option<string> _certificate = new("--certificate") { Description = "The gateway's certificate, as it is started with", HelpName = "FILE" };
-    readonly Option<string> _key = new("--certificate-key") { Description = "The .pem file of the private key, when it is one of its own", HelpName = "FILE" };
-    readonly Option<string> _pin = new("--pin") { Description = "Instead of the certificate: its pin, as the gateway prints it", HelpName = "PIN" };
+    readonly Option<string> _certificate = new("--certificate") { Description = "Certificate with which the gateway was started", HelpName = "FILE" };
+    readonly Option<string> _key = new("--certificate-key") { Description = ".pem file of the private key, if separate", HelpName = "FILE" };
+    readonly Option<string> _pin = new("--pin") { Description = "Pin that the gateway prints, instead of the certificate", HelpName = "PIN" };
 
     public void AddTo(Command command)
     {
@@ -25,14 +25,14 @@ sealed class PinArguments
         var path = parsed.GetValue(_certificate);
         var pin = parsed.GetValue(_pin);
         if (path != null && pin != null)
-            throw new InputException("--pin: the certificate tells it already; give one of the two");
+            throw new InputException("--pin: the certificate already determines the pin; use one of the two");
         if (pin != null)
             return CertificatePin.Parse(pin);
         if (path == null)
             return null;
         // A marker is used for years. A missing file is therefore an error here, not a request for a new key.
         if (!File.Exists(path))
-            throw new InputException($"--certificate {path}: there is no such file; the gateway makes it at its first start");
+            throw new InputException($"--certificate {path}: file not found; the gateway creates it at its first start");
         using var certificate = CertificateFiles.LoadOrGenerate(path, parsed.GetValue(_key));
         return CertificatePin.Of(certificate);
     }

@@ -17,13 +17,13 @@ sealed class PlantArguments
     readonly Option<double> _sampling = NumberOption.Create("--sampling-ms", "Sampling interval T_s", 50.0, 1, 1000, "ms");
 
     readonly Option<MillisecondRange> _acquisition = RangeOption.Create(
-        "--acquisition-ms", "What subscription and middleware add to each sample before it is sent", new MillisecondRange(55, 105), 1000);
+        "--acquisition-ms", "Delay that subscription and middleware add to each sample before it is sent", new MillisecondRange(55, 105), 1000);
 
     readonly Option<int> _seed = NumberOption.Create("--seed", "Seed of the random delays", 1, 0, int.MaxValue, "");
 
     readonly Option<bool> _trajectory = new("--trajectory")
     {
-        Description = "Publish the set-points of the next second on /joint_trajectory too, as a planner would",
+        Description = "Also publish the set-points of the next second on /joint_trajectory, like a planner",
     };
 
     public void AddTo(Command command)

@@ -12,12 +12,12 @@ namespace Nowpose.Gateway.Verbs;
 static class PlantVerb
 {
     public static Command Simulate() =>
-        Create(new Command("simulate", "Serves a simulated robot that picks and places"), (_, robot) => new PickAndPlaceMotion(robot));
+        Create(new Command("simulate", "Serve a simulated robot that picks and places"), (_, robot) => new PickAndPlaceMotion(robot));
 
     public static Command Replay()
     {
-        var file = new Argument<string>("FILE") { Description = "Recorded motion, .csv or .csv.gz: time in s, then one column for each joint" };
-        var command = new Command("replay", "Serves a recorded motion, played forward and backward");
+        var file = new Argument<string>("FILE") { Description = "Recorded motion, .csv or .csv.gz: the time in s and one column for each joint" };
+        var command = new Command("replay", "Serve a recorded motion, played forward and backward");
         command.Arguments.Add(file);
         return Create(command, (parsed, robot) => new RecordedMotion(MotionRecording.Read(parsed.GetValue(file)), robot));
     }

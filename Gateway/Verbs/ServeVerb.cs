@@ -17,26 +17,26 @@ static class ServeVerb
         var server = new ServerArguments();
         var robot = new Option<string>("--robot")
         {
-            Description = $"Robot description to hand to headsets: {RobotFiles.Names} or the path of a .urdf file [default: a source sends it]",
+            Description = $"Robot description for headsets: {RobotFiles.Names} or the path of a .urdf file [default: a source sends it]",
             HelpName = "ROBOT",
         };
         var controlClock = new Option<string>("--clock")
         {
-            Description = "Name of the plant's clock that is C1, or own for the gateway's [default: the first that an adapter offers]",
+            Description = "Control clock: the name of a plant's clock, or own for the gateway's clock [default: the first clock that an adapter offers]",
             HelpName = "NAME",
         };
         controlClock.Validators.Add(CheckClock);
         var ownClock = ChoiceOption.Create(
             "--own-clock",
-            "The gateway's own clock: monotonic starts with Unix time and is never corrected, system follows the corrections of the system clock "
-                + "(for sources that stamp with it)",
+            "The gateway's own clock: monotonic starts at Unix time and is never corrected; system follows the corrections of the system clock "
+                + "(for sources that use it for their time stamps)",
             Monotonic, [Monotonic, System]);
         var plants = new Option<string[]>("--plant")
         {
-            Description = "Configuration of a control system to read, .yaml: its adapter is started with the gateway. Once for each",
+            Description = "Configuration of a control system (.yaml), whose adapter starts with the gateway. Repeat for several control systems",
             HelpName = "FILE",
         };
-        var command = new Command("serve", "Serves what sources publish that connect to it");
+        var command = new Command("serve", "Serve the data of the sources that connect to the gateway");
         command.Options.Add(robot);
         command.Options.Add(controlClock);
         command.Options.Add(ownClock);

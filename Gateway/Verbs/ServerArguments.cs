@@ -17,80 +17,80 @@ sealed class ServerArguments
 {
     readonly Option<IPAddress> _bind = new("--bind")
     {
-        Description = "Address to listen on: an IP address, localhost, or any for all of this machine's",
+        Description = "Address to listen on: an IP address, localhost, or any for all addresses of this machine",
         HelpName = "ADDRESS",
         DefaultValueFactory = _ => IPAddress.Loopback,
         CustomParser = ParseAddress,
     };
 
     readonly Option<int> _syncPort = NumberOption.Create(
-        "--sync-port", "TCP port of the clock sync; 0 takes a free one", ProtocolLimits.SyncPort, 0, IPEndPoint.MaxPort, "");
+        "--sync-port", "TCP port of the clock synchronisation; 0: any free port", ProtocolLimits.SyncPort, 0, IPEndPoint.MaxPort, "");
 
     readonly Option<int> _webSocketPort = NumberOption.Create(
-        "--ws-port", "Port of the WebSocket; 0 takes a free one", ProtocolLimits.WebSocketPort, 0, IPEndPoint.MaxPort, "");
+        "--ws-port", "TCP port of the WebSocket; 0: any free port", ProtocolLimits.WebSocketPort, 0, IPEndPoint.MaxPort, "");
 
-    readonly Option<bool> _tls = new("--tls") { Description = "Encrypt both connections; without --certificate with one made at each start" };
+    readonly Option<bool> _tls = new("--tls") { Description = "Encrypt both connections; without --certificate, the gateway creates a certificate at each start" };
 
     readonly Option<string> _certificate = new("--certificate")
     {
-        Description = "Certificate with private key, .pfx without password or .pem; made there when the file does not exist. Implies --tls",
+        Description = "Certificate with private key, .pfx without password or .pem; created if the file does not exist. Implies --tls",
         HelpName = "FILE",
     };
 
     readonly Option<string> _key = new("--certificate-key")
     {
-        Description = "The .pem file of the private key, when it is one of its own", HelpName = "FILE",
+        Description = ".pem file of the private key, if separate", HelpName = "FILE",
     };
 
     readonly Option<string> _tokens = new("--tokens")
     {
-        Description = "Tokens that clients must have: lines \"observer TOKEN\", \"source TOKEN\" or \"operator TOKEN\"; followed while it runs",
+        Description = "File of the clients' tokens: lines \"observer TOKEN\", \"source TOKEN\" or \"operator TOKEN\"; changes apply immediately",
         HelpName = "FILE",
     };
 
     readonly Option<string> _pairing = new("--pairing")
     {
-        Description = "Pair headsets, and keep the list of them there; made when the file does not exist. Clients then need a token",
+        Description = "Allow pairing, with the list of headsets in this file, which is created if it does not exist. Clients then need a token",
         HelpName = "FILE",
     };
 
     readonly Option<string> _cell = new("--cell")
     {
-        Description = "Name of the cell: the title of the pages, and the first part of the names of recordings", HelpName = "NAME",
+        Description = "Name of the cell, used as the title of the pages and at the start of the recordings' names", HelpName = "NAME",
     };
 
     readonly Option<string> _recordings = new("--recordings")
     {
-        Description = "Folder for recordings, which the page of operations switches on and off; made when it does not exist", HelpName = "FOLDER",
+        Description = "Folder for recordings, which start and stop on the operations page; created if it does not exist", HelpName = "FOLDER",
     };
 
-    readonly Option<bool> _record = new("--record") { Description = "Record from the start" };
+    readonly Option<bool> _record = new("--record") { Description = "Record from the start of the gateway" };
 
     readonly Option<bool> _insecureLan = new("--insecure-lan")
     {
-        Description = "Allow plain connections from other machines: on a trusted network only",
+        Description = "Allow unencrypted connections from other machines. Use it in a trusted network only",
     };
 
-    readonly Option<int> _maxConnections = NumberOption.Create("--max-connections", "Connections to each of the two ports", 256, 1, 10_000, "");
+    readonly Option<int> _maxConnections = NumberOption.Create("--max-connections", "Maximum number of connections to each of the two ports", 256, 1, 10_000, "");
 
     readonly Option<double> _skew = NumberOption.Create(
-        "--skew-ppm", "Rate error of the control clock; beyond this range headsets would take it for steps", 0.0, -500, 500, "ppm");
+        "--skew-ppm", "Rate error of the control clock; headsets interpret a larger one as clock steps", 0.0, -500, 500, "ppm");
 
     readonly Option<double?> _clockStart = new("--clock-start-s")
     {
-        Description = "What the control clock shows at the start, s [default: Unix time]",
+        Description = "Time of the control clock at the start, s [default: Unix time]",
         HelpName = "SECONDS",
         CustomParser = ParseSeconds,
     };
 
     readonly Option<string> _config = new(ConfiguredArguments.Option)
     {
-        Description = "Take options from a .yaml file, one \"name: value\" a line; those that are typed win", HelpName = "FILE",
+        Description = "Read options from a .yaml file with one \"name: value\" per line; options of the command line take precedence", HelpName = "FILE",
     };
 
     readonly Option<bool> _check = new("--check")
     {
-        Description = "Look at everything that is configured, say what would be served, and end; makes and changes nothing",
+        Description = "Check the configuration, print what would be served, and end without any change",
     };
 
     public void AddTo(Command command)
@@ -163,7 +163,7 @@ sealed class ServerArguments
         var path = parsed.GetValue(_pairing);
         // Headsets paired with the key of one run would take the next run for another gateway.
         if (path != null && parsed.GetValue(_tls) && parsed.GetValue(_certificate) == null)
-            throw new InputException("--pairing with --tls: headsets trust one key, and each start makes another; add --certificate FILE");
+            throw new InputException("--pairing with --tls: headsets accept one key only, and each start would create a new one; add --certificate FILE");
     }
 
     /// <summary>Whether to enable the recorder once the robot is described.</summary>
@@ -173,14 +173,14 @@ sealed class ServerArguments
     {
         var folder = parsed.GetValue(_recordings);
         if (folder == null && Records(parsed))
-            throw new InputException("--record: belongs to --recordings, which is missing: the folder to record into");
+            throw new InputException("--record: needs --recordings with a folder");
         try
         {
             return folder == null ? null : Directory.CreateDirectory(folder).FullName;
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
         {
-            throw new InputException($"--recordings {folder}: the folder cannot be made ({e.Message})", e);
+            throw new InputException($"--recordings {folder}: the folder cannot be created ({e.Message})", e);
         }
     }
 
@@ -196,9 +196,9 @@ sealed class ServerArguments
     {
         if (!isSystem) return Clock(parsed);
         if (parsed.GetValue(_clockStart) != null)
-            throw new InputException("--clock-start-s: belongs to --own-clock monotonic; the system clock shows Unix time. Leave one of them out");
+            throw new InputException("--clock-start-s: needs --own-clock monotonic, because the system clock shows Unix time. Remove one of the two options");
         if (SkewPpm(parsed) != 0)
-            throw new InputException("--skew-ppm: belongs to --own-clock monotonic; the system clock has its own rate. Leave one of them out");
+            throw new InputException("--skew-ppm: needs --own-clock monotonic, because the system clock has its own rate. Remove one of the two options");
         return new SystemControlClock();
     }
 
@@ -208,7 +208,7 @@ sealed class ServerArguments
     {
         if (parsed.GetValue(_certificate) != null) return null;
         if (parsed.GetValue(_key) != null)
-            throw new InputException("--certificate-key: belongs to a --certificate, which is missing");
+            throw new InputException("--certificate-key: needs --certificate");
         return parsed.GetValue(_tls) ? CertificateFiles.Generate() : null;
     }
 

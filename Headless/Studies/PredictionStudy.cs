@@ -27,17 +27,15 @@ public static class PredictionStudy
     public static IEnumerable<StudyFrame> Frames(AxisMotion motion, StudySettings settings, StudySubject subject, int phase)
     {
         var random = new Random(HashCode(settings.Seed, phase));
-        var frames = new Random(HashCode(settings.Seed, phase + 1_000_000));
         var firstFrame = random.NextDouble() / settings.FrameRateHz;
-        var underWay = new SampleStream(motion, settings, random, new Random(HashCode(settings.Seed, phase + 2_000_000)));
+        var underWay = new SampleStream(motion, settings, random);
         var displayed = double.NaN;
         for (var i = 0; ; i++)
         {
             var time = firstFrame + i / settings.FrameRateHz;
             if (time > motion.Seconds) yield break;
             underWay.Deliver(time, subject, displayed);
-            var error = settings.LatencyError + settings.RandomLatencyError * (2 * frames.NextDouble() - 1);
-            displayed = time + error;
+            displayed = time + settings.LatencyError;
             var predicted = subject.At(displayed);
             if (time >= settings.WarmUp) yield return new StudyFrame(time, motion.At(time), subject.Hold(), predicted, underWay.Newest);
         }

@@ -3,8 +3,7 @@ using Nowpose.Prediction;
 namespace Nowpose.Studies;
 
 /// <summary>Takes samples of a motion and delivers them to a predictor when they have arrived.</summary>
-/// <param name="spread">Random numbers for the spread of the latency only, so that other conditions do not depend on it.</param>
-sealed class SampleStream(AxisMotion motion, StudySettings settings, Random random, Random spread)
+sealed class SampleStream(AxisMotion motion, StudySettings settings, Random random)
 {
     readonly PriorityQueue<(JointSample Sample, int Index), (double, int)> _underWay = new();
     readonly double _firstSample = random.NextDouble() * settings.SamplingInterval;
@@ -32,13 +31,13 @@ sealed class SampleStream(AxisMotion motion, StudySettings settings, Random rand
     {
         var stamp = _firstSample + index * settings.SamplingInterval + settings.StampedJitter * Uniform();
         var time = stamp + settings.SamplingJitter * Uniform();
-        var told = stamp + settings.StampError * Uniform();
+        var stated = stamp + settings.StampError * Uniform();
         var noise = settings.Noise * Normal();
         var delay = Math.Min(settings.DelayMaximum, settings.DelayMedian * Math.Exp(Normal()));
-        _newestArrival = Math.Max(_newestArrival, time + settings.Latency + settings.LatencySpread * spread.NextDouble());
+        _newestArrival = Math.Max(_newestArrival, time + settings.Latency);
         if (random.NextDouble() < settings.Loss) return;
         var sample = new JointSample(
-            told, motion.At(time) + noise, time, settings.TellsVelocity ? motion.VelocityAt(time) : double.NaN,
+            stated, motion.At(time) + noise, time, settings.TellsVelocity ? motion.VelocityAt(time) : double.NaN,
             settings.TellsAcceleration ? motion.AccelerationAt(time) : double.NaN);
         _underWay.Enqueue((sample, index), (_newestArrival + delay, index));
     }

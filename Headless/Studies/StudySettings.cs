@@ -9,16 +9,10 @@ public sealed record StudySettings
     /// <summary>L, s, from t_k to the arrival of the sample. Frames are timed by their display time.</summary>
     public double Latency { get; init; } = 0.100;
 
-    /// <summary>Random addition to the latency of each sample, uniform from 0 to this, s. Samples keep their order.</summary>
-    public double LatencySpread { get; init; }
-
     public double FrameRateHz { get; init; } = 60;
 
     /// <summary>ε_L, s, added to the time of the prediction; positive when the latency is overestimated.</summary>
     public double LatencyError { get; init; }
-
-    /// <summary>Half-width of a uniform error of ε_L, random for each frame, s.</summary>
-    public double RandomLatencyError { get; init; }
 
     /// <summary>Half-width of the uniform error ε_t of each stamp t_k, s.</summary>
     public double StampError { get; init; }

@@ -8,7 +8,7 @@ static class AutobahnDocument
     /// <summary>Returns the table, with one row for each section.</summary>
     public static string Table() => string.Concat(
         Sections.Select(section => $"| {section.Number} | {section.Cases.Length} | {section.What} | {Outcomes(section)} | {section.Note} |\n")
-            .Prepend("| Cases | Tests | What is sent | What comes of it | Note |\n| --- | --- | --- | --- | --- |\n"));
+            .Prepend("| Cases | Tests | What is sent | Expected outcome | Note |\n| --- | --- | --- | --- | --- |\n"));
 
     static string Outcomes(AutobahnSection section) => string.Join("; ", section.Cases.Select(one => Outcome(one.Expected)).Distinct());
 
@@ -22,7 +22,7 @@ static class AutobahnDocument
     static string Outcome(string[] way)
     {
         var words = way.GroupBy(word => word).Select(group => group.Count() == 1 ? group.Key : $"{group.Count()} × {group.Key}");
-        return string.Join(", ", words) is { Length: > 0 } text ? text : "goes on";
+        return string.Join(", ", words) is { Length: > 0 } text ? text : "stays open";
     }
 
     static string[] Words(string way) => way.Split(' ', StringSplitOptions.RemoveEmptyEntries);

@@ -61,7 +61,7 @@ public class AutobahnTests
             script.Send(Marker);
             await subject.Peer.SendAsync(script);
             await Soon.BecomesAsync(() => seen.Count >= expected + 1, () => $"{expected} events and the marker; seen: {string.Join(' ', seen)}");
-            Assert.That(Sorted(string.Join(' ', seen)), Is.EqualTo(Sorted(one.Expected + " taken")));
+            Assert.That(Sorted(string.Join(' ', seen)), Is.EqualTo(Sorted(one.Expected + " accepted")));
             return;
         }
 

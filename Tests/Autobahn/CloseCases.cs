@@ -12,8 +12,9 @@ static class CloseCases
 
     public static IEnumerable<AutobahnSection> All()
     {
-        yield return Section("7.1.1–7.1.6", "a close behind a message, twice, before a ping, a message, the rest of one, and behind a long message",
-            "The suite's long message has 256 KiB, ours the 64 that are allowed.",
+        yield return Section("7.1.1–7.1.6",
+            "a close after a message, twice, before a ping, before a message, before the rest of a message, and after a long message",
+            "The suite's long message has 256 KiB; ours has 64 KiB, the maximum of our protocol.",
             Case("7.1.1", AfterOne("close:1000"), s => { s.Send(); s.SendClose(1000); }),
             Case("7.1.2", "close:1000", s => { s.SendClose(1000); s.SendClose(1000); }),
             Case("7.1.3", "close:1000", s => { s.SendClose(1000); s.SendPing(); }),
@@ -21,19 +22,22 @@ static class CloseCases
             Case("7.1.5", "close:1000", s => { s.Frame(Text, s.Message()[..5], isFinal: false); s.SendClose(1000); s.Frame(Continuation,
                 s.Message()[5..]); }),
             Case("7.1.6", AfterOne("close:1000"), s => { s.Send(length: 65536); s.SendClose(1000); s.SendPing(); }));
-        yield return Section("7.3.1–7.3.6", "a close without a code, with half of one, a whole one, a reason, the longest reason, one more byte",
-            ".NET tells of a close without a code as of 1000, and so it is answered.",
+        yield return Section("7.3.1–7.3.6",
+            "a close without a code, with half a code, with a code, with a reason, with the longest reason, with one byte more",
+            ".NET reports a close without a code as 1000, so the answer has this code.",
             Case("7.3.1", "close:1000|close", s => s.Frame(CloseFrame)), Case("7.3.2", "close:1002", s => s.Frame(CloseFrame, [3])),
             Case("7.3.3", "close:1000", s => s.SendClose(1000)), Case("7.3.4", "close:1000", s => s.SendClose(1000,
                 Encoding.UTF8.GetBytes("Hello World!"))),
             Case("7.3.5", "close:1000", s => s.SendClose(1000, new byte[123])), Case("7.3.6", "close:1002", s => s.SendClose(1000, new byte[124])));
-        yield return Section("7.5.1", "a reason that is not UTF-8", "The suite wants 1007; .NET answers 1002. Either ends the connection.",
+        yield return Section("7.5.1", "a reason that is not UTF-8", "The suite expects 1007; .NET answers 1002. Either ends the connection.",
             Case("7.5.1", "close:1007|close:1002", s => s.SendClose(1000, [0xce, 0xba, 0xed, 0xa0, 0x80])));
-        yield return Section("7.7.1–7.7.13", "each code that may be sent", "", [.. Good.Select((code, i) => Case($"7.7.{i + 1}", $"close:{code}",
+        yield return Section("7.7.1–7.7.13", "each code that an endpoint may send", "",
+            [.. Good.Select((code, i) => Case($"7.7.{i + 1}", $"close:{code}",
             s => s.SendClose(code)))]);
-        yield return Section("7.9.1–7.9.9", "codes that may not", "", [.. Wrong.Select((code, i) => Case($"7.9.{i + 1}", "close:1002",
+        yield return Section("7.9.1–7.9.9", "codes that an endpoint must not send", "",
+            [.. Wrong.Select((code, i) => Case($"7.9.{i + 1}", "close:1002",
             s => s.SendClose(code)))]);
-        yield return Section("7.13.1–7.13.2", "codes beyond 4999", "Informational in the suite; refused here.",
+        yield return Section("7.13.1–7.13.2", "codes beyond 4999", "The suite has no expectation; here the close is refused.",
             Case("7.13.1", "close:1002", s => s.SendClose(5000)), Case("7.13.2", "close:1002", s => s.SendClose(65535)));
     }
 }

@@ -12,11 +12,11 @@ static class FramingCases
     public static IEnumerable<AutobahnSection> All()
     {
         yield return Section("1.1.1–1.1.8", "text of 0, 125, 126, 127, 128, 65535, 65536 bytes, the last one also in pieces of 997",
-            "Empty text is not JSON: the message is refused, the connection stays open.",
-            [.. Sizes.Select((size, i) => Case($"1.1.{i + 1}", size == 0 ? "refused" : "taken", s => Sized(s, Text, size))),
-             Case("1.1.8", "taken", s => { s.Chop = 997; Sized(s, Text, 65536); })]);
+            "Empty text is not JSON: the message is refused and the connection stays open.",
+            [.. Sizes.Select((size, i) => Case($"1.1.{i + 1}", size == 0 ? "refused" : "accepted", s => Sized(s, Text, size))),
+             Case("1.1.8", "accepted", s => { s.Chop = 997; Sized(s, Text, 65536); })]);
         yield return Section("1.2.1–1.2.8", "the same as binary",
-            "rosbridge's JSON is text: binary messages are refused, the connection stays open.",
+            "rosbridge's JSON is text: binary messages are refused and the connection stays open.",
             [.. Sizes.Select((size, i) => Case($"1.2.{i + 1}", "refused", s => Sized(s, Binary, size))),
              Case("1.2.8", "refused", s => { s.Chop = 997; Sized(s, Binary, 65536); })]);
         yield return Section("2.1–2.6", "pings of 0, some, binary, 125 and 126 bytes, byte by byte", "",
@@ -29,37 +29,39 @@ static class FramingCases
             Case("2.9", "pong", s => { s.Frame(Pong, [1, 2, 3]); s.SendPing("ping"); }));
         yield return Section("2.10–2.11", "ten pings at once, whole and byte by byte", "",
             Case("2.10", Times("pong", 10), s => Ten(s)), Case("2.11", Times("pong", 10), s => { s.Chop = 1; Ten(s); }));
-        yield return Section("3.1–3.7", "reserved bits on text (also behind a good message), binary, ping and close", "",
+        yield return Section("3.1–3.7", "reserved bits on text (also after a valid message), binary, ping and close", "",
             Case("3.1", Refused, s => s.Frame(Text, s.Message(), reserved: 1)),
             Case("3.2", AfterOne(Refused), s => { s.Send(); s.Frame(Text, s.Message(), reserved: 2); s.SendPing(); }),
             Case("3.3", AfterOne(Refused), s => { s.Chop = 40; s.Send(); s.Frame(Text, s.Message(), reserved: 3); s.SendPing(); }),
             Case("3.4", AfterOne(Refused), s => { s.Chop = 1; s.Send(); s.Frame(Text, s.Message(), reserved: 4); s.SendPing(); }),
             Case("3.5", Refused, s => s.Frame(Binary, [1, 2, 3], reserved: 5)), Case("3.6", Refused, s => s.Frame(Ping, [], reserved: 6)),
             Case("3.7", Refused, s => s.Frame(CloseFrame, [], reserved: 7)));
-        yield return Section("4.1.1–4.1.5", "the five reserved data opcodes, empty, with bytes, behind a good message, byte by byte", "",
+        yield return Section("4.1.1–4.1.5", "the five reserved data opcodes, empty, with bytes, after a valid message, byte by byte", "",
             Opcodes("4.1", 3));
         yield return Section("4.2.1–4.2.5", "the five reserved control opcodes, likewise", "", Opcodes("4.2", 11));
         yield return Section("5.1–5.2", "ping and pong in two fragments", "",
             Case("5.1", Refused, s => { s.Frame(Ping, [1], isFinal: false); s.Frame(Continuation, [2]); }),
             Case("5.2", Refused, s => { s.Frame(Pong, [1], isFinal: false); s.Frame(Continuation, [2]); }));
         yield return Section("5.3–5.5", "text in two fragments: whole, in pieces, byte by byte", "",
-            [.. new[] { 0, 20, 1 }.Select((chop, i) => Case($"5.{3 + i}", "taken", s => { s.Chop = chop; s.SendFragments(s.Message(), 2); }))]);
+            [.. new[] { 0, 20, 1 }.Select((chop, i) => Case($"5.{3 + i}", "accepted", s => { s.Chop = chop; s.SendFragments(s.Message(), 2); }))]);
         yield return Section("5.6–5.8", "the same with a ping between the fragments", "",
             [.. new[] { 0, 20, 1 }.Select((chop, i) =>
-                Case($"5.{6 + i}", "pong taken", s => { s.Chop = chop; s.SendFragments(s.Message(), 2, () => s.SendPing("between")); }))]);
-        yield return Section("5.9–5.14", "a continuation of nothing, final and not, before a good message; whole, in pieces, byte by byte", "",
+                Case($"5.{6 + i}", "pong accepted", s => { s.Chop = chop; s.SendFragments(s.Message(), 2, () => s.SendPing("between")); }))]);
+        yield return Section("5.9–5.14",
+            "a continuation frame without a first frame, final and not, before a valid message; whole, in pieces, byte by byte", "",
             [.. new[] { 0, 20, 1, 0, 20, 1 }.Select((chop, i) =>
                 Case($"5.{9 + i}", Refused, s => { s.Chop = chop; s.Frame(Continuation, [1, 2], isFinal: i < 3); s.Send(); }))]);
-        yield return Section("5.15–5.17", "continuations of nothing behind a message in two fragments, and before text, final or not", "",
+        yield return Section("5.15–5.17",
+            "continuation frames without a first frame: after a message in two fragments, and before text, final and not", "",
             Case("5.15", AfterOne(Refused), s => { s.SendFragments(s.Message(), 2); s.Frame(Continuation, [3], isFinal: false); s.Send(); }),
             Case("5.16", Refused, s => Twice(s, isFinal: false)), Case("5.17", Refused, s => Twice(s, isFinal: true)));
-        yield return Section("5.18", "a second text where a continuation has to come", "",
+        yield return Section("5.18", "a second text frame where a continuation frame is required", "",
             Case("5.18", Refused, s => { s.Frame(Text, [65], isFinal: false); s.Frame(Text, [66]); }));
         yield return Section("5.19–5.20", "text in five fragments with pings between", "",
-            Case("5.19", "pong pong pong pong taken", s => s.SendFragments(s.Message(), 5, () => s.SendPing("p"))),
-            Case("5.20", "pong pong pong pong taken", s => { s.Chop = 7; s.SendFragments(s.Message(), 5, () => s.SendPing("p")); }));
+            Case("5.19", "pong pong pong pong accepted", s => s.SendFragments(s.Message(), 5, () => s.SendPing("p"))),
+            Case("5.20", "pong pong pong pong accepted", s => { s.Chop = 7; s.SendFragments(s.Message(), 5, () => s.SendPing("p")); }));
         yield return Section("10.1.1", "65536 bytes of text in fragments of 1300", "",
-            Case("10.1.1", "taken", s => s.SendFragments(s.Message(length: 65536), 51)));
+            Case("10.1.1", "accepted", s => s.SendFragments(s.Message(length: 65536), 51)));
     }
 
     public static AutobahnCase Case(string number, string expected, Action<CaseScript> play) => new(number, expected, s => play((CaseScript)s));
@@ -69,9 +71,9 @@ static class FramingCases
     public static string Times(string what, int times) => string.Join(' ', Enumerable.Repeat(what, times));
 
     /// <summary>Expects an answer to the preceding valid message, or an end before it.</summary>
-    public static string AfterOne(string expected) => $"taken {expected}|{expected}";
+    public static string AfterOne(string expected) => $"accepted {expected}|{expected}";
 
-    // For a size below that of any valid message, the frame is longer than the size; it counts as invalid anyway. Size 0 stays empty.
+    // If the size is too small for a valid message, the frame is longer than the size and is invalid. For size 0 the frame is empty.
     static void Sized(CaseScript s, int opcode, int size)
     {
         var message = s.Message("", size);

@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>Our server: a message counts as taken when the response to its call returns with its id.</summary>
+/// <summary>Our server: a message counts as accepted when the response to its call returns with its id.</summary>
 sealed class GatewaySubject : IAutobahnSubject
 {
     readonly Gateway.RawWebSocket _raw;
@@ -26,7 +26,7 @@ sealed class GatewaySubject : IAutobahnSubject
     {
         if (!RosbridgeReader.TryRead(text, out var message, out var reason)) return "garbled: " + reason;
         if (message.Op == RosbridgeOp.Status) return "refused";
-        return script.Inner.Contains(message.Id ?? "") ? "taken" : "garbled: " + message.Id;
+        return script.Inner.Contains(message.Id ?? "") ? "accepted" : "garbled: " + message.Id;
     }
 
     public ValueTask DisposeAsync()

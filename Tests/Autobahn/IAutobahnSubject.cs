@@ -7,7 +7,7 @@ interface IAutobahnSubject : IAsyncDisposable
 
     CaseScript NewScript();
 
-    /// <summary>Returns the event of a received data frame ("taken", "refused" …); null for a frame without meaning here.</summary>
+    /// <summary>Returns the event of a received data frame ("accepted", "refused" …); null for a frame without meaning here.</summary>
     string EventOf(string text, CaseScript script);
 
     /// <summary>Sets the receiver of events that are not observed through frames.</summary>

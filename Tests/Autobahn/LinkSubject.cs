@@ -5,7 +5,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>A headset's link: a message counts as taken when it is read from the link and follows the protocol's rules.</summary>
+/// <summary>A headset's link: a message counts as accepted when it is read from the link and follows the protocol's rules.</summary>
 sealed class LinkSubject : IAutobahnSubject
 {
     readonly FakeWebSocketServer _server = new();
@@ -74,6 +74,6 @@ sealed class LinkSubject : IAutobahnSubject
     {
         if (received.Dropped != DropReason.None || !_reader.TryRead(received.Utf8.Span, out var message, out _)) return "refused";
         if (message.Data != null) return null;
-        return _script.Inner.Contains(message.JointState.Names[0][1..]) ? "taken" : "garbled: " + message.JointState.Names[0];
+        return _script.Inner.Contains(message.JointState.Names[0][1..]) ? "accepted" : "garbled: " + message.JointState.Names[0];
     }
 }

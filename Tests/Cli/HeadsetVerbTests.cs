@@ -134,7 +134,7 @@ public class HeadsetVerbTests
         var run = await CliRun.OfAsync(verb, "--profile", profile.Path, option, "10");
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors.TrimEnd(), Is.EqualTo($"nowpose: --profile and {option} both set the display latency; give one of them"));
+        Assert.That(run.Errors.TrimEnd(), Is.EqualTo($"nowpose: --profile and {option} both set the display latency; use one of them"));
     }
 
     [TestCase("headset")]
@@ -148,7 +148,7 @@ public class HeadsetVerbTests
     }
 
     [Test]
-    public void Estimator_OfHeadsetAndDemo_IsThatOfTheSession()
+    public void Estimator_HeadsetAndDemo_IsUsedByTheSession()
     {
         var connection = new ConnectionSettings("127.0.0.1", 1, 1);
         var headset = new HeadsetSettings { Connection = connection, Predictor = "linear", Estimator = "ransac" };

@@ -62,7 +62,7 @@ public class KinematicsVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(0));
         Assert.That(X(run, "a"), Is.EqualTo(-0.25));
-        Assert.That(run.Errors.TrimEnd(), Is.EqualTo("nowpose: joint lead: -0.25 m is outside its limits 0 to 0.5 m; computed as given"));
+        Assert.That(run.Errors.TrimEnd(), Is.EqualTo("nowpose: joint lead: -0.25 m is outside its limits 0 to 0.5 m; the given value is used"));
     }
 
     [Test]
@@ -112,14 +112,14 @@ public class KinematicsVerbTests
         var run = await CliRun.OfAsync("kinematics", file.Path);
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors, Does.StartWith($"nowpose: {file.Path}:3: link 'b': two root links"));
+        Assert.That(run.Errors, Does.StartWith($"nowpose: {file.Path}:3: link 'b': there are two root links"));
         Assert.That(run.Complaints, Has.Length.EqualTo(1));
     }
 
-    [TestCase("no-such-robot", "no-such-robot: no such file; youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path of a .urdf file is needed")]
+    [TestCase("no-such-robot", "no-such-robot: file not found; youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path of a .urdf file is needed")]
     [TestCase(".", ".: is a folder; youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path of a .urdf file is needed")]
-    [TestCase(" ", "no robot named; youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path of a .urdf file is needed")]
-    public async Task Kinematics_UnknownRobot_NamesTheAllowedOnes(string robot, string message)
+    [TestCase(" ", "no robot is named; youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path of a .urdf file is needed")]
+    public async Task Kinematics_UnknownRobot_ListsTheAllowedNames(string robot, string message)
     {
         var run = await CliRun.OfAsync("kinematics", robot);
 

@@ -46,7 +46,7 @@ public class SyncVerbTests
     }
 
     [Test]
-    public async Task Sync_At_KnowsOnlyWhatHadArrived()
+    public async Task Sync_At_UsesOnlyEarlierExchanges()
     {
         using var file = new TemporaryFile(Log(100));
         using var instants = new TemporaryFile("t_ns\n1\n4000007\n10000000000\n60000000000\n");
@@ -91,7 +91,7 @@ public class SyncVerbTests
 
     [TestCase(1_000_000)]
     [TestCase(4_000_000)]
-    public async Task Sync_LogOfWholeCycles_IsNotHalfACycleOff(long cycleNs)
+    public async Task Sync_LogOfWholeCycles_HasNoBiasOfHalfACycle(long cycleNs)
     {
         using var file = new TemporaryFile(LogOfCycles(cycleNs));
 
@@ -102,7 +102,7 @@ public class SyncVerbTests
     }
 
     [Test]
-    public async Task Sync_Estimators_AreBothThereAndDifferent()
+    public async Task Sync_Estimators_AreAvailableAndDiffer()
     {
         using var file = new TemporaryFile(LogOfCycles(1));
 
@@ -115,7 +115,7 @@ public class SyncVerbTests
     }
 
     [Test]
-    public async Task Sync_BrokenExchanges_AreCountedAndTheRestGoesOn()
+    public async Task Sync_InvalidExchanges_AreCountedAndSkipped()
     {
         using var file = new TemporaryFile(Log(30) + "6000000007,5000,4000,6004000007\n6200000007,5,6,6100000000\n");
 
@@ -130,11 +130,11 @@ public class SyncVerbTests
     [TestCase("", ":1: the header is ''")]
     [TestCase("a,b\n1,2\n", ":1: the header is 'a,b'; it must be t1_ns,t2_ns,t3_ns,t4_ns")]
     [TestCase(Header, "no rows below the header")]
-    [TestCase(Header + "1,2,3\n", ":2: 3 fields; there must be 4")]
+    [TestCase(Header + "1,2,3\n", ":2: 3 fields; it must have 4")]
     [TestCase(Header + "1,2,,4\n", ":2: t3_ns: '' is not a whole number")]
     [TestCase(Header + "1,2,3,4\n1,2.5,3,4\n", ":3: t2_ns: '2.5' is not a whole number")]
     [TestCase(Header + "1,2,3,99999999999999999999\n", ":2: t4_ns: '99999999999999999999' is not a whole number")]
-    public async Task Sync_BadFile_IsOneLineAndExit2(string content, string named)
+    public async Task Sync_InvalidFile_PrintsOneLineAndExits2(string content, string named)
     {
         using var file = new TemporaryFile(content);
 
@@ -155,5 +155,52 @@ public class SyncVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
         Assert.That(run.Errors, Does.Contain(":3: t_ns: 5 ns is not after 5 ns"));
+    }
+
+    [TestCase("ransac", "RANSAC, as in the paper")]
+    [TestCase("default", "default")]
+    public async Task Sync_Page_ShowsFig8OfTheLogWithItsData(string estimator, string name)
+    {
+        using var file = new TemporaryFile(Log(200), ".csv");
+        using var folder = new TemporaryFolder();
+        var page = Path.Combine(folder.Path, "clock.html");
+
+        var run = await CliRun.OfAsync("sync", file.Path, "--estimator", estimator, "--page", page);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        Assert.That(run.Lines, Has.Length.EqualTo(201), "the estimates are printed as well");
+        Assert.That(run.Errors, Does.Contain(page));
+        Assert.That(File.ReadAllText(page), Does.Contain("fitting error").And.Contain(name).And.Contain("clock.csv"));
+        var data = File.ReadAllLines(Path.Combine(folder.Path, "clock.csv"));
+        Assert.That(data, Has.Length.EqualTo(201));
+        Assert.That(double.Parse(data[^1].Split(',')[3], CultureInfo.InvariantCulture), Is.EqualTo(50).Within(0.1), "skew, ppm");
+    }
+
+    [TestCase("log.html", "would overwrite the log")]
+    [TestCase("log.csv", "would overwrite the log")]
+    [TestCase("other.csv", "use a name that ends in .html")]
+    public async Task Sync_PageThatWouldOverwriteAFile_IsRefused(string page, string reason)
+    {
+        using var folder = new TemporaryFolder();
+        var log = Path.Combine(folder.Path, "log.csv");
+        File.WriteAllText(log, Log(200));
+
+        var run = await CliRun.OfAsync("sync", log, "--page", Path.Combine(folder.Path, page));
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors, Does.Contain(reason));
+        Assert.That(File.ReadAllText(log), Is.EqualTo(Log(200)), "nothing is lost");
+        Assert.That(Directory.GetFiles(folder.Path), Has.Length.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Sync_PageInAMissingFolder_IsRefused()
+    {
+        using var file = new TemporaryFile(Log(20), ".csv");
+
+        var run = await CliRun.OfAsync("sync", file.Path, "--page", "/dev/null/x/clock.html");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors, Does.Contain("--page: /dev/null/x/clock.html: cannot be written"));
     }
 }

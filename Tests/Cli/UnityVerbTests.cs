@@ -170,7 +170,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_PlugInAlreadyInUnity63_IsRefused()
+    public async Task Unity_InstalledPlugInDoesNotCompileInUnity63_IsRefused()
     {
         using var project = new UnityProjectFolder(WithMrtk3, "6000.3.0f1");
 
@@ -178,7 +178,7 @@ public class UnityVerbTests
     }
 
     [TestCase("6000.3.2f1", "not compiled against this release")]
-    [TestCase("6000.0.78f1", "untried on a device")]
+    [TestCase("6000.0.78f1", "not tested on a device")]
     public async Task Unity_UntestedVersion_IsNoted(string version, string note)
     {
         using var project = new UnityProjectFolder(Empty, version);
@@ -215,7 +215,7 @@ public class UnityVerbTests
         AssertRefused(refused, project.At("Packages/manifest.json") + ":3: org.nuget.mathnet.numerics is 4.15.0; 5.0.0 or newer is needed");
 
         var kept = await project.RunAsync("--on-conflict", "keep");
-        Assert.That(kept.Errors, Does.Contain("it stays"));
+        Assert.That(kept.Errors, Does.Contain("the entry is kept"));
         Assert.That(Dependencies(project)["org.nuget.mathnet.numerics"], Is.EqualTo("4.15.0"));
 
         var replaced = await project.RunAsync("--on-conflict", "replace");
@@ -251,9 +251,9 @@ public class UnityVerbTests
     [TestCase(
         """ "url": "https://own.example", "scopes": ["org.nuget"] """, "refuse", "Change it there, or use --on-conflict keep or replace.")]
     [TestCase(
-        """ "url": "https://own.example", "scopes": ["org.nuget", "a"] """, "refuse", "its url stays. Change it there, or use --on-conflict keep.")]
+        """ "url": "https://own.example", "scopes": ["org.nuget", "a"] """, "refuse", "its url is kept. Change it there, or use --on-conflict keep.")]
     [TestCase(
-        """ "url": "https://own.example", "scopes": ["org.nuget", "a"] """, "replace", "its url stays. Change it there, or use --on-conflict keep.")]
+        """ "url": "https://own.example", "scopes": ["org.nuget", "a"] """, "replace", "its url is kept. Change it there, or use --on-conflict keep.")]
     [TestCase(""" "scopes": ["org.nuget"] """, "replace", "comes from a registry without url; ")]
     public async Task Unity_OtherRegistry_OffersTheApplicableRules(string registry, string rule, string offer)
     {
@@ -409,7 +409,7 @@ public class UnityVerbTests
 
         AssertRefused(await CliRun.OfAsync("unity", project.At("Assets")), "; the project is " + project.Root);
         AssertRefused(await CliRun.OfAsync("unity", project.At("Packages/manifest.json")), "is a file; the folder of a Unity project is needed");
-        AssertRefused(await CliRun.OfAsync("unity", project.At("nowhere")), "no such folder");
+        AssertRefused(await CliRun.OfAsync("unity", project.At("nowhere")), "folder not found");
         AssertRefused(await CliRun.OfAsync("unity", ""), "PATH is empty");
         AssertRefused(await CliRun.OfAsync("unity"), "argument");
         AssertRefused(await project.RunAsync("--on-conflict", "maybe"), "maybe");
@@ -455,7 +455,7 @@ public class UnityVerbTests
         Assert.That(Dependencies(project)["com.nowpose.mril"], Is.EqualTo(relative));
     }
 
-    [TestCase("https://github.com/OWNER/nowpose.git", "in the place of OWNER")]
+    [TestCase("https://github.com/OWNER/nowpose.git", "replace OWNER")]
     [TestCase("no-such-folder", "is neither a git address nor a folder or tarball with the package com.nowpose.mril")]
     [TestCase("file:../nowhere", "is neither a git address nor a folder or tarball with the package com.nowpose.mril")]
     public async Task Unity_MissingPackage_IsRefused(string given, string reason)
@@ -541,7 +541,7 @@ public class UnityVerbTests
     [TestCase("Assets/Samples", "--check")]
     [TestCase("Assets/Samples")]
     [TestCase("Assets/Samples/Nowpose/0.1.0/Virtual Robot Cell")]
-    public async Task Sample_FileInsteadOfAFolder_IsNamedAndNothingChanged(string path, params string[] options)
+    public async Task Sample_FileInsteadOfAFolder_IsReportedWithoutChanges(string path, params string[] options)
     {
         using var project = new UnityProjectFolder(Empty);
         project.Write(path, "mine");
@@ -569,7 +569,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Sample_Unknown_NamesTheAvailableOnesAndChangesNothing()
+    public async Task Sample_Unknown_ListsTheSamplesWithoutChanges()
     {
         using var project = new UnityProjectFolder(Empty);
 
@@ -580,7 +580,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public void Needs_OfThePackage_MatchItsPackageJson()
+    public void Needs_Package_MatchThePackageJson()
     {
         var declared = Json(RepositoryFiles.Read(RepositoryFiles.Package + "/package.json")).GetProperty("dependencies").EnumerateObject()
             .Where(d => !d.Name.StartsWith("com.unity.modules.", StringComparison.Ordinal)).Select(d => d.Name + " " + d.Value.GetString());

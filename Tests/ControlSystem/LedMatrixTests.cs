@@ -32,7 +32,7 @@ public class LedMatrixTests
 
     [TestCase(0UL)]
     [TestCase(NsPerMs - 1)]
-    public void Block_AnyTimeWithinAMillisecondLongAfterTheEpoch_ShowsThatMillisecond(ulong intoTheMillisecondNs)
+    public void Block_TimeLongAfterTheEpoch_ShowsItsMillisecond(ulong intoTheMillisecondNs)
     {
         var block = Block();
         const ulong epoch = 26_000 * PeriodNs;
@@ -42,7 +42,7 @@ public class LedMatrixTests
     }
 
     [Test]
-    public void Program_ACycle_ShowsTheTimeAtWhichItsOutputsSwitch()
+    public void Program_EachCycle_ShowsTheTimeOfItsOutputs()
     {
         var dcTime = 0UL;
         var program = new StructuredText(
@@ -60,7 +60,7 @@ public class LedMatrixTests
     [TestCase("bOdd := NOT bOdd", "bEven := NOT bEven", TestName = "Block_WithOneParity_IsFound")]
     [TestCase("MOD 65536", "MOD 32768", TestName = "Block_FewerBits_IsFound")]
     [TestCase("aRows[0] := BYTE#16#9F", "aRows[0] := BYTE#16#F9", TestName = "Block_MarksOnTheWrongSide_IsFound")]
-    public void Block_Wrong(string right, string wrong)
+    public void Block_WrongCode_IsFound(string right, string wrong)
     {
         var block = new StructuredText(Text("FB_NowposeLedCode.st").Replace(right, wrong));
 

@@ -19,7 +19,7 @@ public class ReaderFuzzTests
         Configurations = 20_000, Pairings = 9_000, Tokens = 1_000;
 
     [Test]
-    public void Inputs_OfAllReaders_AreAMillion() =>
+    public void Inputs_AllReaders_TotalAMillion() =>
         Assert.That(Messages + Bytes + Frames + Exchanges + Codes + Robots + Profiles + Configurations + Pairings + Tokens, Is.EqualTo(1_000_000));
 
     [Test]

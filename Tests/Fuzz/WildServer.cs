@@ -6,7 +6,7 @@ namespace Nowpose.Headless.Tests.Fuzz;
 /// <summary>A sync server with arbitrary answers, and a headset's clock: the model must stay valid for any answer. Not thread-safe.</summary>
 sealed class WildServer
 {
-    static readonly TimeSpan Farthest = TimeSpan.FromDays(365.25 * 150);
+    static readonly TimeSpan MaxTime = TimeSpan.FromDays(365.25 * 150);
 
     readonly ClockSynchroniser _clock = new(ClockEstimators.Create(ClockEstimators.Default), ClockSettings.Default);
     readonly ExchangePace _pace = new(TimeSpan.FromMilliseconds(200), TimeSpan.FromSeconds(2), new Random(1));
@@ -40,7 +40,7 @@ sealed class WildServer
         var model = _clock.ModelAt(at);
         if (model.IsKnown && (model.ErrorBound < TimeSpan.Zero || !double.IsFinite(model.Skew)))
             throw new FuzzException($"bound {model.ErrorBound}, skew {model.Skew}");
-        if (model.IsKnown && model.ToControl(at).SinceEpoch.Duration() > Farthest) throw new FuzzException("control time " + model.ToControl(at).SinceEpoch);
+        if (model.IsKnown && model.ToControl(at).SinceEpoch.Duration() > MaxTime) throw new FuzzException("control time " + model.ToControl(at).SinceEpoch);
         var pause = _pace.Next(_clock, _now);
         if (pause <= TimeSpan.Zero || pause > TimeSpan.FromMinutes(1)) throw new FuzzException("a pause of " + pause);
         return verdict;

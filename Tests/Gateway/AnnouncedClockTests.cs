@@ -14,7 +14,7 @@ public partial class AnnouncedClockTests
     const int ClockMonotonic = 1;
 
     [Test]
-    public async Task Simulate_ClockLine_IsTheServedClockOverClockMonotonic()
+    public async Task Simulate_ClockLine_MatchesTheServedClock()
     {
         using var gateway = new PeerProcess(
             "Nowpose.Gateway.dll", "simulate", "--sync-port", "0", "--ws-port", "0", "--skew-ppm", "300", "--clock-start-s", "1700000000");

@@ -39,7 +39,7 @@ public class BrowserSessionsTests
     }
 
     [Test]
-    public void Id_OfEachSession_HasUnique256Bits()
+    public void Id_EachSession_HasUnique256Bits()
     {
         var sessions = new BrowserSessions(TimeProvider.System);
 

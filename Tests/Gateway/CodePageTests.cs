@@ -77,7 +77,7 @@ public class CodePageTests
     }
 
     [Test]
-    public async Task Page_OfAForeignOrigin_Is403()
+    public async Task Page_ForeignOrigin_Returns403()
     {
         await using var gateway = await Gateways.StartAsync();
 
@@ -106,7 +106,7 @@ public class CodePageTests
     [TestCase("http://evil.example")]
     [TestCase("null")]
     [TestCase("http://127.0.0.1:1")]
-    public async Task Time_OfAForeignOrigin_Is403(string origin)
+    public async Task Time_ForeignOrigin_Returns403(string origin)
     {
         await using var gateway = await Gateways.StartAsync();
 
@@ -129,7 +129,7 @@ public class CodePageTests
     }
 
     [Test]
-    public async Task Time_OfAConnectionBeyondTheLimit_IsRefusedUntilAnotherEnds()
+    public async Task Time_ConnectionBeyondTheLimit_IsRefusedUntilAnotherEnds()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 1 });
         using var first = await RawWebSocket.ConnectAsync(gateway);

@@ -35,28 +35,28 @@ public class ConfigurationTests
     [TestCase("bind: nowhere", "bind: 'nowhere' is not an address")]
     [TestCase("sync-port: 70000", "sync-port: 70000 is out of range; allowed are 0 to 65535")]
     [TestCase("sync-port: many", "'many' is not a number")]
-    [TestCase("ws-prot: 1", "is 'ws-port' meant?")]
-    [TestCase("colour: red", "there are bind, cell")]
+    [TestCase("ws-prot: 1", "did you mean 'ws-port'?")]
+    [TestCase("colour: red", "allowed are bind, cell")]
     [TestCase("tls: yes", "'yes' is neither true nor false")]
-    [TestCase("cell: [a, b]", "a list; allowed is one value")]
+    [TestCase("cell: [a, b]", "is a list; allowed is one value")]
     [TestCase("tokens:", "has no value")]
     [TestCase("ws-port: {a: b}", "allowed is a word")]
     [TestCase("plants: [[a]]", "allowed is a word")]
     [TestCase("cell: *anchor", "allowed is a word")]
     [TestCase("check: true", "no such entry")]
     [TestCase("config: other.yaml", "no such entry")]
-    [TestCase("? [a]\n: b", "a key is a word")]
+    [TestCase("? [a]\n: b", "a key must be a word")]
     [TestCase("clock: UPPER", "'UPPER' names no clock")]
-    [TestCase("\"a", "is not valid YAML")]
+    [TestCase("\"a", ": not valid YAML")]
     [TestCase("plants: []", "has no value")]
-    [TestCase("ws-port: []", "a list; allowed is one value")]
+    [TestCase("ws-port: []", "is a list; allowed is one value")]
     [TestCase("tokens: \"a\\0b\"", "control character")]
     [TestCase("recordings: \"a\\0b\"", "control character")]
     [TestCase("cell: !secret foo", "without tags")]
     [TestCase("cell: &name foo", "without tags and anchors")]
     [TestCase("plants: [!file a.yaml]", "without tags")]
     [TestCase("plants: !files [a.yaml]", "without tags")]
-    [TestCase("!secret cell: foo", "a key is a word")]
+    [TestCase("!secret cell: foo", "a key must be a word")]
     [TestCase("!all {cell: foo}", "\"key: value\"")]
     [TestCase("[a, b]", "\"key: value\"")]
     [TestCase("word", "\"key: value\"")]
@@ -91,7 +91,7 @@ public class ConfigurationTests
 
         Assert.That(status, Is.EqualTo(2));
         Assert.That(errors, Has.Length.EqualTo(5), string.Join(" | ", errors));
-        Assert.That(errors, Has.Some.Contains(":4: sync-port: stands there twice, first at"));
+        Assert.That(errors, Has.Some.Contains(":4: sync-port: occurs twice, first at"));
     }
 
     [Test]
@@ -144,7 +144,7 @@ public class ConfigurationTests
             "ws-port: 0\nsync-port: 0\ncertificate: gateway.pem\npairing: headsets.txt\nrecordings: films\nrecord: true\n");
 
         Assert.That(status, Is.EqualTo(0));
-        Assert.That(output.Count(line => line.EndsWith("(would be made)", StringComparison.Ordinal)), Is.EqualTo(3), string.Join(" | ", output));
+        Assert.That(output.Count(line => line.EndsWith("(would be created)", StringComparison.Ordinal)), Is.EqualTo(3), string.Join(" | ", output));
         Assert.That(Directory.GetFileSystemEntries(_folder).Select(Path.GetFileName), Is.EqualTo(new[] { "gateway.yaml" }));
     }
 
@@ -180,8 +180,8 @@ public class ConfigurationTests
         var (status, output, errors) = await CheckAsync(text);
 
         Assert.That(status, Is.EqualTo(0), string.Join(" | ", errors));
-        Assert.That(output, Does.Contain($"sync 127.0.0.1:{sync} (port {sync} is taken now)"));
-        Assert.That(output, Does.Contain($"websocket ws://127.0.0.1:{webSocket}/ (port {webSocket} is taken now)"));
+        Assert.That(output, Does.Contain($"sync 127.0.0.1:{sync} (port {sync} is in use)"));
+        Assert.That(output, Does.Contain($"websocket ws://127.0.0.1:{webSocket}/ (port {webSocket} is in use)"));
         var started = await RunAsync(text, false);
         Assert.That(started.Status, Is.EqualTo(1));
         Assert.That(started.Errors.Single(), Does.Contain("gateway.yaml:2: sync-port "));
@@ -196,7 +196,7 @@ public class ConfigurationTests
             var (status, _, errors) = await RunAsync("ws-port: 0\nsync-port: 0\ninsecure-lan: true\nbind: 192.0.2.1\n", isCheck);
 
             Assert.That(status, Is.EqualTo(isCheck ? 2 : 1));
-            Assert.That(errors.Single(), Does.Contain("gateway.yaml:4: bind 192.0.2.1: is not an address of this machine at present"));
+            Assert.That(errors.Single(), Does.Contain("gateway.yaml:4: bind 192.0.2.1: not an address of this machine"));
         }
     }
 
@@ -225,18 +225,18 @@ public class ConfigurationTests
         Assert.That(errors.Single(), Does.Contain("gateway.yaml:3: recordings /proc: this user cannot write"));
     }
 
-    [TestCase("robot: yubot", "robot: ", "yubot: no such file; youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path")]
-    [TestCase("robot: models/press.xml", "robot: ", "models/press.xml: no such file")]
+    [TestCase("robot: yubot", "robot: ", "yubot: file not found; youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path")]
+    [TestCase("robot: models/press.xml", "robot: ", "models/press.xml: file not found")]
     [TestCase("certificate: .", "certificate", "")]
     [TestCase("pairing: .", "pairing", "")]
     [TestCase("certificate: /proc/gateway.pem", "certificate", "")]
     [TestCase("pairing: /proc/headsets.txt", "pairing", "")]
     [TestCase("tokens: none.txt", "tokens: ", "none.txt: cannot be read")]
-    [TestCase("bind: any", "bind 0.0.0.0: plain connections")]
-    [TestCase("record: true", "record: belongs to --recordings")]
-    [TestCase("robot: none.urdf", "robot: ", "none.urdf: no such file")]
-    [TestCase("certificate-key: a.pem", "certificate-key: belongs to a --certificate")]
-    [TestCase("plants: [none.yaml]", "plants: ", "none.yaml: there is no such file")]
+    [TestCase("bind: any", "bind 0.0.0.0: unencrypted connections")]
+    [TestCase("record: true", "record: needs --recordings")]
+    [TestCase("robot: none.urdf", "robot: ", "none.urdf: file not found")]
+    [TestCase("certificate-key: a.pem", "certificate-key: needs --certificate")]
+    [TestCase("plants: [none.yaml]", "plants: ", "none.yaml: file not found")]
     public async Task Entry_Unusable_IsReportedWithItsLineByCheckAndStart(string entry, string part, string more = "")
     {
         foreach (var isCheck in new[] { true, false })
@@ -274,7 +274,7 @@ public class ConfigurationTests
 
         var (_, _, errors) = await CheckAsync(string.Join('\n', keys), "--ws-port", "0", "--sync-port", "0");
 
-        foreach (var error in errors) Assert.That(error, Does.Contain("tokens.txt: cannot be read").Or.Contain("press.yaml: there is no such file"));
+        foreach (var error in errors) Assert.That(error, Does.Contain("tokens.txt: cannot be read").Or.Contain("press.yaml: file not found"));
     }
 
     // Matches "# key: value" with a key of one word.

@@ -13,8 +13,8 @@ public class DescriptorLimitTests
 {
     [TestCase(256, 1024ul, null)]
     [TestCase(256, 762ul, null)]
-    [TestCase(256, 761ul, "allowed are 1 to 255 here")]
-    [TestCase(2000, 1024ul, "allowed are 1 to 387 here")]
+    [TestCase(256, 761ul, "use 1 to 255, or raise the limit")]
+    [TestCase(2000, 1024ul, "use 1 to 387, or raise the limit")]
     [TestCase(1, 200ul, "the system allows 200; raise the limit to 252")]
     [TestCase(10_000, ulong.MaxValue, null)]
     public void Problem_LimitOfTheSystem_IsComparedWithTheConnections(int maxConnections, ulong allowed, string part)
@@ -34,7 +34,7 @@ public class DescriptorLimitTests
         var status = await gateway.EndsAsync();
 
         Assert.That(status, Is.EqualTo(2));
-        Assert.That(gateway.Lines, Has.Count.EqualTo(1).And.All.Contain("--max-connections 256").And.All.Contain("700; allowed are 1 to 225"));
+        Assert.That(gateway.Lines, Has.Count.EqualTo(1).And.All.Contain("--max-connections 256").And.All.Contain("700; use 1 to 225"));
     }
 
     [Test]

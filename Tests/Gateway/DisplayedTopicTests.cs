@@ -19,7 +19,7 @@ public class DisplayedTopicTests
         gateway, options => options.SetRequestHeader("Authorization", "Bearer " + Gateways.ObserverToken));
 
     [Test]
-    public async Task Displayed_OfAnObserver_ReachesSubscribersAndIsNotASample()
+    public async Task Displayed_FromAnObserver_ReachesSubscribersButIsNotASample()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var page = await ObserverAsync(gateway);
@@ -52,7 +52,7 @@ public class DisplayedTopicTests
     }
 
     [Test]
-    public async Task Name_OfAnotherConnection_IsRefusedUntilThatEndsOrIsSilent()
+    public async Task Name_UsedByAnotherConnection_IsRefusedUntilThatEnds()
     {
         var time = new SteppedTime();
         await using var gateway = await Gateways.StartAsync(WithTokens with { Time = time });

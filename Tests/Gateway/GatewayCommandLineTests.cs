@@ -36,12 +36,12 @@ public class GatewayCommandLineTests
     [TestCase("cell --cell a", "--host")]
     [TestCase("cell --cell a --host 10.0.0.7", "pin is missing")]
     [TestCase("cell --cell a --host 10.0.0.7 --pin x", "32 bytes")]
-    [TestCase("cell --cell a --host 10.0.0.7 --certificate none.pfx", "no such file")]
+    [TestCase("cell --cell a --host 10.0.0.7 --certificate none.pfx", "file not found")]
     [TestCase("cell --cell a --host localhost --pin x --certificate none.pfx", "--pin")]
     [TestCase("cell --cell a --host localhost --offset 1,2", "--offset")]
     [TestCase("cell --cell a --host localhost --size-mm 0", "--size-mm")]
     [TestCase("cell --cell a --host localhost --out code.gif", ".svg and .png")]
-    [TestCase("pair --ws-port 1", "does the gateway run")]
+    [TestCase("pair --ws-port 1", "check that the gateway runs")]
     [TestCase("pairings --pairing none.txt", "none.txt")]
     [TestCase("replay", "FILE")]
     [TestCase("replay none.csv", "none.csv")]
@@ -57,7 +57,7 @@ public class GatewayCommandLineTests
 
     [TestCase("--sync-port {0} --ws-port 0", "--sync-port")]
     [TestCase("--sync-port 0 --ws-port {1}", "--ws-port")]
-    [TestCase("--sync-port 0 --ws-port 0 --bind 192.0.2.7 --insecure-lan", "--bind 192.0.2.7: is not an address of this machine at present")]
+    [TestCase("--sync-port 0 --ws-port 0 --bind 192.0.2.7 --insecure-lan", "--bind 192.0.2.7: not an address of this machine")]
     public async Task Serve_PortUnavailable_EndsWithOneLineAndStatus1(string line, string part)
     {
         await using var other = await Gateways.StartAsync();
@@ -88,7 +88,7 @@ public class GatewayCommandLineTests
         var (status, errors) = await RunAsync("pairings", "--pairing", file.Path, "--revoke", "left door");
 
         Assert.That(status, Is.EqualTo(2));
-        Assert.That(errors.Single(), Does.EndWith("'left door': no headset is of this name; there are none"));
+        Assert.That(errors.Single(), Does.EndWith("'left door': no headset has this name; the names are none"));
     }
 
     [Test]

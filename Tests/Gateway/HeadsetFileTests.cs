@@ -88,7 +88,7 @@ public sealed class HeadsetFileTests
         File.WriteAllText(_path, Second + "\nobserver oops\n");
 
         Assert.That((list.Knows("a"), list.Knows("b")), Is.EqualTo((false, true)));
-        Assert.That(log, Has.Exactly(1).Items.And.All.Contains("line 2: is not a paired headset"));
+        Assert.That(log, Has.Exactly(1).Items.And.All.Contains("line 2: not an entry of a paired headset"));
     }
 
     [TestCase("observer TOKEN")]
@@ -102,7 +102,7 @@ public sealed class HeadsetFileTests
 
         var error = Assert.Throws<InputException>(() => HeadsetFile.Load(_path));
 
-        Assert.That(error.Message, Is.EqualTo(_path + ", line 2: is not a paired headset; correct or remove it"));
+        Assert.That(error.Message, Is.EqualTo(_path + ", line 2: not an entry of a paired headset; correct or remove the line"));
     }
 
     [TestCase(null, "headset")]

@@ -103,7 +103,7 @@ public sealed class OperationsLoginTests
     }
 
     [Test]
-    public async Task Cookie_OfAForeignPage_Is403()
+    public async Task Cookie_ForeignPage_Returns403()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var answer = await LoginAsync(gateway, Gateways.OperatorToken);
@@ -120,7 +120,7 @@ public sealed class OperationsLoginTests
     }
 
     [Test]
-    public async Task Login_WrongTokens_Are401AndThenBlocked()
+    public async Task Login_WrongTokens_Return401ThenAreBlocked()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         for (var i = 0; i < 10; i++)
@@ -149,7 +149,7 @@ public sealed class OperationsLoginTests
 
     [TestCase("GET", "/operations/login")]
     [TestCase("DELETE", "/operations")]
-    public async Task Request_OfAnotherMethod_Is405(string method, string path)
+    public async Task Request_OtherMethod_Returns405(string method, string path)
     {
         await using var gateway = await Gateways.StartAsync();
         using var request = new HttpRequestMessage(new HttpMethod(method), UriOf(gateway, path));

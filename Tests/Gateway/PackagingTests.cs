@@ -87,7 +87,7 @@ public class PackagingTests
         Assert.That(Unit, Does.Not.Contain("StartLimitBurst"));
     }
 
-    // A copy would keep tokens that are removed from the file, and a check before the start would be repeated for ever.
+    // A copy would keep tokens that are removed from the file, and a check before the start would be repeated forever.
     [Test]
     public void Unit_Tokens_AreReadFromTheFileWithoutPreparation()
     {
@@ -129,7 +129,7 @@ public class PackagingTests
     }
 
     [Test]
-    public void Container_Node_ComesFromOnePinnedImage()
+    public void Container_Node_IsFromOnePinnedImage()
     {
         var text = File.ReadAllText(Path.Combine(Folder, "Containerfile"));
 
@@ -146,7 +146,7 @@ public class PackagingTests
     }
 
     [TestCase("Containerfile")]
-    [TestCase("../../Packages/com.nowpose.mril/Documentation~/gateway.md")]
+    [TestCase("../../Packages/com.nowpose.mril/Documentation~/gateway-installation.md")]
     public void Container_BuildCommand_KeepsTheHealthCheck(string path) =>
         Assert.That(File.ReadAllText(Path.Combine(Folder, path)), Does.Contain("podman build --format docker -f Gateway/Packaging/Containerfile"));
 

@@ -33,7 +33,7 @@ public sealed class PairingExchangeTests
     public async Task Exchange_ShownCode_ReturnsAnAcceptedToken(bool isSecure)
     {
         await using var gateway = await PairingGateway.StartAsync(isSecure);
-        Assert.That(await RosbridgeStatusAsync(gateway, null), Is.EqualTo(HttpStatusCode.Unauthorized), "it asks for a token");
+        Assert.That(await RosbridgeStatusAsync(gateway, null), Is.EqualTo(HttpStatusCode.Unauthorized), "the gateway requires a token");
 
         var answer = await gateway.ExchangeAsync((await gateway.ShownAsync()).Token);
 
@@ -41,7 +41,7 @@ public sealed class PairingExchangeTests
         Assert.That(answer.Token, Does.Match("^[A-Za-z0-9_-]{43}$"), "256 bits");
         Assert.That(await RosbridgeStatusAsync(gateway, answer.Token), Is.EqualTo(HttpStatusCode.SwitchingProtocols));
         Assert.That(await RosbridgeStatusAsync(gateway, answer.Token + "a"), Is.EqualTo(HttpStatusCode.Unauthorized));
-        Assert.That(gateway.Log, Has.Some.Contains("'headset 7' was given a token"));
+        Assert.That(gateway.Log, Has.Some.Contains("'headset 7' received a token"));
     }
 
     [Test]
@@ -68,7 +68,7 @@ public sealed class PairingExchangeTests
         var answers = await Task.WhenAll(Enumerable.Range(0, 8).Select(_ => gateway.ExchangeAsync(code.Token)));
 
         Assert.That(answers.Count(answer => answer.Token != null), Is.EqualTo(1));
-        Assert.That(answers.Where(answer => answer.Token == null).Select(answer => answer.Problem), Is.All.Contains("was used, or is too old"));
+        Assert.That(answers.Where(answer => answer.Token == null).Select(answer => answer.Problem), Is.All.Contains("was used or is too old"));
         Assert.That(answers.Where(answer => answer.Token == null).Select(answer => answer.IsWorthRetrying), Is.All.False);
         Assert.That((await gateway.ShownAsync()).Token, Is.Not.EqualTo(code.Token), "another one is shown");
     }
@@ -156,7 +156,7 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
-    public async Task Exchange_ConnectionRefused_IsWorthRetrying()
+    public async Task Exchange_ConnectionRefused_CanBeRetried()
     {
         var answer = await PairingRequest.SendAsync(new ConnectionSettings("127.0.0.1", 1, 1), "token", CancellationToken.None).Bounded();
 
@@ -168,9 +168,9 @@ public sealed class PairingExchangeTests
     [TestCase("HTTP/1.1 200 OK\r\n\r\n", "unknown length or longer")]
     [TestCase("HTTP/1.1 200 OK\r\nContent-Length: -1\r\n\r\n", "unknown length or longer")]
     [TestCase("HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\nContent-Length: 2\r\n\r\n{}", "unknown length or longer")]
-    [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\n{}", "no token that can be used")]
-    [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 12\r\n\r\n{\"token\":[]}", "no token that can be used")]
-    [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 15\r\n\r\n{\"token\":\"a b\"}", "no token that can be used")]
+    [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\n{}", "no valid token")]
+    [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 12\r\n\r\n{\"token\":[]}", "no valid token")]
+    [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 15\r\n\r\n{\"token\":\"a b\"}", "no valid token")]
     [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 99\r\n\r\n{}", "closed the connection")]
     [TestCase("HTTP/1.1 302 Found\r\nLocation: http://10.0.0.7/\r\n\r\n", "status 302")]
     [TestCase("SSH-2.0-OpenSSH\r\n\r\n", "not HTTP/1.1")]
@@ -215,7 +215,7 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
-    public async Task Request_OfAForeignPage_Is403()
+    public async Task Request_ForeignPage_Returns403()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var code = await gateway.ShownAsync();
@@ -278,7 +278,7 @@ public sealed class PairingExchangeTests
 
         Assert.That(await RosbridgeStatusAsync(gateway, own), Is.EqualTo(HttpStatusCode.SwitchingProtocols));
         Assert.That(await RosbridgeStatusAsync(gateway, own), Is.EqualTo(HttpStatusCode.SwitchingProtocols));
-        Assert.That(gateway.Log.Count(line => line.Contains("line 3: is not a paired headset")), Is.EqualTo(1));
+        Assert.That(gateway.Log.Count(line => line.Contains("line 3: not an entry of a paired headset")), Is.EqualTo(1));
     }
 
     [Test]

@@ -40,7 +40,7 @@ public sealed class PairingPageTests
         var (status, text) = await gateway.SendAsync(new HttpMethod(method), path, method == "POST" ? body : null, ("Host", "evil.example"));
 
         Assert.That(status, Is.EqualTo(HttpStatusCode.Forbidden));
-        Assert.That(text, Does.Contain("own machine"));
+        Assert.That(text, Does.Contain("browsers on the gateway's machine"));
     }
 
     [TestCase("10.0.0.9", "10.0.0.7", null, 403)]
@@ -77,7 +77,7 @@ public sealed class PairingPageTests
     }
 
     [Test]
-    public async Task Code_OfAForeignPage_Is403()
+    public async Task Code_ForeignPage_Returns403()
     {
         await using var gateway = await PairingGateway.StartAsync();
 
@@ -100,7 +100,7 @@ public sealed class PairingPageTests
     }
 
     [Test]
-    public async Task Code_OfAGatewayWithTls_ShowsTheKeyLikeTheQuestion()
+    public async Task Code_GatewayWithTls_ShowsTheKeyOfTheQuestion()
     {
         await using var gateway = await PairingGateway.StartAsync();
 

@@ -65,7 +65,7 @@ public class ReaderProgressTests
     }
 
     [Test]
-    public void IsSilent_ClientNeverAnswersNorSends_IsTrueAfterTheTimeout()
+    public void IsSilent_ClientNeitherAnswersNorSends_IsTrueAfterTheTimeout()
     {
         var time = new SteppedTimers();
         var pings = new List<byte[]>();

@@ -25,7 +25,7 @@ public class RecordedPlantTests
     }
 
     [Test]
-    public void At_NamesOfTheRobot_MoveThoseJoints()
+    public void At_NamesOfTheRobot_MoveTheNamedJoints()
     {
         var motion = Played("t,wrist_3_joint,elbow_joint", "ur5");
 

@@ -23,7 +23,7 @@ public class RosbridgeAccessTests
     [TestCase("Bearer ")]
     [TestCase("Basic observer-token")]
     [TestCase("observer-token")]
-    public async Task Token_WrongOrMissing_Is401(string header)
+    public async Task Token_WrongOrMissing_Returns401(string header)
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
 
@@ -82,7 +82,7 @@ public class RosbridgeAccessTests
     }
 
     [Test]
-    public async Task Origin_OfAReboundName_Is403()
+    public async Task Origin_ReboundName_Returns403()
     {
         await using var gateway = await Gateways.StartAsync();
         var name = "evil.example:" + gateway.WebSocketEndPoint.Port;

@@ -109,7 +109,7 @@ public class RosbridgeConnectionTests
         // Without pings, so that only the missing reads can end the connection.
         var options = Gateways.Options() with { PingInterval = TimeSpan.FromMinutes(5), PongTimeout = TimeSpan.FromMilliseconds(300) };
         await using var gateway = await Gateways.StartAsync(options);
-        // A small receive buffer: the gateway sends 2 kB/s to a client that answers no pings, and the buffers must be full first.
+        // A small receive buffer: the gateway sends 2 kB/s to a client that does not answer pings, and the buffers must be full first.
         using var client = await RawWebSocket.OpenAsync(gateway, receiveBytes: 1024);
         await client.SendFrameAsync(RawWebSocket.Text, Encoding.UTF8.GetBytes(RosbridgeWriter.Subscribe(RosTopics.JointStates)));
         using var source = gateway.Hub.OpenSource();

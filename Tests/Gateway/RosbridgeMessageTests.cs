@@ -56,7 +56,7 @@ public class RosbridgeMessageTests
     [TestCase(StampedAt + """{"sec":5000,"nanosec":0}},"name":["a"],"position":[NaN]}}""", DropReason.NotFinite, "finite")]
     [TestCase(StampedAt + """{"sec":5000,"nanosec":0}},"name":["a","b"],"position":[1]}}""", DropReason.LengthMismatch, "length")]
     [TestCase(StampedAt + """{"sec":0,"nanosec":0}},"name":["a"],"position":[1]}}""", DropReason.StampZero, "zero")]
-    [TestCase(StampedAt + """{"sec":5100,"nanosec":0}},"name":["a"],"position":[1]}}""", DropReason.StampInFuture, "future")]
+    [TestCase(StampedAt + """{"sec":5100,"nanosec":0}},"name":["a"],"position":[1]}}""", DropReason.StampInFuture, "later than the control time")]
     [TestCase("""{"op":"publish","topic":"/cmd_vel","msg":{}}""", DropReason.UnknownTopic, "/cmd_vel")]
     [TestCase("""{"op":"advertise","topic":"/joint_states","type":"std_msgs/String"}""", DropReason.WrongType, "type")]
     public async Task Message_Invalid_IsDroppedAndCountedAndTheConnectionStaysOpen(string text, object reason, string part)
@@ -113,7 +113,7 @@ public class RosbridgeMessageTests
 
     [TestCase(64, true)]
     [TestCase(65, false)]
-    public async Task Message_InFragments_UpTo64(int count, bool expected)
+    public async Task Message_InFragments_IsAcceptedUpTo64(int count, bool expected)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);

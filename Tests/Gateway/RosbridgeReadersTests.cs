@@ -96,7 +96,7 @@ public class RosbridgeReadersTests
     }
 
     [Test]
-    public async Task Reader_AnswersNoPing_IsClosed()
+    public async Task Reader_DoesNotAnswerPings_IsClosed()
     {
         var options = Gateways.Options() with { PingInterval = TimeSpan.FromMilliseconds(100), PongTimeout = TimeSpan.FromMilliseconds(200) };
         await using var gateway = await Gateways.StartAsync(options);

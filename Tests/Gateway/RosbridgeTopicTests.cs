@@ -27,7 +27,7 @@ public class RosbridgeTopicTests
     }
 
     [Test]
-    public async Task RoslibStyleMessages_OfARealClient_AreServed()
+    public async Task Messages_InRoslibFormat_AreServed()
     {
         await using var gateway = await Gateways.StartAsync();
         using var robot = await RawRosbridgeClient.ConnectAsync(gateway);

@@ -12,7 +12,7 @@ public class SendWindowTests
     const double MaxAgeSeconds = 0.75;
 
     [Test]
-    public void Reader_At4KilobytesPerSecond_ReceivesNothingOlderThanTheLimit(
+    public void Reader_At4KilobytesPerSecond_ReceivesOnlyRecentMessages(
         [Values(350, 450, 900)] int messageBytes, [Values(5, 20, 50)] int intervalMs, [Values(1, 40, 120)] int roundTripMs)
     {
         var run = new Run(bytesPerSecond: 4000, messageBytes, intervalMs, roundTripMs);
@@ -36,7 +36,7 @@ public class SendWindowTests
     }
 
     [Test]
-    public void Reader_BecomesFast_ReceivesAllAgain()
+    public void Reader_BecomesFast_ReceivesAllMessagesAgain()
     {
         var run = new Run(bytesPerSecond: 4000, messageBytes: 450, intervalMs: 20, roundTripMs: 40);
         run.Continue(TimeSpan.FromSeconds(20));
@@ -50,7 +50,7 @@ public class SendWindowTests
     }
 
     [Test]
-    public void Reader_SlowsDownTo4KilobytesPerSecond_ReceivesNothingOlderThanTheLimit(
+    public void Reader_SlowsDownTo4KilobytesPerSecond_ReceivesOnlyRecentMessages(
         [Values(20, 50)] int intervalMs, [Values(1, 20)] int roundTripMs, [Values(0, 40_000)] int burstBytes, [Range(0, 80, 16)] int phaseMs)
     {
         var run = new Run(bytesPerSecond: 1e7, messageBytes: 450, intervalMs, roundTripMs);
@@ -81,7 +81,7 @@ public class SendWindowTests
     }
 
     [Test]
-    public void Reader_At4KilobytesPerSecondWithoutPongs_ReceivesNothingOlderThanTheLimit(
+    public void Reader_At4KilobytesPerSecondWithoutPongs_ReceivesOnlyRecentMessages(
         [Values(350, 450, 900)] int messageBytes, [Values(5, 20, 50)] int intervalMs, [Values(1, 40, 120)] int roundTripMs)
     {
         var run = new Run(bytesPerSecond: 4000, messageBytes, intervalMs, roundTripMs) { AnswersPings = false };
@@ -119,6 +119,20 @@ public class SendWindowTests
         Assert.That(window.IsOpen(TimeSpan.FromMinutes(1)), Is.False, "the pong of another ping");
         window.OnPong(ping, TimeSpan.FromMinutes(1));
         Assert.That(window.IsOpen(TimeSpan.FromMinutes(1)), Is.True);
+    }
+
+    [TestCase(9, SendWindow.NearPingBytes)]
+    [TestCase(11, SendWindow.FirstBytes)]
+    public void IsPingDue_ClientNearOrFar_IsTrueAfterItsNumberOfBytes(int pongMs, int bytes)
+    {
+        var window = new SendWindow();
+        window.OnSent(1);
+        window.OnPong(window.OnPing(TimeSpan.Zero), pongMs * Step);
+
+        window.OnSent(bytes - 1);
+        Assert.That(window.IsPingDue, Is.False);
+        window.OnSent(1);
+        Assert.That(window.IsPingDue, Is.True);
     }
 
     [Test]
@@ -189,7 +203,7 @@ public class SendWindowTests
 
         void PlanPing()
         {
-            if (Window.IsPingDue) _nextPing ??= _now + ReaderProgress.PingDelay;
+            if (Window.IsPingDue) _nextPing ??= _now + (Window.IsNear ? ReaderProgress.NearPingDelay : ReaderProgress.PingDelay);
         }
 
         void Ping()

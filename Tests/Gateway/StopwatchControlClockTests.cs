@@ -11,7 +11,7 @@ public class StopwatchControlClockTests
     [TestCase(0)]
     [TestCase(80e-6)]
     [TestCase(-80e-6)]
-    public void AtCount_AnHourLater_HasGainedTheSkew(double skew)
+    public void AtCount_AnHourLater_IncludesTheSkew(double skew)
     {
         var clock = new StopwatchControlClock(Epoch, skew);
         var count = Stopwatch.GetTimestamp();
@@ -34,7 +34,7 @@ public class StopwatchControlClockTests
     }
 
     [Test]
-    public void Now_WholeCycles_IsCutToThem()
+    public void Now_WholeCycles_IsRoundedDown()
     {
         var clock = new StopwatchControlClock(new ControlTime(new TimeSpan(-12_345)), 0) { Resolution = TimeSpan.FromMilliseconds(1) };
 
@@ -45,7 +45,7 @@ public class StopwatchControlClockTests
     [TestCase(0)]
     [TestCase(250e-6)]
     [TestCase(-250e-6)]
-    public void OverMonotonicCounter_AnyCount_IsTheClock(double skew)
+    public void OverMonotonicCounter_AnyCount_EqualsTheClock(double skew)
     {
         var clock = new StopwatchControlClock(ControlTime.FromSeconds(1_700_000_000), skew);
         var (intercept, rate) = clock.OverMonotonicCounter;
@@ -61,6 +61,6 @@ public class StopwatchControlClockTests
 
     [TestCase(double.NaN)]
     [TestCase(0.5)]
-    public void Constructor_SkewOfNoClock_IsRefused(double skew) =>
+    public void Constructor_ImpossibleSkew_IsRefused(double skew) =>
         Assert.Throws<ArgumentOutOfRangeException>(() => new StopwatchControlClock(Epoch, skew));
 }

@@ -16,7 +16,7 @@ public class SyncServerTests
     static readonly TimeSpan LongToAnswer = TimeSpan.FromSeconds(1.5);
 
     [Test]
-    public async Task Request_Answered_EchoesAndStampsBetween()
+    public async Task Request_Answered_EchoesAndStampsInOrder()
     {
         var clock = new StopwatchControlClock(ControlTime.FromSeconds(-3), 50e-6);
         await using var gateway = await Gateways.StartAsync(clock: clock);
@@ -38,7 +38,7 @@ public class SyncServerTests
     }
 
     [Test]
-    public async Task Request_ClockNotSynchronised_SaysSoWithBoundAndResolution()
+    public async Task Request_ClockNotSynchronised_IsAnsweredWithStateBoundAndResolution()
     {
         var clock = new StopwatchControlClock(Gateways.Start)
         {
@@ -74,7 +74,7 @@ public class SyncServerTests
 
     [TestCase(SyncFrameKind.Reply)]
     [TestCase(SyncFrameKind.TokenReply)]
-    public async Task Frame_OnlyAServerSends_Closes(object kind)
+    public async Task Frame_OfAServer_ClosesTheConnection(object kind)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawSyncClient.ConnectAsync(gateway);
@@ -110,7 +110,7 @@ public class SyncServerTests
 
     [TestCase(true)]
     [TestCase(false)]
-    public async Task Frame_DrippedByteByByteWithoutTokens_IsClosed(bool isFirst)
+    public async Task Frame_SentByteByByteWithoutTokens_ClosesTheConnection(bool isFirst)
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { TokenTimeout = LongToAnswer });
         using var client = await RawSyncClient.ConnectAsync(gateway);
@@ -156,7 +156,7 @@ public class SyncServerTests
     }
 
     [Test]
-    public async Task Token_Right_IsAcceptedAndServed()
+    public async Task Token_Valid_IsServed()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
         using var client = await RawSyncClient.ConnectAsync(gateway);
@@ -168,7 +168,7 @@ public class SyncServerTests
     }
 
     [Test]
-    public async Task Token_Wrong_IsRefusedAndNothingServed()
+    public async Task Token_Wrong_IsRefused()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
         using var client = await RawSyncClient.ConnectAsync(gateway);
@@ -180,7 +180,7 @@ public class SyncServerTests
     }
 
     [Test]
-    public async Task Token_NotGiven_RequestCloses()
+    public async Task Token_Missing_RequestClosesTheConnection()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
         using var client = await RawSyncClient.ConnectAsync(gateway);
@@ -213,7 +213,7 @@ public class SyncServerTests
     }
 
     [Test]
-    public async Task Token_ServerWithout_AcceptsAny()
+    public async Task Token_ServerWithoutTokens_AcceptsAny()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawSyncClient.ConnectAsync(gateway);
@@ -253,7 +253,7 @@ public class SyncServerTests
     }
 
     [Test]
-    public async Task Tls_HandshakeThatNeverComes_IsCountedAsSuch()
+    public async Task Tls_HandshakeMissing_IsCounted()
     {
         using var certificate = CertificateFiles.Generate();
         var options = Gateways.Options() with { Certificate = certificate, TokenTimeout = TimeSpan.FromMilliseconds(200) };
@@ -266,7 +266,7 @@ public class SyncServerTests
     }
 
     [Test]
-    public async Task Clock_ThatFails_EndsTheConnectionOnly()
+    public async Task Clock_Fails_EndsOnlyTheConnection()
     {
         await using var gateway = await Gateways.StartAsync(clock: new BrokenClock());
         using var client = await RawSyncClient.ConnectAsync(gateway);
@@ -276,7 +276,7 @@ public class SyncServerTests
     }
 
     [Test]
-    public async Task Thread_ThatCannotStart_GivesItsPlaceToTheNext()
+    public async Task Thread_CannotStart_ReleasesItsPlace()
     {
         var log = new ConcurrentQueue<string>();
         var attempts = 0;
@@ -301,7 +301,7 @@ public class SyncServerTests
     }
 
     [Test]
-    public async Task Accept_ThatFails_IsTriedAgain()
+    public async Task Accept_Fails_IsRetried()
     {
         var failures = new Queue<Exception>(
             [new SocketException((int)SocketError.TooManyOpenSockets), new InsufficientMemoryException("no memory"), new IOException("disk")]);
@@ -338,7 +338,7 @@ public class SyncServerTests
     }
 
     [Test]
-    public async Task Reply_ByAClockThatGoesBackByMicroseconds_IsNeverSentBeforeItWasReceived()
+    public async Task Reply_ClockGoesBackByMicroseconds_IsStampedAfterTheRequest()
     {
         await using var gateway = await Gateways.StartAsync(clock: new BackwardClock());
         using var client = await RawSyncClient.ConnectAsync(gateway);

@@ -24,7 +24,7 @@ public class LinkScoreTests
     }
 
     [Test]
-    public void Result_FramesAtTheTruth_HasNoError()
+    public void Result_FramesEqualToTheTruth_HasNoError()
     {
         var result = Score(20, _ => "current");
 
@@ -93,7 +93,7 @@ public class LinkScoreTests
     }
 
     [Test]
-    public void Result_StallNotShown_MissesTheLimit()
+    public void Result_StallNotShown_ExceedsTheLimit()
     {
         var result = Score(20, _ => "current", LinkProfile.Roaming);
 
@@ -118,7 +118,7 @@ public class LinkScoreTests
 
         Assert.That(LinkLimits.Median([good, never], run => run.CurrentAfterS), Is.Null);
         Assert.That(LinkLimits.Median([good, never, good], run => run.CurrentAfterS), Is.Zero);
-        Assert.That(LinkLimits.Missed([good, never, good]).Single(), Does.Contain("current at worst after: none"));
+        Assert.That(LinkLimits.Missed([good, never, good]).Single(), Does.Contain("current after, in the worst run: none"));
     }
 
     static LinkResult Score(

@@ -71,7 +71,7 @@ public class PathRunTests
 
     /// <summary>The margin for a wrong skew hides the smaller change. Half of it is an error that the stated ± must include.</summary>
     [Test]
-    public void Within_SmallChangeBesideALargeOne_HoldsOnACleanLink([Values(0.02, 0.03, -0.02)] double share, [Range(7000, 7003)] int seed)
+    public void Within_SmallAndLargeChange_HoldsOnACleanLink([Values(0.02, 0.03, -0.02)] double share, [Range(7000, 7003)] int seed)
     {
         var before = Math.Max(0, -share);
         var change = new PathChange(
@@ -85,7 +85,7 @@ public class PathRunTests
 
     /// <summary>Both bounds move in the direction of a step of the clock, but by different amounts.</summary>
     [Test]
-    public void Play_RepliesShorterByLittleAsRequestsBecomeLonger_IsNoStepOfTheClock([Range(7000, 7003)] int seed)
+    public void Play_RequestsLongerAndRepliesSlightlyShorter_CountsNoClockStep([Range(7000, 7003)] int seed)
     {
         var change = new PathChange("requests longer, replies shorter", since => since < 0 ? (0, 0.03) : (1, 0), 0.515);
 
@@ -100,7 +100,7 @@ public class PathRunTests
     /// round trips show that no clock has stepped, on noisy links only after more exchanges.
     /// </summary>
     [Test]
-    public void Play_DirectionsChangeOppositely_IsNoStepOfTheClock(
+    public void Play_DirectionsChangeOppositely_CountsNoClockStep(
         [Values("clean", "wifi", "cellular")] string link,
         [Values("requests longer, replies shorter", "requests shorter, replies longer", "requests much shorter, replies longer")] string name,
         [Range(8000, 8003)] int seed)
@@ -123,7 +123,7 @@ public class PathRunTests
     }
 
     [Test]
-    public void Play_PapersEstimator_ErrsByHalfTheChangeOrMore()
+    public void Play_PapersEstimator_HasAnErrorOfHalfTheChangeOrMore()
     {
         var change = Named("requests longer");
 

@@ -73,7 +73,7 @@ public class SyncClientTests
     [TestCase(new byte[] { 0x48, 0x54, 0x54, 0x50 }, "WrongMagic")]
     [TestCase(new byte[] { 0x53, 0x59, 0x4E, 0x43, 9 }, "WrongVersion")]
     [TestCase(new byte[] { 0x53, 0x59, 0x4E, 0x43, 1, 7 }, "WrongKind")]
-    public async Task Exchange_NotASyncFrame_ClosesAndSaysWhy(byte[] start, string named)
+    public async Task Exchange_NotASyncFrame_ClosesWithTheReason(byte[] start, string named)
     {
         using var server = new FakeSyncServer(_ =>
         {
@@ -90,7 +90,7 @@ public class SyncClientTests
     }
 
     [Test]
-    public async Task Exchange_OneBadReplyAmongGoodOnes_DoesNotReconnect()
+    public async Task Exchange_OneInvalidReply_DoesNotReconnect()
     {
         var headset = new StopwatchHeadsetClock();
         using var server = new FakeSyncServer(request =>
@@ -123,7 +123,7 @@ public class SyncClientTests
     }
 
     [Test]
-    public async Task Exchange_ReplyByteByByte_TimesOutAllTheSame()
+    public async Task Exchange_ReplyByteByByte_TimesOut()
     {
         using var listener = new FakeTcpServer(stream =>
         {
@@ -144,7 +144,7 @@ public class SyncClientTests
     }
 
     [Test]
-    public async Task Connect_TlsHandshakeWithoutAnAnswer_TimesOutAndSaysSo()
+    public async Task Connect_TlsHandshakeWithoutAnAnswer_TimesOutWithAMessage()
     {
         using var listener = new FakeTcpServer(stream =>
         {
@@ -160,7 +160,7 @@ public class SyncClientTests
     }
 
     [Test]
-    public async Task Exchange_TimesThatNoClockShows_AreCountedAndHarmless()
+    public async Task Exchange_ImpossibleTimes_AreCountedAndDropped()
     {
         using var server = new FakeSyncServer(request => FakeSyncServer.Bytes(Reply(request, long.MaxValue, long.MaxValue)));
         var (client, clock) = Connect(server.Port);
@@ -173,7 +173,7 @@ public class SyncClientTests
     }
 
     [Test]
-    public async Task Dispose_WhileTheServerIsSilent_EndsAtOnce()
+    public async Task Dispose_WhileTheServerIsSilent_EndsImmediately()
     {
         using var server = new FakeSyncServer(_ => []);
         var (client, _) = Connect(server.Port);
@@ -204,7 +204,7 @@ public class SyncClientTests
     }
 
     [Test]
-    public async Task Run_NobodyListens_SaysSoAndKeepsTrying()
+    public async Task Run_PortClosed_ReportsItAndKeepsTrying()
     {
         var gone = new FakeSyncServer(_ => null);
         var port = gone.Port;

@@ -1,5 +1,5 @@
 // Writes the reference poses of ForwardKinematicsTests, computed by urdf-loader 0.13 and three.js in double precision:
-//   npm install urdf-loader three jsdom        (in a folder of its own, with this file copied into it)
+//   npm install urdf-loader three jsdom        (in a separate folder that contains a copy of this file)
 //   node make-reference.mjs OUT.json FILE.urdf …
 // Joint values exceed the limits; every second case gives one mimic joint a value of its own.
 import fs from 'node:fs';

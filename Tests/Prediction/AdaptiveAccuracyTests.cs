@@ -21,19 +21,19 @@ public class AdaptiveAccuracyTests
     [TestCase(20, 100, 0.65)]
     [TestCase(50, 100, 0.65)]
     [TestCase(100, 150, 0.80)]
-    public void FastMoves_AgainstTheQuadratic(double samplingMs, double latencyMs, double limit) =>
+    public void FastMoves_Adaptive_IsMoreAccurateThanTheQuadratic(double samplingMs, double latencyMs, double limit) =>
         Assert.That(OverQuadratic(seed => Motions.FastMoves(seed), At(samplingMs, latencyMs)), Is.LessThan(limit), Message);
 
     [TestCase(20, 100)]
     [TestCase(50, 100)]
     [TestCase(100, 150)]
-    public void GentlePickAndPlace_AgainstTheQuadratic(double samplingMs, double latencyMs) =>
+    public void GentlePickAndPlace_Adaptive_IsMoreAccurateThanTheQuadratic(double samplingMs, double latencyMs) =>
         Assert.That(OverQuadratic(seed => Motions.GentleMoves(seed), At(samplingMs, latencyMs)), Is.LessThan(0.80), Message);
 
     [TestCase(20, 100)]
     [TestCase(50, 100)]
     [TestCase(100, 150)]
-    public void SlowAndCurvedMotions_AgainstTheBestFixedOneInHindsight(double samplingMs, double latencyMs)
+    public void SlowAndCurvedMotions_Adaptive_IsCloseToTheBestFixedPredictor(double samplingMs, double latencyMs)
     {
         Assert.That(OverBest(seed => Motions.SoftMoves(seed), At(samplingMs, latencyMs)), Is.LessThan(1.05), "soft moves, " + Message);
         Assert.That(OverBest(seed => Motions.Trapezoids(seed), At(samplingMs, latencyMs)), Is.LessThan(1.00), "trapezoids, " + Message);
@@ -43,7 +43,7 @@ public class AdaptiveAccuracyTests
     [TestCase(20, 100)]
     [TestCase(50, 100)]
     [TestCase(100, 150)]
-    public void EmergencyStopsRingingAndJumps_AgainstHoldAndQuadratic(double samplingMs, double latencyMs)
+    public void EmergencyStopsRingingAndJumps_Adaptive_IsMoreAccurateThanTheQuadratic(double samplingMs, double latencyMs)
     {
         foreach (var motionOf in new Func<int, AxisMotion>[] { s => Motions.EmergencyStops(s), s => Motions.Ringing(s), s => Motions.Jumps(s) })
         {
@@ -90,7 +90,7 @@ public class AdaptiveAccuracyTests
     [TestCase(20, 100)]
     [TestCase(50, 100)]
     [TestCase(100, 150)]
-    public void TemplateForecaster_NonRepeatingMotion_CostsNothing(double samplingMs, double latencyMs)
+    public void TemplateForecaster_NonRepeatingMotion_DoesNotIncreaseTheError(double samplingMs, double latencyMs)
     {
         static JointPredictor WithoutTemplate() => Predictors.Adaptive(
             PredictionLimits.Unlimited, PredictionParts.All & ~PredictionParts.Repetition);

@@ -32,7 +32,7 @@ public class RecommendVerbTests
         .Single(c => c.GetProperty("predictor").GetString() == predictor);
 
     [Test]
-    public async Task Json_OfAMotion_HasAllPredictorsAndHistoriesTheBestFirst()
+    public async Task Json_Motion_ListsAllPredictorsBestFirst()
     {
         using var file = new TemporaryFile(Motion(Math.Sin), ".csv.gz");
 
@@ -52,7 +52,7 @@ public class RecommendVerbTests
     }
 
     [Test]
-    public async Task Json_OfAHalf_EqualsTheReplayOfThatHalf()
+    public async Task Json_HalfOfAMotion_EqualsItsReplay()
     {
         // The swing is the same in both halves, so half of its travel takes half of its time.
         static double Swing(double t) => Math.Cos(Math.PI * t / 5);
@@ -115,8 +115,8 @@ public class RecommendVerbTests
         }
     }
 
-    [TestCase("t,a\n0,1\n10,1\n20,1\n", "nothing moves")]
-    public async Task Note_OfAnUnsuitableRecording_IsInTheTable(string text, string note)
+    [TestCase("t,a\n0,1\n10,1\n20,1\n", "no joint moves")]
+    public async Task Table_UnsuitableRecording_ContainsANote(string text, string note)
     {
         using var file = new TemporaryFile(text);
 
@@ -126,8 +126,8 @@ public class RecommendVerbTests
         Assert.That(run.Output, Does.Contain("note: " + note).And.Contain("Use predictor " + Predictors.Default));
     }
 
-    [TestCase("t,a\n0,1\n0.3,2\n", "too few rows to be halved")]
-    [TestCase("t,a\n0,1\n0.1,2\n0.2,1\n0.3,2\n0.4,2\n", "are too short to score a frame")]
+    [TestCase("t,a\n0,1\n0.3,2\n", "too few rows")]
+    [TestCase("t,a\n0,1\n0.1,2\n0.2,1\n0.3,2\n0.4,2\n", "are too short")]
     [TestCase("t,a\n0,1\n0,2\n", ":3: field t")]
     public async Task File_Unusable_IsReportedInOneLineWithExit2(string text, string expected)
     {

@@ -29,13 +29,13 @@ public class RecordingTraitsTests
     [Test]
     public void Warnings_OfAShortRecording_NameItsLength()
     {
-        Assert.That(Traits(Math.Sin, count: 501).Warnings().Single(), Does.StartWith("5.0 s are short"));
+        Assert.That(Traits(Math.Sin, count: 501).Warnings().Single(), Does.StartWith("5.0 s is a short recording"));
     }
 
     [Test]
-    public void Warnings_OfAStandstill_ReportIt()
+    public void Warnings_Standstill_ReportTheStandstill()
     {
-        Assert.That(Traits(t => 1 + 1e-6 * Math.Sin(t)).Warnings().Single(), Does.StartWith("nothing moves"));
+        Assert.That(Traits(t => 1 + 1e-6 * Math.Sin(t)).Warnings().Single(), Does.StartWith("no joint moves"));
     }
 
     [Test]
@@ -49,7 +49,7 @@ public class RecordingTraitsTests
     }
 
     [Test]
-    public void Repeats_OfAMachineSlowerThanItsRecording_AreCounted()
+    public void Repeats_MachineSlowerThanItsRecording_AreCounted()
     {
         // Every fifth sample repeats the one before.
         var traits = Traits(t => Math.Sin(Math.Round(t * 100) % 5 == 4 ? Math.Round(t * 100 - 1) / 100 : Math.Round(t * 100) / 100));
@@ -68,7 +68,7 @@ public class RecordingTraitsTests
     }
 
     [Test]
-    public void Halving_MotionEndsInARest_IsAtHalfTheDistance()
+    public void Halving_MotionEndsAtRest_IsAtHalfTheDistance()
     {
         double[] ways = [.. Enumerable.Repeat(1.0, 40), .. Enumerable.Repeat(0.0, 40)];
 

@@ -21,7 +21,7 @@ public class VerdictTests
         var verdict = Of(Trial("cubic", 0.6, 0.41));
 
         Assert.That(verdict.Recommended.Predictor, Is.EqualTo(Predictors.Default));
-        Assert.That(verdict.Reason, Is.EqualTo("no other errs less"));
+        Assert.That(verdict.Reason, Is.EqualTo("no other has a smaller error"));
         Assert.That(verdict.Trials.Select(t => t.Predictor), Is.EqualTo(new[] { Predictors.Default, "cubic", "hold" }));
     }
 
@@ -44,7 +44,7 @@ public class VerdictTests
         Assert.That(verdict.Trials[0], Is.EqualTo(lucky));
         Assert.That(verdict.Recommended.Predictor, Is.EqualTo(Predictors.Default));
         Assert.That(verdict.IsTie(lucky));
-        Assert.That(verdict.Reason, Does.StartWith("linear is a tie"));
+        Assert.That(verdict.Reason, Does.StartWith("linear is equally good"));
     }
 
     [Test]
@@ -53,11 +53,11 @@ public class VerdictTests
         var verdict = Of(Trial("linear", 0.495, 0.396));
 
         Assert.That(verdict.Recommended.Predictor, Is.EqualTo(Predictors.Default));
-        Assert.That(verdict.Reason, Does.Contain("no more than 2 %"));
+        Assert.That(verdict.Reason, Does.Contain("by at most 2 %"));
     }
 
     [Test]
-    public void Rms_OfHalvesWithOtherNumbersOfFrames_CountsEachFrameOnce()
+    public void Rms_HalvesOfDifferentLength_CountsEachFrameOnce()
     {
         var trial = new Trial(
             "x", new ReplayResult("f", "x", 300, [new ReplayResult.Axis("a", 2, 1, 1, 1)]),

@@ -144,14 +144,14 @@ public class ReplayVerbTests
     {
         var run = await Run(Path.Combine(_folder, "none.csv"));
 
-        AssertRefused(run, "none.csv", "no such file");
+        AssertRefused(run, "none.csv", "file not found");
     }
 
     [TestCase("t,a\n0,1\n1,\n", "motion.csv:3: field 'a' is empty")]
     [TestCase("t,a\n0,1\n1,x\n", "motion.csv:3: field 'a': 'x' is not a number")]
-    [TestCase("t,a\n1,1\n0,1\n", "motion.csv:3: field t: '0' s is not after")]
+    [TestCase("t,a\n1,1\n0,1\n", "motion.csv:3: field t: '0' s is not later than")]
     [TestCase("t,a\n1,1\n", "motion.csv: 1 rows of data")]
-    [TestCase("t,a\n0,1\n0.2,2\n", "too short to score a frame")]
+    [TestCase("t,a\n0,1\n0.2,2\n", "are too short")]
     public async Task File_Invalid_IsReportedInOneLineWithExit2(string content, string expected)
     {
         File.WriteAllText(_file, content);

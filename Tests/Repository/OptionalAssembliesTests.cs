@@ -99,7 +99,7 @@ public sealed class OptionalAssembliesTests
     [TestCase("ArFoundation")]
     [TestCase("OpenXR")]
     [TestCase("OpenXRAnchoring")]
-    public void Sources_OfADevicesAssembly_AreTheSameOnAllPlatforms(string folder)
+    public void Sources_DeviceAssembly_AreEqualOnAllPlatforms(string folder)
     {
         var sources = RepositoryFiles.Under(RepositoryFiles.Package + "/Runtime/" + folder, ".cs").ToList();
 
@@ -110,7 +110,7 @@ public sealed class OptionalAssembliesTests
     [TestCase("Nowpose.ArFoundation")]
     [TestCase("Nowpose.OpenXR")]
     [TestCase("Nowpose.OpenXR.Anchoring")]
-    public void Project_OfADevicesAssembly_ReferencesItsDefinitionsAssembliesAndTheEngine(string project)
+    public void Project_DeviceAssembly_ReferencesItsAssembliesAndTheEngine(string project)
     {
         var text = XDocument.Parse(RepositoryFiles.Read("Headless/Package/" + project + ".csproj"));
         var definition = Definitions.Single(d => d.Name == project);

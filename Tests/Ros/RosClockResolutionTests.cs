@@ -59,7 +59,7 @@ public class RosClockResolutionTests
     }
 
     [Test]
-    public void Value_SeldomClockThatIsAskedSeldom_StaysForAsLongAsItIsAsked()
+    public void Value_RareUpdatesReadRarely_StaysConstant()
     {
         var resolution = new RosClockResolution();
         for (var second = 100; second < 700; second++)
@@ -70,7 +70,7 @@ public class RosClockResolutionTests
     }
 
     [Test]
-    public void Value_ClockThatStoodForAMoment_IsForgottenWithTheMeasurementAfterTheNext()
+    public void Value_BriefStandstill_ExpiresAfterTwoMeasurements()
     {
         var resolution = new RosClockResolution();
         static TimeSpan Shown(TimeSpan at) => at.TotalSeconds is > 110 and < 110.5 ? TimeSpan.FromSeconds(110) : Floored(at, 1);
@@ -83,14 +83,14 @@ public class RosClockResolutionTests
     }
 
     [Test]
-    public void IsKnown_FewAnswersOrNoWholeStandstill_IsNot()
+    public void IsKnown_FewAnswersOrIncompleteStandstill_IsFalse()
     {
         Assert.That(Asked(0.07, at => at).IsKnown, Is.False, "15 answers");
         Assert.That(Asked(0.3, at => Floored(at, 400)).IsKnown, Is.False, "one change at most");
     }
 
     [Test]
-    public void IsStopped_SimulationPaused_IsSaidAndDoesNotCountAsResolution()
+    public void IsStopped_SimulationPaused_IsReportedAndNotCountedAsResolution()
     {
         var resolution = new RosClockResolution();
         static TimeSpan Shown(TimeSpan at) => at.TotalSeconds is > 105 and < 115 ? TimeSpan.FromSeconds(105) : Floored(at, 1);

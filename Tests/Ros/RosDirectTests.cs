@@ -161,7 +161,7 @@ public class RosDirectTests
     }
 
     [Test]
-    public async Task Exchanges_SlowServer_AreOneAtATime()
+    public async Task Exchanges_SlowServer_AreSequential()
     {
         Start(RosFlavour.Ros1, before: TimeSpan.FromMilliseconds(120));
 

@@ -21,8 +21,8 @@ sealed class Controller
     double? _stoppedAt;
     double _standingSeconds;
 
-    /// <param name="ppm">How much faster than this machine's counter the controller's clock runs.</param>
-    /// <param name="uptimeSeconds">What the clock shows at the start.</param>
+    /// <param name="ppm">Rate of the controller's clock minus that of this machine's counter, ppm.</param>
+    /// <param name="uptimeSeconds">Time of the clock at the start.</param>
     public Controller(RobotModel robot, double ppm, double uptimeSeconds)
     {
         _robot = robot;
@@ -34,13 +34,13 @@ sealed class Controller
         _started = Stopwatch.GetTimestamp();
     }
 
-    /// <summary>Present time of the controller's clock, s.</summary>
+    /// <summary>Current time of the controller's clock, s.</summary>
     public double Now => _uptimeSeconds + Stopwatch.GetElapsedTime(_started).TotalSeconds * _rate;
 
-    /// <summary>How long this machine has to wait until the clock shows a time.</summary>
+    /// <summary>Returns the time on this machine until the clock shows a time.</summary>
     public TimeSpan Until(double timestamp) => TimeSpan.FromSeconds((timestamp - Now) / _rate);
 
-    /// <summary>The clock's zero and its rate by the monotonic counter of this machine, in ns.</summary>
+    /// <summary>Zero of the clock and its rate, relative to this machine's monotonic counter, in ns.</summary>
     public (double ZeroNs, double Rate) ClockLine =>
         (_uptimeSeconds * 1e9 - _started * (1e9 / Stopwatch.Frequency) * _rate, _rate);
 
@@ -48,7 +48,7 @@ sealed class Controller
 
     public RuntimeState Runtime { get; private set; } = RuntimeState.Playing;
 
-    /// <summary>Begins at zero again, as after the controller was switched off and on.</summary>
+    /// <summary>Restarts at zero, as after a power cycle of the controller.</summary>
     public void Restart()
     {
         _uptimeSeconds = 0;
@@ -58,14 +58,14 @@ sealed class Controller
         (Safety, Runtime) = (SafetyMode.Normal, RuntimeState.Playing);
     }
 
-    /// <summary>The arm stands, and its program too.</summary>
+    /// <summary>Stops the arm and its program.</summary>
     public void Stop(SafetyMode safety)
     {
         _stoppedAt ??= Now;
         (Safety, Runtime) = (safety, RuntimeState.Stopped);
     }
 
-    /// <summary>The motion goes on where it was stopped.</summary>
+    /// <summary>Continues the motion from where it was stopped.</summary>
     public void Resume()
     {
         if (_stoppedAt is { } since) _standingSeconds += Now - since;

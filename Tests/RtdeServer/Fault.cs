@@ -5,10 +5,10 @@ enum Fault
 {
     None,
 
-    /// <summary>The controller restarts: connections end, its clock begins at zero.</summary>
+    /// <summary>The controller restarts: connections end, and its clock restarts at zero.</summary>
     Restart,
 
-    /// <summary>The clock begins at zero, and connections stay.</summary>
+    /// <summary>The clock restarts at zero, but connections stay open.</summary>
     ClockBack,
 
     /// <summary>The arm and its program stop for safety.</summary>
@@ -17,16 +17,16 @@ enum Fault
     /// <summary>The program stops.</summary>
     ProgramStop,
 
-    /// <summary>The program runs again, and so does the arm.</summary>
+    /// <summary>The program and the arm run again.</summary>
     Resume,
 
     /// <summary>Protocol version 2 is not accepted.</summary>
     Version1,
 
-    /// <summary>Random bytes are sent without end.</summary>
+    /// <summary>The server sends random bytes continuously.</summary>
     Garbage,
 
-    /// <summary>Half a package is sent, and nothing more.</summary>
+    /// <summary>The server sends half a package and then nothing.</summary>
     HalfPackages,
 
     /// <summary>The controller does not have the field actual_q.</summary>
@@ -35,12 +35,12 @@ enum Fault
     /// <summary>The field actual_q has another type.</summary>
     WrongType,
 
-    /// <summary>Each tenth package is left out.</summary>
+    /// <summary>The server omits every tenth package.</summary>
     LostPackages,
 
-    /// <summary>Connections are taken, and nothing is answered.</summary>
+    /// <summary>The server accepts connections but does not answer.</summary>
     Silent,
 
-    /// <summary>A second client is sent away.</summary>
+    /// <summary>The server disconnects a second client.</summary>
     OneClient,
 }

@@ -1,6 +1,6 @@
 namespace Nowpose.RtdeServer;
 
-/// <summary>The fields that a client may write. The server answers for them and changes nothing by what is written.</summary>
+/// <summary>The fields that a client may write. The server accepts them but ignores their values.</summary>
 static class InputFields
 {
     static readonly Dictionary<string, string> Known = new()

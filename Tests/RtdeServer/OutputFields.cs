@@ -2,7 +2,7 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.RtdeServer;
 
-/// <summary>The fields that a client may ask for, with the types of UR's guide. What the server has no value for is zero.</summary>
+/// <summary>The fields that a client may request, with the types of UR's guide. Fields that the server does not simulate are zero.</summary>
 static partial class OutputFields
 {
     public const string NotFound = "NOT_FOUND";
@@ -39,7 +39,7 @@ static partial class OutputFields
         ["tool_output_voltage"] = Int32(_ => 24),
     };
 
-    /// <summary>Fields that are always zero here, by their type.</summary>
+    /// <summary>Names of the fields that are always zero, by type.</summary>
     static readonly Dictionary<string, string> Zero = new()
     {
         ["DOUBLE"] = "actual_execution_time actual_momentum actual_robot_current standard_analog_input0 standard_analog_input1 standard_analog_output0 "
@@ -61,7 +61,7 @@ static partial class OutputFields
     [GeneratedRegex(@"^(?:in|out)put_(bit|int|double)_register_(\d{1,3})$")]
     private static partial Regex Register();
 
-    /// <summary>The type as it stands in the answer to a recipe.</summary>
+    /// <summary>Name of the type in the answer to a recipe.</summary>
     public static string TypeOf(string name)
     {
         if (Known.TryGetValue(name, out var known)) return known.Type;

@@ -1,6 +1,6 @@
 namespace Nowpose.RtdeServer;
 
-/// <summary>Types of packages; each is a character of ASCII.</summary>
+/// <summary>Types of packages; each is an ASCII character.</summary>
 enum PackageType : byte
 {
     SetUpInputs = (byte)'I',

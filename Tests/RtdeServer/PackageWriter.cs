@@ -13,7 +13,7 @@ sealed class PackageWriter
 
     public PackageWriter(PackageType type) => _bytes[2] = (byte)type;
 
-    /// <summary>The package as it is sent.</summary>
+    /// <summary>Returns the complete package.</summary>
     public ReadOnlyMemory<byte> Finish()
     {
         BinaryPrimitives.WriteUInt16BigEndian(_bytes, checked((ushort)_length));
@@ -58,7 +58,7 @@ sealed class PackageWriter
         return this;
     }
 
-    /// <summary>The characters alone, without their count.</summary>
+    /// <summary>Writes the characters without their count.</summary>
     public PackageWriter Add(string text)
     {
         Encoding.ASCII.GetBytes(text, Room(text.Length));

@@ -5,14 +5,14 @@ using System.Text.RegularExpressions;
 using Nowpose.Kinematics;
 using Nowpose.RtdeServer;
 
-var port = new Option<int>("--port") { Description = "TCP port; 0 takes a free one", DefaultValueFactory = _ => 30004 };
+var port = new Option<int>("--port") { Description = "TCP port; 0: any free port", DefaultValueFactory = _ => 30004 };
 var series = new Option<string>("--series") { Description = "e (500 control cycles a second) or cb3 (125)", DefaultValueFactory = _ => "e" };
 series.AcceptOnlyFromAmong("e", "cb3");
 var rate = new Option<double?>("--rate") { Description = "Control cycles a second [default: those of the series]" };
 var robot = new Option<string>("--robot") { Description = "ur3e, ur5e, ur10e, ur16e or ur5", DefaultValueFactory = _ => "ur5e" };
 robot.AcceptOnlyFromAmong("ur3e", "ur5e", "ur10e", "ur16e", "ur5");
-var ppm = new Option<double>("--ppm") { Description = "How much faster than this machine's the controller's clock runs" };
-var uptime = new Option<double>("--uptime") { Description = "What the controller's clock shows at the start, in s", DefaultValueFactory = _ => 100 };
+var ppm = new Option<double>("--ppm") { Description = "Rate of the controller's clock minus that of this machine's clock" };
+var uptime = new Option<double>("--uptime") { Description = "Time of the controller's clock at the start, s", DefaultValueFactory = _ => 100 };
 var fault = new Option<Fault>("--fault") { Description = "What goes wrong: " + Names() };
 fault.CustomParser = result => Find(result.Tokens[0].Value) ?? Fault.None;
 fault.Validators.Add(result =>
@@ -57,7 +57,7 @@ static void Obey(RtdeServer server, Controller controller)
         Console.WriteLine($"done {line.Trim()}");
     }
 
-    // Started without an input it serves until it is stopped.
+    // Without an input, the server runs until it is stopped.
     Thread.Sleep(Timeout.Infinite);
 }
 
@@ -69,7 +69,7 @@ static void TellClock(Controller controller)
 
 static string Names() => string.Join(", ", Enum.GetValues<Fault>().Select(Name));
 
-// ClockBack is clock-back.
+// Converts ClockBack to clock-back.
 static string Name(Fault fault) => Regex.Replace(fault.ToString(), "(?<!^)(?=[A-Z0-9])", "-").ToLowerInvariant();
 
 static Fault? Find(string name) => Enum.GetValues<Fault>().Cast<Fault?>().FirstOrDefault(fault => Name(fault.Value) == name);

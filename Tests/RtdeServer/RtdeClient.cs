@@ -10,7 +10,7 @@ sealed class RtdeClient : IDisposable
     const int HeaderSize = 3;
     const byte OutputRecipe = 1;
 
-    /// <summary>Timeout after which a client that does not read counts as gone.</summary>
+    /// <summary>Time after which a client that does not read counts as disconnected.</summary>
     const int SendTimeoutMs = 1000;
 
     readonly Socket _socket;
@@ -30,7 +30,7 @@ sealed class RtdeClient : IDisposable
         socket.SendTimeout = SendTimeoutMs;
     }
 
-    /// <summary>Answers requests until the client goes.</summary>
+    /// <summary>Answers requests until the client disconnects.</summary>
     public async Task RunAsync()
     {
         var bytes = new byte[ushort.MaxValue];
@@ -48,15 +48,17 @@ sealed class RtdeClient : IDisposable
         }
         catch (Exception e) when (e is IOException or SocketException or ObjectDisposedException)
         {
-            // It has gone.
+            // The client has disconnected.
         }
     }
 
-    /// <summary>Sends the data of one control cycle, where the client has chosen it. Skips the cycle when the client has not taken the last ones.</summary>
+    /// <summary>
+    /// Sends the data of one control cycle if the client requested them. Skips the cycle if the client has not read the previous ones.
+    /// </summary>
     public void SendCycle(long cycle, RobotState state)
     {
         if (!_isStarted || _isBroken || cycle < _due) return;
-        // The same cycles for all clients of one frequency.
+        // All clients with the same frequency receive the same cycles.
         _due = (Math.Floor(cycle / _intervalTicks) + 1) * _intervalTicks;
         if (!_socket.Poll(0, SelectMode.SelectWrite)) return;
         var package = new PackageWriter(PackageType.Data);
@@ -106,7 +108,7 @@ sealed class RtdeClient : IDisposable
                 Send(new PackageWriter(type).Add(true));
                 break;
             case PackageType.Data or PackageType.TextMessage:
-                // Inputs change nothing here.
+                // The server ignores inputs.
                 break;
             default:
                 SendText($"unknown package type {(byte)type}");

@@ -30,10 +30,10 @@ sealed class RtdeServer
 
     public (uint Major, uint Minor, uint Bugfix, uint Build) Version { get; }
 
-    /// <summary>The fault that the server simulates at present.</summary>
+    /// <summary>The fault that the server currently simulates.</summary>
     public Fault Fault { get; private set; }
 
-    /// <summary>Any thread.</summary>
+    /// <summary>Starts or ends the simulation of a fault. Thread-safe.</summary>
     public void Apply(Fault fault)
     {
         switch (fault)
@@ -77,10 +77,10 @@ sealed class RtdeServer
         }
     }
 
-    /// <summary>Sends on this thread for ever.</summary>
+    /// <summary>Sends cycles on this thread until the server is disposed.</summary>
     public void RunCycles()
     {
-        // One step of the clock, and the number of the last cycle that was sent.
+        // Length of a cycle, and the number of the last cycle that was sent.
         var length = 1 / CyclesPerSecond;
         for (long last = 0; ; last = SendNext(last, length))
         {
@@ -97,8 +97,8 @@ sealed class RtdeServer
         return current < last - 1 ? current + 1 : last + 1;
     }
 
-    // What is sent is of the cycle that lasts; those that were missed are skipped, as by a controller that is busy.
-    /// <returns>The number of the cycle that is over.</returns>
+    // Sends the data of the current cycle and skips missed ones, like a busy controller.
+    /// <returns>The number of the completed cycle.</returns>
     long SendNext(long last, double length)
     {
         long cycle;

@@ -9,7 +9,7 @@ namespace Nowpose.Headless.Tests.Session;
 public class ExchangeAllocationTests
 {
     [Test]
-    public void Estimate_OfAFullHistory_AllocatesNothing()
+    public void Estimate_FullHistory_AllocatesNothing()
     {
         var estimator = new EnvelopeClockEstimator();
         var (up, down) = (NetworkProfile.BusyWifi.Up(1), NetworkProfile.BusyWifi.Down(2));

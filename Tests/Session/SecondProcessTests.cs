@@ -65,7 +65,7 @@ public class SecondProcessTests
     }
 
     [Test]
-    public async Task Headset_WrongPin_IsRefusedByTheHeadsetOnBothConnections()
+    public async Task Headset_WrongPin_RefusesBothConnections()
     {
         await StartAsync(CertificateFiles.Generate());
         var other = CertificatePin.Of(CertificateFiles.Generate());

@@ -67,7 +67,7 @@ public class MotionRecordingTests
     [TestCase("\uFEFFt,a,b\n10,0,1\n10.5,1,1\n12,4,-2", TestName = "Read_ByteOrderMark_IsTheSame")]
     [TestCase("t_s,a,b\n10,0,1\n10.5,1,1\n12,4,-2\n\n\n  \n", TestName = "Read_TrailingBlankLines_IsTheSame")]
     [TestCase("\"t\",\"a\",\"b\"\n 10, 0 ,1.0e0\n+10.5,1,1\n12,4,-2\n", TestName = "Read_QuotesAndBlanks_IsTheSame")]
-    public void Read_OtherSpelling(string content)
+    public void Read_OtherSpelling_IsTheSame(string content)
     {
         var recording = MotionRecording.Read(Write(content));
 
@@ -142,8 +142,8 @@ public class MotionRecordingTests
     [TestCase("t;a\n0;1\n1;2\n", ":1: first column is 't;a'")]
     [TestCase("t\n0\n1\n", ":1: no joint column")]
     [TestCase("t,a,\n0,1,2\n1,2,3\n", ":1: column 3 has no name")]
-    [TestCase("t,a,b,a\n0,1,2,3\n1,2,3,4\n", ":1: column 4: name 'a' stands twice")]
-    [TestCase("t,a,t\n0,1,2\n1,2,3\n", ":1: column 3: name 't' stands twice")]
+    [TestCase("t,a,b,a\n0,1,2,3\n1,2,3,4\n", ":1: column 4: name 'a' occurs twice")]
+    [TestCase("t,a,t\n0,1,2\n1,2,3\n", ":1: column 3: name 't' occurs twice")]
     [TestCase("t,a\n0,1\n1,\n", ":3: field 'a' is empty")]
     [TestCase("t,a\n0,1\n,2\n", ":3: field 't' is empty")]
     [TestCase("t,a\n0,1\n1,left\n2,3\n", ":3: field 'a': 'left' is not a number")]
@@ -151,8 +151,8 @@ public class MotionRecordingTests
     [TestCase("t,a\n0,NaN\n1,1\n", ":2: field 'a': 'NaN' is not a finite number")]
     [TestCase("t,a\n0,1\n1,1e999\n", ":3: field 'a': '1e999' is not a finite number")]
     [TestCase("t,a\n0,1\n-Infinity,1\n", ":3: field 't': '-Infinity' is not a finite number")]
-    [TestCase("t,a\n0,1\n2,2\n1,3\n", ":4: field t: '1' s is not after the row before")]
-    [TestCase("t_s,a\n0,1\n1,2\n\n1,3\n", ":5: field t_s: '1' s is not after the row before")]
+    [TestCase("t,a\n0,1\n2,2\n1,3\n", ":4: field t: '1' s is not later than the previous row")]
+    [TestCase("t_s,a\n0,1\n1,2\n\n1,3\n", ":5: field t_s: '1' s is not later than the previous row")]
     [TestCase("t,a\n0,1\n1,2,3\n", ":3: 3 fields; the header has 2")]
     [TestCase("t,a,b\n0,1,2\n1,2\n", ":3: 2 fields; the header has 3")]
     [TestCase("t,a\n0,1\n", "1 rows of data")]
@@ -165,10 +165,10 @@ public class MotionRecordingTests
     }
 
     [Test]
-    public void Read_MissingFile_IsNamed() => AssertRefused(Path.Combine(_folder, "none.csv"), "no such file");
+    public void Read_MissingFile_IsNamed() => AssertRefused(Path.Combine(_folder, "none.csv"), "file not found");
 
     [Test]
-    public void Read_MissingFolder_IsNamed() => AssertRefused(Path.Combine(_folder, "none", "none.csv"), "no such file");
+    public void Read_MissingFolder_IsNamed() => AssertRefused(Path.Combine(_folder, "none", "none.csv"), "file not found");
 
     [Test]
     public void Read_Folder_IsNamed() => AssertRefused(_folder, "is a folder");

@@ -84,7 +84,7 @@ public class SessionFileReaderTests
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"names\":[\"a\"],\"position\":[1]}", "field 'stamp_ns' is missing")]
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1.5,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[1]}", "field 'arrival_ns' 1.5 is not a whole number")]
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[null]}", "field 'position' element 1: null is not a finite number")]
-    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[1,2]}", "field 'position' 2 numbers; there must be 1")]
+    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[1,2]}", "field 'position' 2 numbers; it must have 1")]
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":\"a\",\"position\":[1]}", "field 'names' is not an array")]
     [TestCase("{\"kind\":\"frame\",\"start_ns\":1,\"joints\":7}", "field 'joints' is not an array")]
     [TestCase("{\"kind\":\"sync\",\"t1_ns\":1,\"t2_ns\":99999999999999999999,\"t3_ns\":1,\"t4_ns\":1}", "field 't2_ns' 99999999999999999999 is not a whole number (64 bits)")]
@@ -111,8 +111,8 @@ public class SessionFileReaderTests
         Assert.That(line.Dropped, Is.Null);
     }
 
-    [TestCase("500000000", "0", "field 'time_from_start_ns' of point 2 is not after the point before")]
-    [TestCase("[0.5,0.75]", "[0.5]", "field 'position' 1 numbers; there must be 2")]
+    [TestCase("500000000", "0", "field 'time_from_start_ns' of point 2 is not later than that of the previous point")]
+    [TestCase("[0.5,0.75]", "[0.5]", "field 'position' 1 numbers; it must have 2")]
     [TestCase("\"points\":[", "\"points\":[7,", "field 'points' 7 is not an object")]
     [TestCase("\"points\"", "\"dots\"", "field 'points' is missing")]
     public void Plan_Invalid_NamesTheField(string right, string wrong, string expected)

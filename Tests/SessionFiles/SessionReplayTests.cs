@@ -158,7 +158,7 @@ public class SessionReplayTests
         var run = await Run("replay", _path, option);
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors, Does.StartWith("nowpose: " + option.Split('=')[0] + ":").And.Contain("a recorded session has its own"));
+        Assert.That(run.Errors, Does.StartWith("nowpose: " + option.Split('=')[0] + ":").And.Contain("a recorded session contains this value"));
         Assert.That(run.Errors.Trim().Split('\n'), Has.Length.EqualTo(1));
     }
 

@@ -40,7 +40,7 @@ public sealed class ShaderStructureTests
 
     /// <summary>URP takes the first SubShader that has its tag or none.</summary>
     [TestCaseSource(nameof(Shipped))]
-    public void Shader_SubShaders_AreUrpsAndThenTheBuiltInPipelines(ShaderSource shader)
+    public void Shader_SubShaders_AreForUrpThenBuiltInPipeline(ShaderSource shader)
     {
         Assert.That(shader.SubShaders.Select(s => s.Pipeline), Is.EqualTo(new[] { "URP", "built-in" }));
         Assert.That(shader.SubShaders[0].Requirements, Is.EqualTo(new[] { "com.unity.render-pipelines.universal" }));

@@ -232,8 +232,8 @@ public sealed class CellActionsTests
         lone.SetNudgeMs(3);
         Run(0.1);
 
-        Assert.That(_cell.Messages, Has.Some.Contains("cell actions 'Buttons' find no session to act on; assign one"));
-        Assert.That(_cell.Messages, Has.Some.Contains("cell actions 'Buttons' find no ghost to act on; assign one"));
+        Assert.That(_cell.Messages, Has.Some.Contains("cell actions 'Buttons' have no session; assign one"));
+        Assert.That(_cell.Messages, Has.Some.Contains("cell actions 'Buttons' have no ghost; assign one"));
         Assert.That(lone.Opacity, Is.EqualTo(1));
     }
 }

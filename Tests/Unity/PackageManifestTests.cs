@@ -64,7 +64,7 @@ public sealed class PackageManifestTests
     }
 
     [Test]
-    public void Project_Dependencies_HoldThePackagesAtTheSameVersions()
+    public void Project_Dependencies_ContainThePackagesAtTheSameVersions()
     {
         var project = Dependencies(Project);
 

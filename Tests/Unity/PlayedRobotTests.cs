@@ -214,7 +214,7 @@ public class PlayedRobotTests
         rig.Bind(RobotFiles.Load("ur5"));
         rig.Bind(RobotFiles.Load("youbot"));
 
-        Assert.That(_cell.Messages.Single(), Does.Contain("'Plain' lacks a material").And.Contain("magenta"));
+        Assert.That(_cell.Messages.Single(), Does.Contain("'Plain' has no material").And.Contain("magenta"));
         Assert.That(_cell.Player.Logs.Single().Context, Is.SameAs(rig));
     }
 
@@ -256,19 +256,19 @@ public class PlayedRobotTests
         var finger = Below<FrameProbe>("Finger", gripper.transform).transform;
         gripper.With("_fingers", new List<GripperFinger> { new("gripper_finger_joint_l", finger) });
         _session.gameObject.SetActive(true);
-        var (least, greatest) = (1f, 0f);
+        var (min, max) = (1f, 0f);
 
         _cell.Run(12, _session, () =>
         {
             if (_session.Frame.State != PoseState.Current) return;
-            least = Math.Min(least, finger.localPosition.magnitude);
-            greatest = Math.Max(greatest, finger.localPosition.magnitude);
+            min = Math.Min(min, finger.localPosition.magnitude);
+            max = Math.Max(max, finger.localPosition.magnitude);
             var joint = _session.Robot.IndexOfMovingJoint("gripper_finger_joint_l");
             Assert.That(finger.localPosition.magnitude, Is.EqualTo(_session.Frame.Joints[joint]).Within(1e-6));
         });
 
-        Assert.That(least, Is.LessThan(0.0015));
-        Assert.That(greatest, Is.GreaterThan(0.0085));
+        Assert.That(min, Is.LessThan(0.0015));
+        Assert.That(max, Is.GreaterThan(0.0085));
     }
 
     [Test]
@@ -280,7 +280,7 @@ public class PlayedRobotTests
 
         var fault = _cell.Player.Logs.Single();
         Assert.That(fault.Type, Is.EqualTo(LogType.Error));
-        Assert.That(fault.Message, Does.Contain("'Lost Gripper'").And.Contain("assign one"));
+        Assert.That(fault.Message, Does.Contain("'Lost Gripper'").And.Contain("assign a rig"));
         Assert.That(fault.Context, Is.SameAs(gripper));
     }
 
@@ -296,7 +296,7 @@ public class PlayedRobotTests
         var said = _cell.Player.Logs.Single(l => l.Message.Contains("gripper"));
         Assert.That(said.Type, Is.EqualTo(LogType.Log));
         Assert.That(said.Message, Is.EqualTo(
-            "[Nowpose] gripper 'Virtual Gripper': robot 'youbot' has no moving joint 'left_joint' and no 'right_joint', so what that moves stays as it is"));
+            "[Nowpose] gripper 'Virtual Gripper': robot 'youbot' has no moving joint 'left_joint' and no 'right_joint', so its finger does not move"));
         Assert.That(said.Context, Is.SameAs(gripper));
     }
 

@@ -9,29 +9,30 @@ export const minSide = 56;
 /** Size of the blocks in which edges are searched, px; a finer position is not needed. */
 const block = 4;
 /** Maximum distance between edges of one code, in blocks: two cells, for codes of all sizes. */
-const gaps = [4, 6, 8, 11, 15];
+const gaps = [4, 5, 6, 7, 8, 9, 11, 13, 15];
 /** Connected edges up to this width, in gaps, are an edge or a cable of the scene, not a code. */
 const narrow = 1.3;
 /** Minimum steps of light at edges, of 255: from weak holograms in front of a bright scene up to LEDs in bright surroundings. */
-const edges = [6, 10, 16, 26];
+const edges = [6, 8, 10, 13, 16, 20, 26, 34];
 
 /**
  * Finds quads that may be codes, clockwise from any corner, in px: areas with many edges. The scene behind a hologram adds edges and
  * removes none, so the hologram is found in front of structured scenes, too.
  */
 export function candidatesIn(light: Mat): Quad[] {
-  const steps = stepsIn(light), binary = new cv.Mat(), closed = new cv.Mat(), quads: Quad[] = [];
-  for (const edge of edges) {
-    cv.threshold(steps, binary, edge, 255, cv.THRESH_BINARY);
-    for (const gap of gaps) {
-      const within = square(gap), across = square(Math.round(narrow * gap));
-      cv.morphologyEx(binary, closed, cv.MORPH_CLOSE, within);
-      cv.morphologyEx(closed, closed, cv.MORPH_OPEN, across);
-      quads.push(...quadsIn(closed));
-      for (const made of [within, across]) made.delete();
+  const steps = stepsIn(light), areas = new cv.Mat(), binary = new cv.Mat(), quads: Quad[] = [];
+  for (const gap of gaps) {
+    // Closing and opening commute with the threshold, so they are needed only once per gap.
+    const within = square(gap), across = square(Math.round(narrow * gap));
+    cv.morphologyEx(steps, areas, cv.MORPH_CLOSE, within);
+    cv.morphologyEx(areas, areas, cv.MORPH_OPEN, across);
+    for (const edge of edges) {
+      cv.threshold(areas, binary, edge, 255, cv.THRESH_BINARY);
+      quads.push(...quadsIn(binary));
     }
+    for (const made of [within, across]) made.delete();
   }
-  for (const made of [steps, binary, closed]) made.delete();
+  for (const made of [steps, areas, binary]) made.delete();
   return quads;
 }
 

@@ -1,7 +1,7 @@
 import { candidatesIn, minSide } from './candidates';
 import { cellLight } from './cellLight';
-import { centreOf, distance, scaled, sizeOf, type Quad } from './geometry';
-import { lightOf, type Grey, type Light } from './levels';
+import { centreOf, distance, scaled, sizeOf, turned, type Quad } from './geometry';
+import { brightened, lightOf, type Grey, type Light } from './levels';
 import { Matcher } from './match';
 import { cv } from './opencv';
 import type { Pattern } from './pattern';
@@ -12,6 +12,8 @@ export interface Found {
   kind: string;
   /** In px: the top left corner of the upright code, then clockwise. */
   corners: Quad;
+  /** Share of the steps of light between cells that are as expected, at most 1. */
+  share: number;
   /** Light of each cell without the scene behind it, row by row; linear, 1 is white. */
   levels: number[];
 }
@@ -23,22 +25,24 @@ const maxSide = 1.8 * minSide;
 
 /** Minimum light, 1 is white, and minimum share of agreeing steps of a code. */
 const minLight = 0.02, minShare = 0.6;
-/** Share of agreeing steps from which the search for this kind of code ends. */
-const minShareOfGood = 0.8;
+/** Share of agreeing steps from which nothing better is searched at a position. A code that is taken for another kind reaches up to 0.85. */
+const minShareOfCertain = 0.88;
+/** Minimum share of agreeing steps of a second code of one kind. A part of another object may resemble a code up to this share. */
+const minShareOfSecond = 0.8;
 /** Minimum agreement of a candidate before any refinement. */
 const minShareOfGuess = 0.1;
+/** Maximum distance between the corners of candidates that count as one, in cells. The search around a candidate covers it. */
+const maxDistanceOfSame = 0.5;
 
 interface Layer {
   factor: number;
   refiner: Refiner;
 }
 
-/** Finds one code of each kind in a picture. Starts at their last positions, because codes rarely move far in a series. */
+/** Finds all codes in a picture. The result depends on this picture alone, not on earlier ones. */
 export class Finder {
   readonly #pattern: Pattern;
   readonly #matcher: Matcher;
-  #last: Fit[] = [];
-  #lastSize = '';
 
   constructor(pattern: Pattern) {
     this.#pattern = pattern;
@@ -46,15 +50,9 @@ export class Finder {
   }
 
   find(grey: Grey): Found[] {
-    const size = `${grey.width}x${grey.height}`;
-    if (size !== this.#lastSize) this.#last = [];
-    this.#lastSize = size;
-    const light = lightOf(grey), picture = searched(light), layers = this.#layersOf(picture, picture.cols / grey.width);
+    const light = lightOf(grey), picture = searched(brightened(light));
     try {
-      let fits = this.#again(layers);
-      if (fits.length < this.#matcher.kinds.length) fits = this.#search(picture, layers, fits);
-      this.#last = fits.filter(isGood);
-      return fits.map(fit => this.#foundAs(fit, light));
+      return this.#search(picture, this.#layersOf(picture, picture.cols / grey.width)).map(fit => this.#foundAs(fit, light));
     } finally {
       picture.delete();
     }
@@ -74,33 +72,27 @@ export class Finder {
     return layers;
   }
 
-  /** Searches at and near the last positions. */
-  #again(layers: Layer[]): Fit[] {
-    return bestOfEach(this.#last.flatMap(last => {
-      const layer = layerFor(last.quad, layers);
-      return layer.refiner.guesses(scaled(last.quad, layer.factor)).filter(guess => guess.kind === last.kind)
-        .flatMap(guess => codesAt(guess, layer)).filter(isGood);
-    }));
-  }
-
-  /** Searches everywhere except at known codes, the most probable candidate first. */
-  #search(picture: Mat, layers: Layer[], known: Fit[]): Fit[] {
-    const fits = [...known], isKnown = (quad: Quad) => fits.some(fit => isGood(fit) && isWithin(quad, fit.quad));
-    const guesses = layers.length === 0 ? [] : candidatesIn(picture).map(quad => scaled(quad, 1 / layers[0].factor))
-      .filter(quad => !isKnown(quad)).flatMap(quad => {
-        const layer = layerFor(quad, layers);
-        return layer.refiner.guesses(scaled(quad, layer.factor)).map(guess => ({ guess, layer }));
-      }).filter(({ guess }) => guess.light >= minLight / 2 && guess.share > minShareOfGuess);
-    for (const { guess, layer } of guesses.sort((a, b) => b.guess.share - a.guess.share)) {
-      if (this.#matcher.kinds.every((_, kind) => fits.some(fit => fit.kind === kind && isGood(fit)))) break;
-      if (!isKnown(inPicture(guess, layer).quad)) fits.push(...codesAt(guess, layer));
+  /** Refines all candidates, the most probable one first. */
+  #search(picture: Mat, layers: Layer[]): Fit[] {
+    if (layers.length === 0) return [];
+    const candidates = distinct(candidatesIn(picture), this.#pattern.side).map(quad => {
+      const found = scaled(quad, 1 / layers[0].factor), layer = layerFor(found, layers);
+      return { layer, starts: layer.refiner.startsAt(scaled(found, layer.factor)) };
+    });
+    const fits: Fit[] = [], isKnown = (quad: Quad, { factor }: Layer) =>
+      fits.some(fit => isCertain(fit) && isWithin(scaled(quad, 1 / factor), fit.quad));
+    for (const { layer, starts } of candidates.sort((a, b) => b.starts[0].share - a.starts[0].share)) {
+      if (isKnown(starts[0].quad, layer)) continue;
+      for (const guess of layer.refiner.guesses(starts))
+        if (guess.light >= minLight / 2 && guess.share > minShareOfGuess && !isKnown(guess.quad, layer)) fits.push(...codesAt(guess, layer));
     }
-    return bestOfEach(fits);
+    const codes = bestOfEach(fits);
+    return codes.filter(fit => codes.every(other => other.kind !== fit.kind || other === fit || isMoreThanResemblance(fit, other)));
   }
 
-  #foundAs({ kind, quad }: Fit, light: Light): Found {
+  #foundAs({ kind, quad, share }: Fit, light: Light): Found {
     const name = this.#matcher.kinds[kind];
-    return { kind: name, corners: quad, levels: cellLight(light, quad, this.#pattern, this.#pattern.kinds[name]) };
+    return { kind: name, corners: quad, share, levels: cellLight(light, quad, this.#pattern, this.#pattern.kinds[name]) };
   }
 }
 
@@ -124,16 +116,29 @@ function codesAt(guess: Fit, layer: Layer): Fit[] {
   return fit.light >= minLight && fit.share >= minShare && layer.refiner.isClear(fit) ? [inPicture(fit, layer)] : [];
 }
 
-const isGood = (fit: Fit) => fit.share >= minShareOfGood;
+const isCertain = ({ share }: Fit) => share >= minShareOfCertain;
+
+/** Whether a fit is a code, although there is another fit of the same kind. */
+const isMoreThanResemblance = (fit: Fit, other: Fit) => fit.share >= minShareOfSecond || other.share < minShareOfSecond;
 
 /** Converts a fit from the pixels of its layer to those of the picture. */
 const inPicture = (fit: Fit, layer: Layer): Fit => ({ ...fit, quad: scaled(fit.quad, 1 / layer.factor) });
 
-/** Keeps the best fit of each kind. A fit to a part of a code agrees less than the fit to the whole code. */
+/** Keeps the best fit at each position. A fit to a part of a code agrees less than the fit to the whole code. */
 function bestOfEach(fits: Fit[]): Fit[] {
   const kept: Fit[] = [];
-  for (const fit of fits.sort((a, b) => b.share - a.share))
-    if (kept.every(other => other.kind !== fit.kind && !isWithin(fit.quad, other.quad))) kept.push(fit);
+  for (const fit of fits.sort((a, b) => b.share - a.share)) if (!kept.some(other => isWithin(fit.quad, other.quad))) kept.push(fit);
+  return kept;
+}
+
+/** Keeps one of several candidates with nearly the same corners, in any order of the corners. */
+function distinct(quads: Quad[], side: number): Quad[] {
+  const kept: Quad[] = [];
+  for (const quad of quads) {
+    const near = maxDistanceOfSame * sizeOf(quad) / side;
+    const isSame = (other: Quad) => [0, 1, 2, 3].some(turns => turned(other, turns).every((p, i) => distance(p, quad[i]) <= near));
+    if (!kept.some(isSame)) kept.push(quad);
+  }
   return kept;
 }
 

@@ -48,9 +48,9 @@ export function grownBy(q: Quad, factor: number): Quad {
 }
 
 /** Whether the quad is convex and clockwise (y down), and its sides differ at most as much as those of a code seen at an angle. */
-export function isPlausible(q: Quad, least: number): boolean {
+export function isPlausible(q: Quad, minSide: number): boolean {
   const sides = q.map((p, i) => distance(p, q[(i + 1) & 3]));
-  if (Math.min(...sides) < least || Math.max(...sides) > 2.5 * Math.min(...sides)) return false;
+  if (Math.min(...sides) < minSide || Math.max(...sides) > 2.5 * Math.min(...sides)) return false;
   return q.every((p, i) => {
     const a = q[(i + 1) & 3], b = q[(i + 2) & 3];
     const turn = (a[0] - p[0]) * (b[1] - a[1]) - (a[1] - p[1]) * (b[0] - a[0]);

@@ -63,8 +63,8 @@ export function leastAbsolute(equations: Equations, count: number): Float64Array
       equations.setNormal(weights, normal.data64F, right.data64F);
       cv.solve(normal, right, found, cv.DECOMP_CHOLESKY);
       equations.setResiduals(found.data64F, residuals);
-      const least = Math.max(held, noise * medianOf(residuals.slice(), residuals.length));
-      for (let i = 0; i < weights.length; i++) weights[i] = 1 / Math.max(residuals[i], least);
+      const floor = Math.max(held, noise * medianOf(residuals.slice(), residuals.length));
+      for (let i = 0; i < weights.length; i++) weights[i] = 1 / Math.max(residuals[i], floor);
     }
     return found.data64F.slice();
   } finally {

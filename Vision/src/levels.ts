@@ -7,6 +7,13 @@ export interface Grey {
   data: Uint8Array;
 }
 
+/** Swaps left and right. */
+export function mirrored({ width, height, data }: Grey): Grey {
+  const swapped = new Uint8Array(data.length);
+  for (let row = 0; row < height; row++) swapped.set(data.subarray(row * width, (row + 1) * width).slice().reverse(), row * width);
+  return { width, height, data: swapped };
+}
+
 /** Converts a byte of a picture to linear light, 0 to 1. Cameras write sRGB. */
 export const lightOfByte = Float32Array.from({ length: 256 }, (_, v) => {
   const s = v / 255;
@@ -40,4 +47,17 @@ function lightAt({ width, height, data }: Light, x: number, y: number): number {
 export function lightThrough(picture: Light, { a, b, c, d, e, f, g, h }: Homography, u: number, v: number): number {
   const w = 1 / (g * u + h * v + 1);
   return lightAt(picture, (a * u + b * v + c) * w, (d * u + e * v + f) * w);
+}
+
+/** Light to which the brightest parts of a dark picture are raised, the share of the pixels that count as these, and the maximum factor. */
+const raisedTo = 0.5, brightest = 0.001, maxGain = 16;
+
+/** Brightens a dark picture, so that its codes are searched like those of a bright one. */
+export function brightened(light: Light): Light {
+  const steps = 1024, counts = new Uint32Array(steps + 1);
+  for (const value of light.data) counts[Math.floor(value * steps)]++;
+  let step = steps;
+  for (let above = 0; step > 0 && above < brightest * light.data.length; step--) above += counts[step];
+  const gain = Math.min(maxGain, raisedTo * steps / (step + 1));
+  return gain <= 1 ? light : { ...light, data: light.data.map(value => value * gain) };
 }

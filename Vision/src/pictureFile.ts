@@ -21,13 +21,13 @@ let isDecoding = false, isEncoding = false;
 export async function readPicture(path: string): Promise<Grey> {
   const bytes = readFileSync(path);
   if (bytes.length === 0) throw new Error('the file is empty');
-  if (!isPng(bytes) && !isJpeg(bytes)) throw new Error('it is neither a PNG nor a JPEG picture');
+  if (!isPng(bytes) && !isJpeg(bytes)) throw new Error('it is neither a PNG nor a JPEG picture: set the camera to JPEG, or convert it');
   checkSize(bytes);
   try {
     return greyOf(isPng(bytes) ? PNG.sync.read(bytes) : await readJpeg(bytes));
   } catch {
     // Decoders' errors do not help a user, and may have no message.
-    throw new Error('the picture is damaged or cut off');
+    throw new Error('the picture is damaged or incomplete');
   }
 }
 
@@ -61,9 +61,9 @@ function writePng(path: string, { width, height, data }: Grey): void {
   writeFileSync(path, PNG.sync.write(png, { colorType: 0, inputColorType: 0, deflateLevel: 1, filterType: 1 }));
 }
 
-/** Converts to Rec. 601 luma, the brightness that JPEG encodes. */
+/** Takes the brightest colour of each pixel. The luma of a red or blue LED would be a small part of its light. */
 function greyOf({ width, height, data }: { width: number; height: number; data: Uint8Array | Uint8ClampedArray }): Grey {
   const grey = new Uint8Array(width * height);
-  for (let i = 0, j = 0; i < grey.length; i++, j += 4) grey[i] = (77 * data[j] + 150 * data[j + 1] + 29 * data[j + 2]) >> 8;
+  for (let i = 0, j = 0; i < grey.length; i++, j += 4) grey[i] = Math.max(data[j], data[j + 1], data[j + 2]);
   return { width, height, data: grey };
 }

@@ -4,7 +4,7 @@ const maxMegapixels = 110;
 /** Throws if a PNG or JPEG file is too large according to its header, or is truncated. */
 export function checkSize(bytes: Buffer): void {
   const [width, height] = isPng(bytes) ? pngSize(bytes) : jpegSize(bytes);
-  if (width * height > maxMegapixels * 1e6) throw new Error(`${width}x${height} pixels are too many; at most ${maxMegapixels} megapixels are read`);
+  if (width * height > maxMegapixels * 1e6) throw new Error(`${width}x${height} pixels are too many; the maximum is ${maxMegapixels} megapixels`);
 }
 
 export const isPng = (bytes: Buffer) => bytes.subarray(0, 4).equals(Buffer.from([0x89, 0x50, 0x4e, 0x47]));
@@ -41,4 +41,4 @@ const isFrame = (marker: number) => marker >= 0xc0 && marker <= 0xcf && marker %
 
 const startOfScan = 0xda, endOfImage = Buffer.from([0xff, 0xd9]);
 
-const cutOff = () => new Error('the file is cut off');
+const cutOff = () => new Error('the file is incomplete');

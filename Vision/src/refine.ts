@@ -8,6 +8,11 @@ export interface Fit extends Agreement {
   kind: number;
 }
 
+/** A quad with the agreement of its outer edge. */
+export interface Start extends Agreement {
+  quad: Quad;
+}
+
 /** Starting points around a candidate: factors of its size, and shifts in cells. */
 const sizes = [0.8, 0.9, 1, 1.1, 1.2], shifts = [-1, 0, 1];
 /** Number of the best starting points that are refined. */
@@ -29,6 +34,9 @@ const inPlace = 0.3;
 /** Maximum distance in cells by which a corner is moved. Beyond it, the search would move to another code. */
 const maxDistance = 2.4;
 
+/** Share of agreeing steps below which a refinement ends early: none that became a code was below it after its first step. */
+const minShareOnTheWay = 0.35;
+
 /** Minimum lead of the best kind and orientation in the share of agreeing steps. Kinds differ in 0.08 of the steps. */
 const minLead = 0.02;
 
@@ -45,16 +53,22 @@ export class Refiner {
     this.#picture = picture;
   }
 
-  /** Returns the best fits of a candidate by its outer edge, the best first. */
-  guesses(candidate: Quad): Fit[] {
+  /** Returns the starting points around a candidate that agree best by their outer edge, the best first. */
+  startsAt(candidate: Quad): Start[] {
     const cell = sizeOf(candidate) / this.#matcher.side;
-    const outer = (quad: Quad) => ({ quad, ...this.#matcher.outerAgreement(this.#picture, quad) });
-    return sizes.flatMap(size => shifts.flatMap(x => shifts.map(y => outer(shiftedBy(grownBy(candidate, size), x * cell, y * cell)))))
-      .sort(byScore).slice(0, followed)
-      .map(start => outerSteps.reduce((best, step) => climb(best, step * cell, 2, outer), start))
-      .map(({ quad }) => this.#alternatives(quad, middle)[0])
-      .sort(byScore);
+    return sizes.flatMap(size => shifts.flatMap(x => shifts.map(y => this.#outer(shiftedBy(grownBy(candidate, size), x * cell, y * cell)))))
+      .sort(byScore).slice(0, followed);
   }
+
+  /** Moves the starting points to the best fit of their outer edge. Returns the best first. */
+  guesses(starts: Start[]): Fit[] {
+    return starts.map(start => {
+      const cell = sizeOf(start.quad) / this.#matcher.side;
+      return outerSteps.reduce((best, step) => climb(best, step * cell, 2, quad => this.#outer(quad)), start);
+    }).map(({ quad }) => this.#alternatives(quad, middle)[0]).sort(byScore);
+  }
+
+  #outer(quad: Quad): Start { return { quad, ...this.#matcher.outerAgreement(this.#picture, quad) }; }
 
   /** @param fit The assumed code. Its kind and orientation change only if another one agrees better at the refined position. */
   refine(fit: Fit): Fit {
@@ -75,6 +89,7 @@ export class Refiner {
     for (const [step, reach] of stepsToTake) {
       const at = (quad: Quad) => ({ quad, kind, ...this.#matcher.agreement(this.#picture, quad, kind, this.#reach(kind, reach)) });
       best = climb(at(best.quad), step * cell, 3, at, quad => quad.every((p, i) => distance(p, fit.quad[i]) <= maxDistance * cell));
+      if (best.share < minShareOnTheWay) break;
     }
     return isPlausible(best.quad, 5 * this.#matcher.side) ? best : fit;
   }

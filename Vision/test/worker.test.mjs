@@ -55,6 +55,23 @@ test('finds both codes in any orientation and reads their cells', async () => {
   }
 });
 
+test('finds all codes of a kind', async () => {
+  const second = { ...control, corners: square(400, 160, 76, -0.4) };
+
+  const [{ codes }] = await ask({ shot: shot([control, headset, second]) });
+
+  assert.deepEqual(codes.map(code => code.kind).sort(), ['Control', 'Control', 'Headset']);
+});
+
+test('recognises mirrored codes and reports none', async () => {
+  const mirrored = code => ({ ...code, corners: [1, 0, 3, 2].map(i => code.corners[i]) });
+
+  const [seen, upright, empty] = await ask({ shot: shot([mirrored(control), mirrored(headset)]) }, { shot: shot([control, headset]) }, { shot: shot([]) });
+
+  assert.deepEqual(seen.codes, []);
+  assert.deepEqual([seen, upright, empty].map(answer => answer.isMirrored), [true, false, false]);
+});
+
 test('finds and reads a weak hologram in front of scenes with equally bright edges', async () => {
   const weak = { ...headset, light: 0.25 };
   const answers = await ask(...Array.from({ length: 12 }, (_, scene) => ({ shot: { ...shot([weak]), scene, sceneLight: 0.9 } })));

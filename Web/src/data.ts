@@ -1,3 +1,5 @@
+import type { FigureData } from './paper/data';
+
 /** The report's data, as `ReportPage.Render` receives it. A null or absent section was not measured. */
 export interface Report {
   title?: string;
@@ -11,6 +13,9 @@ export interface Report {
   clock?: ClockData | null;
   latency?: LatencyData | null;
   range?: RangeData | null;
+  /** The paper's claims and figures of this run; null without `--paper`. */
+  claims?: ClaimData[] | null;
+  figures?: FigureData[] | null;
   playback?: PlaybackData | null;
 }
 
@@ -22,6 +27,16 @@ export interface SummaryRow {
   unit: string;
   uncompensated: Value;
   compensated: Value;
+}
+
+/** A claim of the paper with its number and ours, as text. */
+export interface ClaimData {
+  figure: string;
+  claim: string;
+  /** Empty where the paper gives no number. */
+  paper: string;
+  measured: string;
+  holds: boolean;
 }
 
 /** Seconds since start, millimetres. */

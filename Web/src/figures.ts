@@ -7,9 +7,9 @@ export const PAPER = 'https://doi.org/10.1007/s11740-022-01175-2';
 export interface FigureOptions {
   id: string;
   title: string;
-  /** What the reader should see, in one sentence. */
+  /** Statement that the figure shows, in one sentence. */
   claim: string;
-  /** Where in the paper: "Fig. 16". */
+  /** Place in the paper, for example "Fig. 16". */
   source: string;
 }
 

@@ -89,8 +89,8 @@ function barRange(traces: Trace[], fromZero: boolean): [number, number] {
     const half = deviation?.[i] ?? 0;
     return value == null ? [] : [value - half, value + half];
   }));
-  const least = Math.min(...ends, ...(fromZero ? [0] : [])), greatest = Math.max(...ends), pad = 0.08 * (greatest - least || 1);
-  return [fromZero && least >= 0 ? 0 : least - pad, greatest + pad];
+  const min = Math.min(...ends, ...(fromZero ? [0] : [])), max = Math.max(...ends), pad = 0.08 * (max - min || 1);
+  return [fromZero && min >= 0 ? 0 : min - pad, max + pad];
 }
 
 export function labelOf({ name, unit }: Quantity): string {

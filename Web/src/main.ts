@@ -1,10 +1,13 @@
 import 'uplot/dist/uPlot.min.css';
 import './report.css';
+import './paper/figures.css';
 import './robot/robot.css';
 import { hasPoints, readReport, type Report, type SummaryRow } from './data';
 import { el } from './dom';
 import { PAPER } from './figures';
 import { format } from './numbers';
+import { claimsSection } from './paper/claims';
+import { figureSection } from './paper/section';
 import { Playback } from './playback';
 import { Playhead } from './playhead';
 import { rangeSection } from './rangeSection';
@@ -39,6 +42,13 @@ function facts(report: Report): HTMLElement {
     el('div', { class: 'columns' }, table('Settings', report.settings), table('Measured', report.facts)));
 }
 
+/** Returns the paper's figures of this run, or the demo's own sections in their place. */
+function ofPaper(report: Report, playhead?: Playhead): HTMLElement[] {
+  if (!hasPoints(report.figures))
+    return [jointSection(report.joint, playhead), fieldSection(report.field), clockSection(report.clock, playhead)];
+  return [...hasPoints(report.claims) ? [claimsSection(report.claims!)] : [], ...report.figures!.map(figureSection)];
+}
+
 function page(report: Report): Node[] {
   const hint = 'Drag across a plot to zoom, double-click to reset, point at it to read values; '
     + 'with the keyboard: arrow keys, plus, minus and 0. Names in a legend switch signals on and off.';
@@ -49,9 +59,7 @@ function page(report: Report): Node[] {
       el('div', { class: 'first' }, overview(report), errorSection(report.error, playhead)),
       el('p', { class: 'hint' }, hint),
       playhead ? new Playback(report.playback!, playhead).element : null,
-      jointSection(report.joint, playhead),
-      fieldSection(report.field),
-      clockSection(report.clock, playhead),
+      ...ofPaper(report, playhead),
       latencySection(report.latency),
       report.range ? rangeSection(report.range, playhead) : null,
       facts(report)),

@@ -13,7 +13,7 @@ export function errorSection(error: ErrorData | null | undefined, playhead?: Pla
   const options: FigureOptions = {
     id: 'error',
     title: 'Tool error over time',
-    claim: 'Drawn as it arrives, the tool trails the robot; drawn where the robot will be when the light reaches the eye, it stays close.',
+    claim: 'Without compensation, the displayed tool lags behind the robot. With compensation, it stays close to the robot.',
     source: 'Sect. 3',
   };
   const traces = [
@@ -104,14 +104,14 @@ function errorExtent({ t, error_us: error }: ClockData): number {
 }
 
 function maxMagnitude(values: Value[]): number {
-  return values.reduce<number>((greatest, v) => Math.max(greatest, Math.abs(v ?? 0)), 0);
+  return values.reduce<number>((max, v) => Math.max(max, Math.abs(v ?? 0)), 0);
 }
 
 export function latencySection(latency: LatencyData | null | undefined): HTMLElement {
   const options: FigureOptions = {
     id: 'latency',
     title: latency?.label || 'Application latency',
-    claim: 'Latency is a spread, not a number: each sample is placed by the latency it was measured to have, not by their mean.',
+    claim: 'The latency varies: compensation uses the measured latency of each sample, not the mean.',
     source: 'Eq. 2',
   };
   if (!hasPoints(latency?.bin_ms)) return notMeasured(options);

@@ -48,6 +48,6 @@ export function statisticsTable(name: string, unit: string, rows: [string, Stati
     label, format(s?.count ?? 0), format(s?.min), format(s?.max), format(s?.rms), format(s?.p95)));
   return scrollable(caption, el('table', { class: 'numbers' },
     el('caption', {}, caption),
-    header('Signal', 'Points', 'Least', 'Greatest', 'RMS', '95 % within'),
+    header('Signal', 'Points', 'Minimum', 'Maximum', 'RMS', '95 % within'),
     el('tbody', {}, ...body)));
 }

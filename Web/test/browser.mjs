@@ -55,9 +55,9 @@ export class Browser {
   }
 
   /** Opens a page with `complaints`: console errors, exceptions and each request except the one for the page itself. */
-  async open(data, { fragment = '', ...options } = {}) {
+  async open(data, { fragment = '', name = this.name, ...options } = {}) {
     const file = join(this.folder, `${Math.random().toString(36).slice(2)}.html`);
-    writeFileSync(file, render(data, this.name));
+    writeFileSync(file, render(data, name));
     const address = pathToFileURL(file).href + fragment;
     const context = await this.browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
     const page = await context.newPage();

@@ -115,7 +115,7 @@ describe('the figures page', () => {
   it('lists the figures that an interrupted run did not compute', async () => {
     const page = await browser.open({ ...figures(), missing: ['12', '18'] });
 
-    assert.deepEqual(await texts(page, '.missing'), ['Not computed, the run was interrupted: Fig. 12, Fig. 18.']);
+    assert.deepEqual(await texts(page, '.missing'), ['Not computed, because the run was interrupted: Fig. 12, Fig. 18.']);
   });
 
   it('opens at the section that the address names', async () => {

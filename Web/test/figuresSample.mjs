@@ -15,7 +15,7 @@ function figure(number, title, verdict, more) {
     claim: `Over large parts of the range of T_s the quadratic predicts best.`,
     criteria: [
       { statement: 'The quadratic is the best of the three.', is_met: verdict !== 'does not hold', measured: 'best at 50 ms' },
-      { statement: 'It is the best below 50 ms as well.', is_met: verdict === 'holds', measured: 'the cubic is better at 10 ms' },
+      { statement: 'The quadratic is also the best below 50 ms.', is_met: verdict === 'holds', measured: 'the cubic is better at 10 ms' },
     ],
     beyond: null,
     conditions: 'Everything else as stated for all figures.',
@@ -33,7 +33,7 @@ export function figures() {
   const way = t => 500 * Math.min(1, Math.max(0, (t - 200) / 600));
   return {
     title: 'The paper\u2019s figures, recomputed',
-    subtitle: 'What it claims beside what we find.',
+    subtitle: 'The paper\u2019s claims beside the results of Nowpose\u2019s classes.',
     conditions: [['Sampling interval T_s', '50 ms'], ['Seed', '1']],
     missing: [],
     figures: [
@@ -57,7 +57,7 @@ export function figures() {
             trace('cubic', 'cubic', ms, [4, 7, 20, 58], { marked: true }), trace('adaptive', 'adaptive', ms, [4, 5, 11, 24], { marked: true })],
           { from_zero: true })],
       }),
-      figure('16', 'Swing', 'holds', { plots: [plot('Way on the circle', { name: 'time', unit: 'ms' }, { name: 'way on the circle', unit: 'mm' },
+      figure('16', 'Swing', 'holds', { plots: [plot('Distance on the circle', { name: 'time', unit: 'ms' }, { name: 'distance on the circle', unit: 'mm' },
         [trace('ground truth', 'truth', time, time.map(way)), trace('uncompensated', 'hold', time, time.map(t => way(t - 125)), { stepped: true }),
           trace('quadratic', 'quadratic', time, time.map(t => way(t - 10)))], { marks: [{ label: 'A', x: 300 }, { label: 'B', x: 500 }] })] }),
       figure('17', 'The arm at three moments', 'holds', { drawings: ['A', 'B', 'C'].map(m => (

@@ -117,7 +117,7 @@ describe('the playback of a report', () => {
   it('reports an invalid robot description, and everything else works', async () => {
     const page = await browser.open(withPlayback({ urdf: '</script><script>alert(1)</script>' }));
 
-    assert.match(await page.textContent('#playback .missing'), /no URDF/);
+    assert.match(await page.textContent('#playback .missing'), /not a URDF/);
     assert.equal(await page.locator('.plot').count(), 6);
     assert.deepEqual(page.complaints, []);
     await page.context().close();

@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, it } from 'node:test';
 import { Browser } from './browser.mjs';
 import { contrast, hasInk, luminance, settled } from './inks.mjs';
+import { figures } from './figuresSample.mjs';
 import { report } from './sample.mjs';
 
 const HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(2)>&lt;b&gt;"\'';
@@ -458,5 +459,36 @@ describe('any window and any text', () => {
 
     assert.equal(surface, '#ffffff');
     assert.ok(widths.every(w => w === 700), widths.join(', '));
+  });
+});
+
+describe('a report of the paper’s scenario', () => {
+  const ofPaper = () => ({
+    ...report(),
+    claims: [
+      { figure: '8', claim: 'The fitting error is less than 1 ms.', paper: '1 ms', measured: '0.3 ms', holds: true },
+      { figure: '16', claim: 'The signal follows.', paper: '', measured: '81 % ± 2 %', holds: false },
+    ],
+    figures: figures().figures.filter(f => f.number === '8' || f.number === '16'),
+  });
+
+  it('opens without an error and shows the paper’s figures in place of the demo’s sections', async () => {
+    const page = await browser.open(ofPaper());
+
+    assert.deepEqual(page.complaints, []);
+    const headings = await text(page, 'h2');
+    assert.ok(headings.includes('The paper’s claims and this run'));
+    assert.ok(headings.some(h => h.startsWith('Fig. 8')) && headings.some(h => h.startsWith('Fig. 16')));
+    assert.ok(!headings.includes('Clock synchronisation') && !headings.includes('Error field'));
+  });
+
+  it('shows each claim with both numbers and its verdict', async () => {
+    const page = await browser.open(ofPaper());
+
+    const rows = await page.locator('#claims tbody tr').evaluateAll(all => all.map(row => [...row.children].map(cell => cell.innerText)));
+    assert.deepEqual(plain(rows[0]), ['Fig. 8', 'The fitting error is less than 1 ms.', '1 ms', '0.3 ms', 'holds']);
+    assert.deepEqual(plain(rows[1]).slice(2), ['–', '81 % ± 2 %', 'does not hold']);
+    await page.locator('#claims a').first().click();
+    assert.match(page.url(), /#fig-8$/);
   });
 });

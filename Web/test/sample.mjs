@@ -31,7 +31,7 @@ export function report({ seconds = 20, fps = 60, seed = 1 } = {}) {
   const age = frames.map((t, i) => 1000 * (t - Math.floor((t - latency[Math.min(latency.length - 1, Math.floor(t * 20))]) * 20) / 20) + i % 7);
   const sync = range(seconds * 5, i => i / 5);
   const bins = range(24, i => 60 + 5 * i);
-  const greatest = v => v.reduce((a, b) => Math.max(a, b));
+  const maximum = v => v.reduce((a, b) => Math.max(a, b));
   const rms = v => Math.sqrt(v.reduce((a, b) => a + b * b, 0) / v.length);
 
   return {
@@ -41,7 +41,7 @@ export function report({ seconds = 20, fps = 60, seed = 1 } = {}) {
       ['visualisation latency', '40 ms'], ['seed', seed]],
     summary: [
       { label: 'Tool error, RMS', unit: 'mm', uncompensated: rms(hold), compensated: rms(compensated) },
-      { label: 'Tool error, greatest', unit: 'mm', uncompensated: greatest(hold), compensated: greatest(compensated) },
+      { label: 'Tool error, maximum', unit: 'mm', uncompensated: maximum(hold), compensated: maximum(compensated) },
       { label: 'Latency as seen', unit: 'ms', uncompensated: 125.4, compensated: 2.1 },
     ],
     facts: [['frames', frames.length], ['samples', 398], ['samples dropped', 2], ['clock offset error P95', '212 µs'],

@@ -252,15 +252,15 @@ describe('the page of the control clock\'s code', () => {
   it('asks for the gateway\'s token and does not keep it in address or storage', async () => {
     gateway = Object.assign(new StandIn(), { token: 'sesame' });
     const page = await open(await gateway.start());
-    await unsynchronised(page, 'asks for a token');
+    await unsynchronised(page, 'requires a token');
 
     await page.fill('#token input', 'guess');
     await page.press('#token input', 'Enter');
-    await unsynchronised(page, 'does not know this token');
+    await unsynchronised(page, 'refuses this token');
     // Longer than the interval between two exchanges.
     await page.waitForTimeout(600);
     assert.equal(gateway.refused, 2);
-    await unsynchronised(page, 'does not know this token');
+    await unsynchronised(page, 'refuses this token');
 
     await page.fill('#token input', 'sesame');
     await page.press('#token input', 'Enter');

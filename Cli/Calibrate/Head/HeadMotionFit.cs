@@ -6,7 +6,7 @@ namespace Nowpose.Cli.Calibrate.Head;
 /// <remarks>
 /// The hologram is where the control's code was a latency L ago: h(t) = a + (1 + b) c(t − L), where a is the distance of the codes and b
 /// comes from different distances to the camera. With the speed v of c: h − c = a + b c + k c² − (1 + b) L v. The square models the
-/// distortion of lens and display. Over a motion to and fro, v and c do not depend on each other.
+/// distortion of lens and display. Over a motion back and forth, v and c do not depend on each other.
 /// </remarks>
 static class HeadMotionFit
 {
@@ -51,26 +51,26 @@ static class HeadMotionFit
     static void RequireMotion(IReadOnlyList<HeadPicture> pictures)
     {
         if (pictures.Count < MinPictures)
-            throw new InputException($"{pictures.Count} pictures have neighbours close enough in time to give a speed; at least {MinPictures} are "
+            throw new InputException($"{pictures.Count} pictures are close enough in time to their neighbours to measure a speed; at least {MinPictures} are "
                 + "needed: film for ten seconds or more, with 25 pictures a second or more");
         var speed = Math.Sqrt(pictures.Average(picture => picture.Speed * picture.Speed));
         if (speed < MinSpeed)
             throw new InputException(FormattableString.Invariant(
-                $"the control's code moves at {speed:0} px/s in the pictures, at least {MinSpeed} px/s are needed: ")
-                + "turn headset and camera together, to and fro");
+                $"the control code moves at {speed:0} px/s in the pictures; at least {MinSpeed} px/s are needed: ")
+                + "turn headset and camera together to the left and right");
         HeadPicture[] fast = [.. pictures.Where(picture => Math.Abs(picture.Speed) > speed / 2)];
         var forward = fast.Count(picture => picture.Speed > 0) / (double)fast.Length;
         var turns = fast.Zip(fast.Skip(1)).Count(pair => Math.Sign(pair.First.Speed) != Math.Sign(pair.Second.Speed));
         if (turns < MinTurns || forward > MaxShareOfDirection || forward < 1 - MaxShareOfDirection)
-            throw new InputException($"the headset changes its direction {turns} times; turn it to and fro, at least twice each way");
+            throw new InputException($"the headset changes its direction {turns} times; turn it at least twice in each direction");
     }
 
     static void RequireWorldLocked(double scale)
     {
         if (scale is >= MinScale and <= MaxScale) return;
         throw new InputException(FormattableString.Invariant(
-            $"the hologram moves {scale:0.0} px where the control's code moves 1 px; it must stay beside it in the room: disable Body Follow, ")
-            + "and put the code as far away as the control's");
+            $"the hologram moves {scale:0.0} px where the control code moves 1 px; both must stay at the same place in the room: ")
+            + "disable Body Follow, and place the headset's code at the distance of the control code");
     }
 
     static List<HeadPicture> WithoutStrays(IReadOnlyList<HeadPicture> pictures)

@@ -20,7 +20,7 @@ static class HeadPage
         "Latency for head motion", Sentence(result),
         [
             ["Latency for head motion", $"{Ms(result.LatencyMs)} ± {Ms(result.UncertaintyMs)}"],
-            ["Age of the content (L_visu) in these pictures", Ms(result.VisuMs)],
+            ["L_visu in these pictures", Ms(result.VisuMs)],
             ["Pictures in motion", Count(result.Used.Count)],
             ["Pictures", Count(result.Pictures.Pictures.Count)],
             ["Rejected", Count(result.Pictures.Rejected)],
@@ -35,24 +35,24 @@ static class HeadPage
     static IEnumerable<string> WarningsOf(HeadResult result, LatencyProfile profile, DisplayConditions conditions)
     {
         if (profile == null)
-            yield return "no profile was written: give the profile of the still pictures (--profile), which gets the latency for head motion";
+            yield return "no profile was written: add --profile with the profile of the still pictures, to which the latency for head motion is added";
         if (conditions.Reprojection == ReprojectionMode.Unknown)
-            yield return "the reprojection mode is not known: say it (--reprojection), for the latency holds for that mode only";
+            yield return "the reprojection mode is unknown: state it with --reprojection, because the latency is valid for one mode only";
         if (result.UncertaintyMs > MaxUncertaintyMs)
             yield return FormattableString.Invariant($"the latency is uncertain by ± {result.UncertaintyMs:0.0} ms: ")
-                + "turn further or faster, or film longer";
+                + "turn farther or faster, or film longer";
         if (profile?.Visualisation.Length.TotalMilliseconds is double still && Math.Abs(still - result.VisuMs) > MaxVisuDifferenceMs)
-            yield return FormattableString.Invariant($"L_visu of the moving pictures is {result.VisuMs:0.0} ms, of the still ones {still:0.0} ms, ")
-                + "which stays in the profile: are both of the same settings and of little load?";
+            yield return FormattableString.Invariant($"L_visu of the moving pictures is {result.VisuMs:0.0} ms, of the still pictures {still:0.0} ms. ")
+                + "The profile keeps the latter. Check that both were taken with the same settings and a low load";
     }
 
     static string Sentence(HeadResult result) => string.Create(CultureInfo.InvariantCulture,
-        $"For head motion the picture is {result.LatencyMs:0.0} ms ± {result.UncertaintyMs:0.0} ms late (95 %), its content {result.VisuMs:0.0} ms.");
+        $"The latency for head motion is {result.LatencyMs:0.0} ms ± {result.UncertaintyMs:0.0} ms (95 %); L_visu is {result.VisuMs:0.0} ms.");
 
     static CalibrationSection OverSpeed(HeadResult result) => new(
         "Offset of the codes over the speed", null,
-        "The slope is the latency for head motion: a picture that is late by L lies the way of L behind. Without any correction for head "
-        + "motion it is L_visu less the time by which the runtime predicts the head's pose; a display that corrects fully has a level line.",
+        "The slope is the latency for head motion: at a latency L, the picture is behind by the distance that the head moves in L. Without any "
+        + "correction, the latency is L_visu minus the prediction time of the head's pose; with a full correction, the line is horizontal.",
         [new("Over the speed", new("speed of the control's code", "px/s"), new("headset's code minus control's code", "px"),
         [
             new(

@@ -36,7 +36,7 @@ static class HeadPictures
         return [.. Along(read, mean)];
     }
 
-    // A misread code goes back in time, or the pictures are out of order.
+    // The time of this code is not later than the previous one: a code was misread, or the pictures are out of order.
     static IEnumerable<PictureResult> InTime(IEnumerable<PictureResult> pictures)
     {
         PictureResult last = null;
@@ -56,7 +56,8 @@ static class HeadPictures
         for (var i = 0; i < read.Length; i++)
         {
             if (SpeedAt(i, seconds, places) is not double speed) continue;
-            // Both codes are seen at other times than the middle of the lit time; the headset's code is off by the picture's own deviation.
+            // The camera sees both codes at times other than the middle of the lit time. The headset's code is displaced by the deviation
+            // of the picture.
             var laterMs = read[i].Places.LaterMs - (read[i].VisuMs - visuMs);
             var offset = axis.LengthOf(read[i].Places.Headset, read[i].Places.Control) - speed * laterMs / 1000;
             yield return new HeadPicture(seconds[i], places[i], speed, offset);

@@ -12,7 +12,7 @@ static class NudgePage
     {
         var visuMs = result.Visualisation.Length.TotalMilliseconds;
         return new("L_visu by eye",
-            string.Create(CultureInfo.InvariantCulture, $"L_visu is {visuMs:0.0} ms ± {result.Spread.TotalMilliseconds:0.0} ms; the base is {result.OffsetMm:0.0} mm off along the motion."),
+            string.Create(CultureInfo.InvariantCulture, $"L_visu is {visuMs:0.0} ms ± {result.Spread.TotalMilliseconds:0.0} ms; the base is displaced by {result.OffsetMm:0.0} mm along the motion."),
             [
                 .. ProfileFacts.Of(profile),
                 ["L_visu used by the headset", Number(marks.ConfiguredMs) + " ms"], ["Speed", Number(marks.SpeedMmPerS) + " mm/s"],

@@ -51,7 +51,7 @@ static class PairTable
     {
         var index = Array.IndexOf(header, name);
         if (index < 0) throw new InputException($"{path}:1: no column {name}; the header must name {Render} and {Visu}");
-        return Array.LastIndexOf(header, name) == index ? index : throw new InputException($"{path}:1: column {name} stands twice");
+        return Array.LastIndexOf(header, name) == index ? index : throw new InputException($"{path}:1: column {name} occurs twice; remove one");
     }
 
     static MeasuredPicture Picture(CsvParser csv, string path, int render, int visu, int vertices, int file)
@@ -72,7 +72,7 @@ static class PairTable
     static double Number(CsvParser csv, string path, int column, string name) =>
         double.TryParse(csv[column], NumberStyles.Float, CultureInfo.InvariantCulture, out var value)
             ? value
-            : throw new InputException($"{path}:{csv.RawRow}: {name}: '{csv[column]}' is not a number of milliseconds (a point is the decimal sign)");
+            : throw new InputException($"{path}:{csv.RawRow}: {name}: '{csv[column]}' is not a number of milliseconds; the decimal separator is a point");
 
     static int Count(CsvParser csv, string path, int column) =>
         int.TryParse(csv[column], NumberStyles.None, CultureInfo.InvariantCulture, out var value) && value <= MaxVertices

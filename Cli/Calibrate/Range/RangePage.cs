@@ -18,10 +18,10 @@ static class RangePage
         {
             var (plot, table) = RangePlots.OverLoad(measured);
             yield return new("Render time and L_visu over the load", "Fig. 11a", "Median and middle 68 %. L_visu is constant up to a number of "
-                + "vertices that depends on the scene: the render time, which grows with it, is what the headset watches.", [plot], table);
+                + "vertices that depends on the scene. The headset monitors the render time, which increases with the load.", [plot], table);
         }
         yield return new("L_visu over the render time", "Fig. 11b", fit?.LimitRenderMs == null
-            ? "No limit was reached: L_visu is known to be constant only up to the greatest render time seen."
+            ? "The limit was not reached: L_visu is constant at least up to the longest measured render time."
             : "Left of the limit is the constant-latency range.", [RangePlots.OverRenderTime(measured, fit)]);
     }
 }

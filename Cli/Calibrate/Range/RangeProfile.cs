@@ -19,7 +19,7 @@ static class RangeProfile
     public static CalibrationPageData Page(
         string title, LatencyProfile profile, RangeFitResult fit, IReadOnlyList<MeasuredPicture> pictures, IEnumerable<string[]> more,
         IEnumerable<string> warnings = null) =>
-        new(title, Sentence(fit), [.. ProfileFacts.Of(profile), ["Pairs", Count(fit.Pairs)], ["Not of the plateau (misread, or behind a slow frame)", Count(fit.Rejected)], .. more])
+        new(title, Sentence(fit), [.. ProfileFacts.Of(profile), ["Pairs", Count(fit.Pairs)], ["Outside the plateau (misread, or behind a slow frame)", Count(fit.Rejected)], .. more])
         {
             Warnings = [.. warnings ?? [], .. WarningsOf(fit)],
             Sections = [.. RangePage.Sections(pictures, fit)],
@@ -28,7 +28,7 @@ static class RangeProfile
     static string Sentence(RangeFitResult fit) => fit.LimitRenderMs is double limit
         ? string.Create(CultureInfo.InvariantCulture, $"L_visu is {fit.VisuMs:0.0} ms ± {fit.SpreadMs:0.0} ms while the render time is below {limit:0.00} ms.")
         : string.Create(CultureInfo.InvariantCulture,
-            $"L_visu is {fit.VisuMs:0.0} ms ± {fit.SpreadMs:0.0} ms; limit not reached: known up to a render time of {fit.ValidToRenderMs:0.00} ms only.");
+            $"L_visu is {fit.VisuMs:0.0} ms ± {fit.SpreadMs:0.0} ms; limit not reached: constant at least up to a render time of {fit.ValidToRenderMs:0.00} ms.");
 
     static IEnumerable<string> WarningsOf(RangeFitResult fit)
     {
@@ -37,7 +37,7 @@ static class RangeProfile
                 + "extend the sweep to a higher load";
         if (fit.OpenToRenderMs is double open)
             yield return FormattableString.Invariant(
-                $"the limit may lie anywhere up to {open:0.00} ms, {fit.LimitRenderMs:0.00} ms is taken: sweep in finer steps around it");
+                $"the limit is between {fit.LimitRenderMs:0.00} ms, which is used, and {open:0.00} ms: sweep in finer steps around it");
     }
 
     static string Count(int count) => count.ToString(CultureInfo.InvariantCulture);

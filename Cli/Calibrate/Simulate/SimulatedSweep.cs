@@ -21,10 +21,10 @@ sealed class SimulatedSweep
     /// <summary>Number of frames before the first and after the last picture, so that each picture has neighbours.</summary>
     const int Margin = 12;
 
-    const int OrdinaryVertices = 300_000, GreatestVertices = SweepPlan.MaxVertices;
+    const int OrdinaryVertices = 300_000, MaxVertices = SweepPlan.MaxVertices;
 
     /// <summary>The real rate of displays sold as 60 Hz. Frames then begin at any fraction of a millisecond.</summary>
-    const double RefreshMs = 1000 / 59.94;
+    public const double RefreshMs = 1000 / 59.94;
 
     /// <summary>As written to the log: the display's nominal rate.</summary>
     const string Device = "simulated headset";
@@ -34,13 +34,14 @@ sealed class SimulatedSweep
 
     readonly SimulationSettings _settings;
     readonly int _framesPerPicture;
-    readonly List<ControlTime> _starts = [], _lights = [];
+    readonly List<PipelineFrame> _frames = [];
 
     public SimulatedSweep(SimulationSettings settings)
     {
         _settings = settings;
         _framesPerPicture = settings.HeadLatencyMs.HasValue ? FramesPerVideoPicture : FramesPerPicture;
-        var pipeline = new DisplayPipeline(settings.Seed, new DisplayPipelineSettings(refreshMs: RefreshMs, plateauMs: settings.VisuMs));
+        var display = settings.Display ?? new DisplayPipelineSettings(refreshMs: RefreshMs, plateauMs: settings.VisuMs);
+        var pipeline = new DisplayPipeline(settings.Seed, display);
         var frames = settings.Pictures * _framesPerPicture + 2 * Margin;
         var rows = new List<SweepRow>(frames);
         var rendered = new Queue<PipelineFrame>();
@@ -52,9 +53,8 @@ sealed class SimulatedSweep
             // The render time available to a frame is that of the newest frame that the GPU has finished.
             for (; rendered.TryPeek(out var oldest) && oldest.Done <= frame.Start; rendered.Dequeue()) renderMs = oldest.RenderTime.TotalMilliseconds;
             rendered.Enqueue(frame);
-            _starts.Add(Beginning + frame.Start);
-            _lights.Add(Beginning + frame.Start + frame.Visualisation);
-            rows.Add(new SweepRow(_starts[i], vertices, renderMs, RenderTimeSourceKind.DisplayGpuTime, Device, DisplayHz));
+            _frames.Add(frame);
+            rows.Add(new SweepRow(StartOf(i), vertices, renderMs, RenderTimeSourceKind.DisplayGpuTime, Device, DisplayHz));
         }
         Rows = rows;
         var random = new RandomStream(settings.Seed, purpose: 1);
@@ -66,13 +66,13 @@ sealed class SimulatedSweep
     /// <summary>One entry per picture.</summary>
     public IReadOnlyList<SimulatedMoment> Moments { get; }
 
-    public ControlTime StartOf(int frame) => _starts[frame];
+    public ControlTime StartOf(int frame) => Beginning + _frames[frame].Start;
 
     /// <summary>Gets the middle of the time in which a frame is lit.</summary>
-    public ControlTime LightOf(int frame) => _lights[frame];
+    public ControlTime LightOf(int frame) => StartOf(frame) + _frames[frame].Visualisation;
 
     /// <summary>Gets L_visu by Eq. (7) from the true times, ms.</summary>
-    public double VisuMsOf(SimulatedMoment moment) => (moment.Middle - _starts[moment.Frame]).TotalMilliseconds;
+    public double VisuMsOf(SimulatedMoment moment) => (moment.Middle - StartOf(moment.Frame)).TotalMilliseconds;
 
     /// <summary>Gets the share of each frame's light that a picture receives, relative to the maximum that a frame can give.</summary>
     /// <param name="middle">Middle of the exposure of the requested row.</param>
@@ -80,12 +80,11 @@ sealed class SimulatedSweep
     {
         var half = TimeSpan.FromMilliseconds(moment.ExposureMs / 2);
         var lit = TimeSpan.FromMilliseconds(_settings.LitMs / 2);
-        for (var frame = Math.Max(0, moment.Frame - 3); frame < Math.Min(_starts.Count, moment.Frame + 4); frame++)
+        for (var frame = Math.Max(0, moment.Frame - 3); frame < Math.Min(_frames.Count, moment.Frame + 4); frame++)
         {
-            // Of two frames for the same refresh, only the later one is shown.
-            if (frame + 1 < _lights.Count && _lights[frame + 1] - _lights[frame] < lit) continue;
-            var from = Later(middle - half, _lights[frame] - lit);
-            var to = Earlier(middle + half, _lights[frame] + lit);
+            if (IsReplaced(frame)) continue;
+            var from = Later(middle - half, LightOf(frame) - lit);
+            var to = Earlier(middle + half, LightOf(frame) + lit);
             if (to > from) yield return (frame, (to - from).TotalMilliseconds / Math.Min(moment.ExposureMs, _settings.LitMs));
         }
     }
@@ -93,16 +92,18 @@ sealed class SimulatedSweep
     SimulatedMoment MomentOf(int picture, RandomStream random)
     {
         var frame = Margin + picture * _framesPerPicture + (int)(random.Next() * _framesPerPicture);
-        while (frame + 1 < _lights.Count && _lights[frame + 1] - _lights[frame] < TimeSpan.FromMilliseconds(_settings.LitMs / 2)) frame++;
+        while (IsReplaced(frame)) frame++;
         var exposure = 1 + (_settings.ExposureMs - 1) * random.Next();
-        return new SimulatedMoment(_lights[frame] + TimeSpan.FromMilliseconds(_settings.LitMs * (random.Next() - 0.5)), exposure, frame);
+        return new SimulatedMoment(LightOf(frame) + TimeSpan.FromMilliseconds(_settings.LitMs * (random.Next() - 0.5)), exposure, frame);
     }
+
+    bool IsReplaced(int frame) => frame + 1 < _frames.Count && _frames[frame].IsReplacedBy(_frames[frame + 1]);
 
     int VerticesOf(int frame, int frames)
     {
         if (_settings.LoadSteps == 0) return OrdinaryVertices;
         var step = (int)((long)frame * (_settings.LoadSteps + 1) / frames);
-        return (int)((long)GreatestVertices * step / _settings.LoadSteps);
+        return (int)((long)MaxVertices * step / _settings.LoadSteps);
     }
 
     static ControlTime Earlier(ControlTime a, ControlTime b) => a < b ? a : b;

@@ -52,10 +52,10 @@ sealed class SimulationCheck
     /// <summary>Gets the result as text, one line each.</summary>
     public IEnumerable<string> Lines()
     {
-        yield return Text($"{Pictures} pictures, {Read} read ({100 * ReadOfGood:0.0} % of those that nothing is wrong with), {Misread} misread by more than {MisreadMs} ms");
+        yield return Text($"{Pictures} pictures, {Read} read ({100 * ReadOfGood:0.0} % of those without a defect), {Misread} misread by more than {MisreadMs} ms");
         yield return Text($"error of L_visu: mean {MeanErrorMs:0.000} ms, P95 {ErrorP95Ms:0.000} ms");
         foreach (var group in _pictures.Values.GroupBy(picture => picture.SpoiledBy).OrderBy(group => group.Key, StringComparer.Ordinal))
-            yield return Text($"{(group.Key.Length == 0 ? "nothing wrong" : group.Key)}: {group.Count()} pictures, {group.Count(picture => picture.Result.IsRead)} read");
+            yield return Text($"{(group.Key.Length == 0 ? "no defect" : group.Key)}: {group.Count()} pictures, {group.Count(picture => picture.Result.IsRead)} read");
         foreach (var fault in _pictures.Values.Where(picture => !picture.Result.IsRead).GroupBy(picture => picture.Result.Fault).OrderByDescending(fault => fault.Count()))
             yield return Text($"rejected: {fault.Key}: {fault.Count()}");
         foreach (var (result, error, spoiledBy) in Wrong().Take(20)) yield return Text($"misread: picture {result.File} by {error:0.0} ms{(spoiledBy.Length == 0 ? "" : ", " + spoiledBy)}");

@@ -1,3 +1,5 @@
+using Nowpose.Simulation;
+
 namespace Nowpose.Cli.Calibrate.Simulate;
 
 /// <summary>Settings of simulated pictures. Times in ms.</summary>
@@ -7,6 +9,9 @@ sealed record SimulationSettings
 
     /// <summary>L_visu while frames are ready in time.</summary>
     public double VisuMs { get; init; } = 40;
+
+    /// <summary>The simulated display; null for one with <see cref="VisuMs"/> and the real rate of displays sold as 60 Hz.</summary>
+    public DisplayPipelineSettings Display { get; init; }
 
     /// <summary>Share of the pictures that have a defect.</summary>
     public double Spoiled { get; init; } = 0.02;

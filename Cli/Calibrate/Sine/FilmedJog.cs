@@ -35,12 +35,12 @@ static class FilmedJog
     }
 
     static PictureBox Required(PictureBox? box, string option) => box ?? throw new InputException(
-        $"{option} is missing: of a video, both patches must be marked in its first picture, as X,Y,WIDTH,HEIGHT in px");
+        $"{option} is missing: for a video, mark both patches in its first picture, as X,Y,WIDTH,HEIGHT in px");
 
     static void RequireWithin(PictureBox box, int width, int height, string option)
     {
         if (box.X + box.Width <= width && box.Y + box.Height <= height) return;
-        throw new InputException($"{option}: {box.X},{box.Y},{box.Width},{box.Height} px reaches out of the picture of {width}x{height} px");
+        throw new InputException($"{option}: {box.X},{box.Y},{box.Width},{box.Height} px is not inside the picture of {width}x{height} px; choose a smaller box");
     }
 
     static void RequireSeen(IReadOnlyList<TrackedPlace> places, string path, int frame)
@@ -49,7 +49,7 @@ static class FilmedJog
             if (!(places[i].Score >= MinScore))
                 throw new InputException(FormattableString.Invariant(
                     $"{path}: picture {frame}: the {(i == 0 ? "robot's" : "hologram's")} patch is lost (match {places[i].Score:0.00}, at least {MinScore} is needed); ")
-                    + "mark one with more contrast, or film a shorter way");
+                    + "mark a patch with more contrast, or film a shorter motion");
     }
 
     /// <summary>Gets the direction in which the robot moves most, as a unit vector.</summary>

@@ -13,7 +13,7 @@ static class HeldSteps
     /// <param name="heldMs">T_s, ms.</param>
     /// <param name="pictureMs">The camera's interval, ms.</param>
     /// <param name="pictures">Number of pictures.</param>
-    public static double GreatestErrorMs(double heldMs, double pictureMs, int pictures) => Enumerable.Range(0, Starts)
+    public static double MaxErrorMs(double heldMs, double pictureMs, int pictures) => Enumerable.Range(0, Starts)
         .Max(start => Math.Abs(MeanAge(heldMs, pictureMs, pictures, start * pictureMs / Starts) - heldMs / 2));
 
     static double MeanAge(double heldMs, double pictureMs, int pictures, double startMs) =>

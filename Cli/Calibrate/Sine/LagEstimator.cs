@@ -30,7 +30,7 @@ static class LagEstimator
         RequireMotion(tracks.Robot, "the robot");
         RequireMotion(tracks.Shown, "the hologram");
         if (tracks.Shown.Length < 3 * last) throw new InputException(FormattableString.Invariant(
-            $"recording: {tracks.Shown.Length * tracks.Interval:0.0} s are too short to look for lags up to {MaxLag} s; record ten seconds"));
+            $"recording: {tracks.Shown.Length * tracks.Interval:0.0} s are too short to find lags up to {MaxLag} s; record at least ten seconds"));
         int from = Math.Max(0, last), to = tracks.Shown.Length + Math.Min(0, first);
         var correlations = Enumerable.Range(first, last - first + 1).Select(lag => ShiftFit.Of(tracks, lag, from, to, 0).Correlation).ToArray();
         var peak = Array.IndexOf(correlations, correlations.Max());
@@ -50,7 +50,7 @@ static class LagEstimator
     static void RequireMotion(double[] positions, string what)
     {
         if (positions.Max() - positions.Min() > 0) return;
-        throw new InputException($"recording: {what} does not move; jog a joint to and fro while it is filmed");
+        throw new InputException($"recording: {what} does not move; jog a joint back and forth while it is filmed");
     }
 
     static void Check(double[] correlations, int peak, int first, double interval)
@@ -58,7 +58,7 @@ static class LagEstimator
         if (correlations[peak] < MinCorrelation)
             throw new InputException(FormattableString.Invariant(
                 $"recording: the hologram does not follow the robot: correlation {correlations[peak]:0.00}, at least {MinCorrelation} is needed; ")
-                + "check the columns, and whether one of them counts backwards (--inverted)");
+                + "check the columns; if one of them counts in the opposite direction, add --inverted");
         if (peak == 0 || peak == correlations.Length - 1)
             throw new InputException(FormattableString.Invariant(
                 $"recording: the best lag lies at or beyond {(first + peak) * interval * 1000:0} ms; allowed are {MinLag * 1000:0} to {MaxLag * 1000:0} ms; check both clocks"));
@@ -67,7 +67,7 @@ static class LagEstimator
             var isPeak = correlations[i] >= correlations[i - 1] && correlations[i] >= correlations[i + 1];
             if (!isPeak || Valley(correlations, i, peak) > Ambiguous * correlations[i] || correlations[i] < Ambiguous * correlations[peak] || i == peak) continue;
             throw new InputException(FormattableString.Invariant(
-                $"recording: the motion repeats after {Math.Abs(peak - i) * interval:0.00} s, so the lag is ambiguous; jog slower, a period of 2 s or more"));
+                $"recording: the motion repeats after {Math.Abs(peak - i) * interval:0.00} s, so the lag is ambiguous; jog more slowly, with a period of 2 s or more"));
         }
     }
 

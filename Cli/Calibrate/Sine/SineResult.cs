@@ -12,7 +12,7 @@ sealed record SineResult(SineTracks Tracks, LagEstimate Lag, SineWay Way)
     public double DeviationMs => Math.Sqrt(Lag.Deviation * Lag.Deviation * 1e6 + StepsMs * StepsMs / 3);
 
     /// <summary>Maximum difference between T_s/2 and the mean age of the positions that the pictures show, ms.</summary>
-    public double StepsMs => Way.HeldMs is double held ? HeldSteps.GreatestErrorMs(held, 1000 * Tracks.Interval, Tracks.Shown.Length) : 0;
+    public double StepsMs => Way.HeldMs is double held ? HeldSteps.MaxErrorMs(held, 1000 * Tracks.Interval, Tracks.Shown.Length) : 0;
 
     /// <summary>L_visu, or null if it was not requested.</summary>
     public double? VisuMs => TotalMs - Way.KnownMs;

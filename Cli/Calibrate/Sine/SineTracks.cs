@@ -34,7 +34,7 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
         var names = columns?.Split(',', StringSplitOptions.TrimEntries);
         if (names == null && recording.Names.Count == 2) return (0, 1);
         if (names?.Length != 2)
-            throw new InputException($"{path}: {recording.Names.Count} columns after the time; name the robot's and the hologram's: --columns ROBOT,HOLOGRAM");
+            throw new InputException($"{path}: {recording.Names.Count} columns after the time; name the columns of robot and hologram with --columns ROBOT,HOLOGRAM");
         return (IndexOf(recording, path, names[0], "--columns"), IndexOf(recording, path, names[1], "--columns"));
     }
 
@@ -79,7 +79,7 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
         var count = (int)Math.Floor((end - start) / interval + 1e-6) + 1;
         if (!(end > start) || count < MinInstants)
             throw new InputException(FormattableString.Invariant(
-                $"{path}: {Math.Max(0, count)} pictures in which both are seen; at least {MinInstants} are needed, better ten seconds"));
+                $"{path}: {Math.Max(0, count)} pictures show both robot and hologram; at least {MinInstants} are needed, and ten seconds are better"));
         double[] times = [.. Enumerable.Range(0, count).Select(i => start + i * interval)];
         return new SineTracks(start, interval, [.. times.Select(robot)], [.. times.Select(shown)]);
     }

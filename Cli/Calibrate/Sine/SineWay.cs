@@ -16,7 +16,7 @@ sealed record SineWay(double? KnownMs, string Words, double? HeldMs = null)
                 FormattableString.Invariant($"compensated: the remaining lag is the error of the {configured:0.##} ms that the headset used"));
         if (applicationMs is double application)
             return new(application + samplingMs / 2,
-                FormattableString.Invariant($"not compensated: L_app {application:0.##} ms and half of T_s, {samplingMs / 2:0.##} ms, are taken off"), samplingMs);
+                FormattableString.Invariant($"not compensated: L_app {application:0.##} ms and half of T_s, {samplingMs / 2:0.##} ms, are subtracted"), samplingMs);
         return new(null, "the total latency only");
     }
 }

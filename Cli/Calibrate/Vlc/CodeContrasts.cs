@@ -7,7 +7,7 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// <remarks>The ring shows how bright a lit cell is. The two cells of a pair together have that brightness for every code.</remarks>
 sealed class CodeContrasts
 {
-    /// <summary>Maximum deviation of a pair's mean, relative to the light. A pair beyond it is covered or overexposed.</summary>
+    /// <summary>Maximum deviation of a pair's mean, relative to the light. A darker pair is covered, a brighter one overexposed.</summary>
     const double MaxDeviation = 0.45;
 
     readonly double[] _contrasts = new double[TimestampCode.PairCount];
@@ -16,20 +16,24 @@ sealed class CodeContrasts
     {
         Light = Enumerable.Range(0, TimestampCode.CellCount).Where(cell => TimestampCode.IsRing(cell) && TimestampCode.IsLitRing(cell, code.Kind))
             .Average(cell => code.Levels[cell]);
+        int covered = 0, overexposed = 0;
         for (var pair = 0; pair < TimestampCode.PairCount; pair++)
         {
             var cell = TimestampCode.CellOf(pair);
             double left = code.Levels[cell], right = code.Levels[cell + 1];
             _contrasts[pair] = (left - right) / Light;
-            if (Math.Abs((left + right - Light) / 2) > MaxDeviation * Light) Covered++;
+            var deviation = (left + right - Light) / 2;
+            if (deviation < -MaxDeviation * Light) covered++;
+            if (deviation > MaxDeviation * Light) overexposed++;
         }
+        if (covered + overexposed > 0) Fault = covered >= overexposed ? "partly covered" : "overexposed, or with a reflection on it";
     }
 
     /// <summary>Brightness of a lit cell; 1 is white.</summary>
     public double Light { get; }
 
-    /// <summary>Number of pairs that are too bright or too dark for one lit and one dark cell.</summary>
-    public int Covered { get; }
+    /// <summary>Gets the reason why the code cannot be read: pairs too dark or too bright for one lit and one dark cell; null if there is none.</summary>
+    public string Fault { get; }
 
     public double this[int pair] => _contrasts[pair];
 

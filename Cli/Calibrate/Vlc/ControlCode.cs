@@ -31,7 +31,7 @@ static class ControlCode
     /// <returns>The time at the middle of the exposure, as the mean of the shown codes.</returns>
     public static Reading Read(CodeContrasts contrasts, double[] delaysMs)
     {
-        if (contrasts.Covered > 0) return Reading.Not("partly covered");
+        if (contrasts.Fault is string fault) return Reading.Not(fault);
         var mask = 0;
         for (var pair = 0; pair < TimestampCode.PairCount; pair++) mask = mask << 1 | (Math.Abs(contrasts[pair]) > Decided ? 1 : 0);
         if (TimestampCode.PairCount - int.PopCount(mask) > MaxUndecided) return Reading.Not("undecided");

@@ -24,14 +24,14 @@ static class HeadsetCode
     const double MinAmplitude = 0.4, MaxAmplitude = 1.35;
 
     /// <returns>The time of the brighter code, which was lit at the middle of the exposure.</returns>
-    public static Reading Read(CodeContrasts contrasts, int leastStep = MinStep)
+    public static Reading Read(CodeContrasts contrasts, int minStep = MinStep)
     {
-        if (contrasts.Covered > 0) return Reading.Not("partly covered");
+        if (contrasts.Fault is string fault) return Reading.Not(fault);
         for (var pair = 0; pair < TimestampCode.PairCount; pair++)
             if (Math.Abs(contrasts[pair]) < MinContrast) return Reading.Not("undecided");
         var value = CodeWords.ValueOf(contrasts.Word());
         if (value < 0) return Reading.Not("wrong parity");
-        var best = Enumerable.Range(leastStep, MaxStep - leastStep + 1).SelectMany(step => new[] { step, -step })
+        var best = Enumerable.Range(minStep, MaxStep - minStep + 1).SelectMany(step => new[] { step, -step })
             .Select(step => Fit(contrasts, value, value + step)).Append(Fit(contrasts, value, value)).MinBy(fit => fit.Unexplained);
         if (best.Unexplained > MaxResidual * best.Amplitude) return Reading.Not("inconsistent");
         if (best.Amplitude is < MinAmplitude or > MaxAmplitude) return Reading.Not("too weak");

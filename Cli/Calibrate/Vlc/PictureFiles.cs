@@ -4,22 +4,25 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 static class PictureFiles
 {
     static readonly string[] Pictures = [".png", ".jpg", ".jpeg"];
+
+    /// <summary>Formats of cameras that are not read. In a folder, they are rejected one by one instead of being left out silently.</summary>
+    static readonly string[] OtherPictures = [".heic", ".heif", ".avif", ".webp", ".tif", ".tiff", ".bmp", ".dng", ".cr2", ".cr3", ".nef", ".arw"];
     static readonly string[] Videos = [".mp4", ".mov", ".mkv", ".avi", ".webm", ".m4v"];
 
-    public static bool IsVideo(string path) => Videos.Contains(Path.GetExtension(path), StringComparer.OrdinalIgnoreCase);
+    public static bool IsVideo(string path) => Has(path, Videos);
 
     /// <exception cref="InputException">A file or folder is missing, or a folder has no pictures.</exception>
     public static IReadOnlyList<string> Of(IReadOnlyList<string> arguments)
     {
         var files = arguments.SelectMany(Of).ToList();
-        if (files.Count > 1 && files.Any(IsVideo)) throw new InputException($"{files.First(IsVideo)}: a video is evaluated by itself");
+        if (files.Count > 1 && files.Any(IsVideo)) throw new InputException($"{files.First(IsVideo)}: a video must be the only file; evaluate it separately");
         return files;
     }
 
     static IEnumerable<string> Of(string path)
     {
         if (Directory.Exists(path)) return Within(path);
-        if (!File.Exists(path)) throw new InputException($"{path}: there is no such file or folder");
+        if (!File.Exists(path)) throw new InputException($"{path}: file or folder not found");
         return IsPicture(path) || IsVideo(path)
             ? [path]
             : throw new InputException($"{path}: is neither a picture ({string.Join(", ", Pictures)}) nor a video ({string.Join(", ", Videos)})");
@@ -27,9 +30,11 @@ static class PictureFiles
 
     static List<string> Within(string folder)
     {
-        var files = Directory.GetFiles(folder).Where(IsPicture).Order(new NumberedNames()).ToList();
-        return files.Count > 0 ? files : throw new InputException($"{folder}: there are no pictures in it ({string.Join(", ", Pictures)})");
+        var files = Directory.GetFiles(folder).Where(path => IsPicture(path) || Has(path, OtherPictures)).Order(new NumberedNames()).ToList();
+        return files.Any(IsPicture) ? files : throw new InputException($"{folder}: contains no pictures ({string.Join(", ", Pictures)})");
     }
 
-    static bool IsPicture(string path) => Pictures.Contains(Path.GetExtension(path), StringComparer.OrdinalIgnoreCase);
+    static bool IsPicture(string path) => Has(path, Pictures);
+
+    static bool Has(string path, string[] extensions) => extensions.Contains(Path.GetExtension(path), StringComparer.OrdinalIgnoreCase);
 }

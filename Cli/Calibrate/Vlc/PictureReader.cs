@@ -17,14 +17,13 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
     public PictureResult Read(string file, SeenPicture seen)
     {
         if (seen.Fault != null) return PictureResult.Not(file, $"unreadable: {seen.Fault}");
-        var (control, headset) = (seen.CodeOf(CodeKind.Control), seen.CodeOf(CodeKind.Headset));
-        if (control == null || headset == null)
-            return PictureResult.Not(file, control == headset ? "no code found" : control == null ? "no control code found" : "no headset code found");
+        if (CodeFaults.Of(seen) is string fault) return PictureResult.Not(file, fault);
+        var (control, headset) = (seen.CodesOf(CodeKind.Control)[0], seen.CodesOf(CodeKind.Headset)[0]);
         var shown = HeadsetCode.Read(new CodeContrasts(headset));
         if (shown.Fault != null) return PictureResult.Not(file, $"headset code {shown.Fault}");
         var lit = ReadControl(new CodeContrasts(control), DelaysOf(control, seen.Height));
         if (lit.Fault != null) return PictureResult.Not(file, $"control code {lit.Fault}");
-        // At the time at which the headset's rows were exposed.
+        // The control code's time, at the moment at which the rows with the headset's code were exposed.
         var later = ReadoutMs * (MiddleOf(headset) - MiddleOf(control)) / seen.Height;
         var led = Wrapped(lit.Ms + ControlDelayMs + later);
         var visu = Wrapped(led - shown.Ms + TimestampCode.PeriodMs / 2) - TimestampCode.PeriodMs / 2;
@@ -33,13 +32,13 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
             : PictureResult.Not(file, visu > MaxVisuMs
                 ? FormattableString.Invariant($"codes more than {MaxVisuMs} ms apart")
                 : FormattableString.Invariant($"headset code more than {-MinVisuMs} ms ahead of the control code: ")
-                    + "is what shows that one late (--control-delay-ms)?");
+                    + "if the control code is displayed late, state the delay with --control-delay-ms");
     }
 
     /// <summary>Reads the control's code. LEDs show a run of codes. A monitor shows one code per frame, but any code may follow.</summary>
     static Reading ReadControl(CodeContrasts contrasts, double[] delaysMs)
     {
-        Reading run = ControlCode.Read(contrasts, delaysMs), frame = HeadsetCode.Read(contrasts, leastStep: 1);
+        Reading run = ControlCode.Read(contrasts, delaysMs), frame = HeadsetCode.Read(contrasts, minStep: 1);
         if (run.Fault == null && frame.Fault == null && Math.Abs(Math.IEEERemainder(run.Ms - frame.Ms, TimestampCode.PeriodMs)) > MaxDifferenceMs)
             return Reading.Not("ambiguous");
         return run.Fault == null || frame.Fault != null ? run : frame;

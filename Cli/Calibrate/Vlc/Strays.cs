@@ -6,7 +6,7 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// </summary>
 static class Strays
 {
-    public const string Fault = "far from the others, misread";
+    public const string Fault = "far from the others, probably misread";
 
     /// <summary>Maximum distance, ms: twelve frames at 60 Hz. At most three frames are in progress, the slowest for a few refreshes.</summary>
     const double FarMs = 200;

@@ -38,7 +38,7 @@ sealed class SweepJoin
         var ends = new List<Place>();
         foreach (var picture in pictures)
         {
-            // From the last row on, so that a picture never follows itself.
+            // Starts with the last row, so that a picture never follows itself.
             foreach (var row in _rowsOfCode[(int)picture.HeadsetMs].Reverse())
             {
                 var length = FirstBeyond(ends, row);

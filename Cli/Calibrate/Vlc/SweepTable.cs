@@ -40,10 +40,10 @@ static class SweepTable
         for (var i = 0; i < rows.Count; i++)
         {
             if (rows[i].Device.Length > 0 && rows[i].Device != device)
-                throw new InputException($"{path}: frames of '{device}' and of '{rows[i].Device}'; a sweep is of one headset");
+                throw new InputException($"{path}: frames of '{device}' and of '{rows[i].Device}'; a sweep must be from one headset");
             if (!double.IsNaN(rows[i].DisplayHz) && rows[i].DisplayHz != rate)
                 throw new InputException(FormattableString.Invariant(
-                    $"{path}: frames at {rate} Hz and at {rows[i].DisplayHz} Hz; L_visu is another one at each: keep one of them"));
+                    $"{path}: frames at {rate} Hz and at {rows[i].DisplayHz} Hz; L_visu depends on the rate: keep the rows of one rate"));
         }
         return rows;
     }

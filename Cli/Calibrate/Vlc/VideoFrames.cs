@@ -8,7 +8,7 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// <summary>Reads a video's frames by ffmpeg, which must be installed.</summary>
 static class VideoFrames
 {
-    const string Needed = "ffmpeg and ffprobe are needed to read videos and were not found; install ffmpeg, or give pictures";
+    const string Needed = "ffmpeg and ffprobe are needed to read videos and were not found; install ffmpeg, or pass pictures instead";
 
     /// <summary>The ffmpeg option that outputs each frame once, independent of its time: the current name, then the name before ffmpeg 5.1.</summary>
     static readonly string[] EachFrameOnce = ["-fps_mode", "-vsync"];
@@ -51,7 +51,7 @@ static class VideoFrames
     static void Tell(string path, int count, string errors)
     {
         var first = errors.Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries).FirstOrDefault();
-        if (first != null) Console.Error.WriteLine($"nowpose: {path}: {count} pictures were read, but ffmpeg says: {first}");
+        if (first != null) Console.Error.WriteLine($"nowpose: {path}: {count} pictures were read, but ffmpeg reports: {first}");
     }
 
     /// <summary>Gets the time of each frame, s. Phones film at a variable rate.</summary>
@@ -61,7 +61,7 @@ static class VideoFrames
         var lines = Probed(path, "frame=best_effort_timestamp_time", out var errors);
         double[] times = [.. lines.Select(line => double.TryParse(line.TrimEnd(','), CultureInfo.InvariantCulture, out var time) ? time : double.NaN)];
         for (var i = 1; i < times.Length; i++)
-            if (!(times[i] > times[i - 1])) throw new InputException($"{path}: frame {i + 1} is not after the one before; the video's times are of no use");
+            if (!(times[i] > times[i - 1])) throw new InputException($"{path}: frame {i + 1} is not later than the previous one; the times of this video cannot be used, convert it with ffmpeg");
         return times.Length > 1 ? times : throw new InputException($"{path}: ffprobe finds no frames in it: {errors}");
     }
 

@@ -7,7 +7,7 @@ using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Turns the pictures' L_visu into a profile and a page. With a sweep, it also finds the range; without one, L_visu alone.</summary>
+/// <summary>Computes a profile and a page from the L_visu of the pictures. With a sweep, the profile also has a render time limit.</summary>
 sealed class VlcEvaluation
 {
     /// <summary>Minimum share of pictures found in the sweep. By chance, some codes match the log of another recording.</summary>
@@ -18,6 +18,9 @@ sealed class VlcEvaluation
 
     /// <summary>Fewer pictures do not show how much L_visu scatters, and therefore not how accurate its mean is.</summary>
     const int FewPictures = 10;
+
+    /// <summary>Maximum number of rejected pictures that are named per reason; the JSON names all.</summary>
+    const int MaxNamed = 20;
 
     readonly VlcResult _result;
     readonly List<string> _warnings = [];
@@ -49,13 +52,13 @@ sealed class VlcEvaluation
     {
         var joined = new SweepJoin(sweep, source).Join(_result.Pictures);
         if (joined.Count < MinShareJoined * _result.Read.Count)
-            throw new InputException($"--sweep: the log has the frames of {joined.Count} of {_result.Read.Count} pictures: it is that of another recording");
+            throw new InputException($"--sweep: the log has the frames of only {joined.Count} of {_result.Read.Count} pictures; use the log of the sweep that the pictures show");
         if (joined.Count < _result.Read.Count)
-            _warnings.Add($"{_result.Read.Count - joined.Count} of {_result.Read.Count} pictures show a frame that the sweep log does not have");
+            _warnings.Add($"{_result.Read.Count - joined.Count} of {_result.Read.Count} pictures show a frame that is not in the sweep log");
         var (measured, others) = (sweep.Count(row => row.RenderMs.HasValue), sweep.Count(row => row.RenderMs.HasValue && row.Source != source));
         if (others > 0)
-            _warnings.Add($"{others} of {measured} render times of the sweep were measured with another source than "
-                + $"{RenderTimeSourceNames.NameOf(source)} and do not count");
+            _warnings.Add($"{others} of {measured} render times of the sweep were measured with a source other than "
+                + $"{RenderTimeSourceNames.NameOf(source)} and are not used");
         return joined;
     }
 
@@ -86,16 +89,16 @@ sealed class VlcEvaluation
             ? Plateau.OfSweep(Pictures)
             : Plateau.OfOneLoad([.. _result.Read.Select(picture => picture.VisuMs)]);
         if (!hasSweep && plateau?.Count < MinShareNear * _result.Read.Count)
-            _warnings.Add($"{_result.Read.Count - plateau.Count} of {_result.Read.Count} pictures are late and were left out: "
-                + "were they taken at several loads? Then give the sweep's log (--sweep)");
-        if (plateau?.Count < FewPictures) _warnings.Add($"L_visu is of {plateau.Count} pictures only, which may be some ms off: take 30 or more");
+            _warnings.Add($"{_result.Read.Count - plateau.Count} of {_result.Read.Count} pictures are late and were not used. "
+                + "If they were taken at several loads, add the sweep's log with --sweep");
+        if (plateau?.Count < FewPictures) _warnings.Add($"L_visu was computed from {plateau.Count} pictures only and may be wrong by some ms: take 30 or more");
         if (plateau != null) return earlier.With(plateau.VisuMs, plateau.SpreadMs, CalibrationMethod.VisibleLight, plateau.Count);
         _warnings.Add(hasSweep
             ? $"L_visu cannot be determined from these {Pictures.Count} pictures of the sweep; no profile was written"
             : _result.Read.Count < 2
-                ? "one picture is too few for a profile; none was written"
-                : FormattableString.Invariant($"L_visu scatters by {_result.Deviation:0.0} ms, too much to be constant; ")
-                    + "were the pictures taken at several loads? Then give the sweep's log (--sweep). No profile was written");
+                ? "one picture is not enough for a profile; none was written"
+                : FormattableString.Invariant($"L_visu scatters by {_result.Deviation:0.0} ms, too much for a constant. ")
+                    + "If the pictures were taken at several loads, add the sweep's log with --sweep. No profile was written");
         return null;
     }
 
@@ -104,17 +107,20 @@ sealed class VlcEvaluation
         Profile == null
             ? string.Create(CultureInfo.InvariantCulture, $"L_visu cannot be determined; pictures read: {_result.Read.Count}.")
             : string.Create(CultureInfo.InvariantCulture,
-                $"L_visu is {Profile.Visualisation.Length.TotalMilliseconds:0.0} ms ± {Profile.Spread.TotalMilliseconds:0.0} ms, of {Profile.Measurements} pictures."),
+                $"L_visu is {Profile.Visualisation.Length.TotalMilliseconds:0.0} ms ± {Profile.Spread.TotalMilliseconds:0.0} ms, from {Profile.Measurements} pictures."),
         [.. Profile == null ? [] : ProfileFacts.Of(Profile), .. Facts()])
     {
         Warnings = _warnings,
         Sections = [VlcPage.OverPictures(_result), .. RangePage.Sections(Pictures, null)],
     };
 
+    static string ListOf(IReadOnlyList<string> files) => string.Join(", ", files.Take(MaxNamed).Select(Path.GetFileName))
+        + (files.Count > MaxNamed ? FormattableString.Invariant($" and {files.Count - MaxNamed} more") : "");
+
     IEnumerable<string[]> Facts()
     {
         yield return ["Pictures", _result.Pictures.Count.ToString(CultureInfo.InvariantCulture)];
         yield return ["Rejected", _result.Rejected.ToString(CultureInfo.InvariantCulture)];
-        foreach (var (fault, count) in _result.Faults()) yield return [$"– {fault}", count.ToString(CultureInfo.InvariantCulture)];
+        foreach (var (fault, files) in _result.Faults()) yield return [$"– {fault}", string.Create(CultureInfo.InvariantCulture, $"{files.Count}: {ListOf(files)}")];
     }
 }

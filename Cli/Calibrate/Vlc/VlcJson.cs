@@ -1,18 +1,29 @@
 using System.Text.Json;
+using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>The result of the pictures as JSON.</summary>
 static class VlcJson
 {
-    public static string Of(VlcResult result) => JsonText.Of(isIndented: true, json =>
+    /// <param name="profile">Its mean and deviation leave out late pictures; null to use all.</param>
+    public static string Of(VlcResult result, LatencyProfile profile) => JsonText.Of(isIndented: true, json =>
     {
         json.WriteStartObject();
         json.WriteNumber("pictures", result.Pictures.Count);
         json.WriteNumber("decoded", result.Read.Count);
         json.WriteNumber("rejected", result.Rejected);
-        Write(json, "visu_ms_mean", result.Mean);
-        Write(json, "visu_ms_sd", result.Deviation);
+        Write(json, "visu_ms_mean", profile?.Visualisation.Length.TotalMilliseconds ?? result.Mean);
+        Write(json, "visu_ms_sd", profile?.Spread.TotalMilliseconds ?? result.Deviation);
+        json.WriteStartArray("rejected_pictures");
+        foreach (var picture in result.Pictures.Where(picture => !picture.IsRead))
+        {
+            json.WriteStartObject();
+            json.WriteString("file", picture.File);
+            json.WriteString("reason", picture.Fault);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
         json.WriteStartArray("per_picture");
         foreach (var picture in result.Pictures)
         {

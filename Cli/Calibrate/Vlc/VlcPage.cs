@@ -10,7 +10,7 @@ static class VlcPage
         double[] places = [.. Enumerable.Range(1, result.Pictures.Count).Where(i => result.Pictures[i - 1].IsRead).Select(i => (double)i)];
         var trace = new PlotTrace("L_visu", Looks.Adaptive, places, [.. result.Read.Select(picture => (double?)picture.VisuMs)]) { Scattered = true };
         return new("L_visu from picture to picture", "Fig. 10",
-            "A picture is taken at any moment at which a frame is in the light: L_visu scatters by half of that time to either side, and its mean is what is sought.",
+            "A picture is taken at a random moment while a frame is lit. L_visu therefore scatters by half of that time to either side; the result is its mean.",
             [new FigurePlot("Over pictures", new("picture"), new("L_visu", "ms"), [trace]) { FromZero = true }]);
     }
 }

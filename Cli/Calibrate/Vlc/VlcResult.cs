@@ -17,7 +17,8 @@ sealed class VlcResult(IReadOnlyList<PictureResult> pictures)
     /// <summary>Standard deviation of L_visu, ms; null for fewer than two pictures.</summary>
     public double? Deviation => Read.Count < 2 ? null : Read.Select(picture => picture.VisuMs).StandardDeviation();
 
-    /// <summary>Gets the reasons for rejections with their counts, the most frequent first.</summary>
-    public IEnumerable<(string Fault, int Count)> Faults() => Pictures.Where(picture => !picture.IsRead).GroupBy(picture => picture.Fault)
-        .Select(group => (group.Key, group.Count())).OrderByDescending(fault => fault.Item2);
+    /// <summary>Gets the reasons for rejections with their pictures, the most frequent first.</summary>
+    public IEnumerable<(string Fault, IReadOnlyList<string> Files)> Faults() => Pictures.Where(picture => !picture.IsRead)
+        .GroupBy(picture => picture.Fault, picture => picture.File)
+        .Select(group => (group.Key, (IReadOnlyList<string>)[.. group])).OrderByDescending(fault => fault.Item2.Count);
 }

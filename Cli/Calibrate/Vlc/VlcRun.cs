@@ -15,14 +15,25 @@ sealed class VlcRun(PictureReader reader)
     public VlcResult Run(IReadOnlyList<string> files, bool isStill, CancellationToken cancellation)
     {
         var isVideo = PictureFiles.IsVideo(files[0]);
-        string NameOf(int place) => isVideo ? FormattableString.Invariant($"{files[0]}#{place + 1}") : files[place];
+        return Run(
+            isVideo ? VideoFrames.Of(files[0]) : files.Select(PictureRequest.File), isVideo ? null : files.Count,
+            place => isVideo ? FormattableString.Invariant($"{files[0]}#{place + 1}") : files[place], isStill, cancellation);
+    }
+
+    /// <summary>Evaluates the pictures of any source. Returns the results so far when the user cancels.</summary>
+    /// <param name="count">Number of pictures; null if it is unknown.</param>
+    /// <param name="nameOf">Gets the name of a picture from its index.</param>
+    /// <inheritdoc cref="Run(IReadOnlyList{string}, bool, CancellationToken)"/>
+    public VlcResult Run(
+        IEnumerable<PictureRequest> requests, int? count, Func<int, string> nameOf, bool isStill, CancellationToken cancellation)
+    {
         using var pool = new VisionPool();
-        CountProgress.Run("reading pictures", "pictures", isVideo ? null : files.Count, report => pool.Look(
-            isVideo ? VideoFrames.Of(files[0]) : files.Select(PictureRequest.File),
+        CountProgress.Run("reading pictures", "pictures", count, report => pool.Look(
+            requests,
             (place, seen) =>
             {
-                RequireSameSize(seen, NameOf(place));
-                _results[place] = reader.Read(NameOf(place), seen);
+                RequireSameSize(seen, nameOf(place));
+                _results[place] = reader.Read(nameOf(place), seen);
                 report(_results.Count);
             },
             cancellation));
@@ -36,6 +47,6 @@ sealed class VlcRun(PictureReader reader)
         if (_first == null) (_first, _firstName) = (seen, name);
         if (seen.Width != _first.Width || seen.Height != _first.Height)
             throw new InputException(
-                $"{name}: {seen.Width}x{seen.Height} px, but {_firstName} has {_first.Width}x{_first.Height} px; evaluate the pictures of each camera by themselves");
+                $"{name}: {seen.Width}x{seen.Height} px, but {_firstName} has {_first.Width}x{_first.Height} px; evaluate the pictures of each camera separately");
     }
 }

@@ -8,7 +8,8 @@ sealed record ClockErrors(double P50Us, double P95Us, double MaximumUs, double S
     /// <summary>Time after which the estimator has settled, s.</summary>
     public const double SettledAfter = 10;
 
-    const double FirstSkew = 2;
+    /// <summary>Time from which the skew is compared, s. Before, the first estimates are made.</summary>
+    public const double FirstSkew = 2;
 
     /// <param name="runs">The runs, each with the log from which it was computed.</param>
     public static ClockErrors Of(IReadOnlyList<(ClockInstant[] Instants, SimulatedExchanges Log)> runs)

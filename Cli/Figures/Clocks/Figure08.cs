@@ -20,7 +20,7 @@ static class Figure08
         return new Figure("8", "Clock synchronisation")
         {
             Claim = "As exchanges come in, offset and skew converge and the synchronisation error stays below 1 ms; "
-                + "the round-trip time tells how good an exchange was.",
+                + "the round-trip time shows the quality of an exchange.",
             Criteria = Criteria(errors[0].Errors, RoundTrips.Of(runs.Logs)),
             Beyond = errors.Length < 2 ? null
                 : $"On the same exchanges the default estimator is within {Text(errors[1].Errors.P95Us)} µs 95 % of the time, "
@@ -31,7 +31,7 @@ static class Figure08
             Table = table,
             Plots = [.. PlotsOf(table)],
             Summary = new FigureSummary($"Offset error from {Text(ClockErrors.SettledAfter)} s on, all runs",
-                ["Estimator", "Median (µs)", "P95 (µs)", "Greatest (µs)", "Skew error at the end (ppm)"],
+                ["Estimator", "Median (µs)", "P95 (µs)", "Maximum (µs)", "Skew error at the end (ppm)"],
                 [.. errors.Select(e => (IReadOnlyList<string>)
                     [e.Name, Text(e.Errors.P50Us), Text(e.Errors.P95Us), Text(e.Errors.MaximumUs), Text(e.Errors.SkewPpmLate)])]),
         };
@@ -40,10 +40,10 @@ static class Figure08
     /// <param name="errors">Errors of the paper's estimator.</param>
     public static IReadOnlyList<Criterion> Criteria(ClockErrors errors, RoundTrips trips) =>
     [
-        new("From 10 s on the offset is never wrong by 1 ms or more.", errors.MaximumUs < PaperBoundUs, $"at most {Text(errors.MaximumUs)} µs"),
-        new("The skew's error over the last quarter is less than half of what it is from 2 to 10 s.",
+        new("From 10 s on, the error of the offset is always below 1 ms.", errors.MaximumUs < PaperBoundUs, $"at most {Text(errors.MaximumUs)} µs"),
+        new("The skew error over the last quarter of the run is less than half of the error from 2 to 10 s.",
             2 * errors.SkewPpmLate < errors.SkewPpmEarly, $"{Text(errors.SkewPpmEarly)} ppm, then {Text(errors.SkewPpmLate)} ppm"),
-        new("The quarter of the exchanges with the shortest round trips errs by less than half of what the quarter with the longest does (P95).",
+        new("The error of the quarter with the shortest round trips is less than half of that of the quarter with the longest (P95).",
             2 * trips.ShortUs < trips.LongUs, $"{Text(trips.ShortUs / 1000)} ms against {Text(trips.LongUs / 1000)} ms"),
     ];
 

@@ -7,10 +7,13 @@ namespace Nowpose.Cli.Figures.Clocks;
 /// <param name="LongUs">The same in the quarter with the longest round-trip times, µs.</param>
 sealed record RoundTrips(double ShortUs, double LongUs)
 {
-    public static RoundTrips Of(IEnumerable<SimulatedExchanges> logs)
+    public static RoundTrips Of(IEnumerable<SimulatedExchanges> logs) =>
+        Of(logs.SelectMany(log => log.All.Select(each => (each.RoundTripTime.TotalMilliseconds, ErrorUs(log, each)))));
+
+    /// <param name="exchanges">Round-trip time and magnitude of the offset error of each exchange; four at least.</param>
+    public static RoundTrips Of(IEnumerable<(double RoundTripMs, double ErrorUs)> exchanges)
     {
-        var byLength = logs.SelectMany(log => log.All.Select(each => (each.RoundTripTime, Error: ErrorUs(log, each))))
-            .OrderBy(e => e.RoundTripTime).Select(e => e.Error).ToArray();
+        var byLength = exchanges.OrderBy(e => e.RoundTripMs).Select(e => e.ErrorUs).ToArray();
         var quarter = byLength.Length / 4;
         return new RoundTrips(Quantile.Of(byLength[..quarter], 0.95), Quantile.Of(byLength[^quarter..], 0.95));
     }

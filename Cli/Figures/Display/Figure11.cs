@@ -3,7 +3,6 @@ using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Latency;
 using Nowpose.Latency.Calibration;
-using Nowpose.Latency.Conditions;
 using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Display;
@@ -11,65 +10,90 @@ namespace Nowpose.Cli.Figures.Display;
 /// <summary>Fig. 11: the constant-latency range, over the load and over the render time.</summary>
 static class Figure11
 {
-    /// <summary>Render time limit of the simulated display: a refresh interval minus the latch, ms.</summary>
-    const double TrueLimitMs = 1000 / 60.0 - 1.5;
+    /// <summary>Maximum difference of two limits: each is found within −6 and +2 % of the true one.</summary>
+    const double LimitShare = 0.08;
 
-    const double BelowShare = 0.06, AboveShare = 0.02;
+    /// <summary>Maximum difference from the stored L_visu, ms.</summary>
+    const double Sufficient = 3;
+
+    /// <summary>Minimum number of pictures for a spread. Only slow frames have the longest render times.</summary>
+    const int MinPictures = 30;
 
     public static Figure OverLoad(List<MeasuredPicture> sweep, RangeFitResult fit)
     {
         var (plot, table) = RangePlots.OverLoad(sweep);
         return new Figure("11a", "Render time and L_visu over the load")
         {
-            Claim = "Up to a number of vertices L_visu may be taken as constant; beyond, it grows and scatters.",
-            Criteria = LoadCriteria(table, fit),
+            Claim = "L_visu is approximately constant up to a certain number of vertices; beyond it, L_visu scatters.",
+            Criteria = LoadCriteria(sweep, fit.VisuMs),
+            Beyond = "Loads with a render time between the limit and a refresh interval are on neither side: most of their frames are one refresh "
+                + "late.",
             Conditions = DisplayConditions.Words,
             Table = table,
             Plots = [plot],
         };
     }
 
-    public static Figure OverRenderTime(List<MeasuredPicture> sweep, RangeFitResult fit)
+    /// <param name="other">The range of a scene whose vertices take twice as long.</param>
+    public static Figure OverRenderTime(List<MeasuredPicture> sweep, RangeFitResult fit, RangeFitResult other)
     {
         var table = new FigureTable(RangePlots.Load, RangePlots.Render, RangePlots.Visu);
         foreach (var picture in sweep.OrderBy(each => each.RenderMs)) table.Add(picture.Vertices.Value / 1e6, picture.RenderMs, picture.VisuMs);
         return new Figure("11b", "L_visu over the render time")
         {
-            Claim = "Over the render time, which the program can measure, the constant-latency range does not depend on what is drawn: "
-                + "within it one stored L_visu serves, beyond it L_visu varies too much to be compensated.",
-            Criteria = RangeCriteria(sweep, fit),
-            Beyond = "The end of the range is found by the likeliest split of good and bad pictures, and watched by the median of 15 frames.",
+            Claim = "Over the render time, the constant-latency range is independent of the absolute count of vertices. The L_visu inside it can be "
+                + "stored; render times outside it show large variances and are less suitable for compensation.",
+            Criteria = RangeCriteria(sweep, fit.VisuMs, fit.LimitRenderMs, other.LimitRenderMs),
+            Beyond = $"The end of the range is the most likely boundary between good and bad pictures; the display's own "
+                + $"limit is {Text(DisplayConditions.TrueLimitMs)} ms. "
+                + "At run time, the median of 15 frames is compared with it.",
             Conditions = DisplayConditions.Words,
             Table = table,
             Plots = [RangePlots.OverRenderTime(sweep, fit)],
         };
     }
 
-    static Criterion[] LoadCriteria(FigureTable table, RangeFitResult fit)
+    public static IReadOnlyList<Criterion> LoadCriteria(IEnumerable<MeasuredPicture> sweep, double storedMs)
     {
-        var inside = table.Rows.Where(row => row[1] + 2 * row[2] < TrueLimitMs).ToArray();
-        var outside = table.Rows.Where(row => row[1] > TrueLimitMs + 1.5).ToArray();
-        var worst = inside.Max(row => Math.Abs(row[3].Value - fit.VisuMs));
+        var loads = sweep.GroupBy(each => each.Vertices.Value).OrderBy(load => load.Key).ToArray();
+        var inside = loads.TakeWhile(IsInside).ToArray();
+        var beyond = loads.Where(load => Quantile.Of(load.Select(each => each.RenderMs.Value), 0.5) > DisplayConditions.RefreshMs).ToArray();
+        var worst = inside.Select(load => Math.Abs(Quantile.Of(load.Select(each => each.VisuMs), 0.5) - storedMs))
+            .DefaultIfEmpty(double.PositiveInfinity).Max();
         return
         [
             new("At loads whose render time stays below the limit, the median of L_visu is the same within 1 ms.", worst < 1,
-                $"within {Text(worst)} ms up to {Text(inside.Max(row => row[0].Value))} million"),
-            new("At loads beyond it, the middle 68 % are at least twice as wide or 16 ms later.",
-                outside.All(row => row[4] > 2 * inside.Max(each => each[4].Value) || row[3] > fit.VisuMs + 16), $"from {Text(outside[0][0].Value)} million on"),
+                inside.Length == 0 ? "no such load" : $"within {Text(worst)} ms up to {Text(inside[^1].Key / 1e6)} million"),
+            .. SpreadCriteria.Of("At each load whose render time is longer than a refresh interval,",
+                inside.SelectMany(load => load).Select(each => each.VisuMs), [.. beyond.Select(load => load.Select(each => each.VisuMs))]),
         ];
     }
 
-    static Criterion[] RangeCriteria(List<MeasuredPicture> sweep, RangeFitResult fit)
+    /// <param name="limitMs">The limit found; null if none.</param>
+    /// <param name="otherLimitMs">The limit found in the other scene; null if none.</param>
+    public static IReadOnlyList<Criterion> RangeCriteria(
+        IReadOnlyCollection<MeasuredPicture> sweep, double storedMs, double? limitMs, double? otherLimitMs)
     {
-        var limit = fit.LimitRenderMs ?? 0;
-        var good = sweep.Where(each => each.RenderMs <= limit).Select(each => Math.Abs(each.VisuMs - fit.VisuMs) < 3).ToArray();
-        var bad = sweep.Where(each => each.RenderMs > limit).Select(each => Math.Abs(each.VisuMs - fit.VisuMs) >= 3).ToArray();
+        var inside = sweep.Where(each => !(each.RenderMs > limitMs)).Select(each => each.VisuMs).ToArray();
+        var steps = sweep.Where(each => each.RenderMs > limitMs && each.RenderMs > DisplayConditions.RefreshMs)
+            .GroupBy(each => (int)(each.RenderMs.Value - DisplayConditions.RefreshMs)).Where(step => step.Count() >= MinPictures);
+        var stored = inside.Count(visuMs => Math.Abs(visuMs - storedMs) < Sufficient) / (double)inside.Length;
         return
         [
-            new($"The limit that is found is the display's own, {Text(TrueLimitMs)} ms, within −6 and +2 %.",
-                limit >= (1 - BelowShare) * TrueLimitMs && limit <= (1 + AboveShare) * TrueLimitMs, $"{Text(limit)} ms"),
-            new("Below it 95 % of the pictures have the stored L_visu within 3 ms.", good.Count(each => each) >= 0.95 * good.Length, Percent(good.Count(each => each) / (double)good.Length)),
-            new("Beyond it 95 % have not.", bad.Count(each => each) >= 0.95 * bad.Length, Percent(bad.Count(each => each) / (double)bad.Length)),
+            new($"A scene whose vertices take twice as long to render has the same limit within {Percent(LimitShare)}.",
+                Math.Abs((otherLimitMs - limitMs) / limitMs ?? double.PositiveInfinity) <= LimitShare, $"{Limit(limitMs)} and {Limit(otherLimitMs)}"),
+            new($"Inside the range, 95 % of the pictures have the stored L_visu within {Sufficient} ms.", stored >= 0.95, Percent(stored)),
+            .. SpreadCriteria.Of("In each step of 1 ms of render time above a refresh interval,", inside,
+                [.. steps.Select(step => step.Select(each => each.VisuMs))]),
         ];
     }
+
+    // Of normal scatter, all but 2 % are within two deviations.
+    static bool IsInside(IEnumerable<MeasuredPicture> load)
+    {
+        var (median, deviation) = Middle.Of(load.Select(each => each.RenderMs.Value));
+        return median + 2 * deviation < DisplayConditions.TrueLimitMs;
+    }
+
+    static string Limit(double? ms) => ms is double limit ? $"{Text(limit)} ms" : "none";
 }

@@ -17,12 +17,12 @@ static class Figure04
         var table = TableOf(field.Points, clocks);
         return new Figure("4", "Error over velocity and latency")
         {
-            Claim = "At constant velocity v a latency L makes an error e = v·L: at the usual speeds up to 1000 mm/s and latencies of "
-                + "30 to 250 ms, errors that matter.",
+            Claim = "At constant velocity v, a latency L causes the error e = v·L. At the usual speeds up to 1000 mm/s and latencies of "
+                + "30 to 250 ms, the errors are significant.",
             Criteria = Criteria(field.Points),
             Beyond = Beyond(field.Points, clocks),
             Conditions = "Constant velocities. With a sample every 0.5 ms the latency is L alone; with T_s of 50 ms a sample is also T_s/2 old on "
-                + "average, and lies that much further right. With prediction, what is left is v times what the clock is wrong (P95 of Fig. 8).",
+                + "average, so its points are farther right. With prediction, the remaining error is v times the clock error (P95 of Fig. 8).",
             Table = table,
             Plots = [Plot(field.Points, clocks)],
         };
@@ -35,7 +35,8 @@ static class Figure04
         return
         [
             new($"The error of hold is v·L within {Percent(Tolerance)}, at each velocity and latency.", worst <= Tolerance, $"within {Percent(worst)}"),
-            new("At 1000 mm/s and 30 ms it is 10 mm or more already.", fastest.Min() >= 10, $"{Mm(fastest.Min())}, up to {Mm(fastest.Max())} at 250 ms"),
+            new("At 1000 mm/s and 30 ms, the error of hold is 10 mm or more.",
+                fastest.Min() >= 10, $"{Mm(fastest.Min())}, up to {Mm(fastest.Max())} at 250 ms"),
         ];
     }
 
@@ -43,8 +44,8 @@ static class Figure04
     {
         var predicted = ErrorField.Predicted.Select((name, p) => $"{name} {Mm(points.Max(point => point.PredictedMm[p]))}");
         var left = ClockMethod.All.Select((m, i) => $"{m.Name} {Mm(1000 * clocks.Errors(i).P95Us / UsPerS)}");
-        return $"With exact clocks prediction leaves of a constant velocity's error at most: {string.Join(", ", predicted)}. "
-            + $"At 1000 mm/s the clock estimators leave, 95 % of the time, at most: {string.Join(", ", left)}.";
+        return $"With exact clocks, the largest errors that remain at constant velocity are: {string.Join(", ", predicted)}. "
+            + $"At 1000 mm/s, the errors from the clock estimators are at most, 95 % of the time: {string.Join(", ", left)}.";
     }
 
     static FigureTable TableOf(IReadOnlyList<FieldPoint> points, ClockRuns clocks)

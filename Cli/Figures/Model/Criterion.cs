@@ -9,7 +9,7 @@ sealed record Criterion(string Statement, bool IsMet, string Measured)
     /// <param name="criteria">At least one criterion.</param>
     public static Verdict Judge(IReadOnlyCollection<Criterion> criteria)
     {
-        if (criteria.Count == 0) throw new ArgumentException("a claim without a criterion cannot be judged", nameof(criteria));
+        if (criteria.Count == 0) throw new ArgumentException("a claim needs at least one criterion", nameof(criteria));
         if (criteria.All(c => c.IsMet)) return Verdict.Holds;
         return criteria.Any(c => c.IsMet) ? Verdict.HoldsPartly : Verdict.DoesNotHold;
     }

@@ -28,5 +28,6 @@ sealed record Figure(string Number, string Title)
 
     public Verdict Verdict => Criterion.Judge(Criteria);
 
-    public string FileName => $"figure-{Number}.csv";
+    /// <summary>Name of the figure's CSV file.</summary>
+    public string FileName { get; init; } = $"figure-{Number}.csv";
 }

@@ -41,6 +41,8 @@ static class DocumentPictures
             paths.Add(Path.Combine(folder, file));
             File.WriteAllText(paths[^1], new SvgPlot(plot, Narrow).Draw());
         }
+        paths.Add(Path.Combine(folder, LedMatrixPicture.File));
+        File.WriteAllText(paths[^1], LedMatrixPicture.Draw());
         return paths;
     }
 }

@@ -10,7 +10,7 @@ sealed class SvgPlot(FigurePlot plot, int width)
 {
     const int Height = 280;
 
-    /// <summary>Number of points above which they are drawn small.</summary>
+    /// <summary>A plot with more points than this draws them small.</summary>
     const int ManyPoints = 200;
 
     const int Left = 52, Right = 12, Top = 34, Bottom = 42;

@@ -13,7 +13,7 @@ static class Figure13
 
     public static readonly SweepClaims A = new(
         "13a", "Interpolating polynomials over the sampling interval",
-        "Over large parts of the range of T_s the quadratic predicts best, and the cubic is the more sensitive of the two to a longer T_s.",
+        "Over large parts of the range of T_s the quadratic predicts best, and the cubic is more sensitive to a longer T_s.",
         data =>
         {
             var quadratic = data.Where(i => data.Best(i, Polynomials) == "quadratic");
@@ -23,7 +23,9 @@ static class Figure13
             [
                 new("The quadratic is the best of the three at each T_s of 50 ms and more.",
                     slow.All(quadratic.Contains), $"best at {SweepData.List(quadratic)}"),
-                new("It is the best below 50 ms as well.", quadratic.Length == data.Values.Count, $"the cubic is better at {SweepData.List(cubic)}"),
+                new(
+                    "The quadratic is also the best below 50 ms.", quadratic.Length == data.Values.Count,
+                    $"the cubic is better at {SweepData.List(cubic)}"),
                 new("From 20 to 100 ms the cubic's error grows more than the quadratic's.",
                     data.Growth("cubic", 20, 100) > data.Growth("quadratic", 20, 100),
                     $"cubic × {Text(data.Growth("cubic", 20, 100))}, quadratic × {Text(data.Growth("quadratic", 20, 100))}"),
@@ -49,7 +51,7 @@ static class Figure13
 
     public static readonly SweepClaims D = new(
         "13d", "Interpolating polynomials over the error of the sampling time",
-        "The quadratic and the cubic react strongly to errors of the assumed t_k.",
+        "The quadratic and the cubic are sensitive to errors of the assumed t_k.",
         data =>
         [
             Reacts(data, "quadratic", 1.5),
@@ -63,13 +65,13 @@ static class Figure13
     {
         var linear = data.Where(i => over.Contains(data.Values[i]) && data.Best(i, Polynomials) == "linear");
         return new($"The best of the three is the quadratic or the cubic {where}.", linear.Length == 0,
-            linear.Length == 0 ? "it is" + CubicAlone(data, over) : $"the line is better than both at {SweepData.List(linear)}");
+            (linear.Length == 0 ? "it is" : $"the line is better than both at {SweepData.List(linear)}") + CubicAlone(data, over));
     }
 
     static string CubicAlone(SweepData data, IReadOnlyList<double> over)
     {
         var worse = data.Where(i => over.Contains(data.Values[i]) && data.RmsMm("cubic")[i] > data.RmsMm("linear")[i]);
-        return worse.Length == 0 ? "" : $"; the cubic alone loses to the line at {SweepData.List(worse)}";
+        return worse.Length == 0 ? "" : $"; the cubic is worse than the line at {SweepData.List(worse)}";
     }
 
     static Criterion Reacts(SweepData data, string predictor, double factor)

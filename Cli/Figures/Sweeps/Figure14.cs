@@ -22,7 +22,7 @@ static class Figure14
             new("At ±10 ms h = 4 is better than h = 3, and h = 3 better than h = 2.",
                 data.RmsAt("quadratic-h4", 10) < data.RmsAt("quadratic-h3", 10) && data.RmsAt("quadratic-h3", 10) < data.RmsAt("quadratic", 10),
                 string.Join(", ", ByHistory.Select(p => $"{p} {Mm(data.RmsAt(p, 10))}"))),
-            new("From 0 to ±10 ms the error grows to less than half of what h = 2 grows to, with h = 3 and with h = 4.",
+            new("At ±10 ms the error with h = 3 and with h = 4 is less than half of the error with h = 2.",
                 2 * data.Growth("quadratic-h3", 0, 10) < data.Growth("quadratic", 0, 10)
                     && 2 * data.Growth("quadratic-h4", 0, 10) < data.Growth("quadratic", 0, 10),
                 string.Join(", ", ByHistory.Select(p => $"{p} × {Text(data.Growth(p, 0, 10))}"))

@@ -56,6 +56,6 @@ sealed class SweepData(IReadOnlyList<double> values, IReadOnlyDictionary<string,
     int IndexOf(double value)
     {
         for (var i = 0; i < values.Count; i++) if (values[i] == value) return i;
-        throw new ArgumentException($"{value} ms was not swept", nameof(value));
+        throw new ArgumentException($"{value} ms is not a value of the sweep", nameof(value));
     }
 }

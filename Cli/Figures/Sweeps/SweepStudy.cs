@@ -81,9 +81,9 @@ sealed class SweepStudy : IFigureStudy
     string Beyond(SweepClaims claims, SweepData swing, SweepData random)
     {
         string Of(string name) => $"{name} leaves {Shares(name, swing, i => swing.RmsMm("quadratic")[i])} of the quadratic's error, "
-            + $"{Shares(name, swing, i => claims.Compared.Min(other => swing.RmsMm(other)[i]))} of the error of whichever of the three is best at each value, "
+            + $"{Shares(name, swing, i => claims.Compared.Min(other => swing.RmsMm(other)[i]))} of the error of the best of the three at each value, "
             + $"and on fast random moves {Shares(name, random, i => random.RmsMm("quadratic")[i])} of the quadratic's. ";
-        return string.Concat(_ours.Select(Of)) + "The swing comes back every 2.4 s, which adaptive may recognise; random moves do not come back.";
+        return string.Concat(_ours.Select(Of)) + "The swing repeats every 2.4 s, which adaptive may recognise; random moves do not repeat.";
     }
 
     static string Shares(string name, SweepData data, Func<int, double> of)

@@ -11,25 +11,25 @@ static class Figure18
     const double Length = 1.5;
 
     /// <summary>Below this share of the maximum speed, the latency e/v is the quotient of two small numbers.</summary>
-    const double SlowestShare = 0.05;
+    public const double SlowestShare = 0.05;
 
     static readonly double[] IsoErrorsMm = [5, 10, 25, 50, 100];
 
-    public static Figure Of(SwingRuns runs)
+    public static Figure Of(SwingSet runs)
     {
         var table = TableOf(runs);
         var (held, predicted) = (runs.Standard[0].HoldRmsMm(IsWithin), runs.Standard[0].RmsMm(IsWithin));
         return new Figure("18", "Operating points without and with compensation")
         {
-            Claim = "Compensation makes the effective latency smaller, not the robot slower: the operating points move to smaller errors, about 80 % smaller for t < 1500 ms.",
+            Claim = "Compensation reduces the effective latency without slowing the robot: the errors of the operating points are about 80 % smaller for t < 1500 ms.",
             Criteria = Criteria(predicted / held, Median(table, 3), Median(table, 5)),
             Beyond = runs.Standard.Count < 2 ? null
                 : $"adaptive removes {Percent(1 - runs.Standard[1].RmsMm(IsWithin) / held)}, the quadratic {Percent(1 - predicted / held)}; "
                 + $"its median effective latency is {Text(Median(table, 7))} ms.",
-            Conditions = "The first 1500 ms of Fig. 16. A point lies at the latency e/v that its error e and its velocity v stand for; "
-                + "points slower than 5 % of the greatest velocity are left out.",
+            Conditions = "The first 1500 ms of Fig. 16. A point with the error e and the velocity v is drawn at the latency e/v; "
+                + "points slower than 5 % of the maximum velocity are left out.",
             Table = table,
-            Plots = [PlotOf(table)],
+            Plots = [PlotOf(table, runs)],
             Summary = Figure16.Reductions(runs, IsWithin, "Tool error for t < 1500 ms, all runs"),
         };
     }
@@ -39,17 +39,17 @@ static class Figure18
     /// <param name="predictedMs">Median effective latency with compensation, ms.</param>
     public static IReadOnlyList<Criterion> Criteria(double ratio, double heldMs, double predictedMs) =>
     [
-        new("75 % or more of the error goes (RMS; the paper has about 80 %).", ratio <= 0.25, $"{Percent(1 - ratio)} goes"),
-        new("The median effective latency is less than a third of what it is without compensation.", 3 * predictedMs < heldMs,
+        new("75 % or more of the error is removed (RMS; about 80 % in the paper).", ratio <= 0.25, $"{Percent(1 - ratio)} is removed"),
+        new("The median effective latency is less than a third of that without compensation.", 3 * predictedMs < heldMs,
             $"{Text(heldMs)} ms without, {Text(predictedMs)} ms with"),
     ];
 
-    static FigureTable TableOf(SwingRuns runs)
+    static FigureTable TableOf(SwingSet runs)
     {
         var (swing, shown) = (runs.Swing, runs.Standard[0].Shown);
         var table = new FigureTable([new FigureColumn("time", "ms"), new FigureColumn("speed", "mm/s"),
             new FigureColumn("hold error", "mm"), new FigureColumn("hold latency", "ms"),
-            .. SwingRuns.Predicted.SelectMany(name => new[] { new FigureColumn($"{name} error", "mm"), new FigureColumn($"{name} latency", "ms") })]);
+            .. runs.Predicted.SelectMany(name => new[] { new FigureColumn($"{name} error", "mm"), new FigureColumn($"{name} latency", "ms") })]);
         for (var i = 0; i < shown.Length; i++)
         {
             var (t, speed) = (shown[i].Time, swing.ToolSpeedAt(shown[i].Time));
@@ -65,13 +65,14 @@ static class Figure18
         return table;
     }
 
-    static bool IsWithin(double t) => t >= 0 && t < Length;
+    /// <summary>Whether a time since the swing's start is in the part that the paper shows.</summary>
+    public static bool IsWithin(double t) => t >= 0 && t < Length;
 
     static double Median(FigureTable table, int column) => Quantile.Of(table.Rows.Select(row => row[column].Value), 0.5);
 
-    static FigurePlot PlotOf(FigureTable table) => new("Operating points", new FigureColumn("latency", "ms"), table.Columns[1],
+    static FigurePlot PlotOf(FigureTable table, SwingSet runs) => new("Operating points", new FigureColumn("latency", "ms"), table.Columns[1],
     [
         table.Trace("uncompensated", Looks.Hold, 3, 1),
-        .. SwingRuns.Predicted.Select((name, p) => table.Trace(name, Looks.Of(name), 5 + 2 * p, 1)),
+        .. runs.Predicted.Select((name, p) => table.Trace(name, Looks.Of(name), 5 + 2 * p, 1)),
     ]) { IsoMm = IsoErrorsMm };
 }

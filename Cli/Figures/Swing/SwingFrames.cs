@@ -3,7 +3,7 @@ using Nowpose.Studies;
 namespace Nowpose.Cli.Figures.Swing;
 
 /// <summary>The frames of the swing as shown by one predictor.</summary>
-/// <param name="Phases">The frames of each run; their times are s since the swing's start.</param>
+/// <param name="Phases">The frames of each run; times are in seconds since the start of the swing.</param>
 sealed record SwingFrames(string Predictor, SwingScenario Scenario, YoubotSwing Swing, IReadOnlyList<StudyFrame[]> Phases)
 {
     /// <summary>The run that is drawn, the same for all predictors.</summary>
@@ -14,6 +14,23 @@ sealed record SwingFrames(string Predictor, SwingScenario Scenario, YoubotSwing 
 
     /// <inheritdoc cref="RmsMm"/>
     public double HoldRmsMm(Func<double, bool> when) => Rms(when, f => f.Held);
+
+    /// <summary>Minimum distance at which the compensated and the uncompensated tool differ, mm.</summary>
+    const double Differs = 0.05;
+
+    /// <summary>
+    /// Share of the frames whose error is smaller with compensation, among the frames in motion in which the two differ. They are equal
+    /// until the first sample of a move has arrived.
+    /// </summary>
+    public double NearerShare => Phases.SelectMany(p => p)
+        .Where(f => Swing.ToolSpeedAt(f.Time) > 0 && Swing.GapMm(f.Held, f.Predicted) > Differs)
+        .Average(f => Math.Abs(f.Predicted - f.Truth) < Math.Abs(f.Held - f.Truth) ? 1.0 : 0);
+
+    /// <summary>RMS error where the velocity has been constant for the time span of a prediction, mm.</summary>
+    public double SteadyRmsMm => RmsMm(Swing.IsSteadyAt);
+
+    /// <summary>RMS error where the velocity changes within the time span of a prediction, mm.</summary>
+    public double CurvedRmsMm => RmsMm(Swing.IsCurvedAt);
 
     double Rms(Func<double, bool> when, Func<StudyFrame, double> shown) => Math.Sqrt(
         Phases.SelectMany(p => p).Where(f => when(f.Time)).Average(f => Math.Pow(Swing.GapMm(shown(f), f.Truth), 2)));

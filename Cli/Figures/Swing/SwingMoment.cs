@@ -16,7 +16,7 @@ sealed record SwingMoment(string Name, string Words, int Index)
         [
             new("A", "full speed is reached", First(t => swing.ToolSpeedAt(t) >= 0.999 * full)),
             new("B", "half-way", First(t => t >= swing.MoveSeconds / 2)),
-            new("C", "half of the speed is left", move.Last(i => swing.ToolSpeedAt(frames[i].Time) >= full / 2)),
+            new("C", "the speed has fallen to half", move.Last(i => swing.ToolSpeedAt(frames[i].Time) >= full / 2)),
         ];
     }
 }

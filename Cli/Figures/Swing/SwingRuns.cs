@@ -1,43 +1,75 @@
+using Nowpose.Cli.Demo;
+using Nowpose.Cli.Demo.Paper;
+using Nowpose.Cli.Demo.Virtual;
+using Nowpose.Gateway.Options;
+using Nowpose.Latency;
+using Nowpose.Simulation;
 using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>The swing in each scenario by each compared predictor.</summary>
+/// <summary>
+/// The swing by the whole chain in virtual time: sampling and stamps in the control system, a simulated network, the clock by RANSAC,
+/// L_visu from pictures of the simulated display, the session's prediction and forward kinematics.
+/// </summary>
 sealed class SwingRuns
 {
-    /// <summary>Time shown before the swing starts, s.</summary>
-    const double Before = 0.2;
+    static readonly SwingScenario[] Scenarios = [SwingScenario.Standard, SwingScenario.Cold];
 
-    static readonly SwingScenario[] Scenarios = [SwingScenario.Standard, SwingScenario.Realisation, SwingScenario.Cold];
+    readonly FigureSettings _settings;
+    readonly Lazy<LatencyProfile> _profile;
+    readonly StudyFrame[,,][] _frames;
+    readonly YoubotSwing[] _swings = [.. Scenarios.Select(scenario => scenario.SwingAfter(0))];
 
-    readonly SwingFrames[,] _frames = new SwingFrames[Scenarios.Length, Predicted.Count];
-
-    public SwingRuns(FigureSettings settings) => Work = [.. from s in Enumerable.Range(0, Scenarios.Length)
-        from p in Enumerable.Range(0, Predicted.Count)
-        select (Action)(() => _frames[s, p] = Play(Scenarios[s], settings.Study, Predicted[p]))];
+    public SwingRuns(FigureSettings settings)
+    {
+        _settings = settings;
+        _profile = new Lazy<LatencyProfile>(() => settings.Profile ?? Measure());
+        _frames = new StudyFrame[Scenarios.Length, Predicted.Count, settings.Phases][];
+        Work = [.. from s in Enumerable.Range(0, Scenarios.Length)
+            from p in Enumerable.Range(0, Predicted.Count)
+            from run in Enumerable.Range(0, settings.Phases)
+            select (Action)(() => _frames[s, p, run] = Play(s, Predicted[p], run))];
+    }
 
     /// <summary>The paper's predictor first, then ours.</summary>
-    public static IReadOnlyList<string> Predicted { get; } = ["quadratic", .. FigureSettings.OurPredictors];
+    public static IReadOnlyList<string> Predicted { get; } = [PaperScenario.Predictor, .. FigureSettings.OurPredictors];
 
-    public YoubotSwing Swing { get; } = new(isCold: false);
+    /// <summary>The conditions of all runs. They are those of a plant like the paper's, so that L is 100 to 150 ms.</summary>
+    static DemoSettings Conditions { get; } = new()
+    {
+        Network = NetworkProfile.Wifi, Acquisition = new MillisecondRange(55, 105), VisualisationMs = 40,
+    };
+
+    public YoubotSwing Swing => _swings[0];
 
     public IReadOnlyList<Action> Work { get; }
 
-    /// <summary>The frames under the conditions of all figures, by predictor.</summary>
-    public IReadOnlyList<SwingFrames> Standard => [.. Predicted.Select((_, p) => _frames[0, p])];
+    /// <summary>The profile of the display; measured when it is first needed.</summary>
+    public LatencyProfile Profile => _profile.Value;
 
-    /// <summary>The frames under the conditions of the paper's realisation, by predictor.</summary>
-    public IReadOnlyList<SwingFrames> Realisation => [.. Predicted.Select((_, p) => _frames[1, p])];
-
-    /// <summary>All frames, sorted by scenario, then by predictor.</summary>
-    public IEnumerable<SwingFrames> All => _frames.Cast<SwingFrames>();
-
-    SwingFrames Play(SwingScenario scenario, StudySettings study, string predictor)
+    /// <summary>The frames for the figures: those after other moves, and those of all scenarios.</summary>
+    public SwingSet Set
     {
-        var swing = scenario.IsCold ? new YoubotSwing(isCold: true) : Swing;
-        var conditions = scenario.With(study) with { WarmUp = swing.Start - Before };
-        return new SwingFrames(predictor, scenario, swing, [.. Enumerable.Range(0, study.Phases).Select(phase => PredictionStudy
-            .Frames(swing.Motion, conditions, FigureSettings.Predictor(predictor), phase)
-            .Select(frame => frame with { Time = frame.Time - swing.Start }).ToArray())]);
+        get
+        {
+            SwingFrames[] all = [.. from s in Enumerable.Range(0, Scenarios.Length)
+                from p in Enumerable.Range(0, Predicted.Count)
+                select new SwingFrames(Predicted[p], Scenarios[s], _swings[s], [.. Enumerable.Range(0, _settings.Phases).Select(run => _frames[s, p, run])])];
+            return new SwingSet([.. all.Where(frames => frames.Scenario == SwingScenario.Standard)], all);
+        }
+    }
+
+    LatencyProfile Measure() => PaperCalibration.Of(
+        PaperScenario.Of(Conditions with { Seed = _settings.Seed }, Swing), _settings.PicturesPerLoad, CancellationToken.None).Profile;
+
+    StudyFrame[] Play(int scenario, string predictor, int run)
+    {
+        // Each run has another phase of the swing relative to samples and frames.
+        var swing = Scenarios[scenario].SwingAfter(PaperScenario.SamplingMs / 1000 * run / _settings.Phases);
+        var given = Conditions with { Seconds = swing.Motion.Seconds, Seed = _settings.Seed * 1000 + run, Profile = Profile };
+        var settings = PaperScenario.Of(given, swing) with { Predictor = predictor };
+        return new PaperRun(run + 1, VirtualStage.Play(settings, hasScene: false), swing).Swings?.Phases.Single()
+            ?? throw new DemoFailedException($"run {run + 1} of the swing with {predictor} has no whole swing");
     }
 }

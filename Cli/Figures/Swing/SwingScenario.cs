@@ -1,25 +1,17 @@
-using Nowpose.Studies;
-
 namespace Nowpose.Cli.Figures.Swing;
 
 /// <summary>Conditions under which the swing is seen.</summary>
-/// <param name="IsCold">Whether the motion before the swing is unknown.</param>
-sealed record SwingScenario(string Name, bool IsCold, Func<StudySettings, StudySettings> With)
+/// <param name="IsCold">Whether the swing is the first motion that the headset receives; otherwise a few shorter moves precede it.</param>
+sealed record SwingScenario(string Name, bool IsCold)
 {
-    /// <summary>The conditions of all other figures.</summary>
-    public static readonly SwingScenario Standard = new("L 100 ms", false, study => study);
+    /// <summary>The conditions that the figures show and judge.</summary>
+    public static readonly SwingScenario Standard = new("after other moves", IsCold: false);
 
-    /// <summary>
-    /// The conditions of the paper's realisation. The paper states that L was known within 4 ms. The latencies are our assumption: a plant
-    /// whose middleware takes 60 to 110 ms and a display that takes 40 ms.
-    /// </summary>
-    public static readonly SwingScenario Realisation = new("L 100 to 150 ms, known to ±4 ms", false, study => study with
-    {
-        Latency = 0.100,
-        LatencySpread = 0.050,
-        RandomLatencyError = 0.004,
-    });
+    public static readonly SwingScenario Cold = new("first move of the run", IsCold: true);
 
-    /// <summary>The standard conditions, for the first move that the headset receives.</summary>
-    public static readonly SwingScenario Cold = new("L 100 ms, first move ever seen", true, study => study);
+    /// <summary>Rest before the first move, s. The clock is settled when the swing begins, more than 11 s after the start.</summary>
+    double Rest => IsCold ? 11 : 6;
+
+    /// <param name="delay">Added to the rest before the first move, s.</param>
+    public YoubotSwing SwingAfter(double delay) => new(IsCold, Rest + delay);
 }

@@ -9,5 +9,5 @@ sealed class SwingStudy(FigureSettings settings) : IFigureStudy
 
     public IReadOnlyList<Action> Work => _runs.Work;
 
-    public IEnumerable<Figure> Figures() => [Figure16.Of(_runs), Figure17.Of(_runs), Figure18.Of(_runs)];
+    public IEnumerable<Figure> Figures() => [Figure16.Of(_runs.Set), Figure17.Of(_runs.Set), Figure18.Of(_runs.Set)];
 }

@@ -13,8 +13,8 @@ namespace Nowpose.Cli.Figures.Swing;
 /// </remarks>
 sealed class YoubotSwing
 {
-    /// <summary>Rest between moves and before the first move, s. By then, samples have arrived.</summary>
-    const double Dwell = 0.5, FirstRest = 1;
+    /// <summary>Rest between moves, s.</summary>
+    const double Dwell = 0.5;
 
     const double Stroke = Math.PI / 2;
     const double Ahead = 2.9671;
@@ -38,9 +38,12 @@ sealed class YoubotSwing
     readonly ForwardKinematics _kinematics;
     readonly int _axis;
     readonly double[] _pose;
+    readonly double _headingAhead;
+    readonly int _turnSign;
 
     /// <param name="isCold">Whether the swing is the first motion that is received; otherwise a few shorter moves precede it.</param>
-    public YoubotSwing(bool isCold)
+    /// <param name="firstRest">Rest before the first move, s.</param>
+    public YoubotSwing(bool isCold, double firstRest = 1)
     {
         Robot = RobotFiles.Load("youbot");
         _kinematics = new ForwardKinematics(Robot);
@@ -48,9 +51,12 @@ sealed class YoubotSwing
         _pose = new double[Robot.MovingJoints.Count];
         foreach (var (name, position) in Pose) _pose[Robot.IndexOfMovingJoint(name)] = position;
         Robot.CompleteMimics(_pose, new bool[_pose.Length]);
-        Radius = RadiusOf(ToolAt(Ahead));
+        RigidTransform ahead = ToolAt(Ahead), next = ToolAt(Ahead + 0.1);
+        Radius = RadiusOf(ahead);
+        _headingAhead = HeadingOf(ahead.X, ahead.Y);
+        _turnSign = Math.Sign(Math.IEEERemainder(HeadingOf(next.X, next.Y) - _headingAhead, 2 * Math.PI));
 
-        var (time, angle) = (FirstRest, FirstAngle);
+        var (time, angle) = (firstRest, FirstAngle);
         foreach (var stroke in isCold ? [] : Rehearsal) Add(stroke, ref time, ref angle);
         Start = time;
         Add(Stroke, ref time, ref angle);
@@ -98,6 +104,21 @@ sealed class YoubotSwing
         return links;
     }
 
+    /// <summary>Gets the positions of all moving joints, rad or m; allocates nothing.</summary>
+    /// <param name="sinceMotion">Time since the motion's start, s.</param>
+    public void PositionsAt(double sinceMotion, Span<double> positions)
+    {
+        _pose.CopyTo(positions);
+        positions[_axis] = AngleAt(sinceMotion);
+    }
+
+    /// <summary>Gets the angle of the first axis from the position of the tool in the base frame, m.</summary>
+    public double AngleOf(double x, double y)
+    {
+        var turn = Math.IEEERemainder(HeadingOf(x, y) - _headingAhead, 2 * Math.PI);
+        return Ahead + _turnSign * turn;
+    }
+
     /// <summary>Gets the distance of the tool centre points at two angles, mm.</summary>
     public double GapMm(double angle, double other) => 2000 * Radius * Math.Abs(Math.Sin((angle - other) / 2));
 
@@ -131,15 +152,19 @@ sealed class YoubotSwing
         return VelocityAt(t) != 0 && Math.Abs(profile.AccelerationAt(Start + t - start)) < 1e-9;
     }
 
-    (double Start, double From, SevenPhaseProfile Profile) MoveAt(double sinceMotion) =>
-        _moves[Math.Max(0, _moves.FindLastIndex(move => move.Start <= sinceMotion))];
+    (double Start, double From, SevenPhaseProfile Profile) MoveAt(double sinceMotion)
+    {
+        var move = _moves.Count - 1;
+        while (move > 0 && _moves[move].Start > sinceMotion) move--;
+        return _moves[move];
+    }
 
     RigidTransform ToolAt(double angle) => LinksAt(angle)[Robot.IndexOfLink(Robot.ToolLink.Name)];
 
     // Around the first joint's own axis, which is not the base frame's.
-    double RadiusOf(in RigidTransform tool)
-    {
-        var axis = Robot.MovingJoints[_axis].Origin;
-        return Math.Sqrt(Math.Pow(tool.X - axis.X, 2) + Math.Pow(tool.Y - axis.Y, 2));
-    }
+    double RadiusOf(in RigidTransform tool) => Math.Sqrt(Math.Pow(tool.X - AxisOrigin.X, 2) + Math.Pow(tool.Y - AxisOrigin.Y, 2));
+
+    double HeadingOf(double x, double y) => Math.Atan2(y - AxisOrigin.Y, x - AxisOrigin.X);
+
+    RigidTransform AxisOrigin => Robot.MovingJoints[_axis].Origin;
 }

@@ -20,7 +20,7 @@ async function main(): Promise<number> {
   const configuration = readConfiguration(others[0], process.env, checks);
   if (!isCheck) return runPlant(configuration);
   const kind = kinds[configuration.plant.kind], obstacle = kind.obstacle?.(configuration) ?? null;
-  if (obstacle === null) process.stdout.write(`${others[0]} is good: ${kind.summary(configuration)}\n`);
+  if (obstacle === null) process.stdout.write(`${others[0]} is valid: ${kind.summary(configuration)}\n`);
   if (obstacle === null && configuration.isSupervised) await written(`${JSON.stringify(contentOf(kind, configuration))}\n`);
   if (obstacle !== null) process.stderr.write(`${obstacle}\n`);
   return obstacle === null ? 0 : BAD_INPUT;
@@ -29,7 +29,7 @@ async function main(): Promise<number> {
 /** Writes a text that may be longer than the buffer of a pipe, which the end of the process would cut. */
 const written = (text: string): Promise<unknown> => new Promise(done => { process.stdout.write(text, done); });
 
-/** Gets what the gateway needs to know before it starts the adapter. */
+/** Gets the data that the gateway needs before it starts the adapter. */
 function contentOf(kind: Kind, configuration: Configuration): object {
   return {
     name: configuration.plant.name,

@@ -58,11 +58,11 @@ export async function runPlant(configuration: Configuration): Promise<number> {
 }
 
 function tellCoarse(status: AdapterStatus, log: Log, coarse: Nanoseconds | null): void {
-  const steps = coarse === null ? null : `its clock goes on in steps of ${Math.round(toMilliseconds(coarse))} ms`;
+  const steps = coarse === null ? null : `its clock advances in steps of ${Math.round(toMilliseconds(coarse))} ms`;
   status.detail('clock', steps);
-  if (steps === null) return log.resume('clock steps', 'its clock is fine enough again');
-  const cure = 'name a time that goes on more often, or have the control system set it so';
-  log.change('clock steps', 'coarse', `${steps}: too coarse for headsets to be synchronised by it; ${cure}`);
+  if (steps === null) return log.resume('clock steps', 'the resolution of its clock is sufficient again');
+  const cure = 'name a time that advances in smaller steps, or configure the control system so';
+  log.change('clock steps', 'coarse', `${steps}, too coarse for headsets; ${cure}`);
 }
 
 function diagnosticsOf(name: string, status: AdapterStatus, gateway: GatewayLink): object {

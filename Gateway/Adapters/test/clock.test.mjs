@@ -20,7 +20,7 @@ describe('resolution', () => {
 
   it('Resolution_TooFewTimes_IsUnknown', () => assert.equal(told(eight(MS).slice(0, 7)).value, 0n));
 
-  it('Resolution_ClockStandsBetweenUpdates_IsTheStandstill', () => {
+  it('Resolution_ClockStandsStillBetweenUpdates_IsTheUpdateInterval', () => {
     const times = eight(100n).flatMap(time => [time, time, time]);
 
     // The third reading was requested two intervals after the first, which had arrived 1 µs after its request.
@@ -136,7 +136,7 @@ describe('plant clock', () => {
 
     isPaused = true;
     let answered = 0;
-    for (let i = 0; i < 150; i++) await asked().then(() => answered++, error => assert.equal(error.message, 'the clock stands still'));
+    for (let i = 0; i < 150; i++) await asked().then(() => answered++, error => assert.equal(error.message, 'the clock does not advance'));
     isPaused = false;
     const after = await asked();
 

@@ -39,7 +39,7 @@ describe('configuration', () => {
     const { status, out } = await check(t, path);
 
     assert.equal(status, 0);
-    assert.match(out, /plant\.yaml is good: .*opc\.tcp:\/\/plc\.example:4840.*arm_joint_1, arm_joint_2\n$/);
+    assert.match(out, /plant\.yaml is valid: .*opc\.tcp:\/\/plc\.example:4840.*arm_joint_1, arm_joint_2\n$/);
   });
 
   it('Check_StartedByTheGateway_AddsTheContentAsJson', async t => {
@@ -63,7 +63,7 @@ describe('configuration', () => {
     ['PortInWords', 'plc.example:4840', 'plc.example:abc', /^line 5: plant\.endpoint: .* from 1 to 65535$/],
     ['NoHost', 'plc.example:4840', ':4840', /^line 5: plant\.endpoint: .* a host and/],
     ['GatewayPort', 'ws://127.0.0.1:47011', 'ws://127.0.0.1:470111', /^line 2: gateway\.url: .* from 1 to 65535$/],
-    ['NamespaceTooLarge', 'ns=4;i=1002', 'ns=65536;i=1002', /^line 11: joints\[1\]\.node: .*; a namespace, ns, is a number from 0 to 65535$/],
+    ['NamespaceTooLarge', 'ns=4;i=1002', 'ns=65536;i=1002', /^line 11: joints\[1\]\.node: .*; a namespace \(ns\) must be a number from 0 to 65535$/],
     ['NodeNumberTooLarge', 'ns=4;i=1002', 'ns=4;i=4294967296', /^line 11: joints\[1\]\.node: .* from 0 to 4294967295$/],
     ['TimeNodeTooLarge', 'joints:', '  time: {node: ns=65536;s=t}\njoints:', /^line 6: plant\.time\.node: .* from 0 to 65535$/],
     ['UnknownKey', 'endpoint: opc', 'endpont: opc', /^line 5: plant\.endpont: not known here; did you mean endpoint\?/],
@@ -72,21 +72,21 @@ describe('configuration', () => {
     ['PasswordInEndpoint', 'opc.tcp://plc', 'opc.tcp://me:word@plc', /^line 5: plant\.endpoint: .*without user name or password$/],
     ['PasswordWithSlash', 'opc.tcp://plc', 'opc.tcp:/me:wo/rd@x@plc', /^line 5: plant\.endpoint: value "opc\.tcp:\/\*\*\*@plc/],
     ['UnknownUnit', 'unit: deg', 'unit: degrees', /^line 9: joints\[0\]\.unit: value "degrees"; did you mean deg\? allowed are rad, deg, m, mm$/],
-    ['UnitAndScale', 'scale: 0.5', 'scale: 0.5\n    unit: mm', /^line 12: joints\[1\]\.scale: the unit tells the scale already/],
+    ['UnitAndScale', 'scale: 0.5', 'scale: 0.5\n    unit: mm', /^line 12: joints\[1\]\.scale: the unit already determines the scale/],
     ['ScaleOfZero', 'scale: 0.5', 'scale: 0', /^line 12: joints\[1\]\.scale: value 0; allowed is .*not 0/],
     ['ScaleInWords', 'scale: 0.5', 'scale: half', /^line 12: joints\[1\]\.scale: value "half"; allowed is a number/],
     ['OffsetNaN', 'offset: -1.5', 'offset: .nan', /^line 13: joints\[1\]\.offset: value \.nan; /],
     ['OffsetInfinite', 'offset: -1.5', 'offset: -.inf', /^line 13: joints\[1\]\.offset: value -\.inf; /],
     ['NoNode', '    node: ns=4;i=1002\n', '', /^line 10: joints\[1\]\.node: missing; add the node's id as ns=/],
     ['WrongNode', 'ns=4;i=1002', 'MAIN.x', /^line 11: joints\[1\]\.node: value "MAIN\.x"; allowed is .*ns=NUMBER;s=NAME/],
-    ['JointTwice', 'arm_joint_2', 'arm_joint_1', /^line 10: joints\[1\]\.joint: value "arm_joint_1"; line 7 has this joint already/],
-    ['KeyTwice', 'unit: deg', 'unit: deg\n    unit: rad', /^line 10: this key stands here for the second time/],
-    ['Tab', '  endpoint', '\tendpoint', /^line 5: a tab stands before the entry/],
-    ['AliasWithoutEnd', 'gateway:', '&all\ngateway: *all\nown:', /^line 1: an alias \(\*\) stands inside of what it names; write the entry out$/],
-    ['NoYaml', 'unit: deg', 'unit: "deg', /^line \d+: no YAML: /],
+    ['JointTwice', 'arm_joint_2', 'arm_joint_1', /^line 10: joints\[1\]\.joint: value "arm_joint_1"; line 7 already has this joint/],
+    ['KeyTwice', 'unit: deg', 'unit: deg\n    unit: rad', /^line 10: this key occurs twice/],
+    ['Tab', '  endpoint', '\tendpoint', /^line 5: a tab precedes the entry/],
+    ['AliasWithoutEnd', 'gateway:', '&all\ngateway: *all\nown:', /^line 1: an alias \(\*\) refers to an entry that contains it; write the entry out$/],
+    ['NoYaml', 'unit: deg', 'unit: "deg', /^line \d+: not valid YAML: /],
     ['JointsNoList', /joints:[^]*/, 'joints: {}\n', /^line 6: joints: value \{\}; allowed is a list of joints/],
     ['GatewayNoWebSocket', 'ws://127.0.0.1:47011', '127.0.0.1', /^line 2: gateway\.url: value "127\.0\.0\.1"; allowed is .*ws:\/\/HOST:PORT/],
-    ['PinWithoutTls', 'plant:', `  pin: sha256/${'A'.repeat(43)}=\nplant:`, /^line 3: gateway\.pin: not looked at with ws:\/\/; write wss:\/\//],
+    ['PinWithoutTls', 'plant:', `  pin: sha256/${'A'.repeat(43)}=\nplant:`, /^line 3: gateway\.pin: not used with ws:\/\/; write wss:\/\//],
     ['OpenAndGuarded', 'joints:', '  security: { i_know_this_is_open: true }\njoints:', /^line 6: plant\.security\.i_know_this_is_open: security\.mode is sign_and_encrypt/],
     ['WrongPin', 'plant:', '  pin: sha256/abc\nplant:', /^line 3: gateway\.pin: value "sha256\/abc"; allowed is the pin/],
     ['TokenInFile', 'plant:', '  token: hush-hush\nplant:', /^line 3: gateway\.token: not known here; did you mean token_file\?/],
@@ -127,7 +127,7 @@ describe('configuration', () => {
   it('Check_Tab_IsTheOnlyReportedError', () => {
     const lines = linesOf('  endpoint', '\tendpoint');
 
-    assert.deepEqual(lines, ['line 5: a tab stands before the entry; YAML allows blanks only, replace it']);
+    assert.deepEqual(lines, ['line 5: a tab precedes the entry; YAML allows spaces only, so replace the tab']);
   });
 
   it('Check_NoPlant_ReportsOtherUnknownEntries', () => {
@@ -185,7 +185,7 @@ describe('configuration', () => {
 
     const lines = wrongIn(path);
 
-    assert.match(lines[0], /line 3: gateway\.token_file: .*everybody on this machine may read the file/);
+    assert.match(lines[0], /line 3: gateway\.token_file: .*every user of this machine may read the file/);
     assert.doesNotMatch(lines.join('\n'), /hush-hush/);
   });
 

@@ -74,7 +74,7 @@ describe('end of data', () => {
       assert.ok(found >= 190, `${found} of 200`);
     });
 
-  it('Verdict_ConstantSpeed_NeedsSpeedByInterval', () => {
+  it('Verdict_ConstantSpeed_RequiresSpeedDividedByInterval', () => {
     const judge = judgeOf(changes(trapezoid({ v: 1, a: 2, brakeAt: 100, brake: 1 }), () => 0, { interval: 0.02, until: 2 }));
 
     const { required, limit } = judge.verdict(0.02);
@@ -84,14 +84,14 @@ describe('end of data', () => {
     assert.equal(limit, FLOOR);
   });
 
-  it('Verdict_ConfiguredDeceleration_ReplacesWhatWasSeen', () => {
+  it('Verdict_ConfiguredDeceleration_ReplacesTheObservedOne', () => {
     const samples = [...changes(trapezoid({ v: 1, a: 2, brakeAt: 100, brake: 1 }), () => 0, { interval: 0.02, until: 2 })];
 
     assert.equal(judgeOf(samples, new EndOfData(FLOOR, 60)).verdict(0.02), null);
     assert.equal(judgeOf(samples, new EndOfData(FLOOR, 30)).verdict(0.02).limit, 30);
   });
 
-  it('Verdict_DecelerationSeenBefore_RaisesTheLimit', () => {
+  it('Verdict_DecelerationObservedBefore_RaisesTheLimit', () => {
     const random = seeded(SEED), judge = new EndOfData(FLOOR);
     const braked = trapezoid({ v: 4, a: 5, brakeAt: 1, brake: 40 });
     judgeOf(changes(braked, random, { interval: 0.01, until: braked.end + 0.5 }), judge);

@@ -18,7 +18,7 @@ for (const name of names)
     const { status, out, lines } = await check(t, join(folder, name));
 
     assert.equal(status, 0, lines.join('\n'));
-    assert.match(out, /is good: /);
+    assert.match(out, /is valid: /);
   });
 
 const withRobot = names.map(name => [name, parse(readFileSync(join(folder, name), 'utf8'))]).filter(([, { robot }]) => robot !== undefined);

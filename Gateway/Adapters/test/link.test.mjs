@@ -62,7 +62,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
   it('Token_Unknown_IsLoggedOnce', async t => {
     const bridge = await RosbridgeDouble.start(t, { token: 'another' });
     const run = await adapter(t, bridge.url, { env: { NOWPOSE_TOKEN: TOKEN } });
-    await run.said('401, the token is missing or not known there');
+    await run.said('401, the token is missing or unknown to the gateway');
 
     await until(() => bridge.headers.length > 2, 'more attempts');
 
@@ -140,12 +140,12 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     const bridge = await RosbridgeDouble.start(t), run = await adapter(t, bridge.url);
     await until(() => bridge.clients.length > 0, 'the link');
 
-    const status = 'publish /joint_states dropped: the clock that stamped it is not known yet (Unsynchronised)';
+    const status = 'publish /joint_states dropped: the clock of its time stamp is not synchronised yet (Unsynchronised)';
     for (let i = 0; i < 3; i++) bridge.send({ op: 'status', level: 'error', msg: status });
     bridge.send({ op: 'status', level: 'error', msg: 'another' });
 
     await run.said('says: another');
-    assert.equal(run.err.match(/measures this clock; positions pass when it knows it/g).length, 1);
+    assert.equal(run.err.match(/measures this clock; it forwards positions after the measurement/g).length, 1);
     assert.doesNotMatch(run.err, /Unsynchronised/);
   });
 

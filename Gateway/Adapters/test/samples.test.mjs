@@ -118,7 +118,7 @@ describe('joint output', () => {
     clock.now = T + 20n * S;
     for (let i = 20n; i < 26n; i++) out.publish([{ joint: 0, value: 1, stamp: T + i }]);
 
-    assert.deepEqual(lines.map(line => /not-finite|good again|stamp-old/.exec(line)?.[0]), ['not-finite', 'good again', 'stamp-old']);
+    assert.deepEqual(lines.map(line => /not-finite|valid again|stamp-old/.exec(line)?.[0]), ['not-finite', 'valid again', 'stamp-old']);
   });
 
   it('Values_ClockNotOfferedYet_AreCountedAndNotPublished', () => {
@@ -154,7 +154,7 @@ describe('joint output', () => {
       assert.deepEqual(passed(sent).at(-1), [205n * MS, 'b', '3']);
     });
 
-    it('Value_FirstWithOldStamp_IsPublishedOnceAtRest', () => {
+    it('Value_FirstWithOldStamp_IsPublishedWhenConfirmedAtRest', () => {
       const { out, sent, status, clock } = output([joint('a')]);
       out.publish([{ joint: 0, value: 7, stamp: T - HOUR, isFirst: true }]);
       out.hold(T + 50n * MS, 0n);

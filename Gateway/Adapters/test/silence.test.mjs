@@ -46,7 +46,7 @@ describe('silence', () => {
     assert.ok(cell.faultMs > 490 && cell.faultMs <= 600, `the last sample is of 490 ms, the fault of ${cell.faultMs} ms`);
     assert.ok(cell.sent.filter(({ name }) => name.includes('a')).every(({ header: { stamp } }) => stamp.sec === 1_700_000_000 && stamp.nanosec < 0.5e9));
     assert.equal(cell.stateOf('b'), 'live');
-    assert.match(cell.status.message, /^a fault: its data ended in mid-motion: to stop there needs \d+\.\d rad\/s²/);
+    assert.match(cell.status.message, /^a fault: its data ended in mid-motion: a stop there would need \d+\.\d rad\/s²/);
     assert.equal(cell.status.level, 2);
     assert.equal(cell.lines.filter(line => line.includes('a fault')).length, 1);
   });
@@ -67,7 +67,7 @@ describe('silence', () => {
     assert.equal(cell.stateOf('a'), 'live');
   });
 
-  for (const [maxDeceleration, limit] of [[undefined, '12.0 rad/s² that is assumed for it; set max_deceleration if it can brake harder'], [20, '20.0 rad/s² of max_deceleration']]) {
+  for (const [maxDeceleration, limit] of [[undefined, '12.0 rad/s² assumed for it; set max_deceleration if it can brake harder'], [20, '20.0 rad/s² of max_deceleration']]) {
     it(`Motion_InterruptedWith${maxDeceleration === undefined ? 'out' : ''}MaxDeceleration_NamesTheLimitAndItsSource`, () => {
       const cell = plant([{ joint: 'a', maxDeceleration }, { joint: 'b' }]);
 
@@ -133,7 +133,7 @@ describe('silence', () => {
     // The documentation promises two seconds from the plant to the headset.
     assert.ok(cell.faultMs - 1000 * Math.PI * 3 <= 700, `${cell.faultMs} ms`);
     // 1.5 times the largest deceleration of the swing, 1.2 rad/s², and four times the one that the last samples show.
-    assert.match(cell.status.values()['joint/a'], /to stop there needs 1\d\.\d rad\/s², more than the 1\.\d rad\/s² that its samples show; set max_deceleration if it can brake harder$/);
+    assert.match(cell.status.values()['joint/a'], /a stop there would need 1\d\.\d rad\/s², more than the 1\.\d rad\/s² observed in its samples; set max_deceleration if it can brake harder$/);
   });
 
   it('Motion_InterruptedBelowTheFloorBeforeAnyDeceleration_IsUncertainRestAlsoWhileAnotherJointMoves', () => {
@@ -159,7 +159,7 @@ describe('silence', () => {
     assert.match(cell.status.values()['joint/a'], /assumed at rest; the stop itself was not observed; it would need 1\d\.\d rad\/s²$/);
   });
 
-  it('Motion_OfAllJointsCutBelowTheFloorAndNoLongerWritten_IsFault', () => {
+  it('Motion_OfAllJointsInterruptedBelowTheFloorAndNoLongerWritten_IsFault', () => {
     const prepare = cell => { cell.output.sourceStopOf = joint => joint === 0 && cell.time.ms > 1000 * Math.PI * 3 + 700 ? 'after-change' : null; };
     const cell = swing([0, 1], { prepare });
 
@@ -170,7 +170,7 @@ describe('silence', () => {
     assert.equal(cell.sent.filter(({ name }) => name.includes('a')).length, repeated, 'it is not repeated');
   });
 
-  it('Rest_NoLongerWrittenAfterAnObservedStop_IsUncertain', () => {
+  it('Rest_SourceStopsWritingAfterAnObservedStop_IsUncertain', () => {
     const cell = plant([{ joint: 'a', maxDeceleration: 200 }, { joint: 'b', maxDeceleration: 200 }]);
     let stop = null;
     cell.output.sourceStopOf = joint => joint === 0 ? stop : null;
@@ -236,7 +236,7 @@ describe('silence', () => {
     assert.deepEqual([cell.stateOf('a'), cell.status.level], ['live', 0]);
   });
 
-  it('Batch_ValidValueBeforeAnInvalidOne_EndsRefused', () => {
+  it('Batch_ValidValueBeforeAnInvalidOne_IsRefused', () => {
     const cell = plant();
 
     cell.output.publish([{ joint: 0, value: 1, stamp: T - MS }, { joint: 0, value: null, stamp: null, refusal: { reason: 'node-gone', text: 'gone' }, isLost: true }]);

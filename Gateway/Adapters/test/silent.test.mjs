@@ -62,7 +62,7 @@ describe('silent nodes', () => {
     await cell.look();
 
     assert.deepEqual(during, [[1], [1]]);
-    assert.deepEqual(cell.lost, [[0, 'joints[0].node: value n0; the server has no such node any more (BadNodeIdUnknown)']]);
+    assert.deepEqual(cell.lost, [[0, 'joints[0].node: value n0; the server no longer has this node (BadNodeIdUnknown)']]);
     assert.deepEqual(cell.renewed, [0]);
   });
 
@@ -125,7 +125,7 @@ describe('silent nodes', () => {
     assert.deepEqual([cell.refused, cell.renewed], [[[0, 'status-bad']], [0]]);
   });
 
-  /** Lets the source write node 0 with its unchanged value in each look, or not. */
+  /** Reads the nodes repeatedly; if isWritten is set, the source writes the unchanged value of node 0 before each read. */
   async function atRest(cell, looks, isWritten) {
     for (let i = 0; i < looks; i++) {
       if (isWritten) cell.answers[0] = good(1, 1_000_000 + cell.now);
@@ -133,7 +133,7 @@ describe('silent nodes', () => {
     }
   }
 
-  it('Source_ThatWroteANodeAtRestAndNoLongerDoes_HasStoppedThatNodeOnly', async () => {
+  it('Source_StopsWritingANodeAtRest_HasStoppedOnlyThatNode', async () => {
     const cell = server();
     cell.hear(0, good(1, 999_000));
     await atRest(cell, 20, true);
@@ -187,7 +187,7 @@ describe('silent nodes', () => {
     assert.equal(cell.nodes.stopOf(0), null);
   });
 
-  it('Source_StopsAtTheLastChange_IsToldFromAStopAtRest', async () => {
+  it('Source_StopsAtTheLastChange_DiffersFromAStopAtRest', async () => {
     const cell = server();
     cell.hear(0, good(1, 999_000));
     await atRest(cell, 20, true);
@@ -250,7 +250,7 @@ describe('silent symbols', () => {
     assert.deepEqual([cell.confirmed, cell.lost, cell.renewed], [[[0, 1]], [], []]);
   });
 
-  it('Symbols_ReadSlowly_AreConfirmedAsOfTheBeginOfTheReads', async () => {
+  it('Symbols_ReadSlowly_AreConfirmedForTheStartOfTheReads', async () => {
     const cell = plc(), { actions } = cell.symbols, { read } = actions;
     actions.read = joint => {
       cell.now += 40;

@@ -9,7 +9,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>Finds all present faults. Any thread.</summary>
+/// <summary>Finds all present faults. Thread-safe.</summary>
 sealed class Conditions(
     GatewayOptions options, ServedClock clock, DiagnosticsBoard diagnostics, RecentRefusals refusals, LimitAlarm limits,
     Recorder recorder)
@@ -50,7 +50,7 @@ sealed class Conditions(
             {
                 JointDataState.Stale => "Check that its source runs and reaches the gateway.",
                 JointDataState.Missing => "Check that the plant offers the joint's value and that the plant's configuration names it correctly.",
-                JointDataState.Refused => "Check what its source sends.",
+                JointDataState.Refused => "Check the values that its source sends.",
                 JointDataState.Fault => "Check the plant and its connection.",
                 _ => "",
             },
@@ -64,8 +64,8 @@ sealed class Conditions(
     static IEnumerable<Condition> OfUncertainRests(IReadOnlyList<JointStatus> joints) => joints.Where(row => row.Uncertainty.Length > 0).Select(
         row => new Condition("joint", $"{row.Name} ({row.Source})", "may not be at rest", row.Uncertainty, Level.Warning, Since: row.Since)
         {
-            Remedy = "Check that the joint really stands still" + (row.Uncertainty.Contains(OwnCure, StringComparison.Ordinal)
-                ? "." : "; if it does, set its max_deceleration in the plant's configuration."),
+            Remedy = "Check that the joint is at rest" + (row.Uncertainty.Contains(OwnCure, StringComparison.Ordinal)
+                ? "." : "; if it is, set its max_deceleration in the plant's configuration."),
         });
 
     string ClockName => clock.Source == PlantClocks.Own ? "the gateway's own control clock" : $"the control clock {clock.Source}";
@@ -96,9 +96,9 @@ sealed class Conditions(
     }
 
     IEnumerable<Condition> OfStamps() => clock.Stamps.Ahead.Select(
-        one => new Condition("source", one.Source, "sends stamps in the future", $"they lie {one.By} ahead of the control clock", Level.Warning)
+        one => new Condition("source", one.Source, "sends time stamps in the future", $"they are {one.By} ahead of the control clock", Level.Warning)
         {
-            Headline = $"source {one.Source} sends stamps that lie in the future",
+            Headline = $"source {one.Source} sends time stamps in the future",
             Remedy = "Set the clock of the source, or let its adapter offer that clock.",
         });
 
@@ -125,7 +125,7 @@ sealed class Conditions(
         select new Condition(
             "adapter", state.Name, DoesNotReport, end == null ? "its program has just started" : $"{end} and is started again", Level.Error, true)
         {
-            Remedy = end == null ? "" : "See its lines in the log of the gateway.",
+            Remedy = end == null ? "" : "Read its lines in the gateway's log.",
             IsNormalAtStart = end == null,
         };
 
@@ -161,7 +161,7 @@ sealed class Conditions(
         };
 
     Condition LostHeadset(string name, TimeSpan ago) =>
-        new("headset", name, "is lost", "its reports stopped and it did not close its connection in order", Level.Warning, Since: options.Time.GetUtcNow() - ago)
+        new("headset", name, "is lost", "its reports stopped without a normal end of the connection", Level.Warning, Since: options.Time.GetUtcNow() - ago)
         {
             Remedy = "Check its power and its network.",
         };
@@ -170,7 +170,7 @@ sealed class Conditions(
     {
         "unsynchronised" => "Check the network between the headset and the gateway.",
         "held" => "Check that samples reach the headset in time.",
-        _ => "See the status panel of the headset.",
+        _ => "Look at the status panel of the headset.",
     };
 
     static string ReasonOf(string pose, string missing) =>
@@ -193,7 +193,7 @@ sealed class Conditions(
             CultureInfo.InvariantCulture, $"its position was {found.Position:0.###} {unit}; allowed are {allowed.Lower:0.###} to {allowed.Upper:0.###} {unit}"), Level.Warning)
         {
             Headline = $"joint {joint.Name} is outside the limits of the robot description",
-            Remedy = $"Check that the description is of this robot and that the source sends {unit}, not {other}.",
+            Remedy = $"Check that the description belongs to this robot and that the source sends {unit}, not {other}.",
         };
     }
 
@@ -212,7 +212,7 @@ sealed class Conditions(
         var left = options.CertificateExpires - options.Time.GetUtcNow().UtcDateTime;
         if (left > CertificateNotice || left == null) yield break;
         var day = options.CertificateExpires.Value.ToString("yyyy-MM-dd HH:mm 'UTC'", CultureInfo.InvariantCulture);
-        const string Cure = "renew the file with the same key; the gateway takes it without a restart";
+        const string Cure = "renew the file with the same key; the gateway needs no restart";
         yield return left > TimeSpan.Zero
             ? new("certificate", "of the gateway", "is about to expire", $"it expires on {day}; {Cure}", Level.Warning)
             {

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>Keeps the newest events with their begin and end, and logs each begin and end. Any thread.</summary>
+/// <summary>Keeps the newest events with their start and end, and logs both. Thread-safe.</summary>
 sealed class EventList(TimeProvider time, Action<string> log)
 {
     internal const int MaxEvents = 500;
@@ -11,7 +11,7 @@ sealed class EventList(TimeProvider time, Action<string> log)
     internal static readonly TimeSpan StartGrace = TimeSpan.FromSeconds(3);
 
     readonly long _started = time.GetTimestamp();
-    // Conditions without an event because of this time, with their begin.
+    // Conditions that have no event yet because of this time, with their start.
     readonly Dictionary<(string, string, string), DateTimeOffset> _pending = [];
     readonly Lock _lock = new();
     // The oldest first.
@@ -64,7 +64,7 @@ sealed class EventList(TimeProvider time, Action<string> log)
         lock (_lock) return [.. Enumerable.Reverse(_events).Where((one, i) => i < newest || one.Until == null)];
     }
 
-    /// <summary>Adds the begin of their events to present conditions. A condition without an event begins now.</summary>
+    /// <summary>Adds the start of their events to the current conditions. A condition without an event starts now.</summary>
     public IReadOnlyList<Condition> Date(IReadOnlyList<Condition> present)
     {
         lock (_lock)

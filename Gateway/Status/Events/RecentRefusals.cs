@@ -2,7 +2,7 @@ using Nowpose.Gateway.Hub;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>Sources whose samples are refused because another source publishes one of their joints. Any thread; bounded.</summary>
+/// <summary>Sources whose samples are refused because another source publishes one of their joints. Thread-safe; bounded.</summary>
 sealed class RecentRefusals(TimeProvider time)
 {
     const int MaxRefusals = 64;

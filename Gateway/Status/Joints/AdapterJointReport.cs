@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Status.Joints;
 
 /// <summary>State of one joint as its adapter reports it: the value STATE SINCE REASON of the key joint/NAME.</summary>
-/// <param name="Since">Begin of the state, on the wall clock of the adapter's machine.</param>
+/// <param name="Since">Start of the state, on the wall clock of the adapter's machine.</param>
 /// <param name="Uncertainty">The reason why it is uncertain that the joint rests, the value of the key uncertain/NAME; empty for none.</param>
 readonly record struct AdapterJointReport(JointDataState State, DateTimeOffset Since, string Reason, string Uncertainty = "")
 {

@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Joints;
 
-/// <summary>State of every joint and source, from the adapters' reports and the received samples. Any thread; bounded.</summary>
+/// <summary>State of every joint and source, from the adapters' reports and the received samples. Thread-safe; bounded.</summary>
 /// <remarks>
 /// A joint in an adapter's configuration stays until the adapter reports without it. A joint that was only published is removed when it
 /// has been silent for <see cref="ForgottenAfter"/> and its source ended normally. If its source did not end normally, its data have failed,

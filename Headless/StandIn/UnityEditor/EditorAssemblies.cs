@@ -6,7 +6,10 @@ using System.Reflection;
 
 namespace UnityEditor;
 
-/// <summary>The assemblies that use the editor's API. The editor loads all of a project's; .NET loads an assembly at its first use.</summary>
+/// <summary>
+/// The assemblies that use the editor's API. Loads them explicitly, because the editor loads all assemblies of a project, but .NET loads an
+/// assembly only at its first use.
+/// </summary>
 static class EditorAssemblies
 {
     static readonly Lazy<Type[]> All = new Lazy<Type[]>(() => Load().SelectMany(a => a.GetTypes()).ToArray());

@@ -59,7 +59,7 @@ public sealed class Player : IDisposable
         _loop.LoadScene(scene.Name, scene.Path, scene.Roots);
     }
 
-    /// <summary>Takes over objects without a scene as a scene with this name. Its active objects wake.</summary>
+    /// <summary>Loads objects that belong to no scene as a scene with this name, and wakes its active objects.</summary>
     internal void LoadScene(string name, string path, IReadOnlyList<GameObject> roots)
     {
         using var scope = _world.Enter();

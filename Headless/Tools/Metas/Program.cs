@@ -16,11 +16,11 @@ if (args.Contains("--help"))
     return 0;
 }
 var unknown = args.FirstOrDefault(a => a is not ("--check" or "--prune"));
-if (unknown != null) return Refuse($"unknown option {unknown}; --check, --prune and --help are known");
-if (args.Contains("--check") && args.Contains("--prune")) return Refuse("--check writes nothing, so it does not go with --prune");
+if (unknown != null) return Refuse($"unknown option {unknown}; allowed are --check, --prune and --help");
+if (args.Contains("--check") && args.Contains("--prune")) return Refuse("--check writes nothing, so it cannot be combined with --prune");
 
 var root = ProjectRoot.Find(Directory.GetCurrentDirectory());
-if (root == null) return Refuse($"no Unity project at or above {Directory.GetCurrentDirectory()}");
+if (root == null) return Refuse($"there is no Unity project at or above {Directory.GetCurrentDirectory()}");
 
 if (args.Contains("--prune"))
     foreach (var path in MetaWriter.Prune(root)) Console.WriteLine($"removed {path}");

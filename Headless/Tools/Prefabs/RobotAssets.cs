@@ -5,7 +5,10 @@ namespace Nowpose.Prefabs;
 
 static class RobotAssets
 {
-    /// <summary>The URDF's text in an asset that prefabs may refer to: what an importer makes of a .urdf has fileIDs that only Unity knows.</summary>
+    /// <summary>
+    /// The URDF's text in an asset that prefabs may refer to: the assets that an importer creates from a .urdf have fileIDs that only Unity
+    /// determines.
+    /// </summary>
     public static string Description(Workshop workshop, string path, string urdfPath)
     {
         var asset = ScriptableObject.CreateInstance<RobotDescriptionAsset>();

@@ -22,7 +22,7 @@ static class Scenes
         return Save(workshop, cell);
     }
 
-    /// <summary>Creates a scene that also draws the real arm at its simulated position; it hides objects behind it by itself.</summary>
+    /// <summary>Creates a scene that also draws the real arm at its simulated position; the drawn arm itself hides objects behind it.</summary>
     public static string VirtualRobotCell(Workshop workshop)
     {
         var cell = Cell(workshop, PackagePaths.Cell, PackagePaths.VirtualSettings);

@@ -13,7 +13,7 @@ namespace Nowpose.Editor
         static readonly HeadsetPlatform[] Platforms = { HeadsetPlatform.HoloLens2, HeadsetPlatform.AndroidHeadset };
         static readonly string[] PlatformNames = { "HoloLens 2", "Android headset (Quest, Magic Leap 2)" };
         static readonly string[] Signs = { "✓ ", "○ ", "✗ ", "? " };
-        static readonly string[] Words = { "", "advised: ", "missing: ", "not known: " };
+        static readonly string[] Words = { "", "advised: ", "missing: ", "unknown: " };
 
         IProjectSettings _project;
         ProjectReview _review;

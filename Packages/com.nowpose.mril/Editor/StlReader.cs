@@ -15,17 +15,21 @@ namespace Nowpose.Editor
         public const int MostTriangles = MaxTriangles;
 
         /// <summary>Maximum file size in bytes, 300 MiB: a triangle takes about 270 bytes as text.</summary>
-        public const long LargestFile = 300L << 20;
+        public const long MaxFileBytes = 300L << 20;
+
+        /// <inheritdoc cref="MaxFileBytes"/>
+        [Obsolete("use MaxFileBytes")]
+        public const long LargestFile = MaxFileBytes;
 
         /// <param name="path">Path of the file.</param>
         /// <param name="sourceName">The name of the file in error messages.</param>
-        /// <exception cref="Nowpose.InputException">Not a usable STL file; names it, the line or byte, and what is wrong there.</exception>
+        /// <exception cref="Nowpose.InputException">The STL file cannot be used. The message names the file, the line or byte, and the error.</exception>
         /// <exception cref="IOException">The file cannot be read.</exception>
         public static StlTriangles ReadFile(string path, string sourceName)
         {
             var length = new FileInfo(path).Length;
-            if (length > LargestFile)
-                throw new InputException(sourceName + ": " + length + " bytes, at most " + LargestFile + " are read; simplify the mesh");
+            if (length > MaxFileBytes)
+                throw new InputException(sourceName + ": " + length + " bytes; the maximum is " + MaxFileBytes + "; simplify the mesh");
             return Read(File.ReadAllBytes(path), sourceName);
         }
 
@@ -41,6 +45,6 @@ namespace Nowpose.Editor
         }
 
         internal static InputException TooMany(string where, long count) =>
-            new InputException(where + ": " + count + " triangles or more, at most " + MaxTriangles + " are read; simplify the mesh");
+            new InputException(where + ": " + count + " triangles or more; the maximum is " + MaxTriangles + "; simplify the mesh");
     }
 }

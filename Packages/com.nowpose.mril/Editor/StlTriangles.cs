@@ -23,7 +23,7 @@ namespace Nowpose.Editor
             else Degenerate++;
         }
 
-        // In double precision: for a thin triangle, the squares of coordinates in millimetres exceed the precision of a float.
+        // Uses double precision, because for a thin triangle the squares of coordinates in millimetres exceed the precision of a float.
         static bool HasArea(float[] c)
         {
             double ax = (double)c[3] - c[0], ay = (double)c[4] - c[1], az = (double)c[5] - c[2];

@@ -23,11 +23,11 @@ namespace Nowpose.Editor
 
         const long MaxFileBytes = 16L << 20;
 
-        [SerializeField, Tooltip("For the links up to the flange; an occluder, where the real arm is to hide what is behind it. Empty: the "
-            + "URDF's own colours and the models' own materials, so that the import shows what the file says.")]
+        [SerializeField, Tooltip("Material of the links up to the flange. Choose an occluder if the real arm is to hide the objects behind it. "
+            + "Empty: the colours of the URDF and the materials of the models.")]
         Material _armMaterial = null;
 
-        [SerializeField, Tooltip("For the links that the flange carries. Empty: the URDF's own colours and the models' own materials.")]
+        [SerializeField, Tooltip("Material of the links that the flange carries. Empty: the colours of the URDF and the materials of the models.")]
         Material _toolMaterial = null;
 
         public override void OnImportAsset(AssetImportContext ctx)
@@ -59,7 +59,7 @@ namespace Nowpose.Editor
             var path = ProjectFiles.FullPath(assetPath);
             var length = new FileInfo(path).Length;
             if (length > MaxFileBytes)
-                throw new InputException(Path.GetFileName(assetPath) + ": " + length + " bytes, at most " + MaxFileBytes + " are read");
+                throw new InputException(Path.GetFileName(assetPath) + ": " + length + " bytes; the maximum is " + MaxFileBytes);
             return File.ReadAllText(path);
         }
 

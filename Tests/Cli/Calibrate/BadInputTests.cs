@@ -1,3 +1,4 @@
+using System.Text.Json;
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
@@ -83,7 +84,77 @@ public sealed class BadInputTests : CalibrationFolder
     public async Task Pictures_AllWithoutACode_AreCounted() => await RefusedWith(
         "none of 2 pictures could be read; 2 of them: no code found", "vlc", Picture("a.png", WithoutCodes), Picture("b.png", WithoutCodes));
 
-    [TestCase(CodeKind.Control, "half.png: control code partly covered")]
+    [TestCase(CodeKind.Control, "two.png: two control codes")]
+    [TestCase(CodeKind.Headset, "two.png: two headset codes")]
+    public async Task Picture_WithTwoCodesOfAKind_IsRejected(object kind, string message) =>
+        await RefusedWith(message, "vlc", Picture("two.png", shot => Doubled(shot, (CodeKind)kind)));
+
+    [Test]
+    public async Task Picture_Mirrored_IsReportedAsMirrored() => await RefusedWith("mirror.png: mirrored", "vlc", Picture("mirror.png", Mirrored));
+
+    [Test]
+    public async Task Pictures_OneWithTwoCodesAndOneOfAnotherFormat_AreListedWithTheirReasons()
+    {
+        var folder = Directory.CreateDirectory(Path.Combine(Folder, "mixed")).FullName;
+        Picture("mixed/a.png");
+        Picture("mixed/b.png");
+        Picture("mixed/two.png", shot => Doubled(shot, CodeKind.Control));
+        await File.WriteAllTextAsync(Path.Combine(folder, "z.HEIC"), "ftypheic");
+
+        var run = await CliRun.OfAsync("calibrate", "vlc", folder, "--out", Out, "--json");
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        using var json = JsonDocument.Parse(run.Output);
+        var rejected = json.RootElement.GetProperty("rejected_pictures").EnumerateArray()
+            .ToDictionary(each => Path.GetFileName(each.GetProperty("file").GetString()), each => each.GetProperty("reason").GetString());
+        Assert.That(rejected.Keys, Is.EquivalentTo(new[] { "two.png", "z.HEIC" }));
+        Assert.That(rejected["two.png"], Does.StartWith("two control codes"));
+        Assert.That(rejected["z.HEIC"], Does.Contain("set the camera to JPEG"));
+        Assert.That(await File.ReadAllTextAsync(Path.Combine(Out, "calibration.html")), Does.Contain("two.png").And.Contain("z.HEIC"));
+    }
+
+    // Alone, before and after others, and with two workers: the result of a picture is its own.
+    [Test]
+    public void Pictures_InAnyOrder_HaveTheSameCodes()
+    {
+        string[] files =
+        [
+            Picture("a.png"), Picture("b.png", shot => shot with { Blur = 2.6, Noise = 12 }), Picture("c.png", shot => Halved(shot, CodeKind.Control)),
+            Picture("d.png", Moved),
+        ];
+
+        var alone = files.Select(file => CodesOf([file], 1)[0]).ToArray();
+
+        Assert.That(CodesOf(files, 1), Is.EqualTo(alone));
+        Assert.That(CodesOf([.. files.Reverse()], 1), Is.EqualTo(alone.Reverse()));
+        var many = Enumerable.Range(0, 16).Select(i => i % files.Length).ToArray();
+        Assert.That(CodesOf([.. many.Select(i => files[i])], 2), Is.EqualTo(many.Select(i => alone[i])));
+    }
+
+    static string[] CodesOf(string[] files, int workers)
+    {
+        var codes = new string[files.Length];
+        using var pool = new VisionPool(workers);
+        pool.Look(files.Select(PictureRequest.File), (place, seen) => codes[place] = JsonSerializer.Serialize(seen.Codes), CancellationToken.None);
+        return codes;
+    }
+
+    static Shot Moved(Shot shot) =>
+        shot with { Codes = [.. shot.Codes.Select(code => code with { Corners = [.. code.Corners.Select(corner => new[] { corner[0] + 9, corner[1] - 6 })] })] };
+
+    // A smaller copy between the codes.
+    static Shot Doubled(Shot shot, CodeKind kind)
+    {
+        var code = shot.Codes[kind == CodeKind.Control ? 0 : 1];
+        var middle = code.Corners.Average(corner => corner[0]);
+        double[][] between = [.. code.Corners.Select(corner => new[] { Width / 2 + 0.7 * (corner[0] - middle), 20 + 0.7 * corner[1] })];
+        return shot with { Codes = [.. shot.Codes, code with { Corners = between }] };
+    }
+
+    static Shot Mirrored(Shot shot) =>
+        shot with { Codes = [.. shot.Codes.Select(code => code with { Corners = [code.Corners[1], code.Corners[0], code.Corners[3], code.Corners[2]] })] };
+
+    [TestCase(CodeKind.Control, "half.png: control code partly outside the picture")]
     [TestCase(CodeKind.Headset, "half.png: no headset code found")]
     public async Task Picture_WithHalfACode_NamesTheCode(object half, string message) =>
         await RefusedWith(message, "vlc", Picture("half.png", shot => Halved(shot, (CodeKind)half)));
@@ -100,7 +171,7 @@ public sealed class BadInputTests : CalibrationFolder
 
     [Test]
     public async Task Folder_Empty_IsReported() =>
-        await RefusedWith("nothing: there are no pictures in it", "vlc", Directory.CreateDirectory(Path.Combine(Folder, "nothing")).FullName);
+        await RefusedWith("nothing: contains no pictures", "vlc", Directory.CreateDirectory(Path.Combine(Folder, "nothing")).FullName);
 
     string ProfileOfAnother(string device)
     {
@@ -119,7 +190,7 @@ public sealed class BadInputTests : CalibrationFolder
     // The picture file is empty, so this error shows that the profile is checked before the pictures are read.
     [Test]
     public async Task Vlc_EarlierProfileOfAnotherVersion_IsRefusedBeforeThePicturesAreRead() => await RefusedWith(
-        "earlier.json: latency profile of version 2, this Nowpose reads up to 1", "vlc", Write("a.png", []), "--profile", ProfileOfAnotherVersion());
+        "earlier.json: the latency profile has version 2; this Nowpose reads up to version 1", "vlc", Write("a.png", []), "--profile", ProfileOfAnotherVersion());
 
     [Test]
     public async Task Vlc_EarlierProfileOfAnotherDeviceThanTheSweeps_IsRefusedBeforeThePicturesAreRead() => await RefusedWith(
@@ -129,11 +200,11 @@ public sealed class BadInputTests : CalibrationFolder
 
     [Test]
     public async Task Sine_EarlierProfileOfAnotherVersion_IsRefused() => await RefusedWith(
-        "latency profile of version 2", "sine", Write("jog.csv", []), "--told-ms", "40", "--profile", ProfileOfAnotherVersion());
+        "the latency profile has version 2", "sine", Write("jog.csv", []), "--told-ms", "40", "--profile", ProfileOfAnotherVersion());
 
     [Test]
     public async Task Nudge_EarlierProfileOfAnotherVersion_IsRefused() =>
-        await RefusedWith("latency profile of version 2", [.. Nudge, "--profile", ProfileOfAnotherVersion()]);
+        await RefusedWith("the latency profile has version 2", [.. Nudge, "--profile", ProfileOfAnotherVersion()]);
 
     [Test]
     public async Task Nudge_EarlierProfileOfAnotherDevice_IsRefused() => await RefusedWith(

@@ -27,7 +27,7 @@ public sealed class ControlCodeTests
     }
 
     [Test]
-    public void Reading_AcrossTheEndOfThePeriod_IsCloseToIt()
+    public void Reading_AcrossTheEndOfThePeriod_IsCloseToTheTrueTime()
     {
         var reading = Read(65_534.5, 3);
 

@@ -30,8 +30,8 @@ public sealed class EarlierProfileTests : CalibrationFolder
 
         Assert.That(WarningsOf(earlier), Is.EqualTo(new[]
         {
-            "--sweep: the log was written with graphics API 'Direct3D11', the options say 'Vulkan'; the pictures must be of the sweep: "
-                + "take both again under the same settings",
+            "--sweep: the log was written with graphics API 'Direct3D11', the options say 'Vulkan'; the pictures must belong to the sweep: "
+                + "repeat both with the same settings",
             "other",
         }));
         Assert.That(earlier.Conditions, Is.EqualTo(new DisplayConditions("HoloLens 2", 60, "Vulkan")));
@@ -46,7 +46,7 @@ public sealed class EarlierProfileTests : CalibrationFolder
 
         Assert.That(WarningsOf(earlier)[0], Is.EqualTo(
             $"--profile: {path}: was measured with graphics API 'Direct3D11', this measurement has 'Vulkan'; "
-            + "what is kept of the profile may not hold: sweep again"));
+            + "the values kept from the profile may be wrong: repeat the load sweep"));
     }
 
     [Test]

@@ -94,7 +94,7 @@ public class FilmedCodesTests : VideoFolder
         UninstallFfmpeg();
 
         Assert.That(await RefusalOf("vlc", _video, "--sweep", _sweep),
-            Is.EqualTo("nowpose: ffmpeg and ffprobe are needed to read videos and were not found; install ffmpeg, or give pictures"));
+            Is.EqualTo("nowpose: ffmpeg and ffprobe are needed to read videos and were not found; install ffmpeg, or pass pictures instead"));
         Assert.That(await File.ReadAllTextAsync(ProfilePath), Is.EqualTo("good"));
     }
 
@@ -116,10 +116,10 @@ public class FilmedCodesTests : VideoFolder
 
         Assert.That(run.ExitStatus, Is.Zero, run.Errors);
         Assert.That(JsonDocument.Parse(run.Output).RootElement.GetProperty("pictures").GetInt32(), Is.EqualTo(Whole));
-        Assert.That(run.Errors, Does.Contain($"nowpose: {_video}: {Whole} pictures were read, but ffmpeg says: partial file"));
+        Assert.That(run.Errors, Does.Contain($"nowpose: {_video}: {Whole} pictures were read, but ffmpeg reports: partial file"));
     }
 
     [Test]
     public async Task Vlc_VideoAndPictures_IsRefused() =>
-        Assert.That(await RefusalOf("vlc", _video, Write("a.jpg", [])), Does.Contain("sweep.mp4: a video is evaluated by itself"));
+        Assert.That(await RefusalOf("vlc", _video, Write("a.jpg", [])), Does.Contain("sweep.mp4: a video must be the only file"));
 }

@@ -77,7 +77,7 @@ public class FilmedJogTests : VideoFolder
 
         Assert.That(await RefusalOf("sine", video), Does.Contain("--robot-box is missing"));
         Assert.That(await RefusalOf("sine", video, "--robot-box", "300,20,32,32", "--hologram-box", "10,10,32,32"),
-            Does.Contain("--robot-box: 300,20,32,32 px reaches out of the picture of 320x160 px"));
+            Does.Contain("--robot-box: 300,20,32,32 px is not inside the picture of 320x160 px"));
         Assert.That(
             await RefusalOf("sine", video, "--robot-box", "1,2,3", "--hologram-box", "10,10,32,32"),
             Does.Contain("--robot-box: '1,2,3' is not a box"));

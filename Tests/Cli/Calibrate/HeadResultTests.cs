@@ -62,14 +62,14 @@ public sealed class HeadResultTests
     public void HeadResult_HologramFollowsTheHead_IsRefused()
     {
         Assert.That(() => ResultOf(new SwungPictures { Scale = 0 }),
-            Throws.TypeOf<InputException>().With.Message.Contains("it must stay beside it in the room: disable Body Follow"));
+            Throws.TypeOf<InputException>().With.Message.Contains("both must stay at the same place in the room: disable Body Follow"));
     }
 
     static readonly object[][] TooLittle =
     [
-        [new SwungPictures { AmplitudePx = 2 }, "the control's code moves at "],
-        [new SwungPictures { Count = 40 }, "36 pictures have neighbours close enough in time"],
-        [new SwungPictures { PeriodSeconds = 60, AmplitudePx = 3000 }, "turn it to and fro, at least twice each way"],
+        [new SwungPictures { AmplitudePx = 2 }, "the control code moves at "],
+        [new SwungPictures { Count = 40 }, "36 pictures are close enough in time to their neighbours"],
+        [new SwungPictures { PeriodSeconds = 60, AmplitudePx = 3000 }, "turn it at least twice in each direction"],
     ];
 
     [TestCaseSource(nameof(TooLittle))]

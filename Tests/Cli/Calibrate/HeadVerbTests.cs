@@ -61,7 +61,7 @@ public sealed class HeadVerbTests : CalibrationFolder
         Assert.That(vlc.ExitStatus, Is.EqualTo(2));
         Assert.That(vlc.Errors, Does.Contain("pictures were taken while the headset or the camera moved").And.Contain("calibrate head"));
         Assert.That(head.ExitStatus, Is.EqualTo(2));
-        Assert.That(head.Errors, Does.Contain("pictures have neighbours close enough in time to give a speed"));
+        Assert.That(head.Errors, Does.Contain("pictures are close enough in time to their neighbours"));
         Assert.That(File.Exists(ProfilePath), Is.False);
     }
 }

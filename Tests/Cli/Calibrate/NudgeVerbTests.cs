@@ -8,7 +8,7 @@ namespace Nowpose.Headless.Tests.Cli.Calibrate;
 public class NudgeVerbTests : CalibrationFolder
 {
     [Test]
-    public async Task Nudge_OffsetsInBothDirections_CorrectByHalfTheirDifferenceOverTheSpeed()
+    public async Task Nudge_OffsetsInBothDirections_CorrectsLVisuAndBase()
     {
         // True 46 ms, stated 40 ms: 6 ms at 250 mm/s are 1.5 mm. The base is 0.4 mm too far back.
         var run = await CliRun.OfAsync(
@@ -35,7 +35,7 @@ public class NudgeVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Nudge_ExistingProfileHasALimit_WritesTheNewOneBesideIt()
+    public async Task Nudge_ExistingProfileHasALimit_WritesTheNewProfileBesideIt()
     {
         LatencyProfileFile.Save(ProfilePath, new LatencyProfile(
             40, 1, "HoloLens 2", 60, DateTime.UnixEpoch, CalibrationMethod.VisibleLight, 9, 15.1, RenderTimeSourceKind.GpuCompletion));
@@ -47,7 +47,7 @@ public class NudgeVerbTests : CalibrationFolder
         var with = await CliRun.OfAsync([.. nudge, "--profile", ProfilePath]);
 
         Assert.That(without.ExitStatus, Is.Zero);
-        Assert.That(without.Errors, Does.Contain("a limit of the render time, 15.10 ms, and stays").And.Contain("--profile " + ProfilePath));
+        Assert.That(without.Errors, Does.Contain("has a render time limit of 15.10 ms and was kept").And.Contain("--profile " + ProfilePath));
         Assert.That(without.Output, Does.Contain(beside));
         Assert.That((stays.Method, stays.Visualisation.Length.TotalMilliseconds), Is.EqualTo((CalibrationMethod.VisibleLight, 40.0)));
         Assert.That(LatencyProfileFile.Load(beside).Range, Is.Null);

@@ -16,7 +16,7 @@ public sealed class PictureFilesTests : CalibrationFolder
     }
 
     [Test]
-    public void Names_WithLeadingZerosOrManyDigits_HaveAnOrder()
+    public void Names_LeadingZerosOrManyDigits_AreOrdered()
     {
         var order = new NumberedNames();
         var names = new[] { "p1", "p01", "p001", "p2", "p" + new string('9', 40), "p1" + new string('0', 40), "p", "" };

@@ -14,7 +14,7 @@ public sealed class PictureReaderTests
     [TestCase(10_000, 10_040, 40)]
     [TestCase(65_520, 24, 40)]
     [TestCase(24, 65_534, -26)]
-    public void Picture_OfBothCodes_HasTheirDifference(int headset, int control, double expected)
+    public void Picture_BothCodes_ReturnsTheirDifference(int headset, int control, double expected)
     {
         var result = Read(new PictureReader(0, 0), CodeLevels.Run(control, 1), CodeLevels.Of(CodeKind.Headset, headset));
 
@@ -23,12 +23,50 @@ public sealed class PictureReaderTests
     }
 
     [TestCase(0, 501, "codes more than 500 ms apart")]
-    [TestCase(1000, 900, "headset code more than 50 ms ahead of the control code: is what shows that one late (--control-delay-ms)?")]
+    [TestCase(1000, 900, "headset code more than 50 ms ahead of the control code: if the control code is displayed late, state the delay with --control-delay-ms")]
     public void Picture_OfContradictingCodes_IsRejected(int headset, int control, string fault)
     {
         var result = Read(new PictureReader(0, 0), CodeLevels.Run(control, 1), CodeLevels.Of(CodeKind.Headset, headset));
 
         Assert.That(result.Fault, Is.EqualTo(fault));
+    }
+
+    [TestCase(2, 1, "two control codes: show one only")]
+    [TestCase(1, 2, "two headset codes: show one only")]
+    [TestCase(3, 1, "3 control codes: show one only")]
+    [TestCase(0, 2, "two headset codes: show one only")]
+    [TestCase(1, 0, "no headset code found")]
+    [TestCase(0, 1, "no control code found")]
+    [TestCase(0, 0, "no code found")]
+    public void Picture_WithoutExactlyOneCodeOfEachKind_IsRejected(int controls, int headsets, string fault)
+    {
+        var result = Read(
+            new PictureReader(0, 0),
+            [.. Enumerable.Repeat(CodeLevels.Run(10_040, 1), controls), .. Enumerable.Repeat(CodeLevels.Of(CodeKind.Headset, 10_000), headsets)]);
+
+        Assert.That(result.Fault, Is.EqualTo(fault));
+    }
+
+    [TestCase(-4, null)]
+    [TestCase(-20, "headset code partly outside the picture")]
+    [TestCase(Height - 76, null)]
+    [TestCase(Height - 60, "headset code partly outside the picture")]
+    public void Picture_OfACodeAtTheEdge_IsRejectedBeyondHalfACell(double top, string fault)
+    {
+        var headset = CodeLevels.Of(CodeKind.Headset, pair => CodeWords.SignOf(10_000, pair), top);
+
+        Assert.That(Read(new PictureReader(0, 0), CodeLevels.Run(10_040, 1), headset).Fault, Is.EqualTo(fault));
+    }
+
+    [TestCase(0, "headset code partly covered")]
+    [TestCase(1, "headset code overexposed, or with a reflection on it")]
+    public void Picture_OfAPairWithBothCellsAlike_NamesTheCause(double light, string fault)
+    {
+        var headset = CodeLevels.Of(CodeKind.Headset, 10_000);
+        var (levels, cell) = (headset.Levels.ToArray(), TimestampCode.CellOf(7));
+        levels[cell] = levels[cell + 1] = light;
+
+        Assert.That(Read(new PictureReader(0, 0), CodeLevels.Run(10_040, 1), headset with { Levels = levels }).Fault, Is.EqualTo(fault));
     }
 
     [Test]
@@ -66,7 +104,7 @@ public sealed class PictureReaderTests
     [TestCase(4)]
     [TestCase(7)]
     [TestCase(17)]
-    public void Picture_OfAMonitorBetweenTwoFrames_ReturnsOneOfThemOrIsRejected(int step)
+    public void Picture_MonitorBetweenTwoFrames_ReturnsOneFrameOrIsRejected(int step)
     {
         var read = 0;
         for (var value = 10_020; value < 10_060; value++)

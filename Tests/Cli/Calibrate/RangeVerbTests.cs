@@ -10,12 +10,12 @@ public class RangeVerbTests : CalibrationFolder
 {
     const double TrueLimitMs = 1000 / 60.0 - 1.5;
 
-    static IEnumerable<string> Sweep(int seed, double greatestMillions)
+    static IEnumerable<string> Sweep(int seed, double maxMillions)
     {
         var random = new Random(seed);
         var pipeline = new DisplayPipeline(seed, new DisplayPipelineSettings(plateauMs: 40));
         yield return "file,vertices,render_ms,visu_ms";
-        for (var vertices = 0.0; vertices <= greatestMillions * 1e6; vertices += 100_000)
+        for (var vertices = 0.0; vertices <= maxMillions * 1e6; vertices += 100_000)
             for (var i = 0; i < 30; i++)
             {
                 var frame = pipeline.Next(vertices);
@@ -66,7 +66,7 @@ public class RangeVerbTests : CalibrationFolder
     {
         var blind = Sweep(7, 2).Select((line, i) => i == 0 ? line : string.Join(',', line.Split(',') is var fields ? [fields[0], fields[1], "3.1", fields[3]] : []));
 
-        Assert.That(await RefusalOf("range", Write("pairs.csv", blind)), Does.Contain("this source cannot see load").And.Contain("display_gpu_time was 3.10 ms"));
+        Assert.That(await RefusalOf("range", Write("pairs.csv", blind)), Does.Contain("this source does not respond to load").And.Contain("display_gpu_time was 3.10 ms"));
         Assert.That(File.Exists(ProfilePath), Is.False);
     }
 
@@ -77,7 +77,7 @@ public class RangeVerbTests : CalibrationFolder
 
         var run = await CliRun.OfAsync("calibrate", "range", Write("pairs.csv", coarse), "--out", Out);
 
-        Assert.That(run.Errors, Does.Match(@"the limit may lie anywhere up to 1[567]\.\d\d ms, 1[345]\.\d\d ms is taken"));
+        Assert.That(run.Errors, Does.Match(@"the limit is between 1[345]\.\d\d ms, which is used, and 1[567]\.\d\d ms"));
     }
 
     [TestCase("render_ms,visu_ms\n5,40\n0,40", ":3: render_ms: 0 ms is out of range; allowed are 0.001 to 1000 ms")]
@@ -85,7 +85,7 @@ public class RangeVerbTests : CalibrationFolder
     [TestCase("render_ms,visu_ms\n5,4o", ":2: visu_ms: '4o' is not a number")]
     [TestCase("render_ms,visu_ms\n5", ":2: 1 fields; the header has 2")]
     [TestCase("render,visu_ms\n5,40", ":1: no column render_ms")]
-    [TestCase("render_ms,visu_ms,render_ms\n5,40,5", ":1: column render_ms stands twice")]
+    [TestCase("render_ms,visu_ms,render_ms\n5,40,5", ":1: column render_ms occurs twice")]
     [TestCase("vertices,render_ms,visu_ms\n-5,5,40", ":2: vertices: '-5' is not a whole number")]
     [TestCase("render_ms,visu_ms", "no rows")]
     [TestCase("render_ms,visu_ms\n5,40\n6,40", "2 are too few")]

@@ -81,7 +81,7 @@ public class SineVerbTests : CalibrationFolder
             var result = JsonDocument.Parse(run.Output).RootElement;
             var error = result.GetProperty("visu_ms").GetDouble() - (jog.LagMs - 60);
             Assert.That(Math.Abs(error), Is.LessThan(3 + mayBeOff), $"seed {seed}");
-            Assert.That(run.Errors.Contains("in step with the pictures"), Is.EqualTo(mayBeOff > 0), run.Errors);
+            Assert.That(run.Errors.Contains("synchronously with the pictures"), Is.EqualTo(mayBeOff > 0), run.Errors);
             if (mayBeOff > 0)
                 Assert.That(result.GetProperty("total_sd_ms").GetDouble(), Is.InRange(mayBeOff / Math.Sqrt(3), mayBeOff), run.Errors);
         }
@@ -156,7 +156,7 @@ public class SineVerbTests : CalibrationFolder
 
     [Test]
     public async Task Sine_JogTooFast_IsAmbiguous() =>
-        Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(90) { Period = 0.3 }.Lines())), Does.Contain("repeats after 0.30 s").And.Contain("slower"));
+        Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(90) { Period = 0.3 }.Lines())), Does.Contain("repeats after 0.30 s").And.Contain("jog more slowly"));
 
     [TestCase("t_s,a,b\n0,1,2\n1,1,2", "at least 60")]
     [TestCase("t_s,a,b,c\n0,1,2,3\n1,2,3,4", "--columns ROBOT,HOLOGRAM")]

@@ -27,7 +27,7 @@ public sealed class SweepTableTests : CalibrationFolder
         var path = Path.Combine(Folder, "sweep.csv.gz");
         File.WriteAllText(path, Log("HoloLens 2,60"));
 
-        Assert.That(() => SweepTable.Read(path), Throws.TypeOf<InputException>().With.Message.EndsWith("a name ending in .gz promises one"));
+        Assert.That(() => SweepTable.Read(path), Throws.TypeOf<InputException>().With.Message.EndsWith("although its name ends in .gz"));
     }
 
     [Test]
@@ -39,7 +39,7 @@ public sealed class SweepTableTests : CalibrationFolder
         Assert.That(SweepTable.DisplayHz([rows[0]]), Is.Zero, "no row gives the rate");
     }
 
-    [TestCase("HoloLens 2,60", "Quest 3,60", "frames of 'HoloLens 2' and of 'Quest 3'; a sweep is of one headset")]
+    [TestCase("HoloLens 2,60", "Quest 3,60", "frames of 'HoloLens 2' and of 'Quest 3'; a sweep must be from one headset")]
     [TestCase("HoloLens 2,60", "HoloLens 2,72", "frames at 60 Hz and at 72 Hz")]
     public void Read_LogOfTwoHeadsets_IsRefused(string first, string second, string named)
     {

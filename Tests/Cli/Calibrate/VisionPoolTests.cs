@@ -11,7 +11,7 @@ public sealed class VisionPoolTests
         import { createInterface } from 'node:readline';
         for await (const line of createInterface({ input: process.stdin })) {
           if (line.includes('deadly')) process.exit(9);
-          process.stdout.write('{"width":4,"height":3,"codes":[]}\n');
+          process.stdout.write('{"width":4,"height":3,"codes":[],"isMirrored":false}\n');
         }
         """;
 
@@ -47,7 +47,7 @@ public sealed class VisionPoolTests
         var seen = Look(Files("a.png", "deadly.png", "b.png", "deadly.png", "deadly.png", "c.png"));
 
         Assert.That(seen.Values.Select(picture => picture.Fault == null), Is.EqualTo(new[] { true, false, true, false, false, true }));
-        Assert.That(seen[1].Fault, Does.Contain("has ended at it"));
+        Assert.That(seen[1].Fault, Does.Contain("stopped at this picture"));
     }
 
     [Test]
@@ -62,7 +62,7 @@ public sealed class VisionPoolTests
             using var pool = new VisionPool(2, script);
             File.WriteAllText(script, "console.error('no memory'); process.exit(7);");
             Assert.That(
-                () => pool.Look(Files("a.png", "b.png"), (_, _) => { }, default), Throws.InstanceOf<InvalidOperationException>().With.Message.Contains("no memory"));
+                () => pool.Look(Enumerable.Repeat(PictureRequest.File("a.png"), 40), (_, _) => { }, default), Throws.InstanceOf<InvalidOperationException>().With.Message.Contains("no memory"));
         }
         finally
         {

@@ -39,7 +39,7 @@ public sealed class VlcEvaluationTests
     static DisplayConditions Conditions(IReadOnlyList<SweepRow> sweep) => new(SweepTable.Device(sweep), SweepTable.DisplayHz(sweep));
 
     [Test]
-    public void Sweep_SourceSeesLoad_HasLVisuAndLimit()
+    public void Sweep_SourceRespondsToLoad_HasLVisuAndLimit()
     {
         var (rows, result) = Sweep(ms => ms);
 
@@ -53,7 +53,7 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Sweep_SourceCannotSeeLoad_HasTheSameLVisuWithoutLimit()
+    public void Sweep_SourceDoesNotRespondToLoad_HasTheSameLVisuWithoutLimit()
     {
         var (rows, result) = Sweep(_ => 2);
 
@@ -63,7 +63,7 @@ public sealed class VlcEvaluationTests
         Assert.That(evaluation.Profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(TrueMs).Within(0.3));
         Assert.That(evaluation.Profile.Spread.TotalMilliseconds, Is.LessThan(2));
         Assert.That(evaluation.Profile.Range, Is.Null);
-        Assert.That(evaluation.Page.Warnings, Has.Some.Contains("this source cannot see load"));
+        Assert.That(evaluation.Page.Warnings, Has.Some.Contains("this source does not respond to load"));
         Assert.That(evaluation.Profile.Measurements, Is.InRange(0.4 * result.Read.Count, 0.75 * result.Read.Count), "those of the plateau");
     }
 
@@ -80,7 +80,7 @@ public sealed class VlcEvaluationTests
         Assert.That(evaluation.Profile.RenderTimeSource, Is.EqualTo(RenderTimeSourceKind.EngineGpuTime));
         Assert.That(evaluation.Pictures.Select(picture => picture.RenderMs), Has.None.EqualTo(30));
         Assert.That(evaluation.Page.Warnings, Has.Some.EqualTo(
-            "252 of 2520 render times of the sweep were measured with another source than engine_gpu_time and do not count"));
+            "252 of 2520 render times of the sweep were measured with a source other than engine_gpu_time and are not used"));
     }
 
     [Test]
@@ -118,7 +118,7 @@ public sealed class VlcEvaluationTests
             row.FrameStart + TimeSpan.FromMilliseconds(5), row.Vertices, row.RenderMs, row.Source, row.Device, row.DisplayHz)).ToList();
 
         Assert.That(() => Evaluate(result, other),
-            Throws.TypeOf<InputException>().With.Message.Contains("--sweep: the log has the frames of").And.Message.Contains("another recording"));
+            Throws.TypeOf<InputException>().With.Message.Contains("--sweep: the log has the frames of only").And.Message.Contains("the log of the sweep that the pictures show"));
     }
 
     [Test]
@@ -141,7 +141,7 @@ public sealed class VlcEvaluationTests
         var evaluation = Evaluate(new VlcResult(pictures), null);
 
         Assert.That(evaluation.Profile, Is.Null);
-        Assert.That(evaluation.Page.Warnings, Has.Some.Contains("too much to be constant"));
+        Assert.That(evaluation.Page.Warnings, Has.Some.Contains("too much for a constant"));
     }
 
     [Test]
@@ -150,6 +150,6 @@ public sealed class VlcEvaluationTests
         var evaluation = Evaluate(new VlcResult([new PictureResult("p", 0, 0, 40, null)]), null);
 
         Assert.That(evaluation.Profile, Is.Null);
-        Assert.That(evaluation.Page.Warnings, Has.Some.Contains("one picture is too few"));
+        Assert.That(evaluation.Page.Warnings, Has.Some.Contains("one picture is not enough"));
     }
 }

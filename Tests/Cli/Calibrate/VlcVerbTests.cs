@@ -58,7 +58,7 @@ public sealed class VlcVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
         Assert.That(run.Output, Does.Contain("L_visu is "));
-        Assert.That(run.Errors, Does.Match("L_visu is of [2-8] pictures only"));
+        Assert.That(run.Errors, Does.Match("L_visu was computed from [2-8] pictures only"));
         Assert.That(LatencyProfileFile.Load(In("out/profile.json")).Range, Is.Null);
     }
 
@@ -95,7 +95,7 @@ public sealed class VlcVerbTests
         Assert.That(File.ReadAllText(In("out/profile.json")), Is.EqualTo("good"));
     }
 
-    [TestCase(new byte[] { 0xff, 0xd8, 0xff }, "the file is cut off")]
+    [TestCase(new byte[] { 0xff, 0xd8, 0xff }, "the file is incomplete")]
     [TestCase(new byte[] { 0x89, 0x50 }, "neither a PNG nor a JPEG")]
     public async Task Picture_OfAFewBytes_StatesTheReason(byte[] bytes, string expected)
     {
@@ -119,8 +119,8 @@ public sealed class VlcVerbTests
 
         var run = await Run([In("a.jpg"), In("b.jpg"), In("c.jpg"), .. good]);
 
-        Assert.That(run.Errors, Does.Contain("a.jpg: unreadable: the file is cut off").And.Contain("b.jpg: unreadable: the file is cut off"));
-        Assert.That(run.Errors, Does.Contain("c.jpg: unreadable: the picture is damaged or cut off"));
+        Assert.That(run.Errors, Does.Contain("a.jpg: unreadable: the file is incomplete").And.Contain("b.jpg: unreadable: the file is incomplete"));
+        Assert.That(run.Errors, Does.Contain("c.jpg: unreadable: the picture is damaged or incomplete"));
     }
 
     [Test]
@@ -157,8 +157,8 @@ public sealed class VlcVerbTests
         Assert.That(File.ReadAllText(In("out/profile.json")), Is.EqualTo("good"));
     }
 
-    [TestCase("nowhere", "no such file or folder")]
-    [TestCase("empty", "no pictures in it")]
+    [TestCase("nowhere", "file or folder not found")]
+    [TestCase("empty", "contains no pictures")]
     [TestCase("sweep.csv", "neither a picture")]
     [TestCase("broken.png", "broken.png: unreadable")]
     public async Task Arguments_WithoutPictures_AreReportedInOneLine(string name, string expected)

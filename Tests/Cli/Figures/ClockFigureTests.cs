@@ -45,15 +45,33 @@ public class ClockFigureTests
         Assert.That(figures["4"].Verdict, Is.EqualTo(Verdict.Holds), figures["4"].Criteria[0].Measured);
     }
 
+    [Test]
+    public void SyncSteps_Quantities_SatisfyThePapersEquations()
+    {
+        var log = new SimulatedExchanges(Settings.Seed, 60);
+
+        var steps = SyncSteps.Of(log.All, "ransac");
+
+        Assert.That(steps, Has.Count.EqualTo(log.All.Count));
+        Assert.That(steps[0].OffsetMs, Is.Zero, "relative to the first");
+        foreach (var step in steps.Where(step => step.FitMs.HasValue))
+        {
+            Assert.That(step.FitErrorMs, Is.EqualTo(step.OffsetMs - step.FitMs).Within(1e-9), "Eq. 6");
+            Assert.That(step.InterceptMs + 1e-3 * step.SkewPpm * step.Seconds, Is.EqualTo(step.FitMs).Within(1e-9), "Eq. 3");
+        }
+        Assert.That(steps[^1].SkewPpm, Is.EqualTo(log.SkewPpmAt(50)).Within(15), $"seed {Settings.Seed}");
+        Assert.That(steps.Min(step => step.RoundTripMs), Is.GreaterThan(3), "two ways of 1.5 ms");
+    }
+
     static double P95(Figure figure, string estimator) => double.Parse(
         figure.Summary.Rows.Single(row => row[0] == estimator)[2], System.Globalization.CultureInfo.InvariantCulture);
 
     [TestCase(312, 88, 7, 280, 12_300, "holds")]
     [TestCase(1312, 88, 7, 280, 12_300, "holds partly")]
     [TestCase(1312, 88, 50, 280, 400, "does not hold")]
-    public void Figure8_Numbers_TurnTheVerdict(double greatestUs, double early, double late, double shortUs, double longUs, string verdict)
+    public void Figure8_Numbers_ChangeTheVerdict(double maxUs, double early, double late, double shortUs, double longUs, string verdict)
     {
-        var criteria = Figure08.Criteria(new ClockErrors(50, 200, greatestUs, early, late), new RoundTrips(shortUs, longUs));
+        var criteria = Figure08.Criteria(new ClockErrors(50, 200, maxUs, early, late), new RoundTrips(shortUs, longUs));
 
         Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
     }
@@ -61,8 +79,35 @@ public class ClockFigureTests
     [TestCase(30.2, "holds")]
     [TestCase(31, "holds partly")]
     [TestCase(3, "does not hold")]
-    public void Figure4_ErrorOfHold_TurnsTheVerdict(double freshMm, string verdict)
+    public void Figure4_ErrorOfHold_ChangesTheVerdict(double freshMm, string verdict)
     {
         Assert.That(Criterion.Judge(Figure04.Criteria([new FieldPoint(1000, 30, freshMm, 55, [])])).Words(), Is.EqualTo(verdict));
+    }
+
+    static SyncStep[] Steps(double shortMs, double longMs, double earlyPpm, double latePpm) => [.. Enumerable.Range(0, 300).Select(i =>
+    {
+        var (sign, isShort, seconds) = (i % 2 == 0 ? 1 : -1, i % 4 < 2, i * 0.2);
+        var skew = 40 + sign * (seconds < 45 ? earlyPpm : latePpm);
+        return new SyncStep(seconds, sign * (isShort ? shortMs : longMs), 0, skew, 0, isShort ? 4 : 12);
+    })];
+
+    [TestCase(0.05, 0.8, 3, 0.5, new[] { true, true, true })]
+    [TestCase(1.2, 3, 3, 0.5, new[] { false, true, true })]
+    [TestCase(0.05, 0.8, 3, 2, new[] { true, false, true })]
+    [TestCase(0.5, 0.8, 3, 0.5, new[] { true, true, false })]
+    public void SyncClaims_Numbers_ChangeTheVerdict(double shortMs, double longMs, double earlyPpm, double latePpm, bool[] areMet)
+    {
+        var claims = SyncClaims.Of(Steps(shortMs, longMs, earlyPpm, latePpm));
+
+        Assert.That(claims.Select(claim => claim.IsMet), Is.EqualTo(areMet), string.Join("; ", claims.Select(claim => claim.Measured)));
+    }
+
+    [Test]
+    public void SyncClaims_ShortLog_AreNotMet()
+    {
+        var claims = SyncClaims.Of(Steps(0.05, 0.8, 3, 0.5)[..60]);
+
+        Assert.That(claims.Select(claim => claim.IsMet), Is.All.False);
+        Assert.That(claims.Select(claim => claim.Measured), Is.All.Contain("10 usable exchanges after 10 s"));
     }
 }

@@ -20,6 +20,6 @@ public class CriterionTests
     [Test]
     public void Judge_NoCriterion_IsRefused()
     {
-        Assert.That(() => Criterion.Judge([]), Throws.ArgumentException.With.Message.Contains("cannot be judged"));
+        Assert.That(() => Criterion.Judge([]), Throws.ArgumentException.With.Message.Contains("at least one criterion"));
     }
 }

@@ -8,7 +8,7 @@ namespace Nowpose.Headless.Tests.Cli.Figures;
 /// <summary>The verb end to end with a minimum of work; the results do not depend on run time.</summary>
 public partial class FiguresVerbTests
 {
-    static readonly FigureSettings Least = new() { Phases = 1, ClockRuns = 1, ClockSeconds = 30, SwingSeconds = 4, RandomSeconds = 4 };
+    static readonly FigureSettings Least = new() { Phases = 1, ClockRuns = 1, ClockSeconds = 30, SwingSeconds = 4, RandomSeconds = 4, Profile = SwingProfile.Of(40) };
 
     string _folder;
 
@@ -95,7 +95,7 @@ public partial class FiguresVerbTests
     }
 
     [Test]
-    public void Studies_OfTheVerb_CoverEachFigureWithOurPredictors()
+    public void Studies_FiguresVerb_CoverEachFigureWithOurPredictors()
     {
         foreach (var settings in new[] { FigureSettings.Full, FigureSettings.Quick })
         {

@@ -47,6 +47,17 @@ public class SweepClaimsTests
         Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
     }
 
+    [TestCase(new double[] { 8, 8, 10 }, "it is")]
+    [TestCase(new double[] { 8, 8, 8 }, "it is; the cubic is worse than the line at 250 ms")]
+    [TestCase(new double[] { 8, 5.5, 8 }, "it is; the cubic is worse than the line at 100 and 250 ms")]
+    [TestCase(new double[] { 8, 8, 4 }, "the line is better than both at 250 ms; the cubic is worse than the line at 250 ms")]
+    public void Figure13b_CubicWorseThanTheLine_IsStated(double[] linear, string measured)
+    {
+        var criteria = Figure13.B.Criteria(Polynomials([0, 100, 250], linear, [5, 5, 5], [4, 6, 9]));
+
+        Assert.That(criteria[0].Measured, Is.EqualTo(measured));
+    }
+
     [TestCase(new double[] { 9, 9, 9, 9, 9 }, "holds")]
     [TestCase(new double[] { 9, 9, 9, 9, 4 }, "holds partly")]
     [TestCase(new double[] { 9, 9, 9, 4, 4 }, "does not hold")]

@@ -37,7 +37,7 @@ public class SweepDataTests
     [Test]
     public void RmsAt_ValueNotSwept_IsRefused()
     {
-        Assert.That(() => Data.RmsAt("a", 15), Throws.ArgumentException.With.Message.Contains("15 ms was not swept"));
+        Assert.That(() => Data.RmsAt("a", 15), Throws.ArgumentException.With.Message.Contains("15 ms is not a value of the sweep"));
     }
 
     [TestCase(new double[0], "none")]

@@ -20,7 +20,7 @@ public class HeadsetOutageTests
     [TestCase(0.6)]
     [TestCase(0.9)]
     [TestCase(3.5)]
-    public void Total_SamplesStop_EqualsThatWithoutSilence(double silence)
+    public void Total_SamplesStop_IgnoresTheSilence(double silence)
     {
         var undisturbed = Play(0).Stretches.Total;
 

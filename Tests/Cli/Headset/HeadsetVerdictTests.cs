@@ -35,7 +35,7 @@ public class HeadsetVerdictTests
     [TestCase(2, 4, 3.9, true)]
     [TestCase(2, 4, 4.1, false)]
     [TestCase(12, 8, 0, false, TestName = "FailureOf_CurrentOnlyTowardsTheEnd_IsReported")]
-    public void FailureOf_CurrentShare_HasAThresholdOfHalf(double before, double current, double after, bool isGood)
+    public void FailureOf_CurrentShareBelowHalf_IsReported(double before, double current, double after, bool isGood)
     {
         var pose = Pose((before, PoseState.Unsynchronised), (current, PoseState.Current), (after, PoseState.Held));
 
@@ -77,6 +77,6 @@ public class HeadsetVerdictTests
 
     [TestCase(false, 100, "the clock was never synchronised: ")]
     [TestCase(true, 0, "no joint positions arrived: ")]
-    public void FailureOf_NoClockOrNoSamples_StatesIt(bool wasTimeTrusted, long samples, string expected) => Assert.That(
+    public void FailureOf_NoClockOrNoSamples_StatesTheReason(bool wasTimeTrusted, long samples, string expected) => Assert.That(
         HeadsetVerdict.FailureOf(Pose((10, PoseState.Incomplete)), Statistics(samples), wasTimeTrusted, []), Does.StartWith(expected));
 }

@@ -211,7 +211,7 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task JointState_OfAClientWithRefusedOffer_IsMappedByThatClock()
+    public async Task JointState_ClockOfferRefused_UsesTheOfferedClock()
     {
         var ads = new StopwatchControlClock(PlantStart);
         var opcua = new StopwatchControlClock(PlantStart + TimeSpan.FromSeconds(-2));

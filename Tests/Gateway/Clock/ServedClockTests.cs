@@ -12,7 +12,7 @@ public class ServedClockTests
     [TestCase(0, 0)]
     [TestCase(40, -25)]
     [TestCase(-120, 90)]
-    public void Status_TwoClocksOfOnePlant_TellsOffsetAndDrift(double adsPpm, double opcuaPpm)
+    public void Status_TwoClocksOfOnePlant_HasOffsetAndSkew(double adsPpm, double opcuaPpm)
     {
         var plant = new VirtualPlant();
         var ads = plant.Add("ads", 1000, adsPpm);
@@ -31,29 +31,29 @@ public class ServedClockTests
     }
 
     [Test]
-    public void Now_PlantStepsByASecond_FollowsAndSaysSoMeanwhile()
+    public void Now_PlantStepsByASecond_IsUnsynchronisedUntilItFollows()
     {
         var plant = new VirtualPlant();
         var plc = plant.Add("plc", 1000, 20);
         plant.Run(TimeSpan.FromMinutes(1));
 
         plc.Step(TimeSpan.FromSeconds(-1));
-        var wasDoubted = false;
+        var wasUnsynchronised = false;
         var recovery = TimeSpan.Zero;
         for (var i = 0; i < 200 && (plant.Served.Now - plc.Shown).Duration() > TimeSpan.FromMilliseconds(1); i++)
         {
             plant.Run(TimeSpan.FromMilliseconds(50));
             recovery += TimeSpan.FromMilliseconds(50);
-            wasDoubted |= !plant.Served.IsSynchronised;
+            wasUnsynchronised |= !plant.Served.IsSynchronised;
         }
 
         TestContext.Out.WriteLine($"followed after {recovery.TotalSeconds:0.0} s");
         Assert.That(recovery, Is.LessThan(TimeSpan.FromSeconds(5)));
-        Assert.That(wasDoubted, Is.True);
+        Assert.That(wasUnsynchronised, Is.True);
     }
 
     [Test]
-    public void IsSynchronised_ClockLostForMinutes_IsNoLonger()
+    public void IsSynchronised_ClockLostForMinutes_IsFalse()
     {
         var plant = new VirtualPlant();
         plant.Add("plc", 1000, 20);
@@ -70,7 +70,7 @@ public class ServedClockTests
     }
 
     [Test]
-    public void Quality_WhileTheClockThatIsToBeC1IsUnknown_IsThatOfTheClockServed()
+    public void Quality_SelectedClockUnknown_DescribesTheServedClock()
     {
         var own = new StopwatchControlClock(ControlTime.FromSeconds(1), 40e-6)
         {
@@ -106,7 +106,7 @@ public class ServedClockTests
     }
 
     [Test]
-    public void TryMap_SecondClockLostForAnHour_IsRefusedAndC1Itself_IsNot()
+    public void TryMap_ClocksLostForAnHour_IsRefusedExceptForC1()
     {
         var plant = new VirtualPlant();
         var ads = plant.Add("ads", 1000, 0);
@@ -125,7 +125,7 @@ public class ServedClockTests
     }
 
     [Test]
-    public void Look_ClocksDriftApart_SaysItOnceAndAgainWhenTheyMoved()
+    public void Look_ClocksDiverge_ReportsOncePerChange()
     {
         var plant = new VirtualPlant();
         plant.Add("ads", 1000, 0);
@@ -141,7 +141,7 @@ public class ServedClockTests
         comparison.Look();
 
         Assert.That(first, Is.EqualTo(1), string.Join("\n", lines));
-        Assert.That(lines.Last(), Does.StartWith("clock 'opcua': +1012.").And.Contains("against 'ads', drifting by +100"), string.Join("\n", lines));
+        Assert.That(lines.Last(), Does.StartWith("clock 'opcua': +1012.").And.Contains("against 'ads', skew +100"), string.Join("\n", lines));
         Assert.That(lines[0], Is.EqualTo("clock 'ads': synchronised; it is the control clock"));
     }
 

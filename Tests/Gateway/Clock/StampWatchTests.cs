@@ -97,7 +97,7 @@ public class StampWatchTests
     }
 
     [Test]
-    public void Look_SamplesBecomeLaterWithoutACorrection_IsNoContradiction()
+    public void Look_SamplesBecomeLaterWithoutACorrection_IsNotAContradiction()
     {
         Run(StampWatch.Seconds + 1, () => System);
         Run(60, () => System - TimeSpan.FromSeconds(0.4));
@@ -132,7 +132,7 @@ public class StampWatchTests
     }
 
     [Test]
-    public void Look_ClockOfASourceAhead_IsAContradictionOfThatSource()
+    public void Look_SourceClockAhead_ReportsTheSource()
     {
         _isOwnServed = false;
         Run(5, () => _own.Now + TimeSpan.FromSeconds(5));

@@ -111,7 +111,7 @@ public class SystemClockStepTests
     [TestCase(-3600.0)]
     [TestCase(2.5)]
     [TestCase(-2.5)]
-    public async Task Step_SystemClockServed_IsFollowedByHeadsetsAndNoSampleIsRefused(double seconds)
+    public async Task Step_SystemClockServed_HeadsetsFollowWithoutRefusedSamples(double seconds)
     {
         await StartAsync(new SystemControlClock(_system));
         using var headset = await RawSyncClient.ConnectAsync(_gateway);
@@ -129,7 +129,7 @@ public class SystemClockStepTests
     }
 
     [Test]
-    public async Task Step_SystemClockServedAndSourceFollowsLater_IsNamedMeanwhile()
+    public async Task Step_SourceFollowsTheSystemClockLater_IsReportedUntilThen()
     {
         await StartAsync(new SystemControlClock(_system));
         await ExpectAcceptedAsync(5);
@@ -152,7 +152,7 @@ public class SystemClockStepTests
     [TestCase(3600.0)]
     [TestCase(-3600.0)]
     [TestCase(2.5)]
-    public async Task Step_MonotonicClockServed_IsNamedWithTheRemedyUntilItIsUndone(double seconds)
+    public async Task Step_MonotonicClockServed_IsReportedWithRemedyUntilUndone(double seconds)
     {
         await StartAsync(new StopwatchControlClock(SystemTime));
         await ExpectAcceptedAsync(5);
@@ -178,7 +178,7 @@ public class SystemClockStepTests
     // The stamps are before the control time, or in its future.
     [TestCase(-755.0)]
     [TestCase(755.0)]
-    public async Task Refused_SourceOfATakenJointWithOtherStamps_IsNoContradiction(double seconds)
+    public async Task Publish_JointOfAnotherSourceWithOtherStamps_IsNotAContradiction(double seconds)
     {
         await StartAsync(new StopwatchControlClock(SystemTime));
         using var owner = _gateway.Hub.OpenSource();
@@ -218,7 +218,7 @@ public class SystemClockStepTests
 
         Assert.That((await GetAsync("/readyz")).Text, Is.EqualTo("ready\n"));
         Assert.That(Status().GetProperty("text").GetString(), Does.Match(
-            "^source rosbridge 127[.]0[.]0[.]1 sends stamps that lie in the future: they lie [0-9]+ ms ahead of the control clock [(]since [^)]*[)][.] "
+            "^source rosbridge 127[.]0[.]0[.]1 sends time stamps in the future: they are [0-9]+ ms ahead of the control clock [(]since [^)]*[)][.] "
                 + "Set the clock of the source, or let its adapter offer that clock[.]$"));
     }
 

@@ -36,7 +36,7 @@ public class AdapterProcessTests
 
     [TestCase(false)]
     [TestCase(true)]
-    public async Task Start_PlantAway_AdapterIsASourceAndReportsItsState(bool hasTokens)
+    public async Task Start_PlantNotConnected_AdapterIsASourceAndReportsItsState(bool hasTokens)
     {
         await using var gateway = await Gateways.StartAsync(
             Gateways.Options() with { Tokens = hasTokens ? Gateways.Tokens : Nowpose.Gateway.Security.TokenList.None });
@@ -63,11 +63,11 @@ public class AdapterProcessTests
 
         var recovery = await Soon.BecomesAsync(() => adapter.Starts == 2 && gateway.WebSocketConnections.Accepted == 2, "it is there again");
         TestContext.Out.WriteLine($"there again after {recovery.TotalSeconds:0.0} s");
-        Assert.That(lines, Has.Some.Contains("its adapter ended, status 137; it is started again in 0.5 s"));
+        Assert.That(lines, Has.Some.Contains("its adapter ended (status 137) and starts again in 0.5 s"));
         await Soon.BecomesAsync(() => EventOf(gateway) is { Until: not null }, "it reports again");
         var ended = EventOf(gateway).Condition;
         Assert.That(ended.Text, Is.EqualTo(
-            "adapter absent does not report: its program ended with status 137 and is started again. See its lines in the log of the gateway."));
+            "adapter absent does not report: its program ended with status 137 and is started again. Read its lines in the gateway's log."));
         Assert.That((ended.Level, ended.Blocks), Is.EqualTo((Level.Error, true)));
     }
 
@@ -113,7 +113,7 @@ public class AdapterProcessTests
     }
 
     [Test]
-    public async Task Serve_GatewayKilled_ItsAdapterEnds()
+    public async Task Serve_GatewayKilled_EndsItsAdapter()
     {
         var gateway = new PeerProcess("Nowpose.Gateway.dll", "serve", "--plant", Write(Good), "--sync-port", "0", "--ws-port", "0");
         await gateway.PrintsAsync("state serving");
@@ -148,7 +148,7 @@ public class AdapterProcessTests
 
         Assert.That(wrong.Lines, Is.EqualTo(new[]
         {
-            $"{second}: its plant has the name 'absent' of the one in {first}; set another plant.name in one of the two files",
+            $"{second}: its plant has the same name 'absent' as the one in {first}; set another plant.name in one of the two files",
         }));
     }
 
@@ -172,7 +172,7 @@ public class AdapterProcessTests
     }
 
     [Test]
-    public async Task Check_RobotOfAPlant_IsTheOneWhoseJointsCount()
+    public async Task Check_RobotOfAPlant_DeterminesTheMissingJoints()
     {
         var path = Write(Good.Replace("joint: a", "joint: shoulder_pan_joint") + "\nrobot: ur5\n");
 
@@ -184,7 +184,7 @@ public class AdapterProcessTests
 
     /// <summary>Longer than the buffer of a pipe, which the end of the adapter's process would cut.</summary>
     [Test]
-    public async Task Check_LongRobotDescription_ArrivesWhole()
+    public async Task Check_LongRobotDescription_ArrivesCompletely()
     {
         var urdf = RobotFiles.LoadText("youbot").Replace("</robot>", $"<!-- {new string('x', 800_000)} --></robot>");
         Write(urdf, "long.urdf");

@@ -39,7 +39,7 @@ public class PathFaultTests
     }
 
     [Test]
-    public async Task Source_HalfOpen_LeavesItsJointsToTheNextOne()
+    public async Task Source_HalfOpen_ReleasesItsJoints()
     {
         await using var gateway = await Gateways.StartAsync();
         using var path = new QuietPath(gateway.WebSocketEndPoint);
@@ -70,7 +70,7 @@ public class PathFaultTests
     }
 
     [Test]
-    public async Task Connections_HalfOpen_GiveTheirPlacesBack()
+    public async Task Connections_HalfOpen_ReleaseTheirPlaces()
     {
         var options = Gateways.Options() with { SyncSilence = TimeSpan.FromSeconds(2), MaxConnections = 20 };
         await using var gateway = await Gateways.StartAsync(options);

@@ -43,9 +43,9 @@ public class RecorderTests
         Directory.Delete(_folder, true);
     }
 
-    Recorder Open(Func<string, LineFile> open = null, TimeProvider time = null, long greatestBytes = RecordedFile.MaxBytes) => new(
+    Recorder Open(Func<string, LineFile> open = null, TimeProvider time = null, long maxBytes = RecordedFile.MaxBytes) => new(
         new GatewayOptions { Recordings = _folder, Cell = "press 1", Time = time ?? TimeProvider.System }, _hub, _clock, _plant, _drops,
-        line => { lock (_log) _log.Add(line); }, open, greatestBytes);
+        line => { lock (_log) _log.Add(line); }, open, maxBytes);
 
     /// <summary>Publishes samples as if they came in over the last seconds, each 80 ms old when received.</summary>
     void Publish(int count, params string[] names)
@@ -208,7 +208,7 @@ public class RecorderTests
     }
 
     [Test]
-    public async Task Record_DiskFull_ReportsTheLossAndContinuesWithSpace()
+    public async Task Record_DiskFull_ReportsTheLossAndContinuesOnceThereIsSpace()
     {
         const int Published = 500;
         var disks = new Queue<SmallDisk>([new SmallDisk(20_000), new SmallDisk(10_000_000)]);
@@ -310,7 +310,7 @@ public class RecorderTests
     [Test]
     public async Task Record_BeyondTheMaximumSize_StartsAnotherFileWithoutLoss()
     {
-        await using var recorder = Open(greatestBytes: 20_000);
+        await using var recorder = Open(maxBytes: 20_000);
         recorder.SwitchOn();
         var published = 0;
         await Soon.BecomesAsync(() =>
@@ -334,7 +334,7 @@ public class RecorderTests
         {
             goOn.Wait();
             return new LineFile(new SmallDisk(100_000));
-        }, time, greatestBytes: 80_000);
+        }, time, maxBytes: 80_000);
         recorder.SwitchOn();
         // More data than fits already waits, so that its maximum size is not reached before the disk fails.
         Publish(2000, "a");

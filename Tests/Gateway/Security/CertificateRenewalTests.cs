@@ -49,7 +49,7 @@ public class CertificateRenewalTests
 
         CertificatesOfOneKey.Write(CertificatePath, other, days: 400);
 
-        await Soon.BecomesAsync(() => _log.Any(line => line.Contains("another key")), "told");
+        await Soon.BecomesAsync(() => _log.Any(line => line.Contains("has a different key")), "logged");
         Assert.That(CertificatePin.Of(await ShownAsync(gateway)), Is.EqualTo(gateway.Pin));
     }
 

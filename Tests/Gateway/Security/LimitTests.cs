@@ -35,7 +35,7 @@ public class LimitTests
         Assert.That(gateway.Drops[DropReason.TooManyMessages], Is.GreaterThan(0));
         Assert.That(gateway.Drops[DropReason.NotJson], Is.GreaterThanOrEqualTo(5), "no more than allowed were parsed in the first second");
         for (var i = 0; i < 30; i++)
-            Assert.That((await client.ReceiveAsync()).Text, Does.Contain("JSON").Or.Contain("within a second"));
+            Assert.That((await client.ReceiveAsync()).Text, Does.Contain("JSON").Or.Contain("message rate"));
         await SendsAgainAsync(client);
     }
 
@@ -153,7 +153,7 @@ public class LimitTests
 
     static async Task SendsAgainAsync(RawRosbridgeClient client)
     {
-        // Waits until the second in which too much came is over.
+        // Waits until the second with too many messages is over.
         while (true)
         {
             await client.SendAsync(RosbridgeWriter.CallService(RosTopics.GetTime, "again"));

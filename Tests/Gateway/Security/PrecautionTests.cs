@@ -34,7 +34,7 @@ public class PrecautionTests
     [TestCase("root's, of the own group", "644", true)]
     [TestCase("root's, of another group", "640", true)]
     [TestCase("handed over", "440", false)]
-    public void TokensFile_OfAnotherOwner_CausesAWarningIfReadableBeyondTheOwnGroup(string whose, string mode, bool expected)
+    public void TokensFile_OtherOwner_CausesAWarningIfReadableBeyondTheGroup(string whose, string mode, bool expected)
     {
         if (!OperatingSystem.IsLinux() || !Environment.IsPrivilegedProcess) Assert.Ignore("only root can give files away, on Linux");
         using var folder = new TemporaryFolder();

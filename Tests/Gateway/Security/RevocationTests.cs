@@ -60,7 +60,7 @@ public class RevocationTests
         Assert.That(TokenList.Settles + AccessWatch.Interval + ProtocolLimits.GoodbyeTimeout, Is.LessThan(TimeSpan.FromSeconds(2)));
 
     [Test]
-    public async Task Token_RemovedOfAClientThatDoesNotRead_EndsItsConnection()
+    public async Task Token_RemovedWhileItsClientDoesNotRead_EndsTheConnection()
     {
         await using var gateway = await StartAsync("source gone-token", "observer other");
         using var gone = await ConnectAsync(gateway, "gone-token");
@@ -154,7 +154,7 @@ public class RevocationTests
 
         var told = _log.Where(line => line.Contains(TokensPath)).ToArray();
         Assert.That(told.Length, Is.EqualTo(1), string.Join('\n', told));
-        Assert.That(told[0], Does.Contain(part).And.Contain("goes on").And.Not.Contain("secret"));
+        Assert.That(told[0], Does.Contain(part).And.Contain("stays in use").And.Not.Contain("secret"));
         await client.RoundTripAsync();
     }
 

@@ -42,7 +42,7 @@ public class WrongTokenTests
     [TestCase("10.0.0.1", "10.0.0.2", false)]
     [TestCase("::ffff:10.0.0.1", "10.0.0.1", true)]
     [TestCase("::ffff:10.0.0.1", "::ffff:10.0.0.2", false)]
-    public void Count_OfAnotherAddress_CountsWithinTheSameNetworkOfIPv6(string guessing, string other, bool isBlocked)
+    public void Count_OtherIPv6AddressOfANetwork_SharesTheCount(string guessing, string other, bool isBlocked)
     {
         var wrong = new WrongTokens(new SteppedTime());
 
@@ -52,7 +52,7 @@ public class WrongTokenTests
     }
 
     [Test]
-    public void Count_BlockedAddress_DelaysItsAnswersOneByOneButNotThoseOfOthers()
+    public void Count_BlockedAddress_DelaysOnlyItsAnswers()
     {
         var time = new SteppedTime();
         var wrong = new WrongTokens(time);
@@ -71,7 +71,7 @@ public class WrongTokenTests
     }
 
     [Test]
-    public void Count_TooManyAddresses_ForgetsTheLongestInactive()
+    public void Count_TooManyAddresses_RemovesTheLongestInactive()
     {
         var wrong = new WrongTokens(new SteppedTime());
         var (silent, trying, newest) = (IPAddress.Parse("10.0.0.1"), IPAddress.Parse("10.0.0.2"), IPAddress.Parse("10.0.0.3"));
@@ -144,7 +144,7 @@ public class WrongTokenTests
     }
 
     [Test]
-    public async Task Sync_ManyWrongTokens_AreDelayedAndAValidOneIsNot()
+    public async Task Sync_ManyWrongTokens_AreDelayedButNotAValidToken()
     {
         await using var gateway = await Gateways.StartAsync(Slow);
         for (var i = 0; i < PairingLimits.WrongCodesPerMinute; i++)

@@ -122,7 +122,7 @@ public class FaultStatusTests
         lock (_log) Assert.That(_log.Count(line => line.Contains("joint a (gateway) is stale")), Is.EqualTo(2), string.Join('\n', _log));
     }
 
-    [TestCase("refused", "is refused", "Check what its source sends.")]
+    [TestCase("refused", "is refused", "Check the values that its source sends.")]
     [TestCase("missing", "is missing", "Check that the plant offers the joint's value and that the plant's configuration names it correctly.")]
     [TestCase("fault", "is in fault", "Check the plant and its connection.")]
     public async Task Joint_AdapterReportsAFault_IsNamedWithReasonSinceAndRemedy(string word, string what, string remedy)
@@ -159,7 +159,7 @@ public class FaultStatusTests
     }
 
     [Test]
-    public async Task Joint_AtRestUncertainly_IsAWarningUntilItMoves()
+    public async Task Joint_RestUncertain_IsAWarningUntilItMoves()
     {
         await StartAsync(options => options with { ExpectsSources = true });
         Publish("a");
@@ -173,7 +173,7 @@ public class FaultStatusTests
         Assert.That(status.GetProperty("level").GetString(), Is.EqualTo("warning"));
         Assert.That(status.GetProperty("text").GetString(), Is.EqualTo(
             "joint a (press) may not be at rest: the stop itself was not observed (since 2026-11-20 11:59:57 UTC). "
-                + "Check that the joint really stands still; if it does, set its max_deceleration in the plant's configuration."));
+                + "Check that the joint is at rest; if it is, set its max_deceleration in the plant's configuration."));
         Assert.That(await ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
 
         Report("adapter/press", ("state", "connected"), ("joint/a", $"live {Since()} "));
@@ -184,7 +184,7 @@ public class FaultStatusTests
     }
 
     [Test]
-    public async Task Joint_AtRestUncertainlyWithRemedyOfItsAdapter_HasOnlyThatRemedy()
+    public async Task Joint_RestUncertainWithAdapterRemedy_HasOnlyThatRemedy()
     {
         await StartAsync();
         Publish("a");
@@ -192,13 +192,13 @@ public class FaultStatusTests
         Report("adapter/press", ("state", "connected"), ("joint/a", $"rest {Since(3)} assumed at rest"), ("uncertain/a", "nothing confirms it; set silence"));
 
         await BeginsAsync("joint", "a (press)");
-        Assert.That((await StateAsync()).GetProperty("status").GetProperty("text").GetString(), Does.EndWith("UTC). Check that the joint really stands still."));
+        Assert.That((await StateAsync()).GetProperty("status").GetProperty("text").GetString(), Does.EndWith("UTC). Check that the joint is at rest."));
     }
 
     [TestCase(null, "error")]
     [TestCase("03F3", "error")]
     [TestCase("03E8", "ok")]
-    public async Task Joint_OfADisconnectedClient_StaysAFaultUnlessTheClientClosedInOrder(string close, string level)
+    public async Task Joint_ClientDisconnected_StaysInFaultUnlessClosedNormally(string close, string level)
     {
         await StartAsync();
         using var client = await RawWebSocket.OpenAsync(_gateway);
@@ -279,7 +279,7 @@ public class FaultStatusTests
         [
             "waiting",
             "adapter lathe does not report: its program ended with status 1 and is started again (since 2026-11-20 12:00:00 UTC). "
-                + "See its lines in the log of the gateway.",
+                + "Read its lines in the gateway's log.",
         ];
 
         Assert.That(await ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(expected));
@@ -386,7 +386,7 @@ public class FaultStatusTests
     }
 
     [Test]
-    public async Task Source_SecondOfAJoint_AddsAnEventThatEnds()
+    public async Task Source_SecondForAJoint_AddsAnEventThatEnds()
     {
         await StartAsync();
         Publish("a");
@@ -447,8 +447,8 @@ public class FaultStatusTests
     [TestCase("null", 5000, "position of joint b is null (NotFinite)")]
     [TestCase("NaN", 5000, "position of joint b is NaN (NotFinite)")]
     [TestCase("\"1\"", 5000, "position of joint b is \"1\" (WrongType)")]
-    [TestCase("1.5", 50000, "the stamp lies in the future of the control clock (StampInFuture)")]
-    public async Task Joints_OfASourceWithInvalidSamples_AreRefusedAndTheReasonNamesTheJoint(string position, int seconds, string reason)
+    [TestCase("1.5", 50000, "the time stamp is later than the control time (StampInFuture)")]
+    public async Task Joints_SourceWithInvalidSamples_AreRefusedWithTheJointsName(string position, int seconds, string reason)
     {
         await StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(_gateway);
@@ -469,8 +469,8 @@ public class FaultStatusTests
 
     // The stamp of the second case is 30 s ahead of the control clock.
     [TestCase("NaN", 5000, "position of joint c is NaN (NotFinite)")]
-    [TestCase("1.5", 5030, "the stamp lies in the future of the control clock (StampInFuture)")]
-    public async Task Joints_OfASourceWithoutAValidSample_AreRefusedBesideALiveSource(string position, int seconds, string reason)
+    [TestCase("1.5", 5030, "the time stamp is later than the control time (StampInFuture)")]
+    public async Task Joints_SourceWithoutValidSamples_AreRefusedWhileAnotherIsLive(string position, int seconds, string reason)
     {
         await StartAsync();
         Publish("a");
@@ -489,7 +489,7 @@ public class FaultStatusTests
 
     [TestCase("NaN", 5000)]
     [TestCase("1.5", 5030)]
-    public async Task Joint_OfAnotherSourceInInvalidSamples_StaysLiveAndTheSourceIsNamed(string position, int seconds)
+    public async Task Joint_InInvalidSamplesOfAnotherSource_StaysLive(string position, int seconds)
     {
         await StartAsync();
         Publish("a");
@@ -531,7 +531,7 @@ public class FaultStatusTests
         var state = await StateAsync();
         Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo(level), state.GetRawText());
         Assert.That(state.GetProperty("headsets").GetArrayLength(), Is.EqualTo(level == "ok" ? 0 : 1));
-        if (level != "ok") Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.Contain("it did not close its connection in order"));
+        if (level != "ok") Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.Contain("its reports stopped without a normal end"));
     }
 
     [Test]
@@ -602,7 +602,7 @@ public class FaultStatusTests
         Assert.That(one.GetProperty("what").GetString(), Is.EqualTo("is exceeded"));
         Assert.That(one.GetProperty("text").GetString(), Does.Match(
             "^joint arm_joint_3 is outside the limits of the robot description: its position was 200 rad; allowed are [-0-9.]+ to [-0-9.]+ rad[.] "
-                + "Check that the description is of this robot and that the source sends rad, not degrees[.]$"));
+                + "Check that the description belongs to this robot and that the source sends rad, not degrees[.]$"));
     }
 
     [Test]

@@ -96,7 +96,7 @@ public class MetricsTests
     }
 
     [Test]
-    public void Of_Joint_IsOneForItsStateAndZeroForTheOthers()
+    public void Of_Joint_IsOneForItsStateOnly()
     {
         var lines = Metrics.Of(Snapshot(), new ForwardingTimes()).Split('\n').Where(line => line.StartsWith("nowpose_joint_state{", StringComparison.Ordinal)).ToList();
 

@@ -183,7 +183,7 @@ public class StatusRoutesTests
     }
 
     [Test]
-    public async Task State_ClockNeverAnswered_ContainsNoNumbersOfIt()
+    public async Task State_ClockNeverAnswered_OmitsItsNumbers()
     {
         await using var gateway = await Gateways.StartAsync();
         using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "press", (_, _) => null);
@@ -220,7 +220,7 @@ public class StatusRoutesTests
     public async Task State_AdapterWithALongReason_ContainsIt()
     {
         var untrusted = $"the server's certificate is not trusted; its thumbprint is {new string('a', 40)} (SHA-1), {new string('b', 64)} (SHA-256). "
-            + $"When that is the one of your server, move /{new string('c', 240)}.der to /trusted, "
+            + $"If this is the certificate of your server, move /{new string('c', 240)}.der to /trusted, "
             + "or add plant.security.thumbprint to the configuration";
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -234,7 +234,7 @@ public class StatusRoutesTests
     }
 
     [Test]
-    public async Task State_TextsCutWithinACharacter_AreAnswered()
+    public async Task State_TextsCutWithinACharacter_IsAnswered()
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();
@@ -290,7 +290,7 @@ public class StatusRoutesTests
     [TestCase("/metrics", Gateways.ObserverToken, HttpStatusCode.OK)]
     [TestCase("/healthz", null, HttpStatusCode.OK)]
     [TestCase("/readyz", null, HttpStatusCode.OK)]
-    public async Task Routes_WithTokens_WithoutOneReturnOnlyHealth(string path, string token, HttpStatusCode expected)
+    public async Task Routes_TokenRequiredButMissing_ReturnOnlyHealth(string path, string token, HttpStatusCode expected)
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
 

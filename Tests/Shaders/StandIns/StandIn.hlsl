@@ -1,5 +1,5 @@
-// Declares what the shaders of the package use of Unity's includes, under Unity's names, so that glslangValidator can compile them.
-// unity-shader-names.txt beside this folder lists the names that really exist in Unity; a test compares the two.
+// Declares the names from Unity's includes that the package's shaders use, so that glslangValidator can compile them.
+// unity-shader-names.txt beside this folder lists the names that exist in Unity; a test compares the two.
 #ifndef NOWPOSE_STAND_IN_INCLUDED
 #define NOWPOSE_STAND_IN_INCLUDED
 
@@ -16,7 +16,7 @@
 #define UNITY_STEREO_MULTIVIEW_ENABLED
 #endif
 
-// Which eye is drawn.
+// Index of the eye that is drawn.
 #if defined(UNITY_SINGLE_PASS_STEREO) || defined(UNITY_STEREO_INSTANCING_ENABLED) || defined(UNITY_STEREO_MULTIVIEW_ENABLED)
 #define USING_STEREO_MATRICES
 #endif
@@ -28,7 +28,7 @@ CBUFFER_START(UnityStereoEyeIndex)
 CBUFFER_END
 #endif
 
-// Camera and object.
+// Matrices of the camera and the object.
 #if defined(USING_STEREO_MATRICES)
 CBUFFER_START(UnityStereoGlobals)
     float4x4 unity_StereoMatrixVP[2];
@@ -44,7 +44,7 @@ CBUFFER_END
 #endif
 #define UNITY_MATRIX_VP unity_MatrixVP
 
-// Instances: each has a place in the arrays, and in stereo two follow each other, one for each eye.
+// Instances: each has an index in the arrays. In stereo, each object has two consecutive instances, one for each eye.
 #if defined(UNITY_INSTANCING_ENABLED) || defined(UNITY_STEREO_INSTANCING_ENABLED)
 static uint unity_InstanceID;
 #define UNITY_VERTEX_INPUT_INSTANCE_ID uint instanceID : SV_InstanceID;
@@ -80,7 +80,7 @@ CBUFFER_END
 #define UNITY_MATRIX_M unity_ObjectToWorld
 #endif
 
-// What a vertex hands on for its eye.
+// Output of a vertex that selects the eye.
 #if defined(UNITY_STEREO_INSTANCING_ENABLED)
 #define UNITY_VERTEX_OUTPUT_STEREO uint stereoTargetEyeIndex : SV_RenderTargetArrayIndex;
 #define UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(output) output.stereoTargetEyeIndex = unity_StereoEyeIndex

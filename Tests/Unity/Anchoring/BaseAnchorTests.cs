@@ -108,11 +108,11 @@ public class BaseAnchorTests
         Assert.That(_anchor.Words, Is.EqualTo("looking for markers; no AR Session is in the scene"));
         _markers.enabled = false;
         _cell.Run(12, _session);
-        Assert.That(_anchor.Words, Is.EqualTo("looking for markers; is the camera allowed?"));
+        Assert.That(_anchor.Words, Is.EqualTo("looking for markers; allow the camera if it is blocked"));
     }
 
     [Test]
-    public void Locked_DeviceDoesNotKeepOrMovesIt_IsLoggedOnceAndShown()
+    public void Locked_DeviceLosesOrMovesTheAnchor_IsLoggedOnceAndShown()
     {
         var device = _session.gameObject.AddComponent<FakeSpatialAnchors>();
         PlayLocked();
@@ -188,9 +188,9 @@ public class BaseAnchorTests
         _cell.Run(1, _session);
 
         Assert.That(_anchor.State, Is.EqualTo(BaseAnchorState.Moved));
-        Assert.That(_anchor.Words, Does.Match("^marker 'a', (49|50|51) mm, 0\\.\\d° from where it belongs: put it back, or lock again$"));
+        Assert.That(_anchor.Words, Does.Match("^marker 'a', (49|50|51) mm, 0\\.\\d° from its expected place: put it back, or lock again$"));
         Assert.That(_anchor.transform.position, Is.EqualTo(before));
-        var said = _cell.Player.Logs.Where(log => log.Message.Contains("from where it belongs")).ToList();
+        var said = _cell.Player.Logs.Where(log => log.Message.Contains("from its expected place")).ToList();
         Assert.That(said.Select(log => log.Type), Is.EqualTo(new[] { LogType.Warning }), "once");
     }
 
@@ -306,7 +306,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Hand_MovesAMarker_BaseFollowsAndLocksAtTheRelease()
+    public void Hand_MovesAMarker_BaseFollowsAndLocksOnRelease()
     {
         _markers.Markers.Clear();
         var hand = new GameObject("Hand").AddComponent<HandPlacedMarker>();

@@ -265,8 +265,8 @@ public sealed class AssetLibraryTests
     [TestCase("  asset: {fileID: 11400000, guid: 00000000000000000000000000000003, type: 2}",
         "LoaderProbe.asset: a reference to Assets/Arm.prefab has type: 3")]
     [TestCase("  thing: {fileID: 77, guid: 00000000000000000000000000000003, type: 3}", "LoaderProbe.thing: Assets/Arm.prefab has no object 77")]
-    [TestCase("  material: {fileID: 99, guid: 0000000000000000f000000000000000, type: 0}", "LoaderProbe.material: nothing built in")]
-    [TestCase("  m_Name: x", "LoaderProbe.m_Name: the stand-in knows only")]
+    [TestCase("  material: {fileID: 99, guid: 0000000000000000f000000000000000, type: 0}", "LoaderProbe.material: the stand-in has no built-in object")]
+    [TestCase("  m_Name: x", "LoaderProbe.m_Name: the stand-in supports only")]
     public void Load_InvalidField_IsRefusedWithFileIdAndField(string fields, string expected)
     {
         Assert.That(() => Probe(fields), Refused(expected));
@@ -283,7 +283,7 @@ public sealed class AssetLibraryTests
     [TestCase("m_Father: {fileID: 2}", "m_Father: {fileID: 0}", "&12 Transform.m_Father: is not &2, which lists it in m_Children")]
     [TestCase("m_Father: {fileID: 2}", "m_Father: {fileID: 1}", "&12 Transform.m_Father: is not &2, which lists it")]
     [TestCase("m_GameObject: {fileID: 11}", "m_GameObject: {fileID: 1}",
-        "&12 Transform.m_GameObject: is another object than the one that lists this component")]
+        "&12 Transform.m_GameObject: differs from the object that lists this component")]
     [TestCase("  - component: {fileID: 3}\n", "", "&3 MonoBehaviour: is a component that no GameObject lists")]
     [TestCase("  - component: {fileID: 3}\n", "  - component: {fileID: 4}\n", "&1 GameObject.m_Component: the file has no object 4")]
     [TestCase("  - component: {fileID: 2}\n", "", "a GameObject has one Transform, its first component")]

@@ -12,7 +12,7 @@ public sealed class ManualPicturesTests
     static readonly XNamespace Svg = "http://www.w3.org/2000/svg";
 
     [Test]
-    public void Appearance_OfAHeldPose_IsStripedAndFaintAndHasWords()
+    public void Appearance_HeldPose_IsStripedFaintAndHasWords()
     {
         var parts = XDocument.Parse(ManualPictures.Appearance(RepositoryFiles.Root)).Root.Elements(Svg + "svg").ToList();
 

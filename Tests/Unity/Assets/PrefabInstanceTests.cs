@@ -43,7 +43,7 @@ public sealed class PrefabInstanceTests
     }
 
     [Test]
-    public void Instance_OfAPartOfACanvas_KeepsItsPlaceAndChildren()
+    public void Instance_PartOfACanvas_KeepsItsPlaceAndChildren()
     {
         var button = new GameObject("Button");
         button.AddComponent<RectTransform>();
@@ -212,17 +212,18 @@ public sealed class PrefabInstanceTests
 
     [TestCase("propertyPath: text\n", "propertyPath: txet\n", "MonoBehaviour.txet: the prefab has no such property")]
     [TestCase("propertyPath: text\n", "propertyPath: text.more\n", "has no parts, so no more")]
-    [TestCase("propertyPath: text\n", "propertyPath: parts\n", "MonoBehaviour.parts: has parts; only they can be modified")]
+    [TestCase("propertyPath: text\n", "propertyPath: parts\n", "MonoBehaviour.parts: is not a single value; modify its fields separately")]
     [TestCase("propertyPath: text\n", "propertyPath: parts.Array\n",
-        "MonoBehaviour.parts: is a list: its path goes on with Array.size or Array.data[n]")]
-    [TestCase("propertyPath: text\n", "propertyPath: parts.Array.data[2].name\n", "MonoBehaviour.parts[2]: the list has only 2")]
-    [TestCase("propertyPath: text\n", "propertyPath: parts.Array.size\n", "MonoBehaviour.parts: \"of the instance\" is not a size")]
-    [TestCase("propertyPath: text\n", "propertyPath: other\n", "MonoBehaviour.other: is a reference, it takes an objectReference and no value")]
+        "MonoBehaviour.parts: is a list: its path must continue with Array.size or Array.data[n]")]
+    [TestCase("propertyPath: text\n", "propertyPath: parts.Array.data[2].name\n",
+        "MonoBehaviour.parts[2]: is beyond the end of the list; its length is 2")]
+    [TestCase("propertyPath: text\n", "propertyPath: parts.Array.size\n", "MonoBehaviour.parts: \"of the instance\" is not a valid list size")]
+    [TestCase("propertyPath: text\n", "propertyPath: other\n", "MonoBehaviour.other: is a reference: set objectReference, not value")]
     [TestCase("value: of the instance\n      objectReference: {fileID: 0}", "value: \n      objectReference: {fileID: 99}",
         "text: the file has no object 99")]
     [TestCase("m_RemovedComponents: []", "m_RemovedComponents:\n    - {fileID: 9, guid: 00000000000000000000000000000003, type: 3}",
         "has no object 9")]
-    [TestCase("m_RemovedComponents: []", "m_AddedComponents:\n    - 1", "m_AddedComponents: is not understood")]
+    [TestCase("m_RemovedComponents: []", "m_AddedComponents:\n    - 1", "m_AddedComponents: is not supported")]
     [TestCase("m_RemovedComponents: []", "m_Wobble: []", "has no field m_Wobble")]
     [TestCase("guid: 00000000000000000000000000000003, type: 3}\n      propertyPath: text",
         "guid: 00000000000000000000000000000004, type: 3}\n      propertyPath: text", "text: target has to be an object of the prefab")]

@@ -206,7 +206,7 @@ public sealed class LatencyNudgeTests
         var problem = _nudge.Problem;
         Assert.That(_nudge.Apply(), Is.False);
 
-        Assert.That(problem, Is.EqualTo("nudge: the runtime predicts display times; there is nothing to nudge"));
+        Assert.That(problem, Is.EqualTo("nudge: the runtime predicts display times, so L_visu needs no correction"));
         Assert.That(_nudge.Problem, Is.EqualTo(problem));
         Assert.That(_session.Session.Visualisation.Length.TotalMilliseconds, Is.EqualTo(UsedVisuMs));
         Assert.That(_nudge.ForwardCount, Is.EqualTo(1));

@@ -131,7 +131,7 @@ public sealed class LatencyProfileLoaderTests
         _cell.Frame(_session);
 
         Assert.That(VisuMs, Is.EqualTo(51));
-        Assert.That(_loader.Problem, Does.StartWith(Saved + ": latency profile of version 2"));
+        Assert.That(_loader.Problem, Does.StartWith(Saved + ": the latency profile has version 2"));
     }
 
     [Test]

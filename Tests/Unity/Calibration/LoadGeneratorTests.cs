@@ -114,7 +114,7 @@ public sealed class LoadGeneratorTests
     }
 
     [Test]
-    public void Load_ChangedWhileBuilding_IsTheNewOne()
+    public void Load_ChangedWhileBuilding_BuildsTheNewLoad()
     {
         Play(1_000_000);
         for (var i = 0; i < 7; i++) _cell.Frame(null);
@@ -168,7 +168,7 @@ public sealed class LoadGeneratorTests
         _cell.Frame(null);
         _cell.Frame(null);
 
-        Assert.That(load.Problem, Is.EqualTo("load generator 'Load' has no material to draw with; assign one"));
+        Assert.That(load.Problem, Is.EqualTo("load generator 'Load' has no material; assign one"));
         Assert.That(_cell.Messages.Count(m => m.Contains("no material", StringComparison.Ordinal)), Is.EqualTo(1));
     }
 }

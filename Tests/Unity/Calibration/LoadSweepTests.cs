@@ -152,14 +152,14 @@ public sealed class LoadSweepTests
 
         Assert.That(_sweep.IsRunning, Is.False);
         Assert.That(_sweep.Problem, Is.EqualTo(
-            "load sweep stopped: reprojection mode changed from 'depth' to 'none' during the sweep; keep it as it is and sweep again"));
+            "load sweep stopped: reprojection mode changed from 'depth' to 'none' during the sweep; do not change it and sweep again"));
     }
 
     static IEnumerable<TimeSpan> Gaps(IReadOnlyList<SweepRow> rows) =>
         rows.Skip(1).Zip(rows, (b, a) => b.FrameStart - a.FrameStart).Where(gap => gap.TotalMilliseconds is < 10 or > 25);
 
     [Test]
-    public async Task Sweep_OfAGpu_ReportsThatItSeesLoadAndTheLogsPath()
+    public async Task Sweep_GpuSource_ReportsTheResponseToLoadAndTheLog()
     {
         Play();
         var words = new List<string>();
@@ -175,12 +175,12 @@ public sealed class LoadSweepTests
         Assert.That(_load.Vertices, Is.EqualTo(7777), "as before");
         Assert.That(words[0], Is.EqualTo("waiting for the clock"));
         Assert.That(words, Has.Some.EqualTo("building 50000 vertices").And.Some.EqualTo("load 2 of 5: 50000 vertices"));
-        Assert.That(words[^1], Does.StartWith("this source sees load: "));
+        Assert.That(words[^1], Does.StartWith("this source responds to load: "));
         Assert.That(_cell.Messages, Has.Some.EqualTo("[Nowpose] load sweep done: " + _sweep.Verdict.Words + "; log: " + _sweep.Path));
     }
 
     [Test]
-    public async Task Sweep_OfAConstantSource_ReportsThatItCannotSeeLoad()
+    public async Task Sweep_ConstantSource_ReportsNoResponseToLoad()
     {
         Play();
         _sweep.StartSweep();
@@ -188,8 +188,8 @@ public sealed class LoadSweepTests
         Run(12, gpuSeesLoad: false);
         await Judged();
 
-        Assert.That(_sweep.Verdict.Words, Does.StartWith("this source cannot see load: "));
-        Assert.That(_cell.Messages, Has.Some.StartWith("[Nowpose] load sweep done: this source cannot see load: "));
+        Assert.That(_sweep.Verdict.Words, Does.StartWith("this source does not respond to load: "));
+        Assert.That(_cell.Messages, Has.Some.StartWith("[Nowpose] load sweep done: this source does not respond to load: "));
     }
 
     [Test]
@@ -276,7 +276,7 @@ public sealed class LoadSweepTests
         Run(5);
 
         Assert.That(_sweep.IsRunning, Is.False);
-        Assert.That(_sweep.Problem, Is.EqualTo("load generator 'Load' has no material to draw with; assign one"));
+        Assert.That(_sweep.Problem, Is.EqualTo("load generator 'Load' has no material; assign one"));
         Assert.That(_sweep.Words, Is.EqualTo("sweep stopped"));
     }
 
@@ -308,7 +308,7 @@ public sealed class LoadSweepTests
         Run(1, gpuSeesLoad: false);
 
         Assert.That(_sweep.IsRunning, Is.False);
-        Assert.That(_sweep.Problem, Does.EndWith("has lost its load generator; what it logged is kept"));
+        Assert.That(_sweep.Problem, Does.EndWith("has lost its load generator; its log is kept"));
         Assert.That(_cell.Messages.Where(m => m.Contains("Exception", StringComparison.Ordinal)), Is.Empty);
     }
 
@@ -319,7 +319,7 @@ public sealed class LoadSweepTests
 
         sweep.StartSweep();
 
-        Assert.That(sweep.Problem, Is.EqualTo("load sweep 'Alone' has no session above it; assign one"));
+        Assert.That(sweep.Problem, Is.EqualTo("load sweep 'Alone' has no session on its object or a parent; assign one"));
         Assert.That(sweep.IsRunning, Is.False);
     }
 

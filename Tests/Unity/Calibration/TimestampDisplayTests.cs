@@ -186,7 +186,7 @@ public sealed class TimestampDisplayTests
 
         _cell.Run(0.1, null);
 
-        Assert.That(_cell.Messages, Has.Some.Contains("timestamp display 'Alone' has no session above it to stamp; assign one"));
+        Assert.That(_cell.Messages, Has.Some.Contains("timestamp display 'Alone' has no session on its object or a parent; assign one"));
         Assert.That(_cell.Messages, Has.Some.Contains("timestamp display 'Alone' has no material for its squares; assign one"));
     }
 }

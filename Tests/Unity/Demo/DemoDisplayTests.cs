@@ -25,7 +25,7 @@ public class DemoDisplayTests
 
     [TestCase(300_000, 40, false)]
     [TestCase(1_500_000, 56, true)]
-    public void Render_LoadOnAndOff_IsDetectedByTheMonitor(int vertices, double leastVisualisationMs, bool isOutside)
+    public void Render_LoadOnAndOff_IsDetectedByTheMonitor(int vertices, double minVisualisationMs, bool isOutside)
     {
         var display = new DemoDisplay(Plain with { Load = vertices });
         var monitor = new ConstantLatencyMonitor(new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime));
@@ -43,7 +43,7 @@ public class DemoDisplayTests
         Assert.That(states[5], Is.EqualTo(RangeState.Inside), "before");
         Assert.That(states[10], Is.EqualTo(isOutside ? RangeState.Outside : RangeState.Inside));
         Assert.That(states[17], Is.EqualTo(RangeState.Inside), "afterwards");
-        Assert.That(lengths.Order().ElementAt(lengths.Count / 2), Is.InRange(leastVisualisationMs, leastVisualisationMs + 20));
+        Assert.That(lengths.Order().ElementAt(lengths.Count / 2), Is.InRange(minVisualisationMs, minVisualisationMs + 20));
     }
 
     [Test]

@@ -96,7 +96,7 @@ public class DemoHeadsetTests(string robot)
         Assert.That(gap, Is.GreaterThan(5), "it moves, and the ghost shows what is compensated");
         Assert.That(currents, Is.GreaterThan(500));
         Assert.That(_headset.Complaint, Is.Null);
-        Assert.That(_headset.ApplicationLatencies, Has.Count.GreaterThan(200));
+        Assert.That(_headset.Log.ApplicationLatencies, Has.Count.GreaterThan(200));
     }
 
     [Test]

@@ -65,7 +65,7 @@ public class DemoScoreTests
     }
 
     [Test]
-    public void Score_ClockConvergesImmediately_ExcludesTheFramesOfTheFirstThreeSecondsButNotTheClock()
+    public void Score_ClockConvergesImmediately_ExcludesTheFirstThreeSecondsOfFrames()
     {
         var result = Score(10, s => s < 3 ? new Wrong(999, 999, 99, 700) : new Wrong(10, 2, 1, 50), TimeSpan.FromSeconds(1));
 
@@ -93,6 +93,9 @@ public class DemoScoreTests
 
         Assert.That(result.ToolErrorMm.P95, Is.EqualTo(0.95).Within(2e-3));
         Assert.That(result.LatencyMs.TotalErrorP95, Is.EqualTo(0.95).Within(2e-3), "of the magnitude");
+        Assert.That(result.LightErrorMs.P50, Is.EqualTo(0.5).Within(2e-3));
+        Assert.That(result.LightErrorMs.P95, Is.EqualTo(result.LatencyMs.TotalErrorP95));
+        Assert.That(result.LightErrorMs.Max, Is.EqualTo(1).Within(2e-3));
         Assert.That(result.Clock.OffsetErrorUsP50, Is.EqualTo(500).Within(2));
         Assert.That(result.Clock.OffsetErrorUsP95, Is.EqualTo(950).Within(2));
         Assert.That(result.Clock.StatedErrorUsP50, Is.EqualTo(300));
@@ -145,7 +148,7 @@ public class DemoScoreTests
     [Test]
     public void Failure_OfARun_NamesItsCause()
     {
-        Assert.That(Run(10, _ => new Wrong(1, 1), Converged, nan: double.NaN).Failure(), Does.StartWith("frame 0: moving joint 0"));
+        Assert.That(Run(10, _ => new Wrong(1, 1), Converged, nan: double.NaN).Failure(), Does.StartWith("frame 0: the position of moving joint 0"));
         Assert.That(Run(4, _ => new Wrong(1, 1), Converged).Failure(), Does.Contain("no sample was used"));
     }
 
@@ -164,6 +167,8 @@ public class DemoScoreTests
 
         public void JointsAt(ControlTime t, Span<double> positions) => positions.Clear();
 
-        public int CycleAt(ControlTime t) => (int)(t.SinceEpoch.TotalSeconds / CycleSeconds);
+        public double MotionSecondsAt(ControlTime t) => t.SinceEpoch.TotalSeconds;
+
+        public int CycleAt(ControlTime t) => (int)(MotionSecondsAt(t) / CycleSeconds);
     }
 }

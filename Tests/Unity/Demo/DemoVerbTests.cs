@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo;
 
-/// <summary>The main job end to end, over real sockets and in real time: checks that it runs and what it writes.</summary>
+/// <summary>The demo end to end, over real sockets and in real time: checks that it runs and what it writes.</summary>
 /// <remarks>The reduction of the error is measured in virtual time, by the tests of the virtual robot cell and of planned sessions.</remarks>
 public class DemoVerbTests
 {
@@ -43,7 +43,7 @@ public class DemoVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
         var result = Result();
-        Assert.That(Names(result), Is.EqualTo("seconds frames samples dropped network latency_ms clock tool_error_mm frame hindcast range"));
+        Assert.That(Names(result), Is.EqualTo("seconds frames samples dropped network latency_ms clock tool_error_mm frame hindcast range light_error_ms"));
         Assert.That(result.GetProperty("range").ValueKind, Is.EqualTo(JsonValueKind.Null), "no load");
         Assert.That(Names(result.GetProperty("latency_ms")), Is.EqualTo("app_p50 app_p95 visu total_error_p95"));
         Assert.That(
@@ -53,6 +53,7 @@ public class DemoVerbTests
             Names(result.GetProperty("tool_error_mm")),
             Is.EqualTo("hold_rms hold_max rms p95 max reduction reduction_first_cycle reduction_repeated"));
         Assert.That(Names(result.GetProperty("frame")), Is.EqualTo("cpu_us_p50 cpu_us_p99 allocated_bytes_per_frame"));
+        Assert.That(Names(result.GetProperty("light_error_ms")), Is.EqualTo("p50 p95 max"));
         Assert.That(Names(result.GetProperty("hindcast")), Is.EqualTo("reduction reduction_uncertainty rms_mm hold_rms_mm"));
         var repeated = result.GetProperty("tool_error_mm").GetProperty("reduction_repeated");
         Assert.That(repeated.ValueKind, Is.EqualTo(JsonValueKind.Null), "no third cycle in five seconds");
@@ -138,9 +139,9 @@ public class DemoVerbTests
     [TestCase("--network", "carrier-pigeon", "--network: 'carrier-pigeon' is not known; allowed are lan, wifi, busy-wifi")]
     [TestCase("--acquisition-ms", "105-55", "--acquisition-ms: '105-55' is not a range; allowed is MIN-MAX with 0 <= MIN <= MAX <= 1000 ms")]
     [TestCase("--acquisition-ms", "5-x", "--acquisition-ms: '5-x' is not a range")]
-    [TestCase("--predictor", "crystal-ball", "--predictor: 'crystal-ball' is not known")]
+    [TestCase("--predictor", "crystal-ball", "--predictor: 'crystal-ball' is unknown")]
     [TestCase("--robot", "r2d2", "r2d2")]
-    [TestCase("--recording", "gone.csv", "gone.csv: no such file")]
+    [TestCase("--recording", "gone.csv", "gone.csv: file not found")]
     [TestCase("--visu-error-ms", "-50", "--visu-ms plus --visu-error-ms: -10 ms is out of range")]
     [TestCase("--out", "/dev/null/x", "--out: /dev/null/x: cannot be written to")]
     public async Task Demo_InvalidOption_IsOneLineAndExit2(string option, string value, string named)

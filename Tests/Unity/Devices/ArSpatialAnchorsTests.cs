@@ -114,7 +114,7 @@ public sealed class ArSpatialAnchorsTests
 
         Assert.That(early, Is.EqualTo(SpatialAnchorState.Pending));
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Failed));
-        Assert.That(anchor.Problem, Is.EqualTo("the device takes no anchor here"));
+        Assert.That(anchor.Problem, Is.EqualTo("the device cannot create an anchor here"));
     }
 
     [Test]
@@ -142,7 +142,7 @@ public sealed class ArSpatialAnchorsTests
         Run(11);
 
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Failed));
-        Assert.That(anchor.Problem, Does.Contain("offers none"));
+        Assert.That(anchor.Problem, Does.Contain("does not offer it or does not run"));
         Assert.That(_cell.Messages.Count(m => m.Contains("spatial anchors 'Anchors'")), Is.EqualTo(1));
     }
 
@@ -156,7 +156,7 @@ public sealed class ArSpatialAnchorsTests
         Run(0.1);
 
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Failed));
-        Assert.That(anchor.Problem, Is.EqualTo("the device has dropped it"));
+        Assert.That(anchor.Problem, Is.EqualTo("the device has removed it"));
     }
 
     [Test]
@@ -208,7 +208,7 @@ public sealed class ArSpatialAnchorsTests
         Assert.That(_anchors.IsReady, Is.False);
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Tracking));
         Assert.That(anchor.KeptAs, Is.Null);
-        Assert.That(anchor.Problem, Does.StartWith("nothing keeps anchors over restarts"));
+        Assert.That(anchor.Problem, Does.StartWith("anchors are lost at a restart"));
         Assert.That(_anchors.Find("cell"), Is.Null);
     }
 

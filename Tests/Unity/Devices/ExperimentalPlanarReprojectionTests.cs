@@ -112,7 +112,7 @@ public sealed class ExperimentalPlanarReprojectionTests
     }
 
     [Test]
-    public void Update_RigNoLongerPosed_ReportsTheEarlierModeUntilItIsPosedAgain()
+    public void Update_RigNotPosed_ReportsTheEarlierMode()
     {
         Play();
         Run(3);
@@ -127,7 +127,7 @@ public sealed class ExperimentalPlanarReprojectionTests
 
         Assert.That(during, Is.EqualTo(ReprojectionMode.PlanarManual));
         Assert.That(paused, Is.EqualTo((ReprojectionMode.Depth, ReprojectionMode.Depth)));
-        Assert.That(problem, Does.Contain("paused: the rig is not moved"));
+        Assert.That(problem, Does.Contain("paused because the rig does not move"));
         Assert.That(_session.Reprojection, Is.EqualTo(ReprojectionMode.PlanarManual));
         Assert.That(_plane.Problem, Is.Null);
     }
@@ -177,6 +177,6 @@ public sealed class ExperimentalPlanarReprojectionTests
         var alone = new GameObject("Alone").AddComponent<ExperimentalPlanarReprojection>();
 
         Assert.That(alone.Problem, Does.Contain("no rig"));
-        Assert.That(_cell.Messages, Has.Some.Contains("planar reprojection 'Alone' (experiment) has no rig on its object or below"));
+        Assert.That(_cell.Messages, Has.Some.Contains("planar reprojection 'Alone' (experiment) has no rig on its object or a child"));
     }
 }

@@ -123,7 +123,7 @@ public sealed class OpenXrAnchorStoreTests
         _kept.Accepts = true;
         Run(1.1);
 
-        Assert.That(meanwhile, Does.Contain("has not taken it yet"));
+        Assert.That(meanwhile, Does.Contain("has not stored it yet"));
         Assert.That(anchor.KeptAs, Is.EqualTo("cell"));
         Assert.That(anchor.Problem, Is.Null);
     }
@@ -137,14 +137,14 @@ public sealed class OpenXrAnchorStoreTests
         var anchor = Kept("cell");
         Run(15);
 
-        Assert.That(anchor.Problem, Is.EqualTo("the device's store did not take it as 'cell'; it is lost with the next start"));
+        Assert.That(anchor.Problem, Is.EqualTo("the device could not store it as 'cell'; it is lost at the next start"));
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Tracking));
     }
 
-    [TestCase("", "needs a name")]
-    [TestCase("  ", "needs a name")]
-    [TestCase(null, "needs a name")]
-    [TestCase("129", "has 129 characters, allowed are 128")]
+    [TestCase("", "without a name")]
+    [TestCase("  ", "without a name")]
+    [TestCase(null, "without a name")]
+    [TestCase("129", "has 129 characters; the maximum is 128")]
     public void Keep_InvalidName_IsReported(string name, string expected)
     {
         Run(0.1);
@@ -203,7 +203,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void Find_SameAnchorTwice_OutlivesTheFirst()
+    public void Find_SameAnchorTwice_StaysValidAfterTheFirstIsReleased()
     {
         _kept.Put("cell", Earlier);
         Run(0.1);
@@ -256,7 +256,7 @@ public sealed class OpenXrAnchorStoreTests
         XRAnchorStore.Loading = _ => Task.FromResult(_kept);
         Run(2);
 
-        Assert.That(problem, Is.EqualTo("the runtime gives no store of anchors; they are lost with the next start"));
+        Assert.That(problem, Is.EqualTo("the runtime has no anchor store; anchors are lost at the next start"));
         Assert.That(_cell.Messages.Count(m => m.Contains("anchor store 'Anchors'")), Is.EqualTo(1));
         Assert.That(_anchors.IsReady);
         Assert.That(_anchors.Problem, Is.Null);

@@ -102,7 +102,7 @@ public sealed class OpenXrDisplayTimeTests
 
     [TestCase(false)]
     [TestCase(true)]
-    public void LightOf_LatencyVariesByEightMilliseconds_IsCompensatedOnlyWithTheComponent(bool isRewritten)
+    public void DisplayTime_LatencyVariesByEightMilliseconds_IsCompensatedOnlyWithTheComponent(bool isRewritten)
     {
         Play(isRewritten);
         _runtime.LightOf = tick => Predicted(tick, isRewritten);
@@ -119,7 +119,7 @@ public sealed class OpenXrDisplayTimeTests
     [TestCase(-1, null)]
     [TestCase(0, -5.0)]
     [TestCase(0, 501.0)]
-    public void LightOf_NoOrInvalidRuntimeTime_UsesTheCalibration(long unknown, double? aheadMs)
+    public void DisplayTime_NoOrInvalidRuntimeTime_UsesTheCalibration(long unknown, double? aheadMs)
     {
         Play();
         _runtime.Unknown = unknown;
@@ -133,7 +133,7 @@ public sealed class OpenXrDisplayTimeTests
     }
 
     [Test]
-    public void LightOf_InTheEditor_UsesTheCalibration()
+    public void DisplayTime_InTheEditor_UsesTheCalibration()
     {
         Play();
         _runtime.Dispose();
@@ -147,7 +147,7 @@ public sealed class OpenXrDisplayTimeTests
     [TestCase(19_200_000)]
     [TestCase(24_000_000)]
     [TestCase(1_015_592)]
-    public void LightOf_CounterOfAnyFrequency_IsExactToOneCount(long countsPerSecond)
+    public void DisplayTime_CounterOfAnyFrequency_IsExactToOneCount(long countsPerSecond)
     {
         _runtime.Dispose();
         _runtime = new PlayedRuntime(_cell.Clock, countsPerSecond);
@@ -163,7 +163,7 @@ public sealed class OpenXrDisplayTimeTests
     }
 
     [Test]
-    public void LightOf_PlatformWithoutKernel32_UsesTheCalibrationAndWarnsOnce()
+    public void DisplayTime_PlatformWithoutKernel32_UsesTheCalibrationAndWarnsOnce()
     {
         Play();
         _component.OpenCounter = () => throw new DllNotFoundException("kernel32.dll");
@@ -173,13 +173,13 @@ public sealed class OpenXrDisplayTimeTests
 
         Assert.That(_session.Statistics.IsLightPredicted, Is.False);
         Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
-        var warnings = _cell.Messages.Where(m => m.Contains("has no performance counter of Windows (kernel32.dll); light appears as calibrated"));
+        var warnings = _cell.Messages.Where(m => m.Contains("has no performance counter of Windows (kernel32.dll); the calibrated L_visu is used"));
         Assert.That(warnings.Count(), Is.EqualTo(1));
     }
 
     [TestCase(0.9, false)]
     [TestCase(1.05, true)]
-    public void LightOf_ImplausibleForASecond_IsReportedOnceInPanelLogAndDiagnosticsLikeItsRecovery(double seconds, bool isReported)
+    public void DisplayTime_ImplausibleForASecond_IsReportedOnceInPanelLogAndDiagnosticsLikeItsRecovery(double seconds, bool isReported)
     {
         Play();
         var texts = new StatusTexts();
@@ -217,7 +217,7 @@ public sealed class OpenXrDisplayTimeTests
     }
 
     [Test]
-    public void LightOf_BuildWithoutThePluginsLibrary_UsesTheCalibrationAndLogsItOnce()
+    public void DisplayTime_BuildWithoutThePluginsLibrary_UsesTheCalibrationAndLogsItOnce()
     {
         Play();
         _runtime.LightOf = _ => throw new DllNotFoundException("MicrosoftOpenXRPlugin");
@@ -226,11 +226,11 @@ public sealed class OpenXrDisplayTimeTests
 
         Assert.That(_session.Statistics.IsLightPredicted, Is.False);
         Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
-        Assert.That(_cell.Messages.Count(m => m.Contains("MicrosoftOpenXRPlugin; light appears as calibrated")), Is.EqualTo(1));
+        Assert.That(_cell.Messages.Count(m => m.Contains("MicrosoftOpenXRPlugin; the calibrated L_visu is used")), Is.EqualTo(1));
     }
 
     [Test]
-    public void LightOf_SessionRestarted_Continues()
+    public void DisplayTime_SessionRestarted_Continues()
     {
         Play();
         _runtime.LightOf = _ => _cell.Clock.Read + TimeSpan.FromMilliseconds(47);
@@ -243,7 +243,7 @@ public sealed class OpenXrDisplayTimeTests
     }
 
     [Test]
-    public void LightOf_ClockOtherThanTheCounter_UsesTheCalibrationAndLogsItOnce()
+    public void DisplayTime_ClockOtherThanTheCounter_UsesTheCalibrationAndLogsItOnce()
     {
         _session = _cell.NewSession(robot: null, Settings(isRewritten: false));
         var own = new OtherClock(_cell.Clock);
@@ -259,7 +259,7 @@ public sealed class OpenXrDisplayTimeTests
     }
 
     [Test]
-    public void LightOf_LastingDifferenceToTheCalibration_UsesTheRuntimeAndReportsIt()
+    public void DisplayTime_LastingDifferenceFromTheCalibration_UsesTheRuntimeAndReportsIt()
     {
         Play();
         _runtime.LightOf = _ => _cell.Clock.Read + TimeSpan.FromMilliseconds(47);
@@ -277,7 +277,7 @@ public sealed class OpenXrDisplayTimeTests
     {
         new GameObject("Alone").AddComponent<OpenXrDisplayTime>();
 
-        Assert.That(_cell.Messages, Has.Some.Contains("display time 'Alone' has no session above it"));
+        Assert.That(_cell.Messages, Has.Some.Contains("display time 'Alone' has no session on its object or a parent"));
     }
 
     [Test]
@@ -293,7 +293,7 @@ public sealed class OpenXrDisplayTimeTests
     }
 
     [Test]
-    public void LightOf_OnceWarm_AllocatesNothing()
+    public void DisplayTime_OnceWarm_AllocatesNothing()
     {
         Play();
         _runtime.LightOf = _ => _cell.Clock.Read + TimeSpan.FromMilliseconds(47);

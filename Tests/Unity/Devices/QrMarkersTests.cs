@@ -222,7 +222,7 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Manager_OfTheUserInCentreMode_IsSetToCornerModeAndLogged()
+    public void Manager_UsersCentreMode_IsChangedAndLogged()
     {
         var manager = _origin.Origin.GetComponent<ARMarkerManager>();
         manager.defaultTransformMode = TransformMode.Center;
@@ -289,7 +289,7 @@ public sealed class QrMarkersTests
 
         Assert.That(early, Is.Null, "everything may still start");
         Assert.That(_markers.Problem, Does.Contain("WebCam"));
-        Assert.That(_cell.Messages.Count(m => m.StartsWith("[Nowpose] QR markers 'Cell': the device's XR runtime offers none", StringComparison.Ordinal)), Is.EqualTo(1));
+        Assert.That(_cell.Messages.Count(m => m.StartsWith("[Nowpose] QR markers 'Cell': the device's XR runtime does not offer it", StringComparison.Ordinal)), Is.EqualTo(1));
         Assert.That(Read(), Is.Empty);
     }
 
@@ -300,7 +300,7 @@ public sealed class QrMarkersTests
 
         _cell.Run(4, _session);
 
-        Assert.That(_markers.Problem, Does.StartWith("no AR Session is in the scene"));
+        Assert.That(_markers.Problem, Does.StartWith("there is no AR Session in the scene"));
     }
 
     [Test]
@@ -314,7 +314,7 @@ public sealed class QrMarkersTests
         _origin.Head.SetParent(_origin.Origin.transform, false);
         _cell.Run(1, _session);
 
-        Assert.That(problem, Does.StartWith("no XR Origin is above the main camera"));
+        Assert.That(problem, Does.StartWith("there is no XR Origin above the main camera"));
         Assert.That(_markers.Problem, Is.Null);
         Assert.That(_origin.Origin.GetComponent<ARMarkerManager>(), Is.Not.Null);
     }

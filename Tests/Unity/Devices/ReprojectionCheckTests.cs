@@ -152,7 +152,7 @@ public sealed class ReprojectionCheckTests
         Play(5);
 
         Assert.That(_session.Statistics.DepthSubmission, Is.EqualTo(DepthSubmission.Unknown));
-        Assert.That(Lines("UnityOpenXR; whether depth is submitted is not known"), Is.EqualTo(1));
+        Assert.That(Lines("UnityOpenXR; it is unknown whether depth is submitted"), Is.EqualTo(1));
     }
 
     [Test]
@@ -171,7 +171,7 @@ public sealed class ReprojectionCheckTests
     {
         new GameObject("Alone").AddComponent<ReprojectionCheck>();
 
-        Assert.That(_cell.Messages, Has.Some.Contains("reprojection check 'Alone' has no session above it"));
+        Assert.That(_cell.Messages, Has.Some.Contains("reprojection check 'Alone' has no session on its object or a parent"));
     }
 
     [Test]

@@ -30,7 +30,7 @@ public sealed class CellMenuTests : EditorFixture
     }
 
     [Test]
-    public void Place_WithAContext_IsBelowThatObject()
+    public void Place_WithAContext_IsBelowTheContext()
     {
         Put(PackageAsset.VirtualGripper);
         var parent = Keep(new GameObject("parent"));

@@ -50,7 +50,7 @@ public sealed class EditModeInspectorTests : EditorFixture
 
         Assert.That(Undo.Created, Has.Count.EqualTo(1));
         Assert.That(rig.transform.childCount, Is.EqualTo(1));
-        Assert.That(GuiRecorder.Texts, Does.Contain("Its links exist already. Delete them to build the robot again."));
+        Assert.That(GuiRecorder.Texts, Does.Contain("The rig already has links. Delete them to build the robot again."));
     }
 
     [Test]

@@ -237,7 +237,7 @@ public sealed class InspectorTests : EditorFixture
         Inspect(mounted).OnInspectorGUI();
         Inspect(source).OnInspectorGUI();
 
-        Assert.That(GuiRecorder.Texts, Does.Contain("Rides on: arm_link_5"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Attached to: arm_link_5"));
         Assert.That(GuiRecorder.Texts, Does.Contain("Source: nothing measures"));
     }
 
@@ -254,8 +254,8 @@ public sealed class InspectorTests : EditorFixture
         Inspect(gripper).OnInspectorGUI();
 
         Assert.That(GuiRecorder.Texts, Does.Contain(row));
-        Assert.That(GuiRecorder.Texts, Does.Contain("gripper_finger_joint_x: robot 'youbot' has no such joint; stays as it is"));
-        Assert.That(GuiRecorder.Texts, Does.Contain("A finger without a joint: robot 'youbot' has no such joint; stays as it is"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("gripper_finger_joint_x: robot 'youbot' has no such joint; the finger does not move"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("A finger without a joint: robot 'youbot' has no such joint; the finger does not move"));
     }
 
     [Test]
@@ -267,7 +267,7 @@ public sealed class InspectorTests : EditorFixture
 
         Inspect(gripper).OnInspectorGUI();
 
-        Assert.That(GuiRecorder.Texts, Does.Contain("Rides on: –").And.Contain("gripper_finger_joint_l: –"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Attached to: –").And.Contain("gripper_finger_joint_l: –"));
     }
 
     [Test]
@@ -283,18 +283,18 @@ public sealed class InspectorTests : EditorFixture
 
         Play(session, 8);
         editor.OnInspectorGUI();
-        Assert.That(GuiRecorder.Texts, Does.Contain("Shown: as it is").And.Contain("Drawn: plain").And.None.EqualTo("Parts: 0"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Shown: unchanged").And.Contain("Drawn: plain").And.None.EqualTo("Parts: 0"));
 
         GuiRecorder.Clear();
         _cell.IsPlantUp = false;
         Play(session, 2);
         editor.OnInspectorGUI();
-        Assert.That(GuiRecorder.Texts, Does.Contain("Shown: held").And.Contain("Why: samples too old or few").And.Contain("Drawn: striped, fade 0.5"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Shown: held").And.Contain("Reason: samples too old or few").And.Contain("Drawn: striped, fade 0.5"));
 
         GuiRecorder.Clear();
         session.enabled = false;
         editor.OnInspectorGUI();
-        Assert.That(GuiRecorder.Texts, Does.Contain("Shown: no session").And.Contain("Why: the session is disabled or paused"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Shown: no session").And.Contain("Reason: the session is disabled or paused"));
     }
 
     [Test]

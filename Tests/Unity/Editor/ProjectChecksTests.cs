@@ -116,7 +116,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void Package_WithVersion_IsRequestedWithIt()
+    public void Package_WithVersion_IsRequestedWithTheVersion()
     {
         _review.Fix(IndexOf("AR Foundation"));
 
@@ -342,7 +342,7 @@ public sealed class ProjectChecksTests : EditorFixture
     [Test]
     public void UnityVersion_OfThisEditor_IsChecked()
     {
-        Assert.That(_review.Results[IndexOf("Unity is a version that was tried")].Found, Does.StartWith("2022.3.62f1: compiled against 2022.3.7"));
+        Assert.That(_review.Results[IndexOf("The Unity version has been tested")].Found, Does.StartWith("2022.3.62f1: compiled against 2022.3.7"));
     }
 
     [Test]

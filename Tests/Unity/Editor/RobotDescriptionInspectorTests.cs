@@ -41,7 +41,7 @@ public sealed class RobotDescriptionInspectorTests : EditorFixture
     {
         Draw(Inspect(""));
 
-        Assert.That(GuiRecorder.Texts, Does.Contain("'Mine': holds no URDF; load the robot's into it"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("'Mine': contains no URDF; load the URDF of the robot"));
         Assert.That(GuiRecorder.Texts, Does.Contain("SHA-256: –"));
     }
 

@@ -123,7 +123,7 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
-    public void Update_NoNewsOfAPackage_DoesNotCheckAgain()
+    public void Update_PackageUnchanged_DoesNotCheckAgain()
     {
         GuiRecorder.Click = "Add com.unity.xr.openxr";
         Send("OnGUI");

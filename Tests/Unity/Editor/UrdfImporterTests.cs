@@ -228,7 +228,7 @@ public sealed class UrdfImporterTests : EditorFixture
             + Visual("<mesh filename='package://other/a.dae'/>") + Visual("<box size='1 1 1'/>") + "</link>");
 
         Assert.That(robot.transform.Find("base").childCount, Is.EqualTo(1));
-        Assert.That(_context.Warnings.Single(), Does.StartWith("arm.urdf: mesh 'package://other/a.dae' was not found; it was looked for at Assets/"));
+        Assert.That(_context.Warnings.Single(), Does.StartWith("arm.urdf: mesh 'package://other/a.dae' was not found; searched at Assets/"));
         Assert.That(_context.Errors, Is.Empty);
         Assert.That(_context.SourceDependencies, Does.Contain("Assets/arm_description/other/a.dae"));
         Assert.That(_context.SourceDependencies, Does.Contain("Packages/other/a.dae"));
@@ -245,7 +245,7 @@ public sealed class UrdfImporterTests : EditorFixture
         Assert.That(bar.sharedMaterial != null);
     }
 
-    [TestCase("a.stl", "solid a\nfacet\nvertex 0 0\n", "arm.urdf: Assets/arm_description/urdf/a.stl:3: a vertex has 2 numbers, it needs 3")]
+    [TestCase("a.stl", "solid a\nfacet\nvertex 0 0\n", "arm.urdf: Assets/arm_description/urdf/a.stl:3: a vertex has 2 numbers; it needs 3")]
     [TestCase("a.ply", "ply", "arm.urdf: mesh 'a.ply' has an unsupported format; allowed are STL, OBJ, DAE and FBX")]
     [TestCase("a.fbx", "broken", "arm.urdf: mesh Assets/arm_description/urdf/a.fbx: Unity has not imported it; see its import log for the reason")]
     public void Import_MeshInvalid_CausesOneWarningWithItsName(string file, string content, string warning)
@@ -261,7 +261,7 @@ public sealed class UrdfImporterTests : EditorFixture
             : Is.EqualTo(new[] { "Assets/arm_description/urdf/" + file }), "imported again once it is repaired");
     }
 
-    [TestCase("<link name='a'/>\n<link name='b'/>", "arm.urdf:3: link 'b': two root links")]
+    [TestCase("<link name='a'/>\n<link name='b'/>", "arm.urdf:3: link 'b': there are two root links, this one and 'a'")]
     [TestCase("<link", "arm.urdf:3: not well-formed XML")]
     public void Import_NotARobot_CausesOneErrorWithFileAndLine(string body, string error)
     {
@@ -278,7 +278,7 @@ public sealed class UrdfImporterTests : EditorFixture
 
         _context = Importers.Import(new UrdfImporter(), Urdf).Context;
 
-        Assert.That(_context.Errors, Is.EqualTo(new[] { "arm.urdf: 16777217 bytes, at most 16777216 are read" }));
+        Assert.That(_context.Errors, Is.EqualTo(new[] { "arm.urdf: 16777217 bytes; the maximum is 16777216" }));
     }
 
     [Test]

@@ -8,7 +8,7 @@ namespace Nowpose.Unity.Tests.Engine;
 public sealed class PlayerTests : PlayerFixture
 {
     [Test]
-    public void Step_Times_AreThoseGiven()
+    public void Step_Times_AreTheGivenTimes()
     {
         Player.Step(2);
         Assert.That((Time.timeAsDouble, Time.frameCount), Is.EqualTo((2d, 1)));
@@ -114,7 +114,7 @@ public sealed class PlayerTests : PlayerFixture
     }
 
     [Test]
-    public void TwoPlayers_Step_AdvancesOnlyItsOwn()
+    public void TwoPlayers_Step_AdvancesOnlyOnePlayer()
     {
         Add<Recorder>("a");
         Journal.Take();

@@ -6,10 +6,11 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Manual;
 
-/// <summary>The HoloLens page names the packages and declarations that the code of this package requires.</summary>
+/// <summary>The HoloLens pages name the packages and declarations that the code of this package requires.</summary>
 public sealed partial class DeploymentPageTests
 {
-    static readonly string Page = RepositoryFiles.Read(RepositoryFiles.Package + "/Documentation~/deploy-hololens2.md");
+    static readonly string Page = RepositoryFiles.Read(RepositoryFiles.Package + "/Documentation~/deploy-hololens2.md")
+        + RepositoryFiles.Read(RepositoryFiles.Package + "/Documentation~/hololens2-settings.md");
 
     static IEnumerable<TestCaseData> Ranges =>
         from path in RepositoryFiles.Under(RepositoryFiles.Package + "/Runtime", ".asmdef")

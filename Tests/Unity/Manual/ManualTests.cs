@@ -10,6 +10,12 @@ public sealed partial class ManualTests
 {
     const string Index = "index.md";
 
+    /// <summary>Units on the pages, by words of a label.</summary>
+    static readonly Dictionary<string, string> Units = new()
+    {
+        ["Ms"] = "ms", ["Seconds"] = "s", ["Metres"] = "m", ["Degrees"] = "degrees", ["Megabytes"] = "MB", ["Percent"] = "%", ["Radians"] = "rad",
+    };
+
     static IEnumerable<Type> Types => InspectedType.All;
 
     [TestCaseSource(nameof(Types))]
@@ -57,6 +63,17 @@ public sealed partial class ManualTests
     }
 
     [TestCaseSource(nameof(Types))]
+    public void Page_Units_MatchTheLabels(Type type)
+    {
+        var inspected = new InspectedType(type);
+        var rows = ManualPage.Read(inspected.PageName).TableUnder("Fields").ToDictionary(r => r[0]);
+
+        var wrong = inspected.Fields.Where(f => UnitOf(f.Label) is { } unit && !rows[f.Label].Skip(1).Take(2).All(cell => HasUnit(cell, unit)));
+
+        Assert.That(wrong.Select(f => string.Join(" | ", rows[f.Label].Take(3))), Is.Empty);
+    }
+
+    [TestCaseSource(nameof(Types))]
     public void Page_EveryField_HasADescription(Type type)
     {
         var rows = ManualPage.Read(new InspectedType(type).PageName).TableUnder("Fields");
@@ -82,15 +99,31 @@ public sealed partial class ManualTests
         Assert.That(ManualPage.Read(Index).Linked, Is.SupersetOf(pages));
     }
 
+    [TestCase("40 ms", "ms", true)]
+    [TestCase("(0.00, 0.00, 0.00) m", "m", true)]
+    [TestCase("0, or 0.01 to 100 rad/s²", "rad", true)]
+    [TestCase("finite", "m", true)]
+    [TestCase("40", "ms", false)]
+    [TestCase("40 ms", "m", false)]
+    public void Unit_TableCell_FollowsTheNumber(string cell, string unit, bool expected)
+    {
+        Assert.That(HasUnit(cell, unit), Is.EqualTo(expected));
+    }
+
     [TestCase("_visualisationMs", "Visualisation Ms")]
     [TestCase("_webSocketPort", "Web Socket Port")]
     [TestCase("m_URDFText", "URDF Text")]
     [TestCase("GpuCompletion", "Gpu Completion")]
     [TestCase("joint", "Joint")]
-    public void Label_OfAName_EqualsUnitys(string name, string label)
+    public void Label_Name_EqualsUnitysLabel(string name, string label)
     {
         Assert.That(InspectedType.Label(name), Is.EqualTo(label));
     }
+
+    static string UnitOf(string label) => label.Split(' ').Select(word => Units.GetValueOrDefault(word)).FirstOrDefault(unit => unit != null);
+
+    // In "0.005 to 5 m, or 0" the zero needs no unit; a cell in words needs none either.
+    static bool HasUnit(string cell, string unit) => !cell.Any(char.IsDigit) || Regex.IsMatch(cell, $@"\d\)? {Regex.Escape(unit)}(?!\w)");
 
     /// <summary>Matches the name in `event Shown`, `Connect()` or `Settings {get; set;}`.</summary>
     [GeneratedRegex(@"^`(?:event |static |const )*(\w+)")]

@@ -33,6 +33,18 @@ public sealed partial class TooltipTests
         Assert.That(wrong.Select(f => f.Label + ": " + f.Tooltip), Is.Empty);
     }
 
+    [TestCaseSource(nameof(Types))]
+    public void Tooltip_ValuesWithAReason_IncludeTheDefault(Type type)
+    {
+        // Example: 1.3 in "Distance from the head in metres. Default 1.3: a picture is sharp at an arm's length and more."
+        var stated = new InspectedType(type).Fields
+            .Select(f => (f.Label, f.Default, Values: Reasons().Matches(f.Tooltip ?? "").Select(m => m.Groups[1].Value).ToList()));
+
+        var wrong = stated.Where(f => f.Values.Count > 0 && !f.Values.Contains(f.Default));
+
+        Assert.That(wrong.Select(f => $"{f.Label}: {string.Join(", ", f.Values)}; the default is {f.Default}"), Is.Empty);
+    }
+
     [TestCase("Glide Seconds", "Seconds in which it glides.", true)]
     [TestCase("Glide Seconds", "How long it glides.", false)]
     [TestCase("Glide Seconds", "Milliseconds in which it glides.", false)]
@@ -50,6 +62,9 @@ public sealed partial class TooltipTests
 
     static bool NamesItsUnit(string label, string tooltip) => tooltip != null && Word().Matches(label)
         .Any(word => Units.TryGetValue(word.Value, out var unit) && Regex.IsMatch(tooltip, $@"\b{unit}\b", RegexOptions.IgnoreCase));
+
+    [GeneratedRegex(@"(?<=\. Default )(-?\d+(?:\.\d+)?): ")]
+    private static partial Regex Reasons();
 
     [GeneratedRegex(@"\w+")]
     private static partial Regex Word();

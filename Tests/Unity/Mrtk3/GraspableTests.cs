@@ -85,8 +85,8 @@ public sealed class GraspableTests
     {
         new GameObject("Lone").AddComponent<GraspableMarker>();
 
-        Assert.That(_player.Logs.Select(l => l.Message), Has.Some.Contains("graspable marker 'Lone' has no hand placed marker to move; assign one"));
-        Assert.That(_player.Logs.Select(l => l.Message), Has.Some.Contains("graspable marker 'Lone' has no object manipulator that moves it"));
+        Assert.That(_player.Logs.Select(l => l.Message), Has.Some.Contains("graspable marker 'Lone' has no hand placed marker; assign one"));
+        Assert.That(_player.Logs.Select(l => l.Message), Has.Some.Contains("graspable marker 'Lone' has no object manipulator; assign one"));
     }
 
     [Test]

@@ -141,7 +141,7 @@ public sealed class HeadsetMenuTests
         new GameObject("Lone").AddComponent<HeadsetMenu>();
         Run();
 
-        Assert.That(_cell.Messages.Count(m => m.Contains("headset menu 'Lone' has no cell actions above it to call; assign them")), Is.EqualTo(1));
+        Assert.That(_cell.Messages.Count(m => m.Contains("headset menu 'Lone' has no cell actions on its object or a parent; assign them")), Is.EqualTo(1));
     }
 
     [Test]

@@ -85,7 +85,7 @@ public sealed class VoiceCommandsTests
     }
 
     [Test]
-    public void Keyword_DisabledAndAlsoRegisteredByAnother_KeepsTheOthersListener()
+    public void Keyword_DisabledButSharedWithAnother_KeepsTheOtherListener()
     {
         var others = 0;
         _speech.CreateOrGetEventForKeyword("overlay ghost").AddListener(() => others++);
@@ -123,7 +123,7 @@ public sealed class VoiceCommandsTests
         Assert.That(_speech.Calls, Is.EqualTo(1));
         Assert.That(_player.Logs.Select(l => l.Message), Is.EqualTo(new[]
         {
-            "[Nowpose] voice commands 'Voice': keyword recognition is not supported on this platform; the menu does the same",
+            "[Nowpose] voice commands 'Voice': keyword recognition is not supported on this platform; use the menu instead",
         }));
     }
 
@@ -134,7 +134,7 @@ public sealed class VoiceCommandsTests
 
         Assert.That(_player.Logs.Select(l => (l.Type, l.Message)), Is.EqualTo(new[]
         {
-            (LogType.Log, "[Nowpose] voice commands 'Voice': no keyword recognition runs; the menu does the same"),
+            (LogType.Log, "[Nowpose] voice commands 'Voice': keyword recognition does not run; use the menu instead"),
         }));
     }
 }

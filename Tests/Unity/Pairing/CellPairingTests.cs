@@ -121,7 +121,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Refuse_Question_IsNotAskedAgain()
+    public void Refuse_Question_DoesNotAskAgain()
     {
         _shown.Texts.Add(Desk);
         Frames();
@@ -217,7 +217,7 @@ public class CellPairingTests
 
         actions.ForgetCell();
 
-        Assert.That(_cell.Messages, Has.Some.Contains("find no cell pairing to act on"));
+        Assert.That(_cell.Messages, Has.Some.Contains("have no cell pairing; assign one"));
     }
 
     [Test]
@@ -264,7 +264,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Listener_OfTheAnchorThrows_PairingStillCompletes()
+    public void Listener_AnchorThrows_PairingCompletes()
     {
         var changes = 0;
         _anchor.StateChanged += () => throw new InvalidOperationException("a listener's own fault");
@@ -281,7 +281,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Listener_OfTheAnchorDisablesThePairing_PairingStillCompletes()
+    public void Listener_AnchorDisablesThePairing_PairingCompletes()
     {
         _anchor.StateChanged += () => _pairing.enabled = false;
         _shown.Texts.Add(Desk);
@@ -295,7 +295,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Code_SeenLongAgo_AsksNothing()
+    public void Code_SeenLongAgo_DoesNotAsk()
     {
         _shown.Texts.Add(Desk);
         _shown.Seen = _cell.Clock.Now - TimeSpan.FromSeconds(10);
@@ -306,7 +306,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Code_NotTracked_AsksNothing()
+    public void Code_NotTracked_DoesNotAsk()
     {
         _shown.Texts.Add(Desk);
         _shown.Tracking = MarkerTracking.None;
@@ -353,6 +353,6 @@ public class CellPairingTests
 
         new GameObject("Alone").AddComponent<CellPairing>();
 
-        Assert.That(_cell.Messages, Has.Some.Contains("no session above it"));
+        Assert.That(_cell.Messages, Has.Some.Contains("no session on its object or a parent"));
     }
 }

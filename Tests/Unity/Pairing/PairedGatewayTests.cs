@@ -79,12 +79,12 @@ public class PairedGatewayTests
         Assert.That(paired, Is.EqualTo(1));
         Assert.That(_session.Settings.Connection.Security, Is.EqualTo(TransportSecurity.Pinned));
         Assert.That(_pairing.Words, Does.Contain("paired"));
-        Assert.That(_gateway.Log, Has.Some.Contains("'Anna's' was given a token"));
+        Assert.That(_gateway.Log, Has.Some.Contains("'Anna's' received a token"));
 
         RestartPlaying();
         await SoonAsync(() => IsConnected, "connected again");
         Assert.That(_pairing.Question, Is.Null);
-        Assert.That(_gateway.Log.Count(line => line.Contains("was given")), Is.EqualTo(1), "with the token that it had");
+        Assert.That(_gateway.Log.Count(line => line.Contains("received a token")), Is.EqualTo(1), "with the token that it had");
     }
 
     [Test]
@@ -95,7 +95,7 @@ public class PairedGatewayTests
         File.WriteAllText(_gateway.ListPath, "");
         RestartPlaying();
         await SoonAsync(() => _session.Session?.SampleLink.IsTokenRefused == true && _pairing.Guidance != null, "refused");
-        Assert.That(_pairing.Guidance, Does.Contain("does not accept this headset any more; look at the code"));
+        Assert.That(_pairing.Guidance, Does.Contain("no longer accepts this headset; look at the code"));
 
         _shown.Texts.Add((await _gateway.ShownAsync()).Text);
         await SoonAsync(() => IsConnected, "connected");
@@ -115,7 +115,7 @@ public class PairedGatewayTests
         _shown.Texts.Add(used.Text);
         await SoonAsync(() => _pairing.Problem != null, "a problem");
 
-        Assert.That(_pairing.Words, Does.Contain("was used, or is too old"));
+        Assert.That(_pairing.Words, Does.Contain("was used or is too old"));
         _shown.Texts.Add((await _gateway.ShownAsync()).Text);
         await SoonAsync(() => IsConnected, "connected");
     }

@@ -172,7 +172,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_WithoutRig_IsDrawnByThePose()
+    public void Show_WithoutRig_DrawsAccordingToThePose()
     {
         var sign = Part("Sign", _session.transform);
         sign.gameObject.AddComponent<PoseAppearance>();
@@ -194,7 +194,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_GripperOnARigElsewhere_IsDrawnByThePose()
+    public void Show_GripperOnAnotherRig_DrawsAccordingToThePose()
     {
         var (_, part, words) = MountElsewhere();
 

@@ -183,7 +183,7 @@ public sealed class PoseOwnMaterialTests
     }
 
     [Test]
-    public void Show_BlendedInTheFaintestStripedLook_LosesAtLeastFortyPercentOfItsAlpha()
+    public void Show_FaintestStripedLook_LosesAtLeastFortyPercentOfTheAlpha()
     {
         _tool.sharedMaterial = Blended("_Color", 1);
         BeCurrent();
@@ -219,7 +219,7 @@ public sealed class PoseOwnMaterialTests
     }
 
     [Test]
-    public void Show_SubstituteWithItsOwnFade_KeepsIt()
+    public void Show_SubstituteWithFade_KeepsTheFade()
     {
         _substitute.SetFloat("_Fade", 0.7f);
         _tool.sharedMaterial = NewMaterial("Brass", ("_Fade", 1));
@@ -285,7 +285,7 @@ public sealed class PoseOwnMaterialTests
     }
 
     [Test]
-    public void Show_BlendedWithoutUserPropertyBlock_RemovesItsOwn()
+    public void Show_BlendedWithoutUserPropertyBlock_RemovesThePackagesBlock()
     {
         var material = Blended("_Color", 1);
         _tool.sharedMaterial = material;
@@ -363,7 +363,7 @@ public sealed class PoseOwnMaterialTests
     }
 
     [Test]
-    public void Show_MaterialChangedWhileNotCurrent_KeepsTheNewOne()
+    public void Show_MaterialChangedWhileNotCurrent_KeepsTheNewMaterial()
     {
         _tool.sharedMaterial = NewMaterial("Steel");
         BeCurrent();

@@ -150,7 +150,7 @@ public class RenderTimeSourceTests
 
         Play(2);
 
-        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.None), "the clock stands still while the camera renders");
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.None), "the clock does not advance while the camera renders");
         Assert.That(_source.RenderTime, Is.Null);
         Assert.That(Logged(), Is.Empty);
     }

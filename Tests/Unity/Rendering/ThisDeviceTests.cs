@@ -66,7 +66,7 @@ public sealed class ThisDeviceTests
     }
 
     [Test]
-    public void Conditions_PlayerWithAnotherSetup_AreRead()
+    public void Conditions_PlayerWithOtherSettings_AreRead()
     {
         var gpu = _cell.Player.World.Gpu;
         gpu.ConnectDisplay();

@@ -88,7 +88,7 @@ public sealed class AnyOpenXrHeadsetTests
     }
 
     [Test]
-    public void Buttons_Others_TriggerTheirActions()
+    public void Buttons_AllOthers_TriggerTheirActions()
     {
         Press("<Keyboard>/c");
         Press("<XRController>{RightHand}/{SecondaryButton}");

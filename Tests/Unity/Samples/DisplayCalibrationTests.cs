@@ -59,7 +59,7 @@ public sealed class DisplayCalibrationTests
 
         var rows = SweepLogReader.Read(_sweep.Path);
         Assert.That(rows.Select(row => row.Vertices).Distinct(), Is.SupersetOf(new[] { 0, 150_000, 300_000 }));
-        Assert.That(_sweep.Verdict.Words, Does.StartWith("this source cannot see load"), "its GPU is as fast with any");
+        Assert.That(_sweep.Verdict.Words, Does.StartWith("this source does not respond to load"), "its GPU is as fast with any");
         Assert.That(WordsOf(_sweep), Is.EqualTo(_sweep.Words));
         Assert.That(_cell.Player.Logs.Where(log => log.Type is LogType.Error or LogType.Exception).Select(log => log.Message), Is.Empty);
     }

@@ -59,7 +59,7 @@ public sealed class HeadsetScenesTests
 
     [TestCase("Samples~/Display Calibration/Display Calibration.unity")]
     [TestCase("Samples~/Any OpenXR headset/Any OpenXR headset.unity")]
-    public void Camera_HeadsetMoves_FollowsItAndKeepsItsPoseWithoutOne(string path)
+    public void Camera_HeadsetMoves_FollowsTheHeadset(string path)
     {
         using var player = Play(RepositoryFiles.Package + "/" + path);
         var camera = player.Find<Camera>().transform;

@@ -76,7 +76,7 @@ public sealed class DisplayTimesTests
     // The calibration measured from the pose that a frame is rendered with; the first pose is computed earlier.
     [TestCase(false, 47)]
     [TestCase(true, 41)]
-    public void DisplayTimeDifference_FrameComputedTwice_IsOfTheRenderedPose(bool isRewritten, double differenceMs)
+    public void DisplayTimeDifference_FrameComputedTwice_UsesTheRenderedPose(bool isRewritten, double differenceMs)
     {
         var session = _cell.Play(settings: Settings(isRewritten));
         session.DisplayTimeSource = new Runtime { Ahead = () => TimeSpan.FromMilliseconds(session.IsBeforeRender ? 81 : 87) };

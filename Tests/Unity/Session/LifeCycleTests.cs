@@ -15,7 +15,7 @@ public class LifeCycleTests
     const int Steps = 600;
 
     // Correct messages after an object was destroyed that another part needs.
-    static readonly string[] Losses = ["has no rig to ride on", "has no cell to copy", "is missing; name an object", "is drawn there; name an object"];
+    static readonly string[] Losses = ["has no rig; move", "has no text to copy", "is missing; name an object", "is drawn there; name an object"];
 
     [Test]
     public Task AnySequence_OfApplicationEvents_LeaksNothing([NUnit.Framework.Range(1, 25)] int seed) => Play(seed, isShipped: false);
@@ -124,7 +124,7 @@ public class LifeCycleTests
 
         public string DoAnything()
         {
-            // Sometimes long enough to synchronise.
+            // 150 frames are sometimes enough to synchronise the clock.
             if (_random.Next(4) > 0) return Frames(_random.Next(5) == 0 ? 150 : _random.Next(1, 4));
             var (name, action) = _actions[_random.Next(_actions.Length)];
             action();

@@ -174,7 +174,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Events_ClockAndSamplesStartAndStop_AreRaisedOnceEach()
+    public void Events_ClockAndSamplesStartAndStop_AreEachRaisedOnce()
     {
         var session = _cell.Play(settings: WithLimit(14));
         var raised = new List<string>();
@@ -295,7 +295,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Settings_Invalid_AreLoggedOnceAndOthersContinue()
+    public void Settings_Invalid_AreLoggedOnceAndOtherSessionsContinue()
     {
         var session = _cell.NewSession();
         session.Settings = null;

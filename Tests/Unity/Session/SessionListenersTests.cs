@@ -140,7 +140,7 @@ public class SessionListenersTests
     }
 
     [Test]
-    public void RobotChanged_ListenerSetsInvalidSettings_DoesNotRunAndLogsIt()
+    public void RobotChanged_ListenerSetsInvalidSettings_LogsAndDoesNotRun()
     {
         Begin();
         _session.RobotChanged += () => _session.Settings = null;

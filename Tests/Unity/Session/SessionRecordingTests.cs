@@ -184,7 +184,7 @@ public sealed class SessionRecordingTests
 
         _cell.Run(0.1, null);
 
-        Assert.That(_cell.Messages, Has.Some.Contains("'Alone' has no session above it"));
+        Assert.That(_cell.Messages, Has.Some.Contains("'Alone' has no session on its object or a parent"));
         Assert.That(alone.IsRecording, Is.False);
     }
 }

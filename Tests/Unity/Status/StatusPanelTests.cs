@@ -129,7 +129,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void Start_Ground_IsBehindAllTextAndCoversIt()
+    public void Start_Background_CoversTheAreaBehindAllText()
     {
         var material = new Material((Shader)null);
         _panel.With("_ground", material);
@@ -289,7 +289,7 @@ public class StatusPanelTests
     [TestCase(4, 1)]
     [TestCase(2, 0.5f)]
     [TestCase(2, 3)]
-    public void LateUpdate_Bar_IsAtTheLowerEdgeInTheScaleOfTheLetters(float metres, float scale)
+    public void LateUpdate_Bar_IsAtTheLowerEdgeWithTheLettersScale(float metres, float scale)
     {
         var bar = new GameObject("Bar").transform;
         bar.SetParent(_panel.transform, false);
@@ -306,7 +306,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void LateUpdate_UserScalesIt_TheBarStaysAtTheLowerEdge()
+    public void LateUpdate_UserScalesThePanel_KeepsTheBarAtTheLowerEdge()
     {
         var bar = new GameObject("Bar").transform;
         bar.SetParent(_panel.transform, false);
@@ -375,7 +375,7 @@ public class StatusPanelTests
 
         Play(1);
 
-        Assert.That(_cell.Player.Logs.Count(l => l.Message.Contains("no cell to copy")), Is.EqualTo(1));
+        Assert.That(_cell.Player.Logs.Count(l => l.Message.Contains("has no text to copy")), Is.EqualTo(1));
         Assert.That(_cell.Player.Logs.Where(l => l.Exception != null), Is.Empty);
     }
 

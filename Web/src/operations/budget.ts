@@ -5,7 +5,7 @@ import { type Headset, type Hop, HOPS } from './state';
 
 const MEANING: Record<Hop, string> = {
   plant: 'from the sample to its arrival at the gateway', gateway: 'within the gateway', network: 'half the round trip',
-  queue: 'waiting on the way', render: 'the render job', display: 'from the rendered picture to its light',
+  queue: 'time in queues', render: 'the render job', display: 'from the rendered frame until its light reaches the eye',
 };
 
 /** Latency of each headset by hop, as numbers and as a bar. */

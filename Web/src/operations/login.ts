@@ -4,7 +4,7 @@ import { ask } from './state';
 // Remembers that a user has logged in here, because scripts cannot read the cookie itself.
 const REMEMBERED = 'nowpose-logged-in';
 
-/** The form that asks for a token if the gateway requires one. */
+/** The log-in form, shown if the gateway requires a token. */
 export class Login {
   private readonly form = byId<HTMLFormElement>('login');
   private readonly token = byId<HTMLInputElement>('token-text');

@@ -73,7 +73,7 @@ async function read(): Promise<void> {
   if ('value' in answer) {
     link.open();
     show(answer.value);
-  } else lose(isRefused ? 'Log in to see how the gateway does.' : answer.trouble);
+  } else lose(isRefused ? 'Log in to see the state of the gateway.' : answer.trouble);
 }
 
 let seen = '';
@@ -104,5 +104,5 @@ function show(state: State): void {
 function lose(why: string): void {
   byId('content').classList.add('stale');
   overall.lose();
-  setText(byId('trouble'), seen ? `${why}. What is shown is of ${seen}.` : `${why}`);
+  setText(byId('trouble'), seen ? `${why}. The data shown are from ${seen}.` : `${why}`);
 }

@@ -25,7 +25,7 @@ export class Overall {
   /** Shows the state as unknown when the gateway does not answer. */
   lose(): void {
     document.title = `Not known: ${document.title.replace(/^(Warning|Fault|Not known): /, '')}`;
-    this.setLine('unknown', 'Not known: the gateway tells nothing to this page.');
+    this.setLine('unknown', 'Not known: the gateway sends no state to this page.');
   }
 
   private setLine(level: Level | 'unknown', text: string): void {

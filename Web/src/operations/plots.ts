@@ -11,14 +11,14 @@ export class Plots {
   private readonly latency = new LivePlot('Latencies of the shown headset over the last two minutes.', 'latency (ms)', 'ms', [
     { label: 'L_app', look: LOOKS.compensated }, { label: 'L_visu', look: LOOKS.hold }, { label: 'round trip', look: { ...DASHED, dash: [8, 4] } },
   ]);
-  private readonly clock = new LivePlot('How wrong the clocks may be over the last two minutes.', 'clock bound (µs)', 'µs', [
+  private readonly clock = new LivePlot('Error bounds of the clocks over the last two minutes.', 'clock bound (µs)', 'µs', [
     { label: 'shown headset', look: LOOKS.compensated }, { label: 'control clock', look: LOOKS.hold },
   ]);
-  private readonly error = new LivePlot('Tool error of the shown headset over the last two minutes, as it measures it by itself.', 'tool error (mm)', 'mm', [
+  private readonly error = new LivePlot('Tool error of the shown headset over the last two minutes, as measured by the headset.', 'tool error (mm)', 'mm', [
     { label: 'held', look: LOOKS.hold }, { label: 'compensated', look: LOOKS.compensated },
   ]);
   private readonly rate = new LivePlot(
-    'Messages of joint positions a second over the last two minutes, of the fastest and of the slowest source.', 'rate (Hz)', 'Hz', [
+    'Joint position messages per second over the last two minutes, from the fastest and the slowest source.', 'rate (Hz)', 'Hz', [
       { label: 'fastest source', look: LOOKS.compensated }, { label: 'slowest source', look: LOOKS.hold },
     ]);
 

@@ -130,7 +130,7 @@ export class RobotPanel {
     const name = this.headset?.name;
     if (!name) return setText(this.words, 'No headset is shown.');
     const isToolKnown = this.view.bodies!.isToolDrawn('truth');
-    if (!isToolKnown) return setText(this.words, 'Where the tool was is not known, because the position of a joint is not known.');
+    if (!isToolKnown) return setText(this.words, 'The position of the tool is not known, because the position of a joint is not known.');
     const shown = displayed == null ? `${name} does not report what it displays` : `${name} shows the tool ${apart(displayed)} from where it was`;
     setText(this.words, hold == null ? `${shown}.` : `${shown}; without compensation ${about(hold)}.`);
   }

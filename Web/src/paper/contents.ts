@@ -6,7 +6,7 @@ import { badge } from './verdict';
 
 /** Lists the figures with their verdicts and links to their sections. */
 export function contents(figures: FigureData[]): HTMLElement {
-  const caption = 'Does what the paper says of its figures hold?';
+  const caption = 'Figures of the paper and whether their claims hold';
   const rows = figures.map(f => el('tr', {},
     el('th', { scope: 'row' }, el('a', { href: `#${anchorOf(f.number)}` }, `Fig. ${f.number}`)),
     el('td', {}, f.title),

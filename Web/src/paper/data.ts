@@ -14,7 +14,7 @@ export interface FiguresData {
 export type Verdict = 'holds' | 'holds partly' | 'does not hold';
 
 export interface FigureData {
-  /** Number in the paper: "13a". */
+  /** Number in the paper, for example "13a". */
   number: string;
   title: string;
   claim: string;

@@ -17,13 +17,13 @@ function page(data: FiguresData): Node[] {
     el('main', {},
       el('div', { class: 'first' },
         el('section', { 'aria-label': 'Verdicts' }, contents(data.figures),
-          missing ? el('p', { class: 'missing' }, `Not computed, the run was interrupted: ${missing}.`) : null),
+          missing ? el('p', { class: 'missing' }, `Not computed, because the run was interrupted: ${missing}.`) : null),
         el('section', { 'aria-label': 'Conditions' }, factTable('Conditions of all figures, unless one says otherwise', data.conditions, ['Condition', 'Value']))),
       el('p', { class: 'hint' }, hint),
       ...data.figures.map(figureSection)),
     el('footer', {}, el('p', {}, 'The figures’ numbers and claims are those of M. Schnierle, S. Röck, “Latency and sampling compensation in '
       + 'mixed-reality-in-the-loop simulations of production systems”, Production Engineering (2022), ',
-      el('a', { href: PAPER }, PAPER), ' (CC BY 4.0). All data are computed anew. Made by Nowpose.')),
+      el('a', { href: PAPER }, PAPER), ' (CC BY 4.0). All data are computed by this run. Made by Nowpose.')),
   ];
 }
 

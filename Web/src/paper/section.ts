@@ -10,7 +10,7 @@ export function anchorOf(number: string): string {
   return `fig-${number}`;
 }
 
-/** One figure: the paper's claim beside what was measured, then the plots or drawings and the numbers behind them. */
+/** One figure: the paper's claim beside the measured result, then the plots or drawings with their numbers. */
 export function figureSection(figure: FigureData): HTMLElement {
   const id = anchorOf(figure.number), heading = `${id}-heading`, name = `Fig. ${figure.number}`;
   const pictures = [

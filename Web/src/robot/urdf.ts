@@ -21,7 +21,7 @@ const has = (map: object, name: string) => Object.prototype.hasOwnProperty.call(
 export function readUrdf(text: string): Robot {
   const document = new DOMParser().parseFromString(text, 'text/xml');
   const fault = document.querySelector('parsererror');
-  if (fault || document.documentElement.nodeName !== 'robot') throw new Error('the robot description is no URDF');
+  if (fault || document.documentElement.nodeName !== 'robot') throw new Error('the robot description is not a URDF');
   // Removes textures, which would be loaded over the network.
   document.querySelectorAll('texture').forEach(texture => texture.remove());
   let meshes = 0;

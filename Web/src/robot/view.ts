@@ -66,7 +66,7 @@ export class RobotView {
     }
     this.scene.add(this.bodiesShown.group);
     const { meshes } = this.bodiesShown.robots.truth;
-    if (this.renderer) this.say(meshes > 0 ? `Lines stand for ${meshes} ${meshes === 1 ? 'part' : 'parts'} of the robot whose meshes are not on this page.` : '');
+    if (this.renderer) this.say(meshes > 0 ? `Lines replace ${meshes} ${meshes === 1 ? 'part' : 'parts'} of the robot whose meshes are not on this page.` : '');
     this.seen.makeEmpty();
     this.recolour();
   }

@@ -19,12 +19,12 @@ interface Answer {
 /** Keeps a clock synchronised with the gateway that serves this page. */
 export class Exchanges {
   readonly clock = new ControlClock(grainOf(() => performance.now()));
-  private problem = 'asking the gateway';
+  private problem = 'waiting for the gateway';
   private token = '';
   private isWaiting = false;
   private goOn = () => {};
 
-  /** @param onToken Called when the gateway asks for a token that the page does not have. */
+  /** @param onToken Called when the gateway requires a token that the page does not have. */
   constructor(private readonly onToken: () => void) {}
 
   /** Sets the token, which stays in this page's memory only. */
@@ -75,7 +75,7 @@ export class Exchanges {
   }
 
   private askForToken(): void {
-    this.fail(this.token ? 'the gateway does not know this token' : 'the gateway asks for a token');
+    this.fail(this.token ? 'the gateway refuses this token' : 'the gateway requires a token');
     this.token = '';
     this.isWaiting = true;
     this.onToken();

@@ -37,7 +37,7 @@ describe('the robot', () => {
     gateway.sets = [JOINTS.slice(0, 1)];
     await page.reload();
     await becomes(page, '#robot .level', 'arm_joint_2 has not been received');
-    await becomes(page, '.apart', 'Where the tool was is not known');
+    await becomes(page, '.apart', 'The position of the tool is not known');
     const base = await bodiesDrawn(page);
 
     assert.ok((await picture(page, page.locator('.stage'), counts => counts.grey > 100)).grey > 100, 'its base');
@@ -50,7 +50,7 @@ describe('the robot', () => {
 
     Object.assign(gateway.state.joints[2], { state: 'stale', reason: 'samples stopped arriving' });
     await becomes(page, '#robot .level', 'arm_joint_3 is stale');
-    await becomes(page, '.apart', 'Where the tool was is not known');
+    await becomes(page, '.apart', 'The position of the tool is not known');
 
     gateway.state.joints[2].state = 'rest';
     await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
@@ -155,7 +155,7 @@ describe('the robot', () => {
     gateway.urdf = gateway.urdf.replace(/<geometry>[^]*?<\/geometry>/g, '<geometry><mesh filename="package://robot/link.stl"/></geometry>')
       .replace('<material', '<material name="t"><texture filename="http://127.0.0.1:9/t.png"/></material><material');
     const page = await open({ reducedMotion: 'reduce' });
-    await becomes(page, '.robot .missing', 'Lines stand for');
+    await becomes(page, '.robot .missing', 'Lines replace');
     await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
 
     const { blue } = await picture(page, page.locator('.stage'), counts => counts.blue > 20);
@@ -186,7 +186,7 @@ describe('the robot', () => {
     gateway.urdf = 'no robot at all';
     const page = await open();
 
-    await becomes(page, '.robot .missing', 'no URDF');
+    await becomes(page, '.robot .missing', 'not a URDF');
     assert.deepEqual(page.complaints, []);
   });
 

@@ -67,7 +67,7 @@ describe('the shown state', () => {
   for (const width of [1280, 800, 390]) {
     it(`contains a long reason completely in a window of ${width}`, async () => {
       const reason = `the server's certificate is not trusted; its thumbprint is ${'0a'.repeat(20)} (SHA-1), ${'1b'.repeat(32)} (SHA-256). `
-        + `When that is the one of your server, move /var/lib/nowpose-gateway/${'pki/'.repeat(20)}rejected/${'0a'.repeat(20)}.der to `
+        + `If this is the certificate of your server, move /var/lib/nowpose-gateway/${'pki/'.repeat(20)}rejected/${'0a'.repeat(20)}.der to `
         + `/var/lib/nowpose-gateway/${'pki/'.repeat(20)}trusted, or add plant.security.thumbprint to the configuration`;
       gateway.state.adapters[1].reason = reason;
       const page = await open({ viewport: { width, height: 800 } });

@@ -153,7 +153,7 @@ describe('a gateway that does not answer', () => {
     const page = await open();
 
     gateway.isSilent = true;
-    await becomes(page, '#trouble', 'does not answer. What is shown is of');
+    await becomes(page, '#trouble', 'does not answer. The data shown are from');
     assert.ok(await page.locator('#content.stale').count());
     assert.ok(await weakestText(page) > 4.5, 'stale data are readable');
     const changes = await page.evaluate(async () => {

@@ -88,7 +88,7 @@ export class VariableTime implements PlcTime {
   async #value(): Promise<Nanoseconds> {
     const { indexGroup, indexOffset, size, name } = this.symbol;
     const time = timeOf(this.symbol, this.unit, await this.client.readRaw(indexGroup, indexOffset, size));
-    if (time === null) throw new Error(`${name} holds no time`);
+    if (time === null) throw new Error(`${name} does not contain a valid time`);
     return time;
   }
 
@@ -103,7 +103,7 @@ export class VariableTime implements PlcTime {
     }
     const times = (await Promise.all(asked)).sort((a, b) => a < b ? -1 : 1);
     const steps = times.slice(1).map((time, i) => time - times[i]).filter(step => step > 0n);
-    if (steps.length === 0) throw new Error(`${this.symbol.name} stands still`);
-    return steps.reduce((least, step) => step < least ? step : least);
+    if (steps.length === 0) throw new Error(`${this.symbol.name} does not advance`);
+    return steps.reduce((min, step) => step < min ? step : min);
   }
 }

@@ -49,7 +49,7 @@ export class ReadOnlyClient extends Client {
     hidden.parseAmsTcpPacket = data => this.#unlessBroken(() => taken(data));
     hidden.handleReceivedData = () => this.#unlessBroken(() => {
       const { receiveBuffer } = hidden;
-      if (receiveBuffer.length >= 6 && receiveBuffer.readUInt32LE(2) > MAX_FRAME) throw new RangeError('a frame of more than 16 MiB');
+      if (receiveBuffer.length >= 6 && receiveBuffer.readUInt32LE(2) > MAX_FRAME) throw new RangeError('the frame is larger than 16 MiB');
       received();
     });
   }

@@ -12,17 +12,17 @@ export const isSymbolNotFound = (error: unknown): boolean => codeOf(error) === S
 export function reasonOf(error: unknown, client: ReadOnlyClient, endpoint: AdsEndpoint, localNetId: string | null): string {
   const { host, tcpPort, netId, port } = endpoint;
   const system = client.metaData.tcSystemState;
-  if (system !== undefined && system.adsState !== RUN) return `TwinCAT at ${netId} is in ${system.adsStateStr} mode; it goes on when TwinCAT runs`;
+  if (system !== undefined && system.adsState !== RUN) return `TwinCAT at ${netId} is in ${system.adsStateStr} mode; reading continues when TwinCAT runs`;
   const refused = /socket error (-\d+)/.exec(messageOf(error));
   if (refused !== null)
     return `nothing answers at ${host}:${tcpPort} (${getSystemErrorName(Number(refused[1]))}); `
-      + `is TwinCAT or its router running there, and does its firewall let TCP ${tcpPort} in?`;
+      + `check that TwinCAT or its router runs there and that its firewall allows TCP ${tcpPort}`;
   switch (codeOf(error)) {
-    case TARGET_PORT: return `no PLC runtime at AMS port ${port} of ${netId}; TwinCAT 3 has its first at 851, TwinCAT 2 at 801`;
+    case TARGET_PORT: return `no PLC runtime at AMS port ${port} of ${netId}; the first runtime of TwinCAT 3 has port 851, that of TwinCAT 2 port 801`;
     case TARGET_MACHINE: return `${host} does not know the AMS Net Id ${netId}; check it, and that ${host} is that machine or has a route to it`;
   }
   if (client.isHungUp || /[Tt]imeout|socket (closed|ended)/.test(messageOf(error)))
-    return `${host} takes the connection and does not answer${localNetId === null ? '' : `; if it never did, it needs a route to this machine: `
+    return `${host} accepts the connection but does not answer${localNetId === null ? '' : `; if it has never answered, add a route to this machine: `
       + `in TwinCAT, SYSTEM > Routes > Add, AMS Net Id ${localNetId}, transport TCP_IP, the address of this machine`}`;
   return messageOf(error);
 }

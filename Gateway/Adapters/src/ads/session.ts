@@ -48,7 +48,7 @@ export class AdsSession {
   constructor(readonly context: AdapterContext, readonly settings: AdsSettings) {
     this.#client = new ReadOnlyClient(settings.endpoint, settings.local);
     this.#cycles = new Cycles(Math.ceil(settings.publishingMs / settings.samplingMs), (time, values) => this.#put(time, values), values => {
-      for (const { joint } of values) context.output.refuse(joint, 'stamp-missing', `it came without ${settings.time?.symbol} of its cycle`);
+      for (const { joint } of values) context.output.refuse(joint, 'stamp-missing', `the value arrived without ${settings.time?.symbol} of its cycle`);
     });
   }
 
@@ -166,7 +166,7 @@ export class AdsSession {
           continue;
         }
         const { symbol, joint } = watched;
-        if (data.length < symbol.size) return this.#end(`the PLC no longer has ${symbol.name} where it was; its variables are looked up again`);
+        if (data.length < symbol.size) return this.#end(`${symbol.name} has moved in the PLC's memory; its variables are looked up again`);
         if (joint === null) time = timeOf(symbol, this.#unit, data);
         else {
           values.push({ joint, value: numberOf(symbol, data) });
@@ -184,7 +184,7 @@ export class AdsSession {
     if (isOnChange && stamp !== null && this.#isRunning)
       this.context.output.hold(stamp - ofMilliseconds(samplingMs + publishingMs), ofMilliseconds(3 * samplingMs), new Set(values.map(v => v.joint)));
     if (this.#isRunning) return this.context.output.publish(values.map(value => ({ ...value, stamp })));
-    for (const { joint } of values) this.context.output.refuse(joint, 'plc-stopped', 'the PLC\'s program does not run, its variables stand still');
+    for (const { joint } of values) this.context.output.refuse(joint, 'plc-stopped', 'the PLC\'s program does not run, so its variables do not change');
   }
 
   #tellState(): void {
@@ -195,14 +195,14 @@ export class AdsSession {
       this.context.status.enter('connected');
       void this.#attachClock();
     } else {
-      this.context.status.enter('waiting', `the PLC's program is in state ${adsStateStr}; positions go on when it runs`);
+      this.context.status.enter('waiting', `the PLC's program is in state ${adsStateStr}; positions continue when it runs`);
       this.context.clock.detach();
     }
   }
 
   async #attachClock(): Promise<void> {
     const read = (): Promise<ClockReading> => {
-      if (!this.#isRunning) throw new Error('the PLC\'s program does not run');
+      if (!this.#isRunning) throw new Error('the PLC\'s program does not run; start it');
       return this.#time!.read();
     };
     try {
@@ -235,8 +235,8 @@ export class AdsSession {
 
 const numberNeeded = (found: AdsSymbol): string | undefined => {
   if (found.arrayDimension > 0) return `name one element, such as ${found.name}[${found.arrayInfo[0]?.startIndex ?? 0}]`;
-  return isNumber(found) ? undefined : 'a joint\'s value is a number: LREAL, REAL or a whole number';
+  return isNumber(found) ? undefined : 'a joint\'s value must be a number: LREAL, REAL or a whole number';
 };
 
 const timeNeeded = (found: AdsSymbol): string | undefined =>
-  canHoldTime(found) ? undefined : 'a time has 64 bits: LINT, ULINT, LREAL, LTIME or T_FILETIME';
+  canHoldTime(found) ? undefined : 'a time must have 64 bits: LINT, ULINT, LREAL, LTIME or T_FILETIME';

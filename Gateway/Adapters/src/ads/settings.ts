@@ -44,11 +44,11 @@ export const check: OwnCheck = (file, configuration) => {
     file.report(['plant', 'local_net_id'], `value ${shown(plant.local_net_id)}; the parts of an AMS Net Id are 0 to 255`);
   if (plant.plain !== true)
     file.report(['plant', 'plain'], 'missing; ADS is neither encrypted nor authenticated here: '
-      + 'where only trusted machines share its network, say plain: true');
+      + 'if all machines in its network are trusted, set plain: true');
   if (plant.timestamp === 'variable' && plant.time === undefined)
     file.report(['plant', 'timestamp'], 'value "variable"; add time with the symbol of the time variable');
   if (plant.timestamp === 'notification' && plant.time !== undefined)
-    file.report(['plant', 'time'], 'timestamp is notification; take time out, or set timestamp to variable');
+    file.report(['plant', 'time'], 'timestamp is notification; remove time, or set timestamp to variable');
   const { samplingMs, publishingMs } = intervalsOf(plant);
   if (publishingMs < samplingMs)
     file.report(['plant', 'publishing_ms'], `value ${publishingMs}; allowed is a time from sampling_ms, ${samplingMs}, to 10000 ms`);
@@ -57,7 +57,7 @@ export const check: OwnCheck = (file, configuration) => {
     (path.length === 1 ? silent.plant : silent.joints![Number(path[1])]).silence === 'rest');
   if (plant.on_change !== true)
     for (const path of rests)
-      file.report([...path, 'silence'], 'value "rest"; without on_change: true a joint at rest is sent too, so that silence is always a fault');
+      file.report([...path, 'silence'], 'value "rest"; without on_change: true a joint at rest is sent too, so missing values are always a fault');
   configuration.joints.forEach((joint, i) => { joint.line = file.lineOf(['joints', i, 'symbol']); });
   if (plant.time !== undefined) Object.assign(plant.time, { line: file.lineOf(['plant', 'time', 'symbol']) });
 };

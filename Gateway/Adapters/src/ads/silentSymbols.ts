@@ -3,7 +3,7 @@ import { pause } from '../backoff';
 /** Interval of the checks while values arrive, and after none has arrived for QUIET_MS. A headset shows a sample for 300 ms. */
 const LOOK_MS = 500, QUIET_LOOK_MS = 90, QUIET_MS = 50;
 
-/** Time without a value after which a symbol is read, if values at rest are not sent. */
+/** Silence after which a symbol is read, for a PLC that sends no values at rest. */
 const SILENT_MS = 60;
 
 /** A value is late after this time and this multiple of its normal delay. The PLC then no longer sends notifications. */

@@ -37,5 +37,5 @@ async function near(client: ReadOnlyClient, symbol: string): Promise<string> {
   if (symbolLength > MAX_TABLE) return '';
   const names = Object.values(await client.getSymbols()).map(s => s.name);
   const close = nearest(symbol, names, 3);
-  return close.length === 0 ? '; see its symbols with the PLC program\'s own tools' : `; near are ${close.join(', ')}`;
+  return close.length === 0 ? '; look up its symbols in the PLC program' : `; similar symbols are ${close.join(', ')}`;
 }

@@ -10,7 +10,7 @@ export async function run(context: AdapterContext): Promise<void> {
   status.detail('security', settings.endpoint.startsWith('mqtts:') ? 'tls' : 'none');
   status.detail('direction', settings.direction);
   if (settings.isPlain)
-    log.line('this broker is neither encrypted nor authenticated (plain: true): anyone with access to its network can pose as the plant');
+    log.line('this broker is neither encrypted nor authenticated (plain: true): anyone with access to its network can imitate the plant');
   status.enter('connecting');
   await (settings.direction === 'publish' ? publish : subscribe)(context, settings);
 }

@@ -36,12 +36,12 @@ export class BrokerLink {
   /** @param subscriptions Topics below the plant's topic. */
   constructor(readonly settings: BrokerSettings, readonly name: string, readonly subscriptions: string[], readonly events: BrokerEvents) {}
 
-  /** Number of messages dropped because the broker was away or slow. */
+  /** Number of messages dropped because the broker was disconnected or slow. */
   get dropped(): number { return this.#queue.dropped; }
 
   /**
-   * Sends joint states at most once: the next one is better than a repetition, which could even arrive after it.
-   * If the broker is slow, the oldest are dropped.
+   * Sends joint states at most once (QoS 0), because a repeated message could arrive after a newer one.
+   * If the broker is slow, the oldest messages are dropped.
    */
   publishStates(payload: string): void {
     this.#queue.add(payload);
@@ -161,7 +161,7 @@ export class BrokerLink {
 function inWords(error: Error & { code?: unknown }, endpoint: string): string {
   if (error.code === 'ECONNREFUSED') return `nothing listens at ${endpoint}; is the broker running?`;
   if (error.code === 134 || error.code === 135 || error.code === 4 || error.code === 5)
-    return `${endpoint} does not let us in; check user and password_file, and what the broker allows that user`;
+    return `${endpoint} refuses the login; check user and password_file, and the user's rights at the broker`;
   if (String(error.code).includes('CERT') || String(error.code).includes('UNABLE_TO') || String(error.code).includes('SELF_SIGNED'))
     return `the broker's certificate is not trusted (${String(error.code)}); set authority_file to the certificate that issued it`;
   return error.message;

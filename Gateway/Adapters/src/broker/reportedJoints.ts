@@ -9,7 +9,7 @@ const MAX_JOINTS = 256, MAX_NAME = 128, MAX_REASON = 300;
 /** STATE SINCE REASON, as written by a gateway; SINCE is its control time in seconds. */
 const VALUE = /^(live|rest|stale|refused|fault|missing) (-?\d{1,12}(?:\.\d{1,9})?)(?: (.*))?$/;
 
-/** Begin of a gateway's reason for a joint at rest if the rest is uncertain. */
+/** Start of the reason that a gateway gives for a joint whose rest is uncertain. */
 const UNCERTAIN = 'may not be at rest: ';
 
 /** Report of the plant's gateway about one joint that is not live there. */

@@ -53,11 +53,11 @@ export const broker: Kind = {
     requireAddress(file, ['plant', 'endpoint'], endpoint);
     requirePlain(file, section);
     if (user !== undefined && isOpen && !isLoopback(endpoint))
-      file.report(['plant', 'user'], 'a password would go over an open connection; use mqtts://');
+      file.report(['plant', 'user'], 'the password would be sent unencrypted; use mqtts://');
     if (direction === 'publish' && section.clock !== undefined)
-      file.report(['plant', 'clock'], 'not read with direction: publish; the clock is asked for where the messages arrive');
+      file.report(['plant', 'clock'], 'not used with direction: publish; the bridge on the receiving side asks for the time');
     if (direction === 'subscribe' && section.clock === undefined)
-      file.report(['plant', 'clock'], 'missing; add host and port of the sync port of the gateway that has the plant, whose time the stamps are of');
+      file.report(['plant', 'clock'], 'missing; add host and sync port of the gateway that has the plant, because the time stamps use its clock');
     const settings: BrokerSettings = {
       direction, endpoint,
       topic: section.topic,
@@ -84,7 +84,7 @@ function clockOf(file: YamlFile, { clock }: Section, configuration: Configuratio
   const isTls = clock.tls === true || clock.pin !== undefined, at = ['plant', 'clock', 'token_file'] as const;
   const token = clock.token_file === undefined ? null : secretIn(file, at, clock.token_file);
   if (token !== null && !isTls && !isLoopback(clock.host))
-    file.report(at, 'a token travels over TLS or on this machine only; add the pin of the gateway that has the plant, or tls: true');
+    file.report(at, 'a token is sent only over TLS or within this machine; add the pin of the gateway that has the plant, or tls: true');
   configuration.secrets.push(token ?? '');
   return { host: clock.host, port: clock.port ?? SYNC_PORT, isTls, pin: clock.pin ?? null, token };
 }

@@ -10,7 +10,7 @@ import { runUpstreamClock } from './upstreamClock';
 
 const MAX_MESSAGE = 64 * 1024, MAX_DESCRIPTION = 1024 * 1024;
 
-/** Transfers from the broker to a gateway without a plant, with the time of the plant's gateway. */
+/** Forwards messages from the broker to a gateway without a plant, and serves it the clock of the plant's gateway. */
 export async function subscribe(
   { configuration, gateway, clock, output, status, log, stopping }: AdapterContext, settings: BrokerSettings,
 ): Promise<void> {
@@ -53,7 +53,7 @@ export async function subscribe(
     } else {
       reported.leave();
       status.enter('waiting', presence === 'no gateway' satisfies Presence
-        ? 'the bridge has lost the gateway that has the plant' : 'the bridge of the gateway that has the plant is away');
+        ? 'the bridge has lost the gateway that has the plant' : 'the bridge of the gateway that has the plant is disconnected');
     }
   }
 

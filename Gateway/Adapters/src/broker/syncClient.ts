@@ -30,7 +30,7 @@ export class SyncClient {
     if (upstream.token === null) return client;
     if (isAccepted(await client.#ask(tokenRequest(upstream.token))) === true) return client;
     client.close();
-    throw new Error(`${upstream.host}:${upstream.port} does not know the token; give the bridge a token of that gateway`);
+    throw new Error(`${upstream.host}:${upstream.port} refuses the token; give the bridge a token of that gateway`);
   }
 
   close(): void {

@@ -14,7 +14,7 @@ export async function runUpstreamClock(upstream: Upstream, clock: PlantClock, lo
     const reason = await follow(upstream, clock, log, stop, () => backoff.reset());
     clock.detach();
     if (stop.aborted) return;
-    log.change('clock', `the time of ${upstream.host}:${upstream.port} is not known: ${reason}`);
+    log.change('clock', `the time of ${upstream.host}:${upstream.port} is unknown: ${reason}`);
     await pause(backoff.next(), stop);
   }
 }

@@ -22,7 +22,7 @@ export class ClockStopped extends Error {
   override readonly name = 'ClockStopped';
 
   constructor() {
-    super('the clock stands still');
+    super('the clock does not advance');
   }
 }
 
@@ -38,8 +38,8 @@ const COARSE: Nanoseconds = 50n * NS_PER_MS;
 const MEASURE_EVERY: Nanoseconds = 20_000_000_000n;
 
 /**
- * The control clock, which the gateway can read by the plant's name while the plant is connected. It is offered after the first successful
- * reading: an offered clock may become C1 of all headsets, and an absent clock would be a C1 that is never known.
+ * The control clock, which the gateway reads under the plant's name while the plant is connected. It is offered after the first successful
+ * reading, because an offered clock may become C1 of all headsets, and they could not synchronise with a clock that has no reading.
  */
 export class PlantClock {
   #read: ReadClock | null = null;

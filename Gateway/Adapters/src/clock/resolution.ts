@@ -36,7 +36,7 @@ export class Resolution {
   get value(): Nanoseconds {
     if (!this.isKnown) return 0n;
     const now = this.isStopped ? 0n : this.#standing;
-    return [this.#stood, this.#stoodBefore, now].reduce(greatest, this.#step);
+    return [this.#stood, this.#stoodBefore, now].reduce(max, this.#step);
   }
 
   /**
@@ -80,10 +80,10 @@ export class Resolution {
   #lengthOfStandstill(time: Nanoseconds, heard: Nanoseconds, asked: Nanoseconds): Nanoseconds {
     if (this.#standing <= 0n || this.#last === null || this.isStopped) return 0n;
     if (heard - asked > this.#standing) return this.#standing;
-    const longest = least(heard - (this.#before ?? this.#last.heard), STOPPED);
-    return greatest(this.#standing, least(time - this.#last.time, longest));
+    const longest = min(heard - (this.#before ?? this.#last.heard), STOPPED);
+    return max(this.#standing, min(time - this.#last.time, longest));
   }
 }
 
-const least = (a: Nanoseconds, b: Nanoseconds): Nanoseconds => a < b ? a : b;
-const greatest = (a: Nanoseconds, b: Nanoseconds): Nanoseconds => a > b ? a : b;
+const min = (a: Nanoseconds, b: Nanoseconds): Nanoseconds => a < b ? a : b;
+const max = (a: Nanoseconds, b: Nanoseconds): Nanoseconds => a > b ? a : b;

@@ -125,7 +125,7 @@ function gatewayOf(file: YamlFile, sections: Sections, environment: NodeJS.Proce
   const token = environment.NOWPOSE_TOKEN ?? fromFile;
   requireAddress(file, ['gateway', 'url'], url);
   if (token !== null && url.startsWith('ws:') && !isLoopback(url))
-    file.report(['gateway', 'url'], `value ${shown(url)}; a token travels over wss:// or on this machine only, use wss:// with the gateway's pin`);
+    file.report(['gateway', 'url'], `value ${shown(url)}; a token is sent only over wss:// or within this machine; use wss:// with the gateway's pin`);
   if (section.pin !== undefined && environment.NOWPOSE_GATEWAY === undefined) requireTls(file, ['gateway'], url);
   return { url, token, pin: environment.NOWPOSE_PIN ?? section.pin ?? null };
 }
@@ -135,10 +135,10 @@ function jointsOf(file: YamlFile, sections: Sections, silence: SilenceEntry): Jo
   return (sections.joints ?? []).map((entry, i) => {
     const path: Path = ['joints', i];
     if (lines.has(entry.joint))
-      file.report([...path, 'joint'], `value ${shown(entry.joint)}; line ${lines.get(entry.joint)} has this joint already, name each once`);
+      file.report([...path, 'joint'], `value ${shown(entry.joint)}; line ${lines.get(entry.joint)} already has this joint; name each joint once`);
     lines.set(entry.joint, file.lineOf([...path, 'joint']));
     if (entry.unit !== undefined && entry.scale !== undefined)
-      file.report([...path, 'scale'], 'the unit tells the scale already; keep one of the two');
+      file.report([...path, 'scale'], 'the unit already determines the scale; remove one of the two');
     return {
       ...entry,
       scale: entry.scale ?? UNITS[entry.unit ?? 'rad'],

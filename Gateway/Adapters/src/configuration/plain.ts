@@ -3,7 +3,7 @@ import type { Path, YamlFile } from './yamlFile';
 
 /** Reports a pin for an address with ws://, where it would not be checked. */
 export function requireTls(file: YamlFile, section: Path, address: string): void {
-  if (address.startsWith('ws:')) file.report([...section, 'pin'], 'not looked at with ws://; write wss://, or take the pin out');
+  if (address.startsWith('ws:')) file.report([...section, 'pin'], 'not used with ws://; write wss://, or remove the pin');
 }
 
 /** Reports an endpoint without TLS on another machine, unless the configuration allows it explicitly. */
@@ -11,5 +11,5 @@ export function requirePlain(file: YamlFile, { endpoint, plain }: { endpoint: st
   const scheme = endpoint.slice(0, endpoint.indexOf(':'));
   if (['wss', 'mqtts'].includes(scheme) || isLoopback(endpoint) || plain === true) return;
   file.report(['plant', 'plain'], `missing; ${scheme}:// to another machine is neither encrypted nor authenticated: `
-    + `use ${scheme}s://, or say plain: true where only trusted machines share its network`);
+    + `use ${scheme}s://, or set plain: true if all machines in its network are trusted`);
 }

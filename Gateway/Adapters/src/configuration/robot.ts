@@ -24,12 +24,12 @@ export function robotOf(file: YamlFile, robot: string): string | null {
     return null;
   };
   try {
-    if (statSync(path).size > DESCRIPTION_BYTES) return report('the file is larger than 1 MiB, leave its meshes in files of their own');
+    if (statSync(path).size > DESCRIPTION_BYTES) return report('the file is larger than 1 MiB; put its meshes into separate files');
     const text = readFileSync(path, 'utf8');
-    return text.includes('<robot') ? text : report('the file has no <robot> element, name a URDF file');
+    return text.includes('<robot') ? text : report('the file has no <robot> element; name a URDF file');
   } catch (error) {
     const others = Object.keys(INCLUDED).join(', ');
-    return report(`the file cannot be read (${(error as NodeJS.ErrnoException).code}), name an existing URDF file or one of ${others}`);
+    return report(`the file cannot be read (${(error as NodeJS.ErrnoException).code}); name an existing URDF file or one of ${others}`);
   }
 }
 

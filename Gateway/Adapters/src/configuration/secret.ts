@@ -10,7 +10,7 @@ export function secretIn(file: YamlFile, entry: Path, value: string): string | n
   const text = secretText(file, entry, value, true)?.trim();
   if (text === undefined) return null;
   if (text.length > 0 && text.length <= MAX_LENGTH && !/[\r\n]/.test(text)) return text;
-  file.report(entry, `value ${shown(value)}; the file must hold one line of 1 to ${MAX_LENGTH} characters and nothing else`);
+  file.report(entry, `value ${shown(value)}; the file must contain exactly one line of 1 to ${MAX_LENGTH} characters`);
   return null;
 }
 
@@ -20,9 +20,9 @@ export function secretText(file: YamlFile, entry: Path, value: string, isSecret:
   try {
     const isOpen = isSecret && process.platform !== 'win32' && (statSync(path).mode & 0o007) !== 0;
     if (!isOpen) return readFileSync(path, 'utf8');
-    file.report(entry, `value ${shown(value)}; everybody on this machine may read the file, take the right from them: chmod o= ${path}`);
+    file.report(entry, `value ${shown(value)}; every user of this machine may read the file; remove this right: chmod o= ${path}`);
   } catch (error) {
-    file.report(entry, `value ${shown(value)}; the file cannot be read (${(error as NodeJS.ErrnoException).code}), name an existing one`);
+    file.report(entry, `value ${shown(value)}; the file cannot be read (${(error as NodeJS.ErrnoException).code}); name an existing file`);
   }
   return null;
 }

@@ -17,7 +17,7 @@ export function userIn(
   const fromFile = user.password_file === undefined ? null : secretIn(file, at, user.password_file);
   const password = environment.NOWPOSE_PLANT_PASSWORD ?? fromFile;
   if (password === null && user.password_file === undefined)
-    file.report(at, 'missing; add the path of a file that holds the password and nothing else, or set NOWPOSE_PLANT_PASSWORD');
+    file.report(at, 'missing; add the path of a file that contains only the password, or set NOWPOSE_PLANT_PASSWORD');
   configuration.secrets.push(password ?? '');
   return { name: user.name, password: password ?? '' };
 }

@@ -27,7 +27,7 @@ export class YamlFile {
       // Throws for a circular structure.
       JSON.stringify(this.value);
     } catch (error) {
-      const text = error instanceof TypeError ? 'an alias (*) stands inside of what it names; write the entry out' : (error as Error).message;
+      const text = error instanceof TypeError ? 'an alias (*) refers to an entry that contains it; write the entry out' : (error as Error).message;
       throw new ConfigurationError(path, [{ line: 1, text }]);
     }
   }
@@ -74,9 +74,9 @@ function child(node: unknown, step: string | number): { node: unknown; offset: n
 
 function inWords(code: string, message: string): string {
   switch (code) {
-    case 'TAB_AS_INDENT': return 'a tab stands before the entry; YAML allows blanks only, replace it';
-    case 'DUPLICATE_KEY': return 'this key stands here for the second time; keep one of the two';
-    case 'BAD_INDENT': return `${message}; entries of one level start in the same column`;
-    default: return `no YAML: ${message}`;
+    case 'TAB_AS_INDENT': return 'a tab precedes the entry; YAML allows spaces only, so replace the tab';
+    case 'DUPLICATE_KEY': return 'this key occurs twice; remove one';
+    case 'BAD_INDENT': return `${message}; entries of one level must start in the same column`;
+    default: return `not valid YAML: ${message}`;
   }
 }

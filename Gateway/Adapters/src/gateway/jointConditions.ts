@@ -16,12 +16,12 @@ export interface JointCondition {
   uncertainty: string;
 }
 
-/** Smaller differences of a begin time are caused by the transmission of its message. */
+/** Smaller differences between start times are caused by the transmission of the message. */
 const SAME_SINCE_MS = 2000;
 
 const isGood = ({ state }: JointCondition): boolean => state === 'live' || state === 'rest';
 
-/** State of each joint with its reason. Logs the begin and the end of each fault once. */
+/** State of each joint with its reason. Logs the start and the end of each fault once. */
 export class JointConditions {
   readonly #joints = new Map<string, JointCondition>();
 
@@ -33,7 +33,7 @@ export class JointConditions {
 
   /** Expects a joint, which is missing until its first usable value. */
   expect(joint: string): void {
-    if (!this.#joints.has(joint)) this.#joints.set(joint, { state: 'missing', since: this.now(), reason: 'no value has come since the start', uncertainty: '' });
+    if (!this.#joints.has(joint)) this.#joints.set(joint, { state: 'missing', since: this.now(), reason: 'no value has arrived since the start', uncertainty: '' });
   }
 
   has(joint: string): boolean { return this.#joints.has(joint); }
@@ -65,7 +65,7 @@ export class JointConditions {
     const known = this.#joints.get(joint);
     if (known?.state === 'rest' && known.uncertainty === uncertainty) return;
     this.#enter(joint, 'rest', `no change is reported; the joint is assumed at rest${uncertainty === '' ? '' : `; ${uncertainty}`}`, since, uncertainty);
-    this.log.resume(`joint ${joint}`, `${joint} is at rest, without fault`);
+    this.log.resume(`joint ${joint}`, `${joint} is at rest without a fault`);
   }
 
   fault(joint: string, reason: string, since = this.now()): void {
@@ -94,7 +94,7 @@ export class JointConditions {
   /** Removes a joint that is no longer expected. */
   forget(joint: string): void {
     if (!this.#joints.delete(joint)) return;
-    this.log.resume(`joint ${joint}`, `${joint} is not expected any more`);
+    this.log.resume(`joint ${joint}`, `${joint} is no longer expected`);
     this.changed();
   }
 

@@ -99,7 +99,7 @@ export class GatewayLink {
    * @throws Error The other end is disconnected, does not answer in time, or refuses.
    */
   async call(service: string): Promise<Record<string, unknown>> {
-    if (!this.isOpen) throw new Error(`${this.name} is away`);
+    if (!this.isOpen) throw new Error(`${this.name} is not connected`);
     const id = `${service} ${++this.#called}`;
     const answer = await new Promise<Record<string, unknown> | null>(resolve => {
       const timer = setTimeout(() => resolve(null), CALL_MS);
@@ -145,7 +145,7 @@ export class GatewayLink {
       const leave = (): void => socket.readyState === WebSocket.OPEN ? socket.close(1000) : socket.terminate();
       const beat = setInterval(() => {
         if (performance.now() - heard > SILENCE_MS) {
-          reason = `nothing heard for ${SILENCE_MS / 1000} s`;
+          reason = `no message for ${SILENCE_MS / 1000} s`;
           socket.terminate();
         } else if (socket.readyState === WebSocket.OPEN) {
           socket.ping();
@@ -162,7 +162,7 @@ export class GatewayLink {
       });
       socket.on('unexpected-response', (request, response) => {
         reason = response.statusCode === 401
-          ? '401, the token is missing or not known there; give the adapter a token of a source'
+          ? '401, the token is missing or unknown to the gateway; give the adapter a token of a source'
           : `HTTP status ${response.statusCode}`;
         request.destroy();
         socket.terminate();
@@ -214,7 +214,7 @@ export class GatewayLink {
   // Repeated status texts are logged once.
   #tell(status: string): void {
     if (UNSYNCHRONISED.test(status) && performance.now() - this.#measured < MEASURING_MS)
-      return this.log.change(`${this.name} measures`, 'measuring', `${this.name} measures this clock; positions pass when it knows it`);
+      return this.log.change(`${this.name} measures`, 'measuring', `${this.name} measures this clock; it forwards positions after the measurement`);
     if (this.#statuses.has(status)) return;
     if (this.#statuses.size >= MAX_STATUSES) this.#statuses.clear();
     this.#statuses.add(status);
@@ -275,7 +275,7 @@ function parsed(text: string): Record<string, unknown> | null {
 
 function inWords(error: Error): string {
   const code = (error as NodeJS.ErrnoException).code;
-  if (code === 'ECONNREFUSED') return 'nothing listens there; is it running?';
+  if (code === 'ECONNREFUSED') return 'nothing listens there; check that it runs';
   if (code?.includes('CERT') || code?.includes('SELF_SIGNED') || code?.includes('UNABLE_TO'))
     return `its certificate is not trusted (${code}); set gateway.pin to what the gateway prints`;
   return error.message;

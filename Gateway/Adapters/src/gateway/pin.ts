@@ -34,7 +34,7 @@ export class PinnedAgent extends Agent {
 /** Gets the reason why the other end does not have the pinned key; null if it has. */
 export function pinProblem(socket: TLSSocket, pin: string): string | null {
   const found = socket.getPeerX509Certificate()?.publicKey.export({ type: 'spki', format: 'der' });
-  if (found === undefined) return 'the gateway showed no certificate';
+  if (found === undefined) return 'the gateway presented no certificate; start it with --tls or --certificate';
   return isSame(pinOf(found), pin) ? null
     : `the gateway has the pin ${pinOf(found)} but the configuration has another; if the gateway's key was renewed, set the pin to it`;
 }

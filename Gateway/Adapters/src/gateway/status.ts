@@ -100,7 +100,7 @@ export class AdapterStatus {
     this.log.change(`value of ${subject}`, reason, `${subject} refused (${reason}): ${what}`);
   }
 
-  /** Counts a value that was lost before it arrived, or one of a reason of `refuse`. */
+  /** Counts a refused value, or a value that was lost before it arrived, by its reason. */
   count(reason: string): void {
     const known = this.#refused.has(reason) || this.#refused.size < MAX_REASONS ? reason : 'other';
     this.#refused.set(known, (this.#refused.get(known) ?? 0) + 1);
@@ -108,7 +108,7 @@ export class AdapterStatus {
 
   /** Reports that the values of this subject are valid again. */
   accept(subject: string): void {
-    this.log.resume(`value of ${subject}`, `${subject} is good again`);
+    this.log.resume(`value of ${subject}`, `${subject} is valid again`);
   }
 
   refusals(reason: string): number { return this.#refused.get(reason) ?? 0; }

@@ -65,7 +65,7 @@ async function certificateOf({ status, stopping }: AdapterContext, { security }:
   return null;
 }
 
-/** Uses one connection from begin to end, whose reason goes to the status. Returns whether values arrived. */
+/** Uses one connection until it ends, and reports the reason of the end in the status. Returns whether values arrived. */
 async function attempt(
   context: AdapterContext, settings: OpcUaSettings, own: OwnCertificate, trust: TrustList, reader: NotificationReader,
 ): Promise<boolean> {
@@ -131,7 +131,7 @@ function whereIs({ configuration }: AdapterContext, node: string): string {
 /** Reports joints of unknown nodes as missing and continues with the others. Fails if no joint or no time variable is left. */
 function refuseUnknown(context: AdapterContext, { nodes, jointNodes }: NotificationReader, silent: SilentNodes, refusals: (string | null)[]): void {
   const wrong = refusals.flatMap((refusal, node) => refusal === null ? []
-    : [{ node, text: `${whereIs(context, nodes[node])}: value ${nodes[node]}; the server says ${refusal}; take the id of the node from an OPC UA browser` }]);
+    : [{ node, text: `${whereIs(context, nodes[node])}: value ${nodes[node]}; the server answers ${refusal}; look up the node's id in an OPC UA browser` }]);
   if (wrong.some(({ node }) => node >= jointNodes.length) || wrong.length > 0 && wrong.length >= jointNodes.length)
     throw new Refused(wrong.map(({ text }) => text).join('; '));
   for (const { node, text } of wrong) silent.refused(node, text);

@@ -25,7 +25,7 @@ export async function clockOf(session: ReadOnlySession, settings: OpcUaSettings,
     const value = await session.read(node);
     if (!isGood(value.statusCode)) throw new Error(`${node} cannot be read: ${value.statusCode.name}`);
     const time = timeIn(value.value, settings.time?.unit ?? null);
-    if (time === null) throw new Error(`${node} holds no time`);
+    if (time === null) throw new Error(`${node} does not contain a valid time`);
     return { received: time, sent: time };
   };
   if (node !== CURRENT_TIME || !await stands(session, ofNode)) return ofNode;
@@ -33,7 +33,7 @@ export async function clockOf(session: ReadOnlySession, settings: OpcUaSettings,
   return async (): Promise<ClockReading> => {
     await session.read(node);
     const sent = sentAt(session);
-    if (sent === null) throw new Error('the server does not say when it sent its answer');
+    if (sent === null) throw new Error('the server\'s answer has no time stamp');
     return { received: sent, sent };
   };
 }

@@ -38,7 +38,7 @@ export const opcua: Kind = {
     if (timestamp === 'variable' && section.time === undefined)
       file.report([...at, 'timestamp'], 'value "variable"; add time with the node of the time variable');
     if (timestamp !== 'variable' && section.time !== undefined)
-      file.report([...at, 'time'], `timestamp is ${timestamp}; take time out, or set timestamp to variable`);
+      file.report([...at, 'time'], `timestamp is ${timestamp}; remove time, or set timestamp to variable`);
     const settings: OpcUaSettings = {
       endpoint: section.endpoint,
       security: securityOf(file, section, environment),
@@ -74,17 +74,17 @@ export const opcua: Kind = {
 // The schema's pattern does not limit the size of numbers.
 function requireNode(file: YamlFile, entry: Path, node: string): void {
   const [, namespace = 0, id = 0] = /^(?:ns=(\d+);|nsu=[^;]+;)?(?:i=(\d+)$)?/.exec(node)!;
-  if (Number(namespace) > 65535) file.report(entry, `value ${shown(node)}; a namespace, ns, is a number from 0 to 65535`);
-  if (Number(id) > 4294967295) file.report(entry, `value ${shown(node)}; a number, i, is one from 0 to 4294967295`);
+  if (Number(namespace) > 65535) file.report(entry, `value ${shown(node)}; a namespace (ns) must be a number from 0 to 65535`);
+  if (Number(id) > 4294967295) file.report(entry, `value ${shown(node)}; a numeric id (i) must be from 0 to 4294967295`);
 }
 
 function securityOf(file: YamlFile, { security = {} }: Section, environment: NodeJS.ProcessEnv): OpcUaSettings['security'] {
   const at = ['plant', 'security'] as const, mode = security.mode ?? 'sign_and_encrypt';
   if (mode === 'none' && security.i_know_this_is_open !== true)
-    file.report([...at, 'mode'], 'value "none"; everybody on the network could read along and pretend to be the plant: '
+    file.report([...at, 'mode'], 'value "none"; anyone on the network could read the data and imitate the plant: '
       + 'use sign_and_encrypt, or add i_know_this_is_open: true');
   if (mode !== 'none' && security.i_know_this_is_open !== undefined)
-    file.report([...at, 'i_know_this_is_open'], `security.mode is ${mode}, nothing is open; take it out`);
+    file.report([...at, 'i_know_this_is_open'], `security.mode is ${mode}, so the connection is not open; remove this entry`);
   const text = (name: 'folder' | 'server_certificate'): string | null => security[name] === undefined ? null : besides(file.path, security[name]);
   if (security.server_certificate !== undefined) requireCertificate(file, [...at, 'server_certificate'], security.server_certificate);
   return {
@@ -98,7 +98,7 @@ function securityOf(file: YamlFile, { security = {} }: Section, environment: Nod
 
 function userOf(file: YamlFile, { user, security }: Section, configuration: Configuration, environment: NodeJS.ProcessEnv): User | null {
   if (user?.name !== undefined && security?.mode === 'none')
-    file.report(['plant', 'user'], 'a password would go over an open connection; use sign_and_encrypt');
+    file.report(['plant', 'user'], 'the password would be sent unencrypted; use sign_and_encrypt');
   return userIn(file, user, configuration, environment);
 }
 
@@ -106,7 +106,7 @@ function userCertificateOf(file: YamlFile, { user }: Section): OpcUaSettings['us
   if (user?.certificate === undefined && user?.key === undefined) return null;
   const at = ['plant', 'user'] as const;
   if (user.name !== undefined)
-    file.report([...at, 'certificate'], `the user ${shown(user.name)} has a password already; keep name and password_file, or certificate and key`);
+    file.report([...at, 'certificate'], `the user ${shown(user.name)} has a password already; keep either name and password_file or certificate and key`);
   for (const part of ['certificate', 'key'] as const)
     if (user[part] === undefined) file.report([...at, part], `missing; add the path of the user's ${part}, a PEM file`);
   const certificate = user.certificate && secretText(file, [...at, 'certificate'], user.certificate, false);

@@ -30,7 +30,7 @@ export function statusRefusal(value: DataValue): Refusal | null {
   const isThere = value.value && value.value.dataType !== DataType.Null;
   if (isGood(value.statusCode)) return isThere ? null : { reason: 'type', text: 'it has no value' };
   const kind = severity(value.statusCode) === 1 ? 'uncertain' : 'bad';
-  return { reason: `status-${kind}`, text: `the server says ${value.statusCode.name}, ${value.statusCode.description}` };
+  return { reason: `status-${kind}`, text: `the server answers ${value.statusCode.name}, ${value.statusCode.description}` };
 }
 
 /** Gets the joint's number from a node's value. The caller checks that it is a number. */

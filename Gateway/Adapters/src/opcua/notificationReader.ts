@@ -21,7 +21,7 @@ export class NotificationReader {
   readonly #readers: number[][];
   readonly #time: TimeVariable | null;
   /** Nodes for which this connection has received a value. */
-  readonly #told = new Set<number>();
+  readonly #received = new Set<number>();
   /** The newest time of the previous notifications. */
   #known: Nanoseconds | null = null;
   #silence: Nanoseconds = 0n;
@@ -38,7 +38,7 @@ export class NotificationReader {
 
   /** Resets the state for a new connection. */
   startAnew(): void {
-    this.#told.clear();
+    this.#received.clear();
     this.#known = null;
     this.context.output.startAnew();
   }
@@ -51,7 +51,7 @@ export class NotificationReader {
 
   read(values: NodeValue[]): void {
     const timeNode = this.#readers.length;
-    // The times first, because the values of their cycle may precede them.
+    // Reads the times first, because in a notification the values of a cycle may precede its time.
     const times = values.filter(v => v.node === timeNode).map(({ value }) => this.#learn(value));
     const found = values.filter(v => v.node < timeNode).flatMap(({ node, value }) => this.#valuesOf(node, value));
     // Uses the times of the previous notification: its last changes would be in this one.
@@ -90,7 +90,7 @@ export class NotificationReader {
 
   /** Marks the next value of this node as the first of a new monitored item. */
   expectFirst(node: number): void {
-    this.#told.delete(node);
+    this.#received.delete(node);
   }
 
   #note(times: (Nanoseconds | null)[]): void {
@@ -105,7 +105,7 @@ export class NotificationReader {
     const refusal = statusRefusal(value), time = refusal === null ? timeIn(value.value, unit) : null;
     if (refusal !== null) status.refuse(refusal.reason, node, refusal.text);
     else if (time === null || label === null)
-      status.refuse('time-type', node, 'it is not a time; name a DateTime, a whole number of 64 bits or an LREAL, and its unit');
+      status.refuse('time-type', node, 'the value is not a time; name a DateTime, or a 64-bit whole number or an LREAL with its unit');
     else this.#time!.learn(label, time);
     return time;
   }
@@ -117,8 +117,8 @@ export class NotificationReader {
       const refusal = { reason: 'node-gone', text: `the server has no node ${this.nodes[node]} (${value.statusCode.name})` };
       return this.#readers[node].map(joint => ({ joint, value: null, stamp: null, refusal, isLost: true }));
     }
-    const isFirst = !this.#told.has(node) && this.#hasStamp(value), bad = statusRefusal(value);
-    this.#told.add(node);
+    const isFirst = !this.#received.has(node) && this.#hasStamp(value), bad = statusRefusal(value);
+    this.#received.add(node);
     const stamp = bad === null ? this.#stampOf(value) : null;
     const refusal = bad ?? (stamp === null && !isFirst && this.#time !== null && this.#hasStamp(value) ? this.#unmatched : null);
     return this.#readers[node].map((joint): JointValue => {
@@ -132,8 +132,8 @@ export class NotificationReader {
     const { node } = this.settings.time!, ms = this.context.configuration.plant.group_ms ?? GROUP_MS;
     return {
       reason: 'time-unmatched',
-      text: `no value of ${node} is stamped within group_ms, ${String(ms)} ms, of it; `
-        + 'where the server stamps the variables of a cycle one by one, raise group_ms',
+      text: `no value of ${node} has a time stamp within group_ms, ${String(ms)} ms, of it; `
+        + 'if the server stamps the variables of a cycle one by one, increase group_ms',
     };
   }
 

@@ -35,7 +35,7 @@ export interface Monitoring {
 
 /** Throws for a request that is not read-only, before it is encoded, so that it is never sent. */
 export function readsOnly(request: { schema: { name: string } }): void {
-  if (!ALLOWED.has(request.schema.name)) throw new Error(`${request.schema.name} is nothing that a reader asks`);
+  if (!ALLOWED.has(request.schema.name)) throw new Error(`${request.schema.name} is not allowed; the adapter only reads`);
 }
 
 /** A read-only session with an OPC UA server. It ends once; create another one for another connection. */

@@ -58,7 +58,7 @@ export class Renewals {
     return !isFirst;
   }
 
-  /** Whether the source wrote the node periodically at a rest, and has not written it for a while; null if it has, or if it is unknown. */
+  /** Returns when a source that wrote the node periodically at rest stopped writing it; null if it still writes, or if this is unknown. */
   stopOf(node: number): SourceStop | null {
     const { changedAt, renewals, isRenewed, longestMs } = this.#nodes[node];
     if (renewals < MIN_RENEWALS || this.now() - changedAt <= Math.max(STOPPED_MS, INTERVALS * longestMs)) return null;

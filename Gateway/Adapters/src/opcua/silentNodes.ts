@@ -76,7 +76,7 @@ export class SilentNodes {
   async #isUnchanged(node: number, value: DataValue): Promise<boolean> {
     const state = this.#nodes[node];
     if (isGone(value.statusCode)) {
-      if (!state.isGone) this.refused(node, `${this.nameOf(node)}: value ${this.reader.nodes[node]}; the server has no such node any more (${value.statusCode.name})`);
+      if (!state.isGone) this.refused(node, `${this.nameOf(node)}: value ${this.reader.nodes[node]}; the server no longer has this node (${value.statusCode.name})`);
       return false;
     }
     const isSame = isSameValue(state.value, value);
@@ -99,7 +99,7 @@ export class SilentNodes {
     this.#nodes[node] = { heardAt: this.now(), value: null, isGone: false, isBad: false, differsSince: null };
     this.reader.expectFirst(node);
     const refusal = await this.session.monitorAgain(node, this.ids[node]);
-    if (refusal !== null) this.refused(node, `${this.nameOf(node)}: the server says ${refusal}`);
+    if (refusal !== null) this.refused(node, `${this.nameOf(node)}: the server answers ${refusal}`);
   }
 }
 

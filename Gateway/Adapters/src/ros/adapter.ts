@@ -52,7 +52,7 @@ export async function run(context: AdapterContext): Promise<void> {
 
   async function readTime() {
     const { time } = await robot.call(GET_TIME), now = ofRosTime(time);
-    if (now === null || now <= 0n) throw new Error(`${GET_TIME} returns no time; with use_sim_time the simulation has to run`);
+    if (now === null || now <= 0n) throw new Error(`${GET_TIME} returns no time; with use_sim_time, start the simulation`);
     return { received: now, sent: now };
   }
 
@@ -77,7 +77,7 @@ export async function run(context: AdapterContext): Promise<void> {
   status.detail('endpoint', settings.endpoint);
   status.detail('security', settings.endpoint.startsWith('wss:') ? 'tls' : 'none');
   if (settings.isPlain)
-    log.line('this rosbridge is neither encrypted nor authenticated (plain: true): anyone with access to its network can pose as it');
+    log.line('this rosbridge is neither encrypted nor authenticated (plain: true): anyone with access to its network can imitate the robot');
   status.enter('connecting');
   await robot.run(stopping);
 }

@@ -44,7 +44,7 @@ export class JointStates {
     if (!Array.isArray(name) || !Array.isArray(position) || position.length !== name.length) {
       // Joints with only efforts or velocities are published with empty positions.
       if (!Array.isArray(position) || position.length > 0)
-        this.status.refuse('malformed', 'joint states', 'names and positions are not lists of one length');
+        this.status.refuse('malformed', 'joint states', 'names and positions are not lists of the same length');
       return;
     }
     if (!this.clock.isSettled) return this.status.count('clock-unknown');

@@ -52,7 +52,7 @@ export const ros: Kind = {
     const { joints } = configuration, sources = joints.map(joint => joint.source ?? joint.joint);
     sources.forEach((source, i) => {
       if (sources.indexOf(source) < i)
-        file.report(['joints', i], `the robot's joint ${String(source)} stands here for the second time; name each once`);
+        file.report(['joints', i], `the robot's joint ${String(source)} occurs twice; name each joint once`);
     });
   },
   passesUnlisted: ({ joints }) => joints.length === 0,

@@ -12,7 +12,7 @@ export async function run(context: AdapterContext): Promise<void> {
   const { configuration, status, log, stopping } = context;
   const settings = settingsOf(configuration), backoff = new Backoff();
   let fields = fieldsOf(settings.source);
-  log.line('RTDE is neither encrypted nor authenticated: anyone with access to this network can read the robot and pose as it');
+  log.line('RTDE is neither encrypted nor authenticated: anyone with access to this network can read the robot\'s data and imitate the robot');
   status.detail('endpoint', at(settings));
   status.detail('security', 'none');
   status.enter('connecting');
@@ -23,7 +23,7 @@ export async function run(context: AdapterContext): Promise<void> {
     } catch (error) {
       if (stopping.aborted) break;
       if (error instanceof MissingFieldsError) {
-        log.line(`${error.message}; it is read without`);
+        log.line(`${error.message}; reading continues without it`);
         fields = fields.filter(field => !error.names.includes(field.name));
         continue;
       }

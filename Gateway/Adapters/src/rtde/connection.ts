@@ -74,7 +74,7 @@ export class RtdeConnection {
       for (const received of this.#reader.add(bytes)) this.onPackage(received, arrived);
     } catch (error) {
       this.#end(error instanceof NotRtdeError
-        ? new RefusalError(`${at(this.peer)} sends what is not RTDE; name the robot's address under host, and leave port out unless RTDE is forwarded`)
+        ? new RefusalError(`${at(this.peer)} does not use RTDE; set host to the robot's address, and remove port unless RTDE is forwarded`)
         : error as Error);
       this.close();
     }
@@ -91,7 +91,7 @@ function unreachable(peer: Peer, code: string): string {
       return `${at(peer)} refuses the connection; start the robot's controller, and enable RTDE in PolyScope under Settings > Security > Services`;
     case 'ENOTFOUND':
     case 'EAI_AGAIN':
-      return `no machine is called ${peer.host}; correct plant.host, or write the robot's IP address, which PolyScope shows under Settings > Network`;
+      return `there is no machine with the name ${peer.host}; correct plant.host, or write the robot's IP address, which PolyScope shows under Settings > Network`;
     default:
       return `${at(peer)} does not answer (${code}); check plant.host, the robot's network and the firewalls on the way`;
   }

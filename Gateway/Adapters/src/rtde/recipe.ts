@@ -63,14 +63,14 @@ export class Recipe {
     const types = reply.toString('latin1', 1).replace(/\0+$/, '').split(',');
     if (reply.length < 2 || types.length !== fields.length)
       throw new RecipeError(`the controller answered the recipe of ${fields.length} fields with ${reply.length < 2 ? 0 : types.length} types; `
-        + 'is this an RTDE server of protocol version 2?');
+        + 'check that it is an RTDE server of protocol version 2');
     const missing = fields.filter((_, i) => types[i] === 'NOT_FOUND'), needed = missing.find(field => field.isOptional !== true);
     if (needed !== undefined)
       throw new RecipeError(`the controller has no field ${needed.name}; update the controller's software`);
     const wrong = fields.findIndex((field, i) => types[i] !== field.type && types[i] !== 'NOT_FOUND');
     if (wrong >= 0)
       throw new RecipeError(`the controller's field ${fields[wrong].name} is ${printable(types[wrong])}, not ${fields[wrong].type}; `
-        + 'it is read as UR\'s guide describes it only, update this adapter or the controller');
+        + 'the adapter supports the type in UR\'s guide only; update this adapter or the controller');
     if (missing.length > 0) throw new MissingFieldsError(missing.map(field => field.name));
     this.#id = reply[0];
     let at = 1;
@@ -83,7 +83,7 @@ export class Recipe {
 
   /** Decodes a data package; returns a description of the error if it is invalid. */
   decode(payload: Buffer): Cycle | string {
-    if (payload.length !== this.size) return `a data package of ${payload.length} bytes where the recipe has ${this.size}`;
+    if (payload.length !== this.size) return `a data package of ${payload.length} bytes; the recipe has ${this.size}`;
     if (payload[0] !== this.#id) return `a data package of recipe ${payload[0]}, not ${this.#id}`;
     const number = (name: string): number | null => {
       const field = this.#offsets.get(name);

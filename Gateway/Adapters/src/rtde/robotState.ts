@@ -6,7 +6,7 @@ const PROGRAM: Record<number, string> = { 0: 'stopping', 1: 'stopped', 2: 'playi
 
 /** Safety modes in which the arm is stopped, with the remedy. The other modes are normal, or reduced in speed. */
 const STOPS: Record<number, string> = {
-  3: 'protective stop; look why, and release it on the teach pendant',
+  3: 'protective stop; find its cause, and release it on the teach pendant',
   5: 'safeguard stop; close the safeguard and continue on the teach pendant',
   6: 'system emergency stop; release the emergency stop of the cell',
   7: 'robot emergency stop; release the button on the teach pendant',
@@ -54,7 +54,7 @@ export class Power {
       this.#hasMoved = false;
     }
     this.#hasMoved ||= positions.some((position, i) => Math.abs(position - this.#from[i]) > MOVED);
-    return lack === undefined || this.#hasMoved ? null : `the arm has no power (robot mode ${lack}), its joint angles are not measured; `
+    return lack === undefined || this.#hasMoved ? null : `the arm has no power (robot mode ${lack}), so its joint angles are not measured; `
       + 'switch it on at the teach pendant';
   }
 }

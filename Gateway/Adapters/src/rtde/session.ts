@@ -81,8 +81,8 @@ export class RtdeSession {
   // A controller accepts few clients, and test servers only one.
   #because(error: Error): Error {
     if (error instanceof RefusalError)
-      return this.#isReading ? new Error(`the stream of ${at(this.settings)} is damaged; reading starts again, check the robot's network if this goes on`) : error;
-    const then = this.#isReading ? '; see whether the controller was switched off or restarted, reading goes on when it answers'
+      return this.#isReading ? new Error(`the stream of ${at(this.settings)} is damaged; reading starts again. If this repeats, check the robot's network`) : error;
+    const then = this.#isReading ? '; check whether the controller was switched off or restarted. Reading continues when it answers'
       : ' before it answered; if other programs read this robot over RTDE, end one of them';
     return new Error(error.message + then);
   }
@@ -90,9 +90,9 @@ export class RtdeSession {
   async #setUp(): Promise<void> {
     const { settings, context: { status } } = this;
     const version = await this.#ask(protocolVersion(VERSION), TYPE.protocolVersion, ANSWER_MS);
-    if (version === null) throw new RefusalError(`${at(settings)} takes the connection and does not answer as RTDE does; check plant.host and plant.port`);
+    if (version === null) throw new RefusalError(`${at(settings)} accepts the connection but does not answer with RTDE; check plant.host and plant.port`);
     if (version[0] !== 1)
-      throw new RefusalError(`${at(settings)} has protocol version 1 of RTDE only, version 2 is needed; update the controller's software`);
+      throw new RefusalError(`${at(settings)} supports RTDE protocol version 1 only; version 2 is needed, so update the controller's software`);
     const controller = this.#controller = await this.#ask(controllerVersion(), TYPE.controllerVersion, VERSION_ANSWER_MS);
     const major = controller !== null && controller.length >= 16 ? controller.readUInt32BE(0) : null;
     if (major !== null) status.detail('controller', [0, 4, 8, 12].map(i => controller!.readUInt32BE(i)).join('.'));
@@ -100,10 +100,10 @@ export class RtdeSession {
     this.#clock = new RobotClock(settings.sendDelay ?? ofMilliseconds(1000 / cyclesHz), by => this.#tellStep(by));
     status.detail('rate_hz', rateHz);
     const types = await this.#ask(setUpOutputs(rateHz, this.fields.map(field => field.name)), TYPE.setUpOutputs, ANSWER_MS);
-    if (types === null) throw new Error(`${at(settings)} does not answer the output recipe; restart the controller if this goes on`);
+    if (types === null) throw new Error(`${at(settings)} does not answer the output recipe; if this repeats, restart the controller`);
     this.#recipe = new Recipe(this.fields, types, settings.source);
     const started = await this.#ask(start(), TYPE.start, ANSWER_MS, asked => { this.#answered = asked; });
-    if (started?.[0] !== 1) throw new Error(`${at(settings)} does not start to send data; restart the controller if this goes on`);
+    if (started?.[0] !== 1) throw new Error(`${at(settings)} does not start to send data; if this repeats, restart the controller`);
   }
 
   /**
@@ -137,7 +137,7 @@ export class RtdeSession {
       await pause(CHECK_MS, this.#over.signal);
       if (this.#over.signal.aborted) return 'stopped';
     }
-    const half = this.#connection.hasHalfPackage ? 'half a package has come of' : 'nothing has come of';
+    const half = this.#connection.hasHalfPackage ? 'only half a package has arrived from' : 'nothing has arrived from';
     return `${half} ${at(this.settings)} for ${SILENT_MS / 1000} s; check the robot's network and whether its controller runs`;
   }
 
@@ -175,7 +175,7 @@ export class RtdeSession {
     if (type === TYPE.data && this.#recipe !== undefined) return this.#hearData(payload, arrived);
     if (type === TYPE.textMessage) {
       const text = textOf(payload);
-      if (text !== null) this.context.log.change('message', text, `the controller says: ${text}`);
+      if (text !== null) this.context.log.change('message', text, `message of the controller: ${text}`);
     } else if (type === TYPE.controllerVersion && this.#question !== null) {
       this.#answered = this.#question.asked;
       this.#question = null;
@@ -185,7 +185,7 @@ export class RtdeSession {
   #hearData(payload: Buffer, arrived: Nanoseconds): void {
     const cycle = this.#recipe.decode(payload);
     if (typeof cycle === 'string')
-      return this.#fail(new Error(`${at(this.settings)} sends ${cycle}; reading starts again, update the controller if this goes on`));
+      return this.#fail(new Error(`${at(this.settings)} sends ${cycle}; reading starts again. If this repeats, update the controller`));
     this.#lastMs = performance.now();
     const { context: { status } } = this, before = this.#timestamp;
     if (before !== null && cycle.timestamp <= before) {
@@ -212,7 +212,7 @@ export class RtdeSession {
     if (!this.#isReading) void this.#attachClock();
     this.#isReading = true;
     status.detail('program', program);
-    if (program !== null && !isProgramRunning(cycle)) log.change('program', program, `the robot's program is ${program}; its positions go on`);
+    if (program !== null && !isProgramRunning(cycle)) log.change('program', program, `the robot's program is ${program}; its positions are still sent`);
     else log.resume('program', 'the robot\'s program runs again');
     status.notice(stop);
     return lack === null;
@@ -242,11 +242,11 @@ export class RtdeSession {
     if (lost === 0) return;
     for (let i = 0; i < Math.min(lost, 1000); i++) status.count('package-lost');
     log.change('packages', 'lost', 'packages are missing in the controller\'s stream (counted as refused/package-lost); '
-      + 'lower rate_hz, or take load off the controller and the network');
+      + 'lower rate_hz, or reduce the load of the controller and the network');
   }
 
   #tellStep(by: Nanoseconds): void {
-    this.context.log.change('controller clock', 'stepped', `the controller's clock contradicts what it showed before, by ${(Number(by) / 1e6).toFixed(1)} ms; `
+    this.context.log.change('controller clock', 'stepped', `the controller's clock contradicts its earlier times by ${(Number(by) / 1e6).toFixed(1)} ms; `
       + 'it is measured again');
   }
 }

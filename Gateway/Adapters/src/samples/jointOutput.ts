@@ -44,12 +44,12 @@ export type SourceStop = 'after-change' | 'at-rest';
 /** Description of the exceeded limit in a fault. */
 const LIMITS: Record<LimitBasis, string> = {
   configured: 'of max_deceleration',
-  observed: 'that its samples show; set max_deceleration if it can brake harder',
-  assumed: 'that is assumed for it; set max_deceleration if it can brake harder',
+  observed: 'observed in its samples; set max_deceleration if it can brake harder',
+  assumed: 'assumed for it; set max_deceleration if it can brake harder',
 };
 
 /** Reason for a joint whose source stopped. */
-const NOT_WRITTEN = "the server's source timestamps show that the value is no longer written, as it was at rest before";
+const NOT_WRITTEN = "the server's source timestamps show that the value is no longer written, although it was written at rest before";
 
 /** Minimum silence of a joint at rest, and interval of its repeated samples. Headsets predict for about 300 ms. */
 const SILENCE: Nanoseconds = 60n * NS_PER_MS, REPETITION: Nanoseconds = 50n * NS_PER_MS;
@@ -170,7 +170,7 @@ export class JointOutput {
     if (unobserved !== null) this.#unobserved.set(joint, unobserved);
     if (verdict === null) return false;
     const unit = this.#unitOf(joint);
-    this.#end(joint, `to stop there needs ${verdict.required.toFixed(1)} ${unit}, more than the ${verdict.limit.toFixed(1)} ${unit} ${LIMITS[verdict.basis]}`);
+    this.#end(joint, `a stop there would need ${verdict.required.toFixed(1)} ${unit}, more than the ${verdict.limit.toFixed(1)} ${unit} ${LIMITS[verdict.basis]}`);
     return true;
   }
 
@@ -237,7 +237,8 @@ export class JointOutput {
     const refusal = this.#rule.judge(joint, stamp, now);
     if (refusal !== null && isFirst === true && now !== null && OF_LONG_AGO.includes(refusal.reason)) {
       if (this.#ended.has(joint) && refusal.reason === 'stamp-not-newer') return null;
-      // Shown once it is known to be at rest: the next value may have such a stamp, too, from a clock other than the control clock.
+      // Published when the joint is known to be at rest, because the next value may also have such a stamp, from a clock other than the control
+    // clock.
       this.#standing.heard({ joint, position, stamp: now });
       this.silence.arrived(this.joints[joint].joint);
       return null;

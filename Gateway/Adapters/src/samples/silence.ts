@@ -4,9 +4,9 @@ import type { AdapterStatus } from '../gateway/status';
 const REST_MS = 1000;
 
 /** Why rest is uncertain if the source cannot be asked for a joint's value. */
-const CURE = 'set silence: { fault_after_s: N } if the source sends each joint again and again, at rest too';
-const UNCONFIRMED = `nothing confirms its last value, so an end of its data looks the same; ${CURE}`;
-const ALL_UNCONFIRMED = `no joint of its source sends anything, so an end of the source looks the same; ${CURE}`;
+const CURE = 'set silence: { fault_after_s: N } if the source sends each joint repeatedly, also at rest';
+const UNCONFIRMED = `nothing confirms its last value, so rest cannot be distinguished from an end of its data; ${CURE}`;
+const ALL_UNCONFIRMED = `no joint of its source sends anything, so rest cannot be distinguished from an end of the source; ${CURE}`;
 
 interface Heard {
   /** Times of the last sample, and of the last confirmation that the joint still has that value. */
@@ -95,7 +95,7 @@ export class Silence {
     else if (this.unconfirmedMs === null && silent >= REST_MS) {
       // With a limit for a fault, the source is known to be silent for up to that time.
       if (limit !== null) this.#rest(joint, heard);
-      else if (this.hasEnded(joint)) this.#fault(joint, 'its data ended in mid-motion: it cannot have stopped where it was last seen');
+      else if (this.hasEnded(joint)) this.#fault(joint, 'its data ended in mid-motion: it cannot have stopped at its last position');
       else this.#rest(joint, heard, uncertainty);
     }
     return [];

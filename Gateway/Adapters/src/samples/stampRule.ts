@@ -23,14 +23,14 @@ export class StampRule {
    */
   judge(joint: number, stamp: Nanoseconds | null, now: Nanoseconds | null): Refusal | null {
     if (stamp === null) return { reason: 'stamp-missing', text: 'the value has no time stamp; choose another timestamp in the configuration' };
-    if (stamp <= 0n) return { reason: 'stamp-zero', text: 'the time stamp lies before 1970; is the clock of the control system set?' };
+    if (stamp <= 0n) return { reason: 'stamp-zero', text: 'the time stamp is before 1970; set the clock of the control system' };
     const refusal = now === null ? null : this.#against(now, stamp);
     if (refusal !== null) return refusal;
     const newest = this.#newest[joint];
     // After the clock was set back, the previous newest stamp is in the future and must not block newer ones.
     const isStepped = newest !== null && now !== null && newest > now + FUTURE;
     if (newest !== null && stamp <= newest && !isStepped)
-      return { reason: 'stamp-not-newer', text: `its time stamp is ${ms(newest - stamp)} ms before, or that of, the value before it` };
+      return { reason: 'stamp-not-newer', text: `its time stamp is not newer than that of the previous value (${ms(newest - stamp)} ms older)` };
     this.#newest[joint] = stamp;
     return null;
   }

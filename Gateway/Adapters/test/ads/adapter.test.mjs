@@ -204,7 +204,7 @@ describe('ads', { concurrency: 4 }, () => {
     await jointIs(bridge, 'arm_joint_1', 'live');
 
     assert.equal(bridge.joint('axis').state, 'missing');
-    assert.match(bridge.joint('axis').reason, /line 11: the PLC has no symbol MAIN\.fAxs2; near are MAIN\.fAxis2/);
+    assert.match(bridge.joint('axis').reason, /line 11: the PLC has no symbol MAIN\.fAxs2; similar symbols are MAIN\.fAxis2/);
   });
 
   it('Adapter_PlcStopped_ReportsItAndReadsAgainAfterTheStop', async t => {
@@ -316,13 +316,13 @@ describe('ads', { concurrency: 4 }, () => {
   it('Adapter_NoRoute_ExplainsHowToAddOne', async t => {
     const { adapter } = await cell(t, { server: { routes: ['10.0.0.1.1.1'] } });
 
-    await adapter.said('if it never did, it needs a route to this machine: in TwinCAT, SYSTEM > Routes > Add, AMS Net Id 192.168.0.10.1.1, transport TCP_IP');
+    await adapter.said('if it has never answered, add a route to this machine: in TwinCAT, SYSTEM > Routes > Add, AMS Net Id 192.168.0.10.1.1, transport TCP_IP');
   });
 
   for (const [name, joints, said] of [
-    ['UnknownSymbol', '  - joint: a\n    symbol: MAIN.fAxs1\n', /ads\.yaml, line 11: the PLC has no symbol MAIN\.fAxs1; near are MAIN\.fAxis1, MAIN\.fAxis2/],
+    ['UnknownSymbol', '  - joint: a\n    symbol: MAIN.fAxs1\n', /ads\.yaml, line 11: the PLC has no symbol MAIN\.fAxs1; similar symbols are MAIN\.fAxis1, MAIN\.fAxis2/],
     ['WholeArray', '  - joint: a\n    symbol: GVL.aJoints\n', /line 11: GVL\.aJoints is ARRAY \[0\.\.4\] OF LREAL; name one element, such as GVL\.aJoints\[0\]/],
-    ['Text', '  - joint: a\n    symbol: MAIN.sName\n', /line 11: MAIN\.sName is STRING; a joint's value is a number/],
+    ['Text', '  - joint: a\n    symbol: MAIN.sName\n', /line 11: MAIN\.sName is STRING; a joint's value must be a number/],
   ])
     it(`Adapter_${name}_NamesTheLine`, async t => {
       const { adapter } = await cell(t, { joints });
@@ -359,7 +359,7 @@ describe('ads', { concurrency: 4 }, () => {
       const { status, out } = await check(t, temporaryFile('ads.yaml', good));
 
       assert.equal(status, 0);
-      assert.match(out, /is good: ADS ads:\/\/127\.0\.0\.1:48898\/5\.24\.12\.7\.1\.1:851, NO SECURITY; t_k is the stamp of ADS, sampled every 10 ms, published every 10 ms; joints arm_joint_1, /);
+      assert.match(out, /is valid: ADS ads:\/\/127\.0\.0\.1:48898\/5\.24\.12\.7\.1\.1:851, NO SECURITY; t_k is the stamp of ADS, sampled every 10 ms, published every 10 ms; joints arm_joint_1, /);
     });
 
     for (const [name, from, to, expected] of [
@@ -369,7 +369,7 @@ describe('ads', { concurrency: 4 }, () => {
       ['LocalNetId', '192.168.0.10.1.1', '192.168.0.10', /^line 7: plant\.local_net_id: value "192\.168\.0\.10"; allowed is this machine's own AMS Net Id/],
       ['Timestamp', 'plain: true', 'plain: true\n  timestamp: notifications', /^line 9: plant\.timestamp: .*did you mean notification\?/],
       ['NoTime', 'plain: true', 'plain: true\n  timestamp: variable', /^line 9: plant\.timestamp: value "variable"; add time/],
-      ['TimeUnused', 'plain: true', 'plain: true\n  timestamp: notification\n  time: { symbol: GVL.nTime }', /^line 10: plant\.time: timestamp is notification; take time out/],
+      ['TimeUnused', 'plain: true', 'plain: true\n  timestamp: notification\n  time: { symbol: GVL.nTime }', /^line 10: plant\.time: timestamp is notification; remove time/],
       ['Publishing', 'plain: true', 'plain: true\n  sampling_ms: 20\n  publishing_ms: 10', /^line 10: plant\.publishing_ms: value 10; allowed is a time from sampling_ms, 20, to 10000 ms/],
       ['Symbol', 'symbol: GVL.aJoints[0]', 'symbol: GVL aJoints', /^line 11: joints\[0\]\.symbol: .*; allowed is the name of a variable/],
     ])

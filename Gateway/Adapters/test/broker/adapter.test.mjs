@@ -104,7 +104,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     await served(far);
 
     await sync.stop();
-    await subscriber.said('is not known');
+    await subscriber.said('is unknown');
     assert.equal((await far.call('/nowpose/plant_time/hall')).result, false);
     await sync.listen(sync.port);
 
@@ -119,7 +119,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
 
     const refused = bridge(t, 'subscribe', await RosbridgeDouble.start(t), broker, clockOf(sync, `, token_file: "${wrong}"`));
 
-    await refused.said('does not know the token');
+    await refused.said('refuses the token');
     assert.doesNotMatch(refused.err, /another-one/);
   });
 
@@ -179,9 +179,9 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
 
     publisher.child.kill('SIGKILL');
 
-    await subscriber.said('waiting: the bridge of the gateway that has the plant is away');
+    await subscriber.said('waiting: the bridge of the gateway that has the plant is disconnected');
     await until(() => far.state?.state === 'waiting', () => JSON.stringify(far.state));
-    assert.deepEqual([far.joint('a').state, far.joint('a').reason], ['fault', 'the bridge of the gateway that has the plant is away']);
+    assert.deepEqual([far.joint('a').state, far.joint('a').reason], ['fault', 'the bridge of the gateway that has the plant is disconnected']);
   });
 
   it('Joint_NoLongerPublished_IsFaultWhileOthersStayLive', async t => {
@@ -200,7 +200,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     await joint('a', 'live');
   });
 
-  it('Joints_NotLiveAtThePlantsGateway_HaveTheSameStateReasonAndBeginAtTheOther', async t => {
+  it('Joints_NotLiveAtThePlantsGateway_HaveTheSameStateAtTheOtherGateway', async t => {
     const { near, far, sync } = await halls(t), stamp = sync.now(), began = Date.now() / 1000;
 
     publish(near, '/nowpose/joint_status', jointStatus(stamp, {
@@ -318,7 +318,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     const right = bridge(t, 'publish', near, broker, `  user: { name: hall, password_file: "${temporaryFile('password', password)}" }\n`);
     await right.said('[plant/hall] connected');
     const wrong = bridge(t, 'publish', near, broker, '  user: { name: hall }\n', { NOWPOSE_PLANT_PASSWORD: 'not-that-one' });
-    await wrong.said('does not let us in; check user and password_file');
+    await wrong.said('refuses the login; check user and password_file');
 
     assert.doesNotMatch(right.err + wrong.err, /4711|not-that-one/);
   });
@@ -339,14 +339,14 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
 describe('broker configuration', () => {
   const plant = more => `plant:\n  kind: broker\n  direction: subscribe\n  endpoint: mqtt://127.0.0.1\n  topic: nowpose/cell\n${more}`;
   for (const [name, text, expected] of [
-    ['NoClock', plant(''), /line 1: plant\.clock: missing; add host and port of the sync port/],
-    ['ClockOfAPublisher', plant('  clock: { host: a }\n').replace('subscribe', 'publish'), /line 6: plant\.clock: not read with direction: publish/],
+    ['NoClock', plant(''), /line 1: plant\.clock: missing; add host and sync port of the gateway/],
+    ['ClockOfAPublisher', plant('  clock: { host: a }\n').replace('subscribe', 'publish'), /line 6: plant\.clock: not used with direction: publish/],
     ['PlainToAnother', plant('  clock: { host: a }\n').replace('127.0.0.1', '10.0.0.5'), /line 1: plant\.plain: missing; mqtt:\/\/ to another machine/],
     ['Port', plant('  clock: { host: a }\n').replace('127.0.0.1', '127.0.0.1:x'), /line 4: plant\.endpoint: .* a port from 1 to 65535/],
     ['Topic', plant('  clock: { host: a }\n').replace('nowpose/cell', 'nowpose/#'), /line 5: plant\.topic: value "nowpose\/#"; allowed is what the plant's topics begin with/],
     ['Direction', plant('').replace('subscribe', 'subscrib'), /line 3: plant\.direction: .*did you mean subscribe\?/],
     ['PasswordInEndpoint', plant('').replace('mqtt://', 'mqtt://me:word@'), /line 4: plant\.endpoint: .*without user name or password/],
-    ['PasswordInTheOpen', plant('  clock: { host: a }\n  plain: true\n  user: { name: me, password_file: none }\n').replace('127.0.0.1', '10.0.0.5'), /line 8: plant\.user: a password would go over an open connection/],
+    ['PasswordInTheOpen', plant('  clock: { host: a }\n  plain: true\n  user: { name: me, password_file: none }\n').replace('127.0.0.1', '10.0.0.5'), /line 8: plant\.user: the password would be sent unencrypted/],
   ])
     it(`Check_Invalid${name}_NamesItsLine`, () => {
       const lines = wrongIn(temporaryFile('broker.yaml', text));
@@ -371,6 +371,6 @@ describe('broker configuration', () => {
     const { status, lines } = await check(t, path);
 
     assert.equal(status, 2);
-    assert.match(lines[0], /line 6: plant\.clock\.token_file: a token travels over TLS or on this machine only/);
+    assert.match(lines[0], /line 6: plant\.clock\.token_file: a token is sent only over TLS or within this machine/);
   });
 });

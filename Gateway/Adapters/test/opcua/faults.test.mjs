@@ -77,7 +77,7 @@ describe('faults', () => {
     const told = () => bridge.call('/nowpose/plant_time/cell');
 
     own.isStopped = true;
-    await until(async () => (await told()).values === 'the clock stands still', 'the clock to be known as one that stands');
+    await until(async () => (await told()).values === 'the clock does not advance', 'the report of the stopped clock');
     // The adapter reads the clock once a second.
     const looks = bridge.published('/nowpose/diagnostics').length + 4;
     await until(() => bridge.published('/nowpose/diagnostics').length > looks, 'some looks');

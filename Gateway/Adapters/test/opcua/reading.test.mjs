@@ -94,7 +94,7 @@ describe('reading over OPC UA', () => {
     const plant = [...OPEN, 'time: {node: "ns=1;s=time_ns"}'];
     const narrow = await adapterFor(t, server, plant, [JOINTS[0]]), wide = await adapterFor(t, server, [...plant, 'group_ms: 4'], [JOINTS[0]]);
 
-    await narrow.run.said('a refused (time-unmatched): no value of ns=1;s=time_ns is stamped within group_ms, 0.5 ms, of it');
+    await narrow.run.said('a refused (time-unmatched): no value of ns=1;s=time_ns has a time stamp within group_ms, 0.5 ms, of it');
 
     assert.ok(worst(await wide.states(5), 1) < 1e-12);
     assert.deepEqual(narrow.bridge.jointStates, []);
@@ -137,7 +137,7 @@ describe('reading over OPC UA', () => {
 
     const { reason } = await state(s => s.state === 'refused');
 
-    assert.ok(reason.includes(`${path}, line 10: joints[0].node: value ns=1;s=nowhere; the server says BadNodeIdUnknown`), reason);
+    assert.ok(reason.includes(`${path}, line 10: joints[0].node: value ns=1;s=nowhere; the server answers BadNodeIdUnknown`), reason);
   });
 
   it('Node_UnknownBesideAKnownOne_IsMissingWhileTheOtherIsLive', async t => {
@@ -148,7 +148,7 @@ describe('reading over OPC UA', () => {
 
     const { state: found, reason } = bridge.joint('z');
     assert.equal(found, 'missing');
-    assert.ok(reason.includes(`${path}, line 12: joints[1].node: value ns=1;s=nowhere; the server says BadNodeIdUnknown`), reason);
+    assert.ok(reason.includes(`${path}, line 12: joints[1].node: value ns=1;s=nowhere; the server answers BadNodeIdUnknown`), reason);
     assert.equal(bridge.status.level, 2);
   });
 

@@ -115,7 +115,7 @@ describe('other servers', () => {
     rmSync(blocked);
     await state(s => s.state === 'connected');
 
-    const told = `certificates cannot be kept in ${blocked}/certificates (ENOTDIR); let this user write there, or set plant.security.folder`;
+    const told = `certificates cannot be stored in ${blocked}/certificates (ENOTDIR); give this user write access, or set plant.security.folder`;
     assert.ok(reason.startsWith(told), reason);
     assert.equal(run.child.exitCode, null);
   });
@@ -139,7 +139,7 @@ describe('other servers', () => {
 
     const { reason } = await state(s => s.state === 'refused');
 
-    assert.match(reason, /certificate [0-9a-f]{40} is valid from .* to .* only; renew it/);
+    assert.match(reason, /certificate [0-9a-f]{40} is valid only from .* to .*; renew it/);
   });
 });
 
@@ -147,17 +147,17 @@ describe('security in the configuration', () => {
   const file = (...plant) => temporaryFile('plant.yaml', configuration('ws://127.0.0.1:1', 'opc.tcp://plc:4840', plant, JOINTS));
 
   for (const [name, plant, expected] of [
-    ['NoneWithoutFlag', ['security:', '  mode: none'], /line 8: plant\.security\.mode: value "none"; everybody .* i_know_this_is_open: true/],
+    ['NoneWithoutFlag', ['security:', '  mode: none'], /line 8: plant\.security\.mode: value "none"; anyone .* i_know_this_is_open: true/],
     ['FlagOfFalse', ['security:', '  mode: none', '  i_know_this_is_open: false'], /line 9: plant\.security\.i_know_this_is_open: /],
     ['WeakPolicy', ['security:', '  policy: Basic128Rsa15'], /line 8: plant\.security\.policy: value "Basic128Rsa15"; .*allowed are Basic256Sha256/],
     ['WrongThumbprint', ['security:', '  thumbprint: 12 34'], /line 8: plant\.security\.thumbprint: value "12 34"; allowed is the thumbprint/],
     ['PasswordInFile', ['user: {name: me, password: hush-hush}'], /line 7: plant\.user\.password: not known here; did you mean password_file\?/],
-    ['PasswordOverOpen', ['security: {mode: none, i_know_this_is_open: true}', 'user: {name: me}'], /line 8: plant\.user: a password would go/],
+    ['PasswordOverOpen', ['security: {mode: none, i_know_this_is_open: true}', 'user: {name: me}'], /line 8: plant\.user: the password would be sent unencrypted/],
     ['NoPassword', ['user:', '  name: me'], /line 7: plant\.user\.password_file: missing; add the path of a file .*NOWPOSE_PLANT_PASSWORD/],
     ['CertificateWithoutKey', ['user: {certificate: plant.yaml}'], /line 7: plant\.user\.key: missing/],
     ['FlagWithoutNone', ['security:', '  i_know_this_is_open: true'], /line 8: plant\.security\.i_know_this_is_open: security\.mode is sign_and_encrypt/],
     ['NoServerCertificate', ['security:', '  server_certificate: none.der'], /line 8: plant\.security\.server_certificate: value "none\.der"; the file cannot be read \(ENOENT\)/],
-    ['ServerCertificateThatIsNone', ['security:', '  server_certificate: plant.yaml'], /line 8: plant\.security\.server_certificate: the file holds no certificate/],
+    ['ServerCertificateThatIsNone', ['security:', '  server_certificate: plant.yaml'], /line 8: plant\.security\.server_certificate: the file contains no certificate/],
     ['TimeWithoutNode', ['timestamp: variable'], /line 7: plant\.timestamp: value "variable"; add time/],
     ['TimeNotAsked', ['timestamp: source', 'time: {node: i=2258}'], /line 8: plant\.time: timestamp is source/],
     ['PublishingFasterThanSampling', ['sampling_ms: 20', 'publishing_ms: 10'], /line 8: plant\.publishing_ms: value 10; .* from sampling_ms, 20,/],
@@ -178,8 +178,8 @@ describe('security in the configuration', () => {
     const wrong = (certificate, key) => wrongIn(file('user:', `  certificate: "${certificate}"`, `  key: "${key}"`)).join('\n');
 
     assert.equal(wrong(me.certificateFile, me.privateKeyFile), '');
-    assert.match(wrong(none, me.privateKeyFile), /line 8: plant\.user\.certificate: the file holds no certificate/);
-    assert.match(wrong(me.certificateFile, none), /line 9: plant\.user\.key: the file holds no private key/);
+    assert.match(wrong(none, me.privateKeyFile), /line 8: plant\.user\.certificate: the file contains no certificate/);
+    assert.match(wrong(me.certificateFile, none), /line 9: plant\.user\.key: the file contains no private key/);
     assert.match(wrong(me.certificateFile, closed), /line 9: plant\.user\.key: the key is encrypted with a password/);
     assert.match(wrong(me.certificateFile, other.privateKeyFile), /line 9: plant\.user\.key: it is not the key of plant\.user\.certificate/);
   });
@@ -190,7 +190,7 @@ describe('security in the configuration', () => {
     const { status, lines } = await check(t, blocked);
 
     assert.equal(status, 2);
-    assert.match(lines[0], /line 8: plant\.security\.folder: certificates cannot be kept in .*plant\.yaml \(ENOTDIR\); let this user write there/);
+    assert.match(lines[0], /line 8: plant\.security\.folder: certificates cannot be stored in .*plant\.yaml \(ENOTDIR\); give this user write access/);
     assert.equal((await check(t, good)).status, 0);
     assert.deepEqual(readdirSync(dirname(good)), ['plant.yaml']);
   });
@@ -201,7 +201,7 @@ describe('security in the configuration', () => {
 
     const lines = wrongIn(path);
 
-    assert.match(lines[0], /plant\.user\.password_file: .*everybody on this machine may read/);
+    assert.match(lines[0], /plant\.user\.password_file: .*every user of this machine may read/);
     assert.doesNotMatch(lines[0], /hush-hush/);
   });
 });

@@ -78,7 +78,7 @@ describe('silence over OPC UA', { concurrency: 2 }, () => {
     assert.ok(server.asked.get('ReadRequest') > 0);
   });
 
-  it('Writer_OfAllJointsThatStopsInASlowMotionAfterItWroteAtRest_IsFaultThenLive', async t => {
+  it('Writer_OfAllJointsStopsDuringASlowMotion_IsFaultThenLive', async t => {
     const { bridge, state, writers } = await cell(t);
     // At rest, the writer writes the same value with a new source timestamp. Then it accelerates to 0.08 rad/s, and stops.
     let phase = 'rest', beganMs = 0, newest = null;

@@ -90,7 +90,7 @@ describe('trust list', () => {
 
     await trust.checkCertificate(server.der);
 
-    assert.match(trust.refusal, /could not be kept .* add it to the configuration as plant\.security\.thumbprint/);
+    assert.match(trust.refusal, /could not be stored .* add it to the configuration as plant\.security\.thumbprint/);
     assert.ok(existsSync(folder));
   });
 });
@@ -111,7 +111,7 @@ describe('read only', () => {
 
     assert.ok((await session.read({ nodeId: 'i=2258' })).statusCode.isGood());
     for (const name of ['WriteRequest', 'CallRequest', 'AddNodesRequest', 'DeleteNodesRequest', 'HistoryUpdateRequest'])
-      assert.throws(() => readsOnly({ schema: { name } }), new RegExp(`${name} is nothing that a reader asks`));
+      assert.throws(() => readsOnly({ schema: { name } }), new RegExp(`${name} is not allowed; the adapter only reads`));
     const written = new Promise(resolve => session.write(
       { nodeId: 'ns=1;s=arm_joint_1', attributeId: 13, value: { value: { dataType: 'Double', value: 1 } } }, resolve));
     const ended = await Promise.race([written.then(error => error?.message ?? 'written'), new Promise(resolve => setTimeout(resolve, 2000, 'never sent'))])

@@ -106,7 +106,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
 
     assert.deepEqual(velocity, []);
     assert.deepEqual(robot.recipes.at(-1), ['timestamp', 'actual_q', 'runtime_state', 'safety_status_bits']);
-    assert.match(adapter.err, /the controller does not have actual_qd, robot_mode, safety_mode; it is read without/);
+    assert.match(adapter.err, /the controller does not have actual_qd, robot_mode, safety_mode; reading continues without it/);
   });
 
   it('Controller_Restarted_IsReadWithItsNewTime', async t => {
@@ -131,15 +131,15 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     robot.state = { runtime: 1, mode: 7, safety: 3, bits: 1 << 2 };
 
     await until(() => bridge.status?.level === 1, 'a warning');
-    assert.match(bridge.status.message, /protective stop; look why, and release it/);
+    assert.match(bridge.status.message, /protective stop; find its cause, and release it/);
     assert.equal(bridge.joint('elbow_joint').state, 'live');
     await statesOf(bridge, bridge.jointStates.length + 20);
     robot.state = { runtime: 2, mode: 7, safety: 1, bits: 1 };
     await until(() => bridge.status.level === 0, 'no warning');
     const lines = adapter.err.split('\n').filter(line => /protective|program/.test(line));
     assert.deepEqual(lines.map(line => line.slice(12)), [
-      'the robot\'s program is stopped; its positions go on', 'protective stop; look why, and release it on the teach pendant',
-      'the robot\'s program runs again', 'over: protective stop; look why, and release it on the teach pendant',
+      'the robot\'s program is stopped; its positions are still sent', 'protective stop; find its cause, and release it on the teach pendant',
+      'the robot\'s program runs again', 'over: protective stop; find its cause, and release it on the teach pendant',
     ]);
   });
 
@@ -148,7 +148,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     robot.state.mode = 3;
     const { bridge, adapter } = await cell(t, robot);
 
-    await adapter.said('waiting: the arm has no power (robot mode power off), its joint angles are not measured; switch it on at the teach pendant');
+    await adapter.said('waiting: the arm has no power (robot mode power off), so its joint angles are not measured; switch it on at the teach pendant');
     assert.deepEqual(bridge.jointStates, []);
     robot.state.mode = 7;
 
@@ -176,7 +176,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
 
   for (const [what, bytes, text] of [
     ['WithBytesThatAreNone', Buffer.alloc(64), /waiting: the stream of .* is damaged; reading starts again/],
-    ['WithAPackageOfAnotherSize', packageOf('U', byte(1), 'short'), /sends a data package of 6 bytes where the recipe has \d+; reading starts again/],
+    ['WithAPackageOfAnotherSize', packageOf('U', byte(1), 'short'), /sends a data package of 6 bytes; the recipe has \d+; reading starts again/],
   ])
     it(`Stream_${what}_IsReadAgain`, async t => {
       const { bridge, robot, adapter } = await cell(t);
@@ -195,17 +195,17 @@ describe('rtde adapter', { concurrency: 4 }, () => {
 
     robot.send(packageOf('M', byte(4), 'tool', byte(2), 'UR', byte(1)));
 
-    await adapter.said('the controller says: UR: tool');
+    await adapter.said('message of the controller: UR: tool');
   });
 
   for (const [what, robot, text, state] of [
-    ['Version1Only', { accepts: 1 }, /has protocol version 1 of RTDE only, version 2 is needed; update/, 'refused'],
+    ['Version1Only', { accepts: 1 }, /supports RTDE protocol version 1 only; version 2 is needed, so update/, 'refused'],
     ['WithoutAField', { missing: ['actual_q'] }, /has no field actual_q; update/, 'refused'],
     ['OfAnotherType', { types: { actual_q: 'DOUBLE' } }, /field actual_q is DOUBLE, not VECTOR6D/, 'refused'],
-    ['ThatIsMute', { isMute: true }, /takes the connection and does not answer as RTDE does; check plant.host and plant.port/, 'refused'],
-    ['WithHalfPackages', { sendsHalf: true }, /half a package has come of .* for 2 s; check/, 'waiting'],
+    ['ThatIsMute', { isMute: true }, /accepts the connection but does not answer with RTDE; check plant.host and plant.port/, 'refused'],
+    ['WithHalfPackages', { sendsHalf: true }, /only half a package has arrived from .* for 2 s; check/, 'waiting'],
     ['ForOneClient', { onConnection: socket => socket.destroy() }, /before it answered; if other programs read this robot over RTDE, end one of them/, 'waiting'],
-    ['OfGarbage', { isMute: true, onConnection: pour }, /sends what is not RTDE; name the robot's address/, 'refused'],
+    ['OfGarbage', { isMute: true, onConnection: pour }, /does not use RTDE; set host to the robot's address/, 'refused'],
   ])
     it(`Controller_${what}_IsLoggedInOneLineAndRetried`, async t => {
       let connections = 0;
@@ -228,7 +228,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
   it('Host_DoesNotExist_IsLoggedInOneLine', async t => {
     const bridge = await RosbridgeDouble.start(t), adapter = start(t, [configuration({ url: bridge.url, host: 'no-such-robot.invalid', port: 30004 })]);
 
-    await adapter.said('no machine is called no-such-robot.invalid; correct plant.host');
+    await adapter.said('there is no machine with the name no-such-robot.invalid; correct plant.host');
 
     assert.equal(told(adapter).length, 1);
   });
@@ -272,7 +272,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     ['HostWithScheme', 'plant: { kind: rtde, host: "tcp://10.0.0.1" }', /value "tcp:\/\/10\.0\.0\.1"; allowed is the name or the address/],
     ['TooFast', 'plant: { kind: rtde, host: ur, rate_hz: 1000 }', /value 1000; allowed is samples per second, 1 to 500/],
     ['SeventhJoint', 'plant: { kind: rtde, host: ur }\njoints: [{ joint: a, index: 6 }]', /value 6; allowed is a whole number from 0 to 5/],
-    ['JointTwice', 'plant: { kind: rtde, host: ur }\njoints:\n  - { joint: a, index: 1 }\n  - { joint: b, index: 1 }', /line 4: joints\[1\]\.index: value 1; line 3 has this joint of the arm already/],
+    ['JointTwice', 'plant: { kind: rtde, host: ur }\njoints:\n  - { joint: a, index: 1 }\n  - { joint: b, index: 1 }', /line 4: joints\[1\]\.index: value 1; line 3 already has this joint of the arm/],
     ['AnotherRobotsJoints', 'plant: { kind: rtde, host: ur }\nrobot: youbot', /the robot has no such joint/],
   ])
     it(`Check_${what}_NamesTheEntry`, () => {

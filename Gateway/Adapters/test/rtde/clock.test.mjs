@@ -9,15 +9,15 @@ const { RobotClock } = await parts('rtde/robotClock');
 const MS = 1_000_000n, ns = ms => BigInt(Math.round(ms * 1e6));
 
 /**
- * A controller with its own clock behind a network with a minimum delay of `leastMs`. It sends each package within `sendMs` of its
+ * A controller with its own clock behind a network with a minimum delay of `minDelayMs`. It sends each package within `sendMs` of its
  * timestamp. `at` is a time of this machine's counter in ms.
  */
 class Link {
   packages = [];
   stepped = [];
 
-  constructor({ seed, aheadMs = 5_000_000, ppm = 80, periodMs = 8, leastMs = 0.2, jitterMs = 2, sendMs = 2, assumedMs = 2, answers = true }) {
-    Object.assign(this, { seed, aheadMs, ppm, periodMs, leastMs, jitterMs, sendMs, random: seeded(seed), answers });
+  constructor({ seed, aheadMs = 5_000_000, ppm = 80, periodMs = 8, minDelayMs = 0.2, jitterMs = 2, sendMs = 2, assumedMs = 2, answers = true }) {
+    Object.assign(this, { seed, aheadMs, ppm, periodMs, minDelayMs, jitterMs, sendMs, random: seeded(seed), answers });
     this.clock = new RobotClock(ns(assumedMs), by => this.stepped.push(Number(by) / 1e6));
     this.cycle = 1;
     this.question = null;
@@ -27,7 +27,7 @@ class Link {
   /** Time of the controller's clock, ms. */
   truth(at) { return at * (1 + this.ppm / 1e6) + this.aheadMs; }
 
-  #delay() { return this.leastMs + this.jitterMs * this.random() ** 4; }
+  #delay() { return this.minDelayMs + this.jitterMs * this.random() ** 4; }
 
   /** Simulates until a time, with about 16 requests per second. */
   play(untilMs) {
@@ -60,7 +60,7 @@ class Link {
 describe('rtde clock', () => {
   for (const [what, options, mostError, mostBound] of [
     ['ESeries', { periodMs: 8 }, 2.2, 5], ['At500Hz', { periodMs: 2 }, 2, 4.5], ['Cb3', { sendMs: 8, assumedMs: 8 }, 3.5, 11],
-    ['PromptController', { sendMs: 0 }, 0.4, 5], ['SlowWifi', { leastMs: 3, jitterMs: 40 }, 5.5, 14], ['ThinnedTo20Hz', { periodMs: 50 }, 2.5, 9],
+    ['PromptController', { sendMs: 0 }, 0.4, 5], ['SlowWifi', { minDelayMs: 3, jitterMs: 40 }, 5.5, 14], ['ThinnedTo20Hz', { periodMs: 50 }, 2.5, 9],
     ['FastClock', { ppm: 500 }, 2.2, 5], ['SlowClock', { ppm: -500 }, 2.2, 5],
   ])
     it(`Clock_${what}_ErrorIsWithinItsBound`, () => {
@@ -79,7 +79,7 @@ describe('rtde clock', () => {
 
   it('Clock_AssumedDelayTooSmall_BoundDoesNotHold', () => {
     const wrong = Array.from({ length: 20 }, (_, i) => {
-      const link = new Link({ seed: i + 1, sendMs: 0, leastMs: 0.01, jitterMs: 0.02, assumedMs: 0 });
+      const link = new Link({ seed: i + 1, sendMs: 0, minDelayMs: 0.01, jitterMs: 0.02, assumedMs: 0 });
       // All packages leave 5 ms late, which cannot be observed.
       link.truth = at => at * (1 + link.ppm / 1e6) + link.aheadMs + 5 * (at % link.periodMs > 1e-9 ? 1 : 0);
       link.play(5000);

@@ -81,7 +81,7 @@ describe('rtde layout', () => {
   });
 
   for (const [what, payload, text] of [
-    ['Short', PAYLOAD.subarray(0, 40), /40 bytes where the recipe has/], ['Long', Buffer.concat([PAYLOAD, byte(0)]), /bytes where the recipe has/],
+    ['Short', PAYLOAD.subarray(0, 40), /40 bytes; the recipe has/], ['Long', Buffer.concat([PAYLOAD, byte(0)]), /bytes; the recipe has/],
     ['OfAnotherRecipe', Buffer.concat([byte(2), PAYLOAD.subarray(1)]), /of recipe 2, not 1/],
     ['WithoutATime', Buffer.concat([byte(1), doubles(NaN), PAYLOAD.subarray(9)]), /timestamp NaN/],
   ])

@@ -19,5 +19,5 @@ public sealed class AssetDatabase
     /// <param name="filter">Only t:TYPE is supported.</param>
     public static string[] FindAssets(string filter) => Project.OfType(filter.StartsWith("t:", StringComparison.Ordinal)
         ? filter.Substring(2)
-        : throw new NotSupportedException("only t:TYPE is understood, not " + filter)).ToArray();
+        : throw new NotSupportedException("only t:TYPE is supported, not " + filter)).ToArray();
 }

@@ -1,6 +1,6 @@
 namespace UnityEditor;
 
-/// <summary>Only for the bases of <see cref="Editor"/>.</summary>
+/// <summary>Base interface of <see cref="Editor"/>, as in Unity. Not used here.</summary>
 interface IPreviewable
 {
 }

@@ -20,7 +20,7 @@ sealed class PersistentArguments
         var made = new PersistentArguments { _objectType = "UnityEngine.Object, UnityEngine" };
         if (mode == PersistentListenerMode.Bool) made._bool = (bool)value;
         else if (mode == PersistentListenerMode.Float) made._float = (float)value;
-        else if (value != null) throw new ArgumentException($"no argument of mode {mode} can be kept here yet", nameof(mode));
+        else if (value != null) throw new ArgumentException($"the stand-in does not support arguments of mode {mode}", nameof(mode));
         return made;
     }
 

@@ -49,10 +49,10 @@ public partial class Object
     /// <summary>Whether it is an asset, which is protected from being destroyed by mistake.</summary>
     internal bool IsAsset { get; private set; }
 
-    /// <summary>The object whose name it has; for a component its GameObject.</summary>
+    /// <summary>The object that provides this object's name: for a component its GameObject, otherwise the object itself.</summary>
     internal virtual Object NameOwner => this;
 
-    /// <summary>Creates a copy by the class itself; null if Instantiate copies the serialised fields.</summary>
+    /// <summary>Creates a copy with the class's own code; null if Instantiate must copy the serialised fields.</summary>
     internal virtual Object Duplicate() => null;
 
     public int GetInstanceID() => _instanceId;

@@ -148,7 +148,7 @@ public partial class Transform
         return Unscaled(Quaternion.Inverse(_localRotation) * above);
     }
 
-    /// <summary>Invalidates the world pose. Call this also after setting the fields directly.</summary>
+    /// <summary>Invalidates the world pose. Also call this after setting the fields directly.</summary>
     internal void MarkMoved()
     {
         if (!_known) return;

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Rendering;
 
-/// <summary>The enabled cameras of a world, and what is called around each one's rendering.</summary>
+/// <summary>The enabled cameras of a world, and the callbacks before and after each camera renders.</summary>
 sealed class Cameras
 {
     readonly List<Camera> _enabled = new();

@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-/// <summary>Milliseconds.</summary>
+/// <summary>Timings of one frame, in milliseconds.</summary>
 public struct FrameTiming
 {
     public double cpuFrameTime;

@@ -19,7 +19,7 @@ public class Material : Object
 
     public Shader shader { get; set; }
 
-    /// <summary>Gets the material's own queue, else the shader's. Set -1 to have the shader's.</summary>
+    /// <summary>Gets or sets the material's own queue; -1 selects the shader's queue, which is then returned.</summary>
     public int renderQueue
     {
         get => OwnRenderQueue >= 0 || !shader ? OwnRenderQueue : shader.renderQueue;

@@ -25,7 +25,7 @@ public class Renderer : Component
         }
     }
 
-    /// <summary>The mesh's box, rotated with it, and its bounding box in world axes.</summary>
+    /// <summary>Bounding box in world axes of the mesh's own bounding box after the object's transform, as in Unity.</summary>
     public Bounds bounds
     {
         get

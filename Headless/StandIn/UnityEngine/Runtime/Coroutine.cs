@@ -29,7 +29,7 @@ public sealed class Coroutine : YieldInstruction
         _waitsFor = Routine.Current is IEnumerator inner ? Owner.StartCoroutine(inner) : Routine.Current;
         if (_waitsFor is null or WaitForEndOfFrame or Coroutine) return true;
 
-        throw new NotSupportedException($"a coroutine waits for a {_waitsFor.GetType().Name}, which the stand-in does not know");
+        throw new NotSupportedException($"a coroutine waits for a {_waitsFor.GetType().Name}, which the stand-in does not support");
     }
 
     internal bool IsDue(int frame, bool endOfFrame)

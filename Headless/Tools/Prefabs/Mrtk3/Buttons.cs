@@ -41,13 +41,13 @@ sealed class Buttons
         return toggle;
     }
 
-    public Slider Slider(string name, float least, float greatest, float value, Vector2 place)
+    public Slider Slider(string name, float min, float max, float value, Vector2 place)
     {
         var made = Instance(ForeignPaths.Slider, name, place);
         made.transform.localPosition = new Vector3(0, 0, SliderDepth);
         var slider = made.GetComponent<Slider>();
-        Fields.Set(slider, "minValue", least);
-        Fields.Set(slider, "maxValue", greatest);
+        Fields.Set(slider, "minValue", min);
+        Fields.Set(slider, "maxValue", max);
         Fields.Set(slider, "value", value);
         return slider;
     }

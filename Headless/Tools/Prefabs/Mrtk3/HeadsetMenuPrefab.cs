@@ -28,7 +28,7 @@ sealed class HeadsetMenuPrefab
         Fields.Set(_menu, "_actions", _actions);
         var hand = workshop.Instantiate(ForeignPaths.HandMenu, _root.transform);
         _canvas = hand.transform.Find("MenuContent-Canvas");
-        // Shown when a hand holds its palm up, not before.
+        // Shown only while a hand holds its palm up.
         _canvas.gameObject.SetActive(false);
         _canvas.Find("Buttons-GridLayout").gameObject.SetActive(false);
         Canvases.AddGround(workshop, _canvas, new Vector3(0, -17, 4), new Vector2(112, 174));

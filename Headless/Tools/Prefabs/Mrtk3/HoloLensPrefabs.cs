@@ -13,10 +13,10 @@ static class HoloLensPrefabs
     /// <summary>Size of the status panel's bar in font sizes: as wide as the panel's ground.</summary>
     const float BarWidth = 31.5f, BarHeight = 2.8f;
 
-    /// <summary>One unit of its canvas in font sizes. A button of 32 units is 2° high where the panel is read, Microsoft's minimum.</summary>
+    /// <summary>One unit of its canvas in font sizes. A button of 32 units is 2° high at the reading distance, which is Microsoft's minimum.</summary>
     const float BarUnit = 0.0785f;
 
-    /// <summary>Font size of a panel that follows at 1.3 m, metres: read from up to a tenth farther.</summary>
+    /// <summary>Font size in metres of a panel that follows at 1.3 m; legible from up to 10 % farther away.</summary>
     static readonly float BarSize = LetterSize.At(1.3f * 1.1f);
 
     /// <summary>Creates the marker, whose own transform is the robot's base frame.</summary>

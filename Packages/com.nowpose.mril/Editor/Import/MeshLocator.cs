@@ -34,7 +34,7 @@ namespace Nowpose.Editor.Import
             foreach (var scheme in PackageSchemes)
                 if (path.StartsWith(scheme, StringComparison.OrdinalIgnoreCase)) return InPackage(name, path.Substring(scheme.Length));
             if (path.StartsWith("file://", StringComparison.OrdinalIgnoreCase)) path = OfFileUri(path);
-            else if (path.Contains("://")) return Fault(name, "is not a file; package://, file:// and paths are read");
+            else if (path.Contains("://")) return Fault(name, "is not supported; use package://, file:// or a path");
             if (IsRooted(path)) return Absolute(name, path);
             var relative = Normal(_folder + "/" + path);
             return relative == null ? Outside(name) : FirstOf(name, new[] { relative });
@@ -43,7 +43,7 @@ namespace Nowpose.Editor.Import
         MeshReference InPackage(string name, string path)
         {
             var slash = path.IndexOf('/');
-            if (slash <= 0 || slash == path.Length - 1) return Fault(name, "names no file in a package; package://NAME/PATH does");
+            if (slash <= 0 || slash == path.Length - 1) return Fault(name, "does not name a file in a package; use package://NAME/PATH");
             var package = path.Substring(0, slash);
             var file = path.Substring(slash + 1);
             var candidates = new List<string>();
@@ -69,11 +69,11 @@ namespace Nowpose.Editor.Import
             var path = candidates.FirstOrDefault(_exists);
             return path != null
                 ? new MeshReference(path, candidates, null)
-                : new MeshReference(null, candidates, "'" + name + "' was not found; it was looked for at " + string.Join(", ", candidates));
+                : new MeshReference(null, candidates, "'" + name + "' was not found; searched at " + string.Join(", ", candidates));
         }
 
         static MeshReference Outside(string name) =>
-            Fault(name, "lies outside of the project's Assets and Packages; copy it beside the URDF and name it relative to that");
+            Fault(name, "is outside the project's Assets and Packages; copy it beside the URDF and use a path relative to the URDF");
 
         static MeshReference Fault(string name, string fault) => new MeshReference(null, Array.Empty<string>(), "'" + name + "' " + fault);
 

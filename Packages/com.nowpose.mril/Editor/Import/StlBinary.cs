@@ -24,12 +24,12 @@ namespace Nowpose.Editor.Import
         {
             if (content.Length < Start)
                 throw new InputException(sourceName + ", byte " + content.Length + ": the file ends within its header of "
-                    + Start + " bytes; it is not an STL file, or it is cut short");
+                    + Start + " bytes; it is not an STL file, or it is incomplete; export it again");
             var count = Count(content);
             if (count > StlReader.MaxTriangles) throw StlReader.TooMany(sourceName + ", byte " + Header, count);
             if (content.Length != LengthFor(count))
                 throw new InputException(sourceName + ", byte " + Header + ": " + count + " triangles take " + LengthFor(count)
-                    + " bytes, the file has " + content.Length + (content.Length < LengthFor(count) ? "; it is cut short" : ""));
+                    + " bytes, the file has " + content.Length + (content.Length < LengthFor(count) ? "; it is incomplete, export it again" : ""));
 
             var triangles = new StlTriangles();
             var corners = new float[9];

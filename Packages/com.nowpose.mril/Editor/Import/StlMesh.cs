@@ -60,7 +60,7 @@ namespace Nowpose.Editor.Import
             return new Vector3((float)x, (float)y, (float)z);
         }
 
-        // In double precision: Vector3.Normalize returns zero for the normal of a triangle of a millimetre.
+        // Uses double precision, because Vector3.Normalize returns zero for the normal of a triangle of one millimetre.
         static Vector3 Normal(Vector3 a, Vector3 b, Vector3 c)
         {
             double px = (double)b.x - a.x, py = (double)b.y - a.y, pz = (double)b.z - a.z;

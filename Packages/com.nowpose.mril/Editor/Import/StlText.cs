@@ -44,20 +44,20 @@ namespace Nowpose.Editor.Import
             if (words.Length == 0) return;
             switch (words[0].ToLowerInvariant())
             {
-                case "solid": Require(!_inSolid, "a solid within a solid"); _inSolid = true; break;
-                case "endsolid": Require(_inSolid && !_inFacet, "endsolid without its solid, or within a facet"); _inSolid = false; break;
+                case "solid": Require(!_inSolid, "a solid is inside another solid"); _inSolid = true; break;
+                case "endsolid": Require(_inSolid && !_inFacet, "endsolid without a solid, or inside a facet"); _inSolid = false; break;
                 case "facet": BeginFacet(); break;
                 case "endfacet": EndFacet(); break;
                 case "vertex": Vertex(words); break;
                 case "outer":
-                case "endloop": Require(_inFacet, "a loop outside of a facet"); break;
+                case "endloop": Require(_inFacet, "endloop outside a facet"); break;
                 default: throw Error("'" + Shortened(words[0]) + "' is not a keyword of the STL format");
             }
         }
 
         void BeginFacet()
         {
-            Require(_inSolid && !_inFacet, "a facet outside of a solid, or within another facet");
+            Require(_inSolid && !_inFacet, "a facet is outside a solid, or inside another facet");
             if (++_facets > StlReader.MaxTriangles) throw StlReader.TooMany(Here, _facets);
             _inFacet = true;
             _read = 0;
@@ -65,24 +65,24 @@ namespace Nowpose.Editor.Import
 
         void EndFacet()
         {
-            Require(_inFacet, "endfacet without its facet");
-            Require(_read == 3, "the facet has " + _read + " corners, it needs 3");
+            Require(_inFacet, "endfacet without a facet");
+            Require(_read == 3, "the facet has " + _read + " corners; it needs 3");
             _inFacet = false;
             _triangles.Add(_corners);
         }
 
         void Vertex(string[] words)
         {
-            Require(_inFacet, "a vertex outside of a facet");
-            Require(_read < 3, "a fourth corner; a facet has 3");
-            Require(words.Length == 4, "a vertex has " + (words.Length - 1) + " numbers, it needs 3");
+            Require(_inFacet, "a vertex is outside a facet");
+            Require(_read < 3, "the facet has a fourth corner; it needs 3");
+            Require(words.Length == 4, "a vertex has " + (words.Length - 1) + " numbers; it needs 3");
             for (var i = 0; i < 3; i++) _corners[3 * _read + i] = Number(words[i + 1]);
             _read++;
         }
 
         void End()
         {
-            if (_inSolid) throw Error("the file ends without endsolid; it is cut short");
+            if (_inSolid) throw Error("the file ends without endsolid; it is incomplete, export it again");
         }
 
         float Number(string word)

@@ -34,8 +34,8 @@ namespace Nowpose.Editor.Inspectors
 
         static string Role(TrackedMarker marker)
         {
-            if (marker.IsContradicted) return "left out: the others contradict it";
-            if (marker.HasMoved) return "not where it belongs";
+            if (marker.IsContradicted) return "not used: the other markers contradict it";
+            if (marker.HasMoved) return "not at its expected place";
             if (marker.Fault != SightingFault.None) return "ignored: " + Reason(marker.Fault);
             return marker.IsPart ? "part of the lock" : marker.Sightings > 0 ? "seen" : "not seen yet";
         }

@@ -16,9 +16,9 @@ namespace Nowpose.Editor.Inspectors
 
         public static ChartRange Of(RollingSeries series)
         {
-            if (!series.TryGetRange(out var least, out var greatest)) return new ChartRange(0, 1);
-            var top = greatest > 0 ? Round(greatest) : 0;
-            var bottom = least < 0 ? -Round(-least) : 0;
+            if (!series.TryGetRange(out var min, out var max)) return new ChartRange(0, 1);
+            var top = max > 0 ? Round(max) : 0;
+            var bottom = min < 0 ? -Round(-min) : 0;
             return top > bottom ? new ChartRange(bottom, top) : new ChartRange(0, 1);
         }
 

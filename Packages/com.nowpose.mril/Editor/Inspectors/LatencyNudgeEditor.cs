@@ -33,7 +33,7 @@ namespace Nowpose.Editor.Inspectors
             }
             using (new EditorGUILayout.HorizontalScope())
             {
-                if (GUILayout.Button("Both agree")) Target.Mark();
+                if (GUILayout.Button("Mark the agreement")) Target.Mark();
                 if (GUILayout.Button("Apply")) Target.Apply();
                 if (GUILayout.Button("Clear")) Target.Clear();
             }

@@ -12,8 +12,8 @@ namespace Nowpose.Editor.Inspectors
         {
             var appearance = (PoseAppearance)target;
             var look = appearance.Look;
-            EditorGUILayout.LabelField("Shown", look.Words.Length == 0 ? "as it is" : look.Words);
-            EditorGUILayout.LabelField("Why", appearance.isActiveAndEnabled ? look.Reason : "this component is disabled");
+            EditorGUILayout.LabelField("Shown", look.Words.Length == 0 ? "unchanged" : look.Words);
+            EditorGUILayout.LabelField("Reason", appearance.isActiveAndEnabled ? look.Reason : "this component is disabled");
             EditorGUILayout.LabelField("Drawn", appearance.IsDrawn ? Manner(look) : "nothing");
             EditorGUILayout.LabelField("Parts", appearance.PartCount.ToString());
         }

@@ -37,7 +37,7 @@ namespace Nowpose.Editor.Inspectors
             }
             catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
             {
-                Debug.LogError("[Nowpose] '" + target.name + "': " + path + " could not be read; " + e.Message, target);
+                Debug.LogError("[Nowpose] '" + target.name + "': " + path + " cannot be read; " + e.Message, target);
             }
         }
 

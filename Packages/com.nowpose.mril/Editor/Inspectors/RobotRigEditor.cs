@@ -48,7 +48,7 @@ namespace Nowpose.Editor.Inspectors
             {
                 var root = Target.BuildToStay(description.Read(), AssetDatabase.LoadAssetAtPath<Material>(PlainMaterial));
                 if (root != null) Undo.RegisterCreatedObjectUndo(root, "Build " + description.name);
-                else _refusal = "Its links exist already. Delete them to build the robot again.";
+                else _refusal = "The rig already has links. Delete them to build the robot again.";
             }
             catch (InputException fault)
             {

@@ -49,18 +49,18 @@ namespace Nowpose.Editor.Inspectors
         public void Clear() => _first = Count = 0;
 
         /// <returns>False if no value is known.</returns>
-        public bool TryGetRange(out float least, out float greatest)
+        public bool TryGetRange(out float min, out float max)
         {
-            least = float.PositiveInfinity;
-            greatest = float.NegativeInfinity;
+            min = float.PositiveInfinity;
+            max = float.NegativeInfinity;
             for (var i = 0; i < Count; i++)
             {
                 var value = ValueAt(i);
                 if (float.IsNaN(value)) continue;
-                least = Math.Min(least, value);
-                greatest = Math.Max(greatest, value);
+                min = Math.Min(min, value);
+                max = Math.Max(max, value);
             }
-            return least <= greatest;
+            return min <= max;
         }
 
         void RemoveFirst()

@@ -12,14 +12,14 @@ namespace Nowpose.Editor.Inspectors
         static readonly ReferenceRule[] Rules =
         {
             new ReferenceRule(
-                typeof(MrilSession), "_settings", null, "It has no settings and cannot start, unless a script gives it some.",
+                typeof(MrilSession), "_settings", null, "It has no settings and cannot start. Assign settings, or let a script provide them.",
                 _ => PackageAsset.DefaultSettings.Load<SessionSettingsAsset>()),
             new ReferenceRule(
                 typeof(RobotRig), "_session", typeof(MrilSession),
-                "No session on this object or a parent moves it. Assign one, or let a script bind and move it.", Only<MrilSession>),
+                "There is no session on this object or a parent. Assign one, or let a script bind and move the rig.", Only<MrilSession>),
             new ReferenceRule(
                 typeof(RenderTimeSource), "_session", typeof(MrilSession),
-                "No session on this object or a parent to report to. Assign one.", Only<MrilSession>),
+                "There is no session on this object or a parent for the report. Assign one.", Only<MrilSession>),
             new ReferenceRule(
                 typeof(LatencyProfileLoader), "_session", typeof(MrilSession),
                 "No session on this object or a parent to calibrate. Assign one.", Only<MrilSession>),
@@ -28,25 +28,25 @@ namespace Nowpose.Editor.Inspectors
                 "No session on this object or a parent to calibrate. Assign one.", Only<MrilSession>),
             new ReferenceRule(
                 typeof(CellPairing), "_session", typeof(MrilSession),
-                "No session on this object or a parent to set up. Assign one.", Only<MrilSession>),
+                "There is no session on this object or a parent. Assign the session to set up.", Only<MrilSession>),
             new ReferenceRule(
                 typeof(PoseAppearance), "_session", typeof(MrilSession),
-                "No session on this object or a parent whose pose it could show. Assign one.", Only<MrilSession>),
+                "There is no session on this object or a parent. Assign the session whose pose is shown.", Only<MrilSession>),
             new ReferenceRule(
                 typeof(PoseAppearance), "_substitute", null,
-                "Parts below it have materials that cannot be drawn fainter: their shaders lack _Hatch or _Fade. They are hidden while the "
+                "Some parts have materials that cannot fade, because their shaders lack _Hatch or _Fade. They are hidden while the "
                 + "pose is not current. Assign a substitute, or add NowposePose.hlsl to their shaders.",
                 _ => PackageAsset.Hologram.Load<Material>(), appearance => ((PoseAppearance)appearance).NeedsSubstitute),
             new ReferenceRule(
                 typeof(StatusPanel), "_session", typeof(MrilSession),
-                "No session on this object or a parent whose status it could show. Assign one.", Only<MrilSession>),
+                "There is no session on this object or a parent. Assign the session whose status is shown.", Only<MrilSession>),
             new ReferenceRule(
                 typeof(StatusPanel), "_cell", null,
-                "It has no text to copy. Assign one below it: its font, material, style and colour are those of all cells.",
+                "It has no text to copy. Assign a child text, whose font, material, style and colour apply to the whole panel.",
                 panel => panel.GetComponentInChildren<TextMesh>(true)),
             new ReferenceRule(
                 typeof(VirtualGripper), "_rig", typeof(RobotRig),
-                "No rig on a parent to attach to. Place it below one, or assign one.", Only<RobotRig>),
+                "There is no rig on a parent. Move the object below a rig, or assign a rig.", Only<RobotRig>),
         };
 
         /// <summary>Returns the missing references of the objects, each once.</summary>

@@ -10,7 +10,7 @@ namespace Nowpose.Editor.Inspectors
         protected override void DrawLive()
         {
             var gripper = (VirtualGripper)target;
-            EditorGUILayout.LabelField("Rides on", gripper.Flange == null ? LiveText.Unknown : gripper.Flange.name);
+            EditorGUILayout.LabelField("Attached to", gripper.Flange == null ? LiveText.Unknown : gripper.Flange.name);
             foreach (var finger in gripper.Fingers) EditorGUILayout.LabelField(LabelOf(finger), StateOf(finger, gripper.Rig));
         }
 
@@ -20,7 +20,7 @@ namespace Nowpose.Editor.Inspectors
         {
             if (rig == null || rig.Model == null) return LiveText.Unknown;
             var index = rig.Model.IndexOfMovingJoint(finger.Joint);
-            if (index < 0) return "robot '" + rig.Model.Name + "' has no such joint; stays as it is";
+            if (index < 0) return "robot '" + rig.Model.Name + "' has no such joint; the finger does not move";
             var joint = rig.Model.MovingJoints[index];
             var position = LiveText.Position(joint, rig.Joints[index]);
             if (finger.Finger == null) return position + ", but no finger is assigned";

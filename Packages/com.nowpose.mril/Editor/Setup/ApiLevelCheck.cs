@@ -4,7 +4,7 @@ namespace Nowpose.Editor.Setup
     {
         public ApiLevelCheck()
             : base(
-                "API level is .NET Standard 2.1", "What the package is built and tested against, and the smaller app.",
+                "API level is .NET Standard 2.1", "The package is built and tested with it, and the app is smaller.",
                 "Use .NET Standard 2.1") { }
 
         public override CheckResult Look(IProjectSettings project) => project.UsesNetStandard

@@ -5,7 +5,7 @@ namespace Nowpose.Editor.Setup
         const string Arm64 = "ARM64";
 
         public ArchitectureCheck()
-            : base("Architecture is ARM64", "The processor of a HoloLens 2; an app built for another cannot be installed.", "Use ARM64") { }
+            : base("Architecture is ARM64", "A HoloLens 2 has an ARM64 processor; an app for another one cannot be installed.", "Use ARM64") { }
 
         public override CheckResult Look(IProjectSettings project) =>
             project.Architecture == Arm64 ? Good(Arm64) : Missing("the app is built for " + project.Architecture);

@@ -4,7 +4,7 @@ namespace Nowpose.Editor.Setup
     {
         public BuildTargetCheck(HeadsetPlatform platform)
             : base(
-                "Build target is " + platform.Player, "The player that " + platform.Headset + " runs; the settings below are those of that player.",
+                "Build target is " + platform.Player, "Player of " + platform.Headset + "; the settings below belong to this player.",
                 "Switch to " + platform.ShortPlayer) { }
 
         public override CheckResult Look(IProjectSettings project) => project.OtherTarget == null

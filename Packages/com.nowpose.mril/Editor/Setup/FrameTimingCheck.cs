@@ -5,8 +5,8 @@ namespace Nowpose.Editor.Setup
         public FrameTimingCheck()
             : base(
                 "Frame Timing Stats are on",
-                "They give the GPU's time per frame. Without them the render time is measured more coarsely, and a limit of the "
-                + "constant-latency range that was found with one source means nothing for another.",
+                "They provide the GPU time per frame. Without them the render time is measured less accurately, and a limit of the "
+                + "constant-latency range that was found with one source is not valid for another.",
                 "Turn Frame Timing Stats on") { }
 
         public override CheckResult Look(IProjectSettings project) => project.FrameTimingStats ? Good("on") : Missing("off");

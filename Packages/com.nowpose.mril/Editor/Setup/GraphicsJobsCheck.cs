@@ -6,7 +6,7 @@ namespace Nowpose.Editor.Setup
         public GraphicsJobsCheck()
             : base(
                 "Graphics Jobs are off",
-                "They change when a frame reaches the display, so a calibration of the visualisation latency holds for one choice only. "
+                "They change when a frame reaches the display, so a calibration of the visualisation latency is valid for one setting only. "
                 + "Calibrate again after every change.", "Turn Graphics Jobs off") { }
 
         public override CheckResult Look(IProjectSettings project)
@@ -15,7 +15,7 @@ namespace Nowpose.Editor.Setup
             {
                 case false: return Good("off");
                 case true: return new CheckResult(CheckState.Advice, "on");
-                default: return new CheckResult(CheckState.Unknown, "Unity shows it for the active build target only; switch that first");
+                default: return new CheckResult(CheckState.Unknown, "Unity shows this setting for the active build target only; switch the build target first");
             }
         }
 

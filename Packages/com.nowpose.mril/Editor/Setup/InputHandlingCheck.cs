@@ -13,7 +13,7 @@ namespace Nowpose.Editor.Setup
         public InputHandlingCheck()
             : base(
                 "Active Input Handling is Input System Package",
-                "OpenXR gives the poses of head and hands through it, and MRTK3 needs it. Without it the camera does not follow the head.",
+                "OpenXR provides the poses of head and hands through it, and MRTK3 needs it. Without it the camera does not follow the head.",
                 "Use the Input System (then restart Unity)") { }
 
         public override CheckResult Look(IProjectSettings project)

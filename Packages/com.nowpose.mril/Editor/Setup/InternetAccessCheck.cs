@@ -4,8 +4,8 @@ namespace Nowpose.Editor.Setup
     {
         public InternetAccessCheck()
             : base(
-                "Internet Access is Require", "Android refuses connections to an app without the permission; Unity adds it by itself only "
-                + "where it finds its own classes used.", "Require internet access") { }
+                "Internet Access is Require", "Android refuses connections to an app without the permission; Unity adds the permission automatically only "
+                + "if the app uses Unity's own network classes.", "Require internet access") { }
 
         public override CheckResult Look(IProjectSettings project) =>
             project.AsksForInternet ? Good("the app asks for it") : Missing("left to Unity");

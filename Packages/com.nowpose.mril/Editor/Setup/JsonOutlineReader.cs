@@ -11,7 +11,7 @@ namespace Nowpose.Editor.Setup
     /// <remarks>Is as strict as Unity's reader: no comments, no trailing commas. Newtonsoft.Json accepts both and reports no positions.</remarks>
     sealed class JsonOutlineReader
     {
-        const int DeepestNesting = 64;
+        const int MaxNesting = 64;
 
         static readonly Regex Scalar = new Regex(@"\G(?:-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?|true|false|null)", RegexOptions.CultureInvariant);
         static readonly Regex Quoted = new Regex(
@@ -26,7 +26,7 @@ namespace Nowpose.Editor.Setup
             _file = file;
         }
 
-        /// <param name="file">The name of the file, for messages.</param>
+        /// <param name="file">Name of the file in messages.</param>
         /// <exception cref="InputException">The text is not a JSON object.</exception>
         public static JsonOutline Read(string text, string file)
         {
@@ -55,7 +55,7 @@ namespace Nowpose.Editor.Setup
 
         void ReadItems(JsonOutline value)
         {
-            if (++_depth > DeepestNesting) throw Wrong("nested more than " + DeepestNesting.ToString(CultureInfo.InvariantCulture) + " deep");
+            if (++_depth > MaxNesting) throw Wrong("nested more than " + MaxNesting.ToString(CultureInfo.InvariantCulture) + " deep");
             value.IsObject = Next == '{';
             value.Items = new List<JsonOutline>();
             var end = value.IsObject ? '}' : ']';

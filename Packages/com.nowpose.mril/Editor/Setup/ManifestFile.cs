@@ -9,7 +9,7 @@ namespace Nowpose.Editor.Setup
     /// <summary>A manifest on disk. Writing keeps a backup, and is atomic unless the file is a symbolic link.</summary>
     sealed class ManifestFile
     {
-        const int LargestSize = 1 << 20;
+        const int MaxSize = 1 << 20;
         const string BackupEnding = ".backup", NewEnding = ".nowpose-new";
 
         static readonly byte[] Bom = { 0xEF, 0xBB, 0xBF };
@@ -28,7 +28,7 @@ namespace Nowpose.Editor.Setup
         /// <summary>Content of the file, without a byte order mark.</summary>
         public string Text { get; }
 
-        /// <summary>Why the file cannot be written, in one line that says what to do; null if no reason is known.</summary>
+        /// <summary>One line with the reason why the file cannot be written and the remedy; null if it seems writable.</summary>
         public string Obstacle => IsReadOnly
             ? _path + ": the file is read-only; make it writable, or check it out of version control, and try again"
             : null;
@@ -60,7 +60,7 @@ namespace Nowpose.Editor.Setup
         public static ManifestFile Read(string path)
         {
             var size = new FileInfo(path).Length;
-            if (size <= LargestSize) return new ManifestFile(path, File.ReadAllBytes(path));
+            if (size <= MaxSize) return new ManifestFile(path, File.ReadAllBytes(path));
             throw new InputException(path + ": the file has " + size.ToString(CultureInfo.InvariantCulture) + " bytes; the limit is 1 MiB");
         }
 
@@ -72,7 +72,7 @@ namespace Nowpose.Editor.Setup
         {
             if (Obstacle is string obstacle) throw new InputException(obstacle);
             if (!File.ReadAllBytes(_path).SequenceEqual(_content))
-                throw new InputException(_path + ": the file was changed by another program meanwhile; try again");
+                throw new InputException(_path + ": another program has changed the file; try again");
 
             var backup = Backup();
             if (IsLink) WriteThroughLink(text, backup);

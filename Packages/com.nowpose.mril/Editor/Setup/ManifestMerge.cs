@@ -16,7 +16,7 @@ namespace Nowpose.Editor.Setup
         readonly List<string> _conflicts = new List<string>();
         readonly List<string> _notes = new List<string>();
 
-        /// <param name="file">The name of the file, for messages.</param>
+        /// <param name="file">Name of the file in messages.</param>
         /// <exception cref="InputException">The text is not a manifest.</exception>
         public ManifestMerge(string text, string file, ConflictRule rule)
         {
@@ -33,7 +33,7 @@ namespace Nowpose.Editor.Setup
         /// <remarks>With <see cref="ConflictRule.Refuse"/> the text must not be used if there are any.</remarks>
         public IReadOnlyList<string> Conflicts => _conflicts;
 
-        /// <summary>Whether <see cref="ConflictRule.Replace"/> would leave none of the conflicts.</summary>
+        /// <summary>Whether <see cref="ConflictRule.Replace"/> would resolve all conflicts.</summary>
         public bool CanReplaceAll { get; private set; } = true;
 
         /// <summary>Descriptions of entries whose version cannot be read; they stay.</summary>
@@ -48,7 +48,7 @@ namespace Nowpose.Editor.Setup
         }
 
         /// <summary>Adds a dependency and its registry, or checks those that are present.</summary>
-        /// <param name="isExact">Whether every other version or address is a conflict.</param>
+        /// <param name="isExact">Whether any other version or address is a conflict.</param>
         /// <exception cref="InputException">The text is not a manifest.</exception>
         public void Need(PackageOrigin package, bool isExact = false)
         {
@@ -84,7 +84,7 @@ namespace Nowpose.Editor.Setup
             if (serves == true) return;
             if (serves == null)
             {
-                _notes.Add(package.Name + " stays " + version + ": its version cannot be read there; " + package.Bounds + " is needed");
+                _notes.Add(package.Name + " is kept at " + version + ": its version cannot be read there; " + package.Bounds + " is needed");
                 return;
             }
             var needed = isExact ? package.Reference : package.Bounds;
@@ -124,7 +124,7 @@ namespace Nowpose.Editor.Setup
             _conflicts.Add(
                 _manifest.PlaceOf(other) + ": " + package.Name + " comes from " + (url == null ? "a registry without url" : "the registry " + url)
                 + "; " + package.Registry.Url + " is needed"
-                + (isReplaceable || url == null ? "" : "; the registry has other scopes too, so its url stays"));
+                + (isReplaceable || url == null ? "" : "; the registry has other scopes too, so its url is kept"));
             CanReplaceAll &= isReplaceable;
             return _rule == ConflictRule.Keep;
         }
@@ -143,7 +143,7 @@ namespace Nowpose.Editor.Setup
             var start = entry.Start;
             foreach (var scope in registry.Scopes)
             {
-                // An insertion moves only what is behind it, so the start of the registry is still valid.
+                // An insertion moves only the text after it, so the start of the registry is still valid.
                 var now = Items(Registries).First(item => item.Start == start);
                 if (ScopesOf(now).Contains(scope)) continue;
                 if (now["scopes"] == null) _manifest.Add(now, "scopes", new JArray(scope));

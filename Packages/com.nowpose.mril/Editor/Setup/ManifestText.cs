@@ -9,7 +9,7 @@ namespace Nowpose.Editor.Setup
     {
         readonly string _file;
 
-        /// <param name="file">The name of the file, for messages.</param>
+        /// <param name="file">Name of the file in messages.</param>
         /// <exception cref="InputException">The text is not a JSON object.</exception>
         public ManifestText(string text, string file)
         {

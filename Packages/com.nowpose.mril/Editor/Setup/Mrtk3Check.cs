@@ -7,7 +7,7 @@ namespace Nowpose.Editor.Setup
     sealed class Mrtk3Check : ProjectCheck
     {
         public Mrtk3Check()
-            : base("MRTK3 (optional)", "Hand menu, voice and grabbing of the sample HoloLens 2 (MRTK3); the package works without.", null) { }
+            : base("MRTK3 (optional)", "Hand menu, voice and grabbing of the sample HoloLens 2 (MRTK3); the package works without it.", null) { }
 
         public override CheckResult Look(IProjectSettings project)
         {

@@ -19,7 +19,7 @@ namespace Nowpose.Editor.Setup
         public NearClipCheck()
             : base(
                 "Main camera's near clip plane is at 0.1 m",
-                "The headset steadies the picture by a depth of 16 bits, whose steps grow as the plane comes closer: at 1.5 m they are "
+                "The headset stabilises the picture with a 16-bit depth, whose steps are larger if the plane is closer: at 1.5 m they are "
                 + "0.34 mm with 0.1 m, and 1.7 mm with the 0.02 m of MRTK3's rig.", "Set it to 0.1 m") { }
 
         public override CheckResult Look(IProjectSettings project)
@@ -29,7 +29,7 @@ namespace Nowpose.Editor.Setup
             if (near < Wanted - Tolerance)
                 return Missing(FormattableString.Invariant($"{found}; one step of the depth is {StepMillimetres(near):0.##} mm at {Distance} m"));
             return near > Furthest + Tolerance
-                ? new CheckResult(CheckState.Advice, found + "; what is nearer to the eyes is cut off")
+                ? new CheckResult(CheckState.Advice, found + "; objects closer to the eyes are not drawn")
                 : Good(found);
         }
 

@@ -22,7 +22,7 @@ namespace Nowpose.Editor.Setup
             {
                 case true: return Good("ticked");
                 case false: return new CheckResult(_without, "not ticked");
-                default: return new CheckResult(_without, "the project has no such feature yet: it comes with its package once OpenXR is ticked");
+                default: return new CheckResult(_without, "the project does not have this feature yet: its package adds it when OpenXR is ticked");
             }
         }
 

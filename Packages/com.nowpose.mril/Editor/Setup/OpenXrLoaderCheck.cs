@@ -13,7 +13,7 @@ namespace Nowpose.Editor.Setup
             switch (project.UsesOpenXr)
             {
                 case true: return Good("OpenXR is ticked");
-                case false: return Missing("another plug-in or none is ticked");
+                case false: return Missing("no plug-in or another one is ticked");
                 default: return Missing("the project has no settings for XR plug-ins yet");
             }
         }

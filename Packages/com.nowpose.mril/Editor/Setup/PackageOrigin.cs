@@ -5,15 +5,15 @@ namespace Nowpose.Editor.Setup
     /// <summary>A package that a project needs: its source and the supported versions.</summary>
     sealed class PackageOrigin
     {
-        readonly Version _least, _below;
+        readonly Version _min, _below;
 
-        PackageOrigin(string name, string identifier, string reference, ScopedRegistry registry, string least, string below)
+        PackageOrigin(string name, string identifier, string reference, ScopedRegistry registry, string min, string below)
         {
             Name = name;
             Identifier = identifier;
             Reference = reference;
             Registry = registry;
-            _least = least == null ? null : Version.Parse(least);
+            _min = min == null ? null : Version.Parse(min);
             _below = below == null ? null : Version.Parse(below);
         }
 
@@ -33,33 +33,33 @@ namespace Nowpose.Editor.Setup
         {
             get
             {
-                if (_least == null) return _below == null ? null : "older than " + _below;
-                return _least + (_below == null ? " or newer" : " or newer, but older than " + _below);
+                if (_min == null) return _below == null ? null : "older than " + _below;
+                return _min + (_below == null ? " or newer" : " or newer, but older than " + _below);
             }
         }
 
         /// <param name="version">The version for a manifest.</param>
         /// <param name="isEditorsChoice">Whether the set-up window leaves the version to the editor, which recommends one.</param>
         public static PackageOrigin OfUnity(
-            string name, string version, string least = null, string below = null, bool isEditorsChoice = false) =>
-            new PackageOrigin(name, isEditorsChoice ? name : name + "@" + version, version, null, least, below);
+            string name, string version, string min = null, string below = null, bool isEditorsChoice = false) =>
+            new PackageOrigin(name, isEditorsChoice ? name : name + "@" + version, version, null, min, below);
 
         /// <param name="address">An address for the Package Manager: a git address, or file: and a path.</param>
-        public static PackageOrigin At(string name, string address, string least = null, string below = null) =>
-            new PackageOrigin(name, address, address, null, least, below);
+        public static PackageOrigin At(string name, string address, string min = null, string below = null) =>
+            new PackageOrigin(name, address, address, null, min, below);
 
-        public static PackageOrigin Of(ScopedRegistry registry, string name, string version, string least = null, string below = null) =>
-            new PackageOrigin(name, null, version, registry, least, below);
+        public static PackageOrigin Of(ScopedRegistry registry, string name, string version, string min = null, string below = null) =>
+            new PackageOrigin(name, null, version, registry, min, below);
 
         /// <summary>Returns whether a version is supported.</summary>
         /// <param name="version">A version, or an address from a manifest.</param>
         /// <returns>Null if the text does not contain the version.</returns>
         public bool? Serves(string version)
         {
-            if (version == Reference || (_least == null && _below == null)) return true;
+            if (version == Reference || (_min == null && _below == null)) return true;
             var parsed = PackageVersion.Read(version);
             if (parsed == null) return null;
-            return (_least == null || parsed >= _least) && (_below == null || parsed < _below);
+            return (_min == null || parsed >= _min) && (_below == null || parsed < _below);
         }
 
         /// <summary>Returns whether a version is at or above the upper bound.</summary>

@@ -25,35 +25,35 @@ namespace Nowpose.Editor.Setup
             new InputHandlingCheck(),
             OpenXr,
             new PackageCheck(
-                "Mixed Reality OpenXR", "What a HoloLens has beyond OpenXR: anchors, markers, the time at which a frame is displayed.",
+                "Mixed Reality OpenXR", "Features of a HoloLens beyond OpenXR: anchors, markers and display times.",
                 ProjectNeeds.MixedRealityOpenXr),
             new PackageCheck(
-                "AR Foundation", "Markers and anchors of Microsoft's plug-in are made of it; without it the robot's base is placed by hand only.",
+                "AR Foundation", "Microsoft's plug-in needs it for markers and anchors; without it the robot's base can be placed by hand only.",
                 ProjectNeeds.ArFoundation, CheckState.Advice),
             new OpenXrLoaderCheck(HeadsetPlatform.HoloLens2),
             new OpenXrFeatureCheck(
-                "Mixed Reality Features", "Markers, anchors and the predicted display time come by it.", "com.microsoft.openxr.feature.hololens"),
+                "Mixed Reality Features", "It provides markers, anchors and the predicted display time.", "com.microsoft.openxr.feature.hololens"),
             new OpenXrFeatureCheck(
-                "Hand Tracking", "The joints of the hands, for MRTK3's hand menu and for grabbing.", "com.microsoft.openxr.feature.handtracking",
+                "Hand Tracking", "It provides the joints of the hands for MRTK3's hand menu and for grabbing.", "com.microsoft.openxr.feature.handtracking",
                 CheckState.Advice),
             new OpenXrFeatureCheck(
-                "Microsoft Hand Interaction Profile", "Pinch and ray of a hand, for MRTK3.", "com.unity.openxr.feature.input.handtracking",
+                "Microsoft Hand Interaction Profile", "It provides pinch and ray of a hand for MRTK3.", "com.unity.openxr.feature.input.handtracking",
                 CheckState.Advice),
             new OpenXrFeatureCheck(
-                "Eye Gaze Interaction Profile", "To look at a button and pinch, for MRTK3.", "com.unity.openxr.feature.input.eyetracking",
+                "Eye Gaze Interaction Profile", "Needed by MRTK3 to select a button by looking at it and pinching.", "com.unity.openxr.feature.input.eyetracking",
                 CheckState.Advice),
             RenderMode,
             new OpenXrOptionCheck(
-                "Depth Submission Mode", "The headset steadies the picture by the depth of what it shows; 24 bits cost more than they give.",
+                "Depth Submission Mode", "The headset stabilises the picture with the depth of the scene; 24 bits cost more than they improve.",
                 "m_depthSubmissionMode", DepthModes, 1),
             new CapabilityCheck(
-                PlayerSettings.WSACapability.InternetClient, "To connect to a gateway in another network, and to any by its public address."),
+                PlayerSettings.WSACapability.InternetClient, "Needed to connect to a gateway in another network or by its public address."),
             new CapabilityCheck(
-                PlayerSettings.WSACapability.PrivateNetworkClientServer, "To connect to a gateway in the same private network, the usual case."),
-            new CapabilityCheck(PlayerSettings.WSACapability.WebCam, "To find the robot's base by a marker, which the headset's camera sees."),
-            new CapabilityCheck(PlayerSettings.WSACapability.SpatialPerception, "To keep the robot's base where it is in the room."),
-            new CapabilityCheck(PlayerSettings.WSACapability.GazeInput, "To look at a button and pinch, for MRTK3.", CheckState.Advice),
-            new CapabilityCheck(PlayerSettings.WSACapability.Microphone, "To call the hand menu's commands by voice.", CheckState.Advice),
+                PlayerSettings.WSACapability.PrivateNetworkClientServer, "Needed to connect to a gateway in the same private network, which is the usual case."),
+            new CapabilityCheck(PlayerSettings.WSACapability.WebCam, "Needed to find the robot's base by a marker with the headset's camera."),
+            new CapabilityCheck(PlayerSettings.WSACapability.SpatialPerception, "Needed to keep the robot's base at its place in the room."),
+            new CapabilityCheck(PlayerSettings.WSACapability.GazeInput, "Needed by MRTK3 to select a button by looking at it and pinching.", CheckState.Advice),
+            new CapabilityCheck(PlayerSettings.WSACapability.Microphone, "Needed for the voice commands.", CheckState.Advice),
             FrameTiming,
             RunInBackground,
             new CameraBackgroundCheck(),
@@ -73,7 +73,7 @@ namespace Nowpose.Editor.Setup
             new InputHandlingCheck(),
             OpenXr,
             new PackageCheck(
-                "Input System", "OpenXR gives the poses of head and controllers through it.", ProjectNeeds.InputSystem),
+                "Input System", "OpenXR provides the poses of head and controllers through it.", ProjectNeeds.InputSystem),
             new OpenXrLoaderCheck(HeadsetPlatform.AndroidHeadset),
             RenderMode,
             new InternetAccessCheck(),
@@ -83,17 +83,17 @@ namespace Nowpose.Editor.Setup
         };
 
         static ProjectCheck OpenXr => new PackageCheck(
-            "OpenXR", "Unity's way to the headset.", ProjectNeeds.OpenXr);
+            "OpenXR", "Unity's interface to the headset.", ProjectNeeds.OpenXr);
 
         static ProjectCheck RenderMode => new OpenXrOptionCheck(
-            "Render Mode", "The package's shaders are written for it, and it draws both eyes in one go.", "m_renderMode", RenderModes, 1);
+            "Render Mode", "The package's shaders support it, and it draws both eyes in one pass.", "m_renderMode", RenderModes, 1);
 
         static ProjectCheck FrameTiming => new FrameTimingCheck();
 
         static ProjectCheck RunInBackground => new RunInBackgroundCheck();
 
         static ProjectCheck NativeWebSocket => new PackageCheck(
-            "NativeWebSocket (optional)", "Another WebSocket client; the package has one of its own.", ProjectNeeds.NativeWebSocket,
+            "NativeWebSocket (optional)", "An alternative to the package's own WebSocket client.", ProjectNeeds.NativeWebSocket,
             CheckState.Advice);
     }
 }

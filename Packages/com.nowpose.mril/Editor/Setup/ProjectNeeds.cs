@@ -12,27 +12,27 @@ namespace Nowpose.Editor.Setup
         public static readonly PackageOrigin OpenXr = PackageOrigin.OfUnity("com.unity.xr.openxr", "1.13.0", isEditorsChoice: true);
 
         public static readonly PackageOrigin MixedRealityOpenXr =
-            PackageOrigin.Of(ScopedRegistry.Microsoft, "com.microsoft.mixedreality.openxr", "1.11.2", least: "1.11.1");
+            PackageOrigin.Of(ScopedRegistry.Microsoft, "com.microsoft.mixedreality.openxr", "1.11.2", min: "1.11.1");
 
         public static readonly PackageOrigin ArFoundation =
-            PackageOrigin.OfUnity("com.unity.xr.arfoundation", "5.1.5", least: "5.0.0", below: "7.0.0");
+            PackageOrigin.OfUnity("com.unity.xr.arfoundation", "5.1.5", min: "5.0.0", below: "7.0.0");
 
         public static readonly PackageOrigin InputSystem =
             PackageOrigin.OfUnity("com.unity.inputsystem", "1.7.0", isEditorsChoice: true);
 
         /// <summary>Below version 3, which moved types that MRTK3 uses.</summary>
         public static readonly PackageOrigin XrInteraction =
-            PackageOrigin.OfUnity("com.unity.xr.interaction.toolkit", "2.6.3", least: "2.3.0", below: "3.0.0");
+            PackageOrigin.OfUnity("com.unity.xr.interaction.toolkit", "2.6.3", min: "2.3.0", below: "3.0.0");
 
         // Version 2.0.4, by a commit of the branch upm-2: the tags contain the sources, which Unity cannot import.
         public static readonly PackageOrigin NativeWebSocket = PackageOrigin.At(
-            "com.endel.nativewebsocket", "https://github.com/endel/NativeWebSocket.git#522f0c3f5c2ef7273737707effaa840c65e20e98", least: "2.0.3");
+            "com.endel.nativewebsocket", "https://github.com/endel/NativeWebSocket.git#522f0c3f5c2ef7273737707effaa840c65e20e98", min: "2.0.3");
 
         /// <summary>Dependencies of the package and of its tests.</summary>
         public static readonly IReadOnlyList<PackageOrigin> Always = new[]
         {
-            PackageOrigin.OfUnity("com.unity.nuget.newtonsoft-json", "3.2.1", least: "3.2.1"),
-            PackageOrigin.Of(ScopedRegistry.UnityNuGet, "org.nuget.mathnet.numerics", "5.0.0", least: "5.0.0"),
+            PackageOrigin.OfUnity("com.unity.nuget.newtonsoft-json", "3.2.1", min: "3.2.1"),
+            PackageOrigin.Of(ScopedRegistry.UnityNuGet, "org.nuget.mathnet.numerics", "5.0.0", min: "5.0.0"),
             PackageOrigin.OfUnity("com.unity.test-framework", "1.1.33"),
         };
 
@@ -51,13 +51,13 @@ namespace Nowpose.Editor.Setup
             PackageOrigin.At(
                 "com.microsoft.mrtk.graphicstools.unity",
                 "https://github.com/microsoft/MixedReality-GraphicsTools-Unity.git?path=/com.microsoft.mrtk.graphicstools.unity#v0.8.0",
-                least: "0.8.0"),
+                min: "0.8.0"),
         }.Concat(Mrtk3).ToArray();
 
-        static PackageOrigin Mrtk(string part, string version, string least = "3.0.0") => PackageOrigin.At(
+        static PackageOrigin Mrtk(string part, string version, string min = "3.0.0") => PackageOrigin.At(
             "org.mixedrealitytoolkit." + part,
             "https://github.com/MixedRealityToolkit/MixedRealityToolkit-Unity.git?path=/org.mixedrealitytoolkit." + part
             + "#" + part + "-v" + version,
-            least, "4.0.0");
+            min, "4.0.0");
     }
 }

@@ -25,7 +25,7 @@ namespace Nowpose.Editor.Setup
         /// <summary>One result per check.</summary>
         public IReadOnlyList<CheckResult> Results => _results;
 
-        /// <summary>One text per check: what the user has to do after its last fix, or null.</summary>
+        /// <summary>For each check, the instruction for the user after its last fix; null if there is none.</summary>
         public IReadOnlyList<string> Advice => _advice;
 
         public int MissingCount => _results.Count(r => r.State == CheckState.Missing);

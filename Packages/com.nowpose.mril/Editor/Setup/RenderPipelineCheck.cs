@@ -8,7 +8,7 @@ namespace Nowpose.Editor.Setup
         public RenderPipelineCheck()
             : base(
                 "Render pipeline is the built-in one or URP",
-                "The package's shaders have a SubShader for each of the two. The visualisation latency depends on the pipeline: calibrate again "
+                "The package's shaders support both. The visualisation latency depends on the pipeline: calibrate again "
                 + "after a change.", null) { }
 
         public override CheckResult Look(IProjectSettings project)
@@ -20,7 +20,7 @@ namespace Nowpose.Editor.Setup
                 return Good("URP (" + asset + "); the shaders' SubShader for URP is used");
             if (asset.StartsWith("HDRenderPipeline", StringComparison.Ordinal))
                 return Missing("HDRP (" + asset + "): the package has no shaders for it; " + choose);
-            return new CheckResult(CheckState.Unknown, asset + ": the package's shaders were not written for it; " + choose);
+            return new CheckResult(CheckState.Unknown, asset + ": the package's shaders do not support it; " + choose);
         }
 
         public override string Fix(IProjectSettings project) => null;

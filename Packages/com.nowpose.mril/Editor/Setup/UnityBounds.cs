@@ -9,7 +9,7 @@ namespace Nowpose.Editor.Setup
         public const string Recommended = "use 2022.3 for a HoloLens 2";
 
         const string PlugInFails =
-            "Microsoft's Mixed Reality OpenXR 1.11.2 does not compile in Unity 6.3 (6000.3), and newer versions are not known; " + Recommended;
+            "Microsoft's Mixed Reality OpenXR 1.11.2 does not compile in Unity 6.3 (6000.3), and its newer versions have not been tested; " + Recommended;
 
         // Each row is valid from its version up to the next row's.
         static readonly Row[] Rows =
@@ -18,9 +18,9 @@ namespace Nowpose.Editor.Setup
             new Row("2022.1", CheckState.Advice, "not compiled against this release; " + Recommended),
             new Row("2022.3", CheckState.Good, "compiled against 2022.3.7; the release for a HoloLens 2"),
             new Row("2023.1", CheckState.Advice, "not compiled against this release; " + Recommended),
-            new Row("6000.0", CheckState.Advice, "compiled against 6000.0.78, untried on a device; " + Recommended),
-            new Row("6000.1", CheckState.Advice, "not compiled against this release, untried on a device; " + Recommended),
-            new Row("6000.3", CheckState.Advice, "not compiled against this release, untried on a device", PlugInFails),
+            new Row("6000.0", CheckState.Advice, "compiled against 6000.0.78, not tested on a device; " + Recommended),
+            new Row("6000.1", CheckState.Advice, "not compiled against this release, not tested on a device; " + Recommended),
+            new Row("6000.3", CheckState.Advice, "not compiled against this release, not tested on a device", PlugInFails),
         };
 
         /// <summary>The oldest Unity that the package compiles with.</summary>

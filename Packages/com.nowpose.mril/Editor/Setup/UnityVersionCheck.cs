@@ -5,7 +5,7 @@ namespace Nowpose.Editor.Setup
     {
         public UnityVersionCheck()
             : base(
-                "Unity is a version that was tried", "Other versions may lack what the package or Microsoft's plug-in is compiled against.", null) { }
+                "The Unity version has been tested", "Other versions may lack functions that the package or Microsoft's plug-in uses.", null) { }
 
         public override CheckResult Look(IProjectSettings project)
         {

@@ -8,7 +8,7 @@ namespace Nowpose.ArFoundation
     {
         const int Tries = 10;
 
-        /// <summary>Interval of the attempts: a store may accept an anchor once the device has seen more of the place.</summary>
+        /// <summary>Interval of the attempts: a store may accept an anchor only after the device has mapped more of the room.</summary>
         const float TryEverySeconds = 1;
 
         readonly ArSpatialAnchors _owner;
@@ -35,7 +35,7 @@ namespace Nowpose.ArFoundation
             if (Problem != null) return;
             if (_owner.Store == null)
             {
-                Problem = "nothing keeps anchors over restarts: no anchor store is beside the spatial anchors";
+                Problem = "anchors are lost at a restart, because the object of the spatial anchors has no anchor store; add one";
                 return;
             }
             _wanted = name == KeptAs ? null : name;
@@ -61,7 +61,7 @@ namespace Nowpose.ArFoundation
             }
             _next = Time.unscaledTime + TryEverySeconds;
             if (store.TryKeep(id, _wanted)) Kept();
-            else if (++_tries < Tries) Problem = "the device's store has not taken it yet";
+            else if (++_tries < Tries) Problem = "the device has not stored it yet";
             else GiveUp(store);
         }
 
@@ -75,8 +75,8 @@ namespace Nowpose.ArFoundation
 
         void GiveUp(IAnchorStore store)
         {
-            Problem = "the device's store did not take it as '" + _wanted + "'" + (store.Problem == null ? "" : ": " + store.Problem)
-                + "; it is lost with the next start";
+            Problem = "the device could not store it as '" + _wanted + "'" + (store.Problem == null ? "" : ": " + store.Problem)
+                + "; it is lost at the next start";
             _wanted = null;
         }
     }

@@ -4,15 +4,15 @@ namespace Nowpose.ArFoundation
     static class AnchorNames
     {
         /// <summary>Maximum length in characters: enough for the name of a cell. The stores' own limits are not known.</summary>
-        public const int Longest = 128;
+        public const int MaxLength = 128;
 
         /// <summary>Returns why a name cannot be used; null if it can.</summary>
         public static string FaultOf(string name)
         {
-            if (string.IsNullOrWhiteSpace(name)) return "an anchor needs a name to be kept; give the cell one";
-            return name.Length <= Longest
+            if (string.IsNullOrWhiteSpace(name)) return "an anchor without a name cannot be stored; enter a name for the cell";
+            return name.Length <= MaxLength
                 ? null
-                : "the name of an anchor has " + name.Length + " characters, allowed are " + Longest + "; give the cell a shorter one";
+                : "the name of an anchor has " + name.Length + " characters; the maximum is " + MaxLength + "; shorten the name of the cell";
         }
     }
 }

@@ -63,12 +63,12 @@ namespace Nowpose.ArFoundation
 
         public void Dispose()
         {
-            // Another object for the same anchor keeps using it.
+            // The device's anchor is destroyed only if no other object uses it.
             var isLast = _owner.Remove(this);
             if (State == SpatialAnchorState.Failed) return;
             if (_anchor != null && isLast) Object.Destroy(_anchor.gameObject);
             _anchor = null;
-            End("it was let go of");
+            End("it was released");
         }
 
         public bool IsOf(ArSpatialAnchor other) => _anchor != null && ReferenceEquals(_anchor, other._anchor);
@@ -82,15 +82,15 @@ namespace Nowpose.ArFoundation
             if (_anchor == null && !_wasThere) Begin();
             if (_anchor == null)
             {
-                if (_wasThere) End("the device has dropped it");
-                else if (!_isLoaded && IsLate) End(_owner.Problem ?? "the device holds no anchors");
+                if (_wasThere) End("the device has removed it");
+                else if (!_isLoaded && IsLate) End(_owner.Problem ?? "the device has no anchors");
                 return;
             }
             _wasThere = true;
             if (_anchor.trackableId == TrackableId.invalidId)
             {
                 // Newer versions of AR Foundation disable an anchor that the device refused.
-                if (!_anchor.enabled || IsLate) End("the device takes no anchor here");
+                if (!_anchor.enabled || IsLate) End("the device cannot create an anchor here");
                 return;
             }
             Track();

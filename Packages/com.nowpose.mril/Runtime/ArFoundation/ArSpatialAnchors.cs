@@ -15,7 +15,8 @@ namespace Nowpose.ArFoundation
     [DisallowMultipleComponent]
     public sealed class ArSpatialAnchors : MonoBehaviour, ISpatialAnchors
     {
-        [SerializeField, Tooltip("The XR Origin, which is given an AR Anchor Manager unless it has one. Empty: the one above the main camera.")]
+        [SerializeField, Tooltip("The XR Origin. The component adds an AR Anchor Manager if it has none. Empty: the XR Origin above the main "
+            + "camera.")]
         XROrigin _origin = null;
 
         readonly OriginManager<ARAnchorManager> _manager = new OriginManager<ARAnchorManager>(

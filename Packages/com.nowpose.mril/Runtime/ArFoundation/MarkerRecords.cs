@@ -3,7 +3,7 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.ArFoundation
 {
-    /// <summary>The states of a source's trackables, for as long as the device lists them. Allocates only for new ones.</summary>
+    /// <summary>Stores the states of a source's trackables while the device lists them. Allocates only for new ones.</summary>
     sealed class MarkerRecords
     {
         readonly Dictionary<TrackableId, MarkerRecord> _records = new Dictionary<TrackableId, MarkerRecord>();

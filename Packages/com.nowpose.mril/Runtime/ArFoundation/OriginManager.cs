@@ -29,7 +29,7 @@ namespace Nowpose.ArFoundation
 
         /// <param name="subsystemOf">Gets the runtime's subsystem of the manager; null if the runtime has none.</param>
         /// <param name="isAdded">Whether a missing manager is added; false if it needs settings that only the user can supply.</param>
-        /// <param name="need">What the manager needs and the user has to provide, for a message.</param>
+        /// <param name="need">Text of a message: the requirement of the manager that the user must provide.</param>
         public OriginManager(Func<T, ISubsystem> subsystemOf, bool isAdded, string need)
         {
             _subsystemOf = subsystemOf;
@@ -130,11 +130,11 @@ namespace Nowpose.ArFoundation
         {
             switch (fault)
             {
-                case OriginFault.NoOrigin: return "no XR Origin is above the main camera; add one, or assign it";
+                case OriginFault.NoOrigin: return "there is no XR Origin above the main camera; add one, or assign it";
                 case OriginFault.NoManager: return "the XR Origin has no " + typeof(T).Name + "; add one to it: " + _need;
                 case OriginFault.SwitchedOff: return "the " + typeof(T).Name + " on the XR Origin is switched off";
-                case OriginFault.NotOffered: return "the device's XR runtime offers none, or does not run: " + _need;
-                case OriginFault.NoSession: return "no AR Session is in the scene; add one (XR > AR Session)";
+                case OriginFault.NotOffered: return "the device's XR runtime does not offer it or does not run: " + _need;
+                case OriginFault.NoSession: return "there is no AR Session in the scene; add one (XR > AR Session)";
                 default: return null;
             }
         }

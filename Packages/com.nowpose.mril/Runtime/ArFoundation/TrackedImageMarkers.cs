@@ -26,10 +26,10 @@ namespace Nowpose.ArFoundation
         /// </summary>
         static readonly RigidTransform MarkerInImage = RigidTransform.FromXyzRpy(0, 0, 0, 0, 0, -Math.PI / 2);
 
-        [SerializeField, Tooltip("The session whose clock determines when an image was seen. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session whose clock determines when an image was seen. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
-        [SerializeField, Tooltip("The XR Origin with the AR Tracked Image Manager. Empty: the one above the main camera.")]
+        [SerializeField, Tooltip("The XR Origin with the AR Tracked Image Manager. Empty: the XR Origin above the main camera.")]
         XROrigin _origin = null;
 
         readonly OriginManager<ARTrackedImageManager> _images = new OriginManager<ARTrackedImageManager>(

@@ -16,10 +16,10 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Nowpose.Headless.Tests")]
 [assembly: InternalsVisibleTo("Nowpose.Unity.Tests")]
 
-// Only this package's repository has it: its controller tells where its tool is.
+// Exists only in this package's repository: its simulated controller reports the pose of its tool.
 [assembly: InternalsVisibleTo("Nowpose.RtdeServer")]
 
-// Only this package's repository has it: it emulates links by the same profiles as the tests.
+// Exists only in this package's repository: it emulates links with the same profiles as the tests.
 [assembly: InternalsVisibleTo("Nowpose.Benchmarks")]
 
 // The package's other assemblies and tools use internals that are not an interface for users.

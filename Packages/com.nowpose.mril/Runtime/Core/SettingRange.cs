@@ -8,23 +8,23 @@ namespace Nowpose
     {
         /// <param name="unit">Empty for a value without unit.</param>
         /// <exception cref="InputException">The value is out of range or not a number.</exception>
-        public static double Require(double value, double least, double greatest, string name, string unit)
+        public static double Require(double value, double min, double max, string name, string unit)
         {
-            if (value >= least && value <= greatest) return value;
+            if (value >= min && value <= max) return value;
             var suffix = unit.Length == 0 ? "" : " " + unit;
             throw new InputException(string.Format(
-                CultureInfo.InvariantCulture, "{0}: {1}{4} is out of range; allowed are {2} to {3}{4}", name, value, least, greatest, suffix));
+                CultureInfo.InvariantCulture, "{0}: {1}{4} is out of range; allowed are {2} to {3}{4}", name, value, min, max, suffix));
         }
 
         /// <inheritdoc cref="Require"/>
-        public static int RequireCount(int value, int least, int greatest, string name) => (int)Require(value, least, greatest, name, "");
+        public static int RequireCount(int value, int min, int max, string name) => (int)Require(value, min, max, name, "");
 
         /// <inheritdoc cref="Require"/>
-        public static TimeSpan RequireMs(double ms, double least, double greatest, string name) =>
-            ClockTicks.Span(Require(ms, least, greatest, name, "ms") / 1000);
+        public static TimeSpan RequireMs(double ms, double min, double max, string name) =>
+            ClockTicks.Span(Require(ms, min, max, name, "ms") / 1000);
 
         /// <inheritdoc cref="Require"/>
-        public static TimeSpan RequireSeconds(double seconds, double least, double greatest, string name) =>
-            ClockTicks.Span(Require(seconds, least, greatest, name, "s"));
+        public static TimeSpan RequireSeconds(double seconds, double min, double max, string name) =>
+            ClockTicks.Span(Require(seconds, min, max, name, "s"));
     }
 }

@@ -12,19 +12,20 @@ namespace Nowpose.Mrtk3
     [DisallowMultipleComponent]
     public sealed class ConsentPrompt : MonoBehaviour
     {
-        [SerializeField, Tooltip("What asks. Empty: the pairing on this object or above.")]
+        [SerializeField, Tooltip("The pairing whose question is shown. Empty: the pairing on this object or a parent.")]
         CellPairing _pairing = null;
 
-        [SerializeField, Tooltip("What is shown while something is asked. An object below this one.")]
+        [SerializeField, Tooltip("The object that is shown while a question is open. It must be a child of this object.")]
         GameObject _content = null;
 
-        [SerializeField, Tooltip("Where the question is written. Empty: nowhere, and a user should not agree to a question that cannot be read.")]
+        [SerializeField, Tooltip("Text that shows the question. Empty: the question is not shown. Assign one, because users must read the "
+            + "question before they agree.")]
         TextMesh _question = null;
 
-        [SerializeField, Tooltip("The button that agrees; its event calls Accept.")]
+        [SerializeField, Tooltip("The button that agrees. Its event calls Accept.")]
         StatefulInteractable _accept = null;
 
-        [SerializeField, Tooltip("The button that declines; its event calls Refuse.")]
+        [SerializeField, Tooltip("The button that declines. Its event calls Refuse.")]
         StatefulInteractable _refuse = null;
 
         /// <summary>Maximum width of a line as a multiple of the font size, so that the question fits its ground.</summary>
@@ -53,7 +54,7 @@ namespace Nowpose.Mrtk3
         void OnEnable()
         {
             if (_pairing == null) _pairing = GetComponentInParent<CellPairing>();
-            if (_pairing == null) ConsoleLog.Warn(this, "consent prompt '" + name + "' has no cell pairing above it that asks; assign one");
+            if (_pairing == null) ConsoleLog.Warn(this, "consent prompt '" + name + "' has no cell pairing on its object or a parent; assign one");
             if (_accept != null) _accept.AllowSelectByVoice = false;
             if (_refuse != null) _refuse.AllowSelectByVoice = false;
             Show(null);

@@ -11,13 +11,13 @@ namespace Nowpose.Mrtk3
     [DisallowMultipleComponent]
     public sealed class GraspableMarker : MonoBehaviour
     {
-        [SerializeField, Tooltip("The marker that is put. Empty: the one on this object.")]
+        [SerializeField, Tooltip("The marker that is moved by hand. Empty: the marker on this object.")]
         HandPlacedMarker _marker = null;
 
-        [SerializeField, Tooltip("What lets it be moved. Empty: the one on this object.")]
+        [SerializeField, Tooltip("The manipulator that moves the marker. Empty: the manipulator on this object.")]
         ObjectManipulator _manipulator = null;
 
-        [SerializeField, Tooltip("What lets it be turned by handles. Empty: the one on this object, or none.")]
+        [SerializeField, Tooltip("The bounds control whose handles turn the marker. Empty: the bounds control on this object, if any.")]
         BoundsControl _bounds = null;
 
         int _holds;
@@ -28,8 +28,8 @@ namespace Nowpose.Mrtk3
             if (_marker == null) _marker = GetComponent<HandPlacedMarker>();
             if (_manipulator == null) _manipulator = GetComponent<ObjectManipulator>();
             if (_bounds == null) _bounds = GetComponent<BoundsControl>();
-            if (_marker == null) ConsoleLog.Fail(this, "graspable marker '" + name + "' has no hand placed marker to move; assign one");
-            if (_manipulator == null) ConsoleLog.Fail(this, "graspable marker '" + name + "' has no object manipulator that moves it; assign one");
+            if (_marker == null) ConsoleLog.Fail(this, "graspable marker '" + name + "' has no hand placed marker; assign one");
+            if (_manipulator == null) ConsoleLog.Fail(this, "graspable marker '" + name + "' has no object manipulator; assign one");
             if (_manipulator != null)
             {
                 _manipulator.firstSelectEntered.AddListener(Grasp);

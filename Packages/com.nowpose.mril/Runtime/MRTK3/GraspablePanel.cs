@@ -12,13 +12,13 @@ namespace Nowpose.Mrtk3
     [DisallowMultipleComponent]
     public sealed class GraspablePanel : MonoBehaviour
     {
-        [SerializeField, Tooltip("What lets the panel follow the wearer. Empty: the one on this object.")]
+        [SerializeField, Tooltip("The component that makes the panel follow the wearer. Empty: the one on this object.")]
         BodyFollow _follow = null;
 
-        [SerializeField, Tooltip("What lets it be moved. Empty: the one on this object.")]
+        [SerializeField, Tooltip("The manipulator that moves the panel. Empty: the manipulator on this object.")]
         ObjectManipulator _manipulator = null;
 
-        [SerializeField, Tooltip("Toggle that is on while the panel stays; its event calls Toggle Pinned. Empty: none.")]
+        [SerializeField, Tooltip("Toggle that is on while the panel stays in place. Its event calls Toggle Pinned. Empty: no toggle.")]
         StatefulInteractable _pin = null;
 
         /// <summary>Whether the panel stays at its place.</summary>
@@ -35,8 +35,8 @@ namespace Nowpose.Mrtk3
         {
             if (_follow == null) _follow = GetComponent<BodyFollow>();
             if (_manipulator == null) _manipulator = GetComponent<ObjectManipulator>();
-            if (_follow == null) ConsoleLog.Warn(this, "graspable panel '" + name + "' has no body follow to pause; assign one");
-            if (_manipulator == null) ConsoleLog.Warn(this, "graspable panel '" + name + "' has no object manipulator that moves it; assign one");
+            if (_follow == null) ConsoleLog.Warn(this, "graspable panel '" + name + "' has no body follow; assign one");
+            if (_manipulator == null) ConsoleLog.Warn(this, "graspable panel '" + name + "' has no object manipulator; assign one");
             else _manipulator.firstSelectEntered.AddListener(Grasp);
         }
 

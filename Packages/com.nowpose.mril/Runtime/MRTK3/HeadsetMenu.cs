@@ -17,31 +17,31 @@ namespace Nowpose.Mrtk3
     [DisallowMultipleComponent]
     public sealed class HeadsetMenu : MonoBehaviour
     {
-        [SerializeField, Tooltip("What the menu acts on. Empty: the actions on this object or above.")]
+        [SerializeField, Tooltip("The actions that the menu calls. Empty: the actions on this object or a parent.")]
         CellActions _actions = null;
 
-        [SerializeField, Tooltip("Toggle: the session is to be connected. Empty: none.")]
+        [SerializeField, Tooltip("Toggle that connects the session. Empty: no toggle.")]
         StatefulInteractable _connect = null;
 
-        [SerializeField, Tooltip("Toggle: the ghost is shown. Empty: none.")]
+        [SerializeField, Tooltip("Toggle that shows the ghost. Empty: no toggle.")]
         StatefulInteractable _ghost = null;
 
-        [SerializeField, Tooltip("Toggle: what is behind the real arm is hidden. Empty: none.")]
+        [SerializeField, Tooltip("Toggle that hides objects behind the real arm. Empty: no toggle.")]
         StatefulInteractable _occlusion = null;
 
-        [SerializeField, Tooltip("Toggle: the status panel is shown. Empty: none.")]
+        [SerializeField, Tooltip("Toggle that shows the status panel. Empty: no toggle.")]
         StatefulInteractable _panel = null;
 
-        [SerializeField, Tooltip("Slider of the gripper's opacity, 0 to 1. Empty: none.")]
+        [SerializeField, Tooltip("Slider that sets the gripper's opacity, 0 to 1. Empty: no slider.")]
         Slider _opacity = null;
 
-        [SerializeField, Tooltip("Says the opacity. Empty: nothing does.")]
+        [SerializeField, Tooltip("Text that shows the opacity. Empty: no text.")]
         TextMesh _opacityWords = null;
 
-        [SerializeField, Tooltip("Slider of what is added to L_visu; its values are ms. Empty: none.")]
+        [SerializeField, Tooltip("Slider that sets the correction of L_visu in ms. Empty: no slider.")]
         Slider _nudge = null;
 
-        [SerializeField, Tooltip("Says what is added to L_visu. Empty: nothing does.")]
+        [SerializeField, Tooltip("Text that shows the correction of L_visu. Empty: no text.")]
         TextMesh _nudgeWords = null;
 
         int _shownOpacity = int.MinValue, _shownNudge = int.MinValue;
@@ -65,7 +65,7 @@ namespace Nowpose.Mrtk3
         void OnEnable()
         {
             if (_actions == null) _actions = GetComponentInParent<CellActions>();
-            if (_actions == null) ConsoleLog.Warn(this, "headset menu '" + name + "' has no cell actions above it to call; assign them");
+            if (_actions == null) ConsoleLog.Warn(this, "headset menu '" + name + "' has no cell actions on its object or a parent; assign them");
         }
 
         void LateUpdate()

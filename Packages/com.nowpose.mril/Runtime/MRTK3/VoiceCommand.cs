@@ -8,10 +8,10 @@ namespace Nowpose.Mrtk3
     [Serializable]
     public sealed class VoiceCommand
     {
-        [SerializeField, Tooltip("Phrase to recognise, of two words or more: single words are often recognised by mistake.")]
+        [SerializeField, Tooltip("Phrase to recognise. Use two words or more, because single words are often recognised by mistake.")]
         string _keyword = "";
 
-        [SerializeField, Tooltip("What it does.")]
+        [SerializeField, Tooltip("Called when the phrase is recognised.")]
         UnityEvent _onHeard = new UnityEvent();
 
         public string Keyword => _keyword;

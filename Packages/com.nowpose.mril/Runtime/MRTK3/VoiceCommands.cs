@@ -18,7 +18,7 @@ namespace Nowpose.Mrtk3
     [DisallowMultipleComponent]
     public sealed class VoiceCommands : MonoBehaviour
     {
-        [SerializeField, Tooltip("Phrases and their actions. Empty: the recogniser is off.")]
+        [SerializeField, Tooltip("Phrases and their actions. Empty: speech recognition is off.")]
         List<VoiceCommand> _commands = new List<VoiceCommand>();
 
         /// <summary>Delay before a problem is reported: speech starts some seconds after the scene, or never without microphone or package.</summary>
@@ -58,7 +58,7 @@ namespace Nowpose.Mrtk3
             _recognition = XRSubsystemHelpers.KeywordRecognitionSubsystem;
             if (_recognition != null || _isReported || Time.unscaledTime - _since <= PatienceSeconds) return;
             _isReported = true;
-            ConsoleLog.Info(this, "voice commands '" + name + "': no keyword recognition runs; the menu does the same");
+            ConsoleLog.Info(this, "voice commands '" + name + "': keyword recognition does not run; use the menu instead");
         }
 
         // Checked in each frame: another component that unregisters the same keyword removes all its listeners.
@@ -68,7 +68,7 @@ namespace Nowpose.Mrtk3
             if (known == null)
             {
                 // MRTK3's recognition for Windows on another platform logs an error for each call.
-                ConsoleLog.Warn(this, "voice commands '" + name + "': keyword recognition is not supported on this platform; the menu does the same");
+                ConsoleLog.Warn(this, "voice commands '" + name + "': keyword recognition is not supported on this platform; use the menu instead");
                 _recognition = null;
                 _isUnsupported = true;
                 return;

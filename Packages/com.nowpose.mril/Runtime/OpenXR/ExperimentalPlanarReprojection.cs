@@ -23,13 +23,13 @@ namespace Nowpose.OpenXR
     [RequireComponent(typeof(ReprojectionCheck))]
     public sealed class ExperimentalPlanarReprojection : MonoBehaviour
     {
-        const string Paused = "planar reprojection is paused: the rig is not moved, so nothing is requested; enable the rig and its session";
+        const string Paused = "planar reprojection is paused because the rig does not move; enable the rig and its session";
 
-        [SerializeField, Tooltip("Experiment. The rig whose tool the plane goes through. Empty: the one on this object or below.")]
+        [SerializeField, Tooltip("Experiment. The rig whose tool lies in the plane. Empty: the rig on this object or a child.")]
         RobotRig _rig = null;
 
-        [SerializeField, Tooltip("Experiment. Also sends the velocity of the predicted tool. Off: the plane stands still while the frame is shown. "
-            + "On may count motion twice, for the pose is predicted to the display time already.")]
+        [SerializeField, Tooltip("Experiment. Also sends the velocity of the predicted tool. Off: the plane does not move while the frame is "
+            + "shown. On: the motion may be counted twice, because the pose is already predicted to the display time.")]
         bool _sendVelocity = true;
 
         readonly ToolVelocity _velocity = new ToolVelocity();
@@ -55,7 +55,7 @@ namespace Nowpose.OpenXR
             _source = _rig != null ? _rig : GetComponentInChildren<RobotRig>();
             if (_source == null)
             {
-                Refuse("has no rig on its object or below; assign one");
+                Refuse("has no rig on its object or a child; assign one");
                 return;
             }
             _source.Posed += Ask;

@@ -23,7 +23,7 @@ namespace Nowpose.OpenXR
     [DisallowMultipleComponent]
     public sealed class OpenXrDisplayTime : MonoBehaviour, IDisplayTimeSource
     {
-        [SerializeField, Tooltip("The session that receives the times. Empty: the one on this object or a parent.")]
+        [SerializeField, Tooltip("The session that receives the display times. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
         MrilSession _target;
@@ -80,13 +80,13 @@ namespace Nowpose.OpenXR
         void GiveUp(string fault)
         {
             _isMissing = true;
-            ConsoleLog.Warn(this, "display time '" + name + "': " + fault + "; light appears as calibrated");
+            ConsoleLog.Warn(this, "display time '" + name + "': " + fault + "; the calibrated L_visu is used");
         }
 
         void OnEnable()
         {
             _target = this.SessionOr(_session);
-            if (_target == null) ConsoleLog.Warn(this, "display time '" + name + "' has no session above it to report to; assign one");
+            if (_target == null) ConsoleLog.Warn(this, "display time '" + name + "' has no session on its object or a parent; assign one");
             else _target.DisplayTimeSource = this;
         }
 
@@ -103,7 +103,7 @@ namespace Nowpose.OpenXR
             if (_target == null) return;
             var isUnusable = !(_target.HeadsetClock is IPerformanceCounterClock);
             if (isUnusable && !_isUnusable)
-                ConsoleLog.Warn(this, "display time '" + name + "': the session's clock is not the performance counter; light appears as calibrated");
+                ConsoleLog.Warn(this, "display time '" + name + "': the session's clock is not the performance counter; the calibrated L_visu is used");
             _isUnusable = isUnusable;
         }
     }

@@ -27,7 +27,7 @@ namespace Nowpose.OpenXR
         /// <summary>Interval of the checks, because reading the runtime's name allocates a string.</summary>
         static readonly TimeSpan Interval = TimeSpan.FromMilliseconds(250);
 
-        [SerializeField, Tooltip("The session that reports the result. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session that reports the result. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
         readonly List<XRDisplaySubsystem> _displays = new List<XRDisplaySubsystem>();
@@ -59,7 +59,7 @@ namespace Nowpose.OpenXR
         {
             _isRunning = true;
             _target = this.SessionOr(_session);
-            if (_target == null) ConsoleLog.Warn(this, "reprojection check '" + name + "' has no session above it to report to; assign one");
+            if (_target == null) ConsoleLog.Warn(this, "reprojection check '" + name + "' has no session on its object or a parent; assign one");
         }
 
         void OnDisable()
@@ -86,7 +86,7 @@ namespace Nowpose.OpenXR
                 _isMissing = true;
                 _watch.Reset();
                 Report();
-                ConsoleLog.Warn(this, "reprojection check '" + name + "': " + fault.Message + "; whether depth is submitted is not known");
+                ConsoleLog.Warn(this, "reprojection check '" + name + "': " + fault.Message + "; it is unknown whether depth is submitted");
             }
         }
 

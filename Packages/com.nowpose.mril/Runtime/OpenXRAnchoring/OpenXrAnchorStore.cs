@@ -112,7 +112,7 @@ namespace Nowpose.OpenXR
                 Problem = null;
             }
             else if (loading.Exception != null) Fail(LoadingAll, loading.Exception.GetBaseException());
-            else if (_asked == AskedInVain) Report("the runtime gives no store of anchors; they are lost with the next start");
+            else if (_asked == AskedInVain) Report("the runtime has no anchor store; anchors are lost at the next start");
         }
 
         // Catches every exception, because the plugin calls native code of the system.

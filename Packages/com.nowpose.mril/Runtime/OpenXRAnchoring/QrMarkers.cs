@@ -28,15 +28,17 @@ namespace Nowpose.OpenXR
         /// <summary>Marker frame in the code's frame, in URDF axes of that frame.</summary>
         static readonly RigidTransform MarkerInCode = RigidTransform.FromXyzRpy(0, 0, 0, -Math.PI / 2, 0, -Math.PI / 2);
 
-        [SerializeField, Tooltip("The session whose clock determines when a code was seen. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session whose clock determines when a code was seen. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
-        [SerializeField, Tooltip("The XR Origin, which is given an AR Marker Manager unless it has one. Empty: the one above the main camera.")]
+        [SerializeField, Tooltip("The XR Origin. The component adds an AR Marker Manager if it has none. Empty: the XR Origin above the main "
+            + "camera.")]
         XROrigin _origin = null;
 
         readonly OriginManager<ARMarkerManager> _codes = new OriginManager<ARMarkerManager>(
             manager => manager.subsystem, isAdded: true,
-            "QR codes need a HoloLens 2, the capability WebCam, the user's consent to the camera, and OpenXR for Windows Mixed Reality 113.2403 or newer");
+            "QR codes need a HoloLens 2, the capability WebCam, the user's consent to the camera, and OpenXR for Windows Mixed Reality 113.2403 "
+                + "or newer");
 
         readonly MarkerRecords _records = new MarkerRecords();
         MrilSession _source;
@@ -79,7 +81,7 @@ namespace Nowpose.OpenXR
             _setUp = manager;
             if (manager.defaultTransformMode != TransformMode.MostStable)
                 ConsoleLog.Warn(this, "QR markers '" + name + "': the marker manager's mode was " + manager.defaultTransformMode
-                    + ", which shifts codes along the room's axes; it is " + TransformMode.MostStable + " from now on");
+                    + ", which shifts codes along the room's axes; it was changed to " + TransformMode.MostStable);
             manager.defaultTransformMode = TransformMode.MostStable;
             if (Array.IndexOf(manager.enabledMarkerTypes, ARMarkerType.QRCode) >= 0) return;
             var types = manager.enabledMarkerTypes;

@@ -1,10 +1,10 @@
-// A virtual part. Opacity (_Fade) and stripes (_Hatch) tell a pose that is not current without any colour. The first SubShader is for URP,
-// the second for the built-in pipeline; both serve single-pass instanced stereo.
+// Draws a virtual part. Opacity (_Fade) and stripes (_Hatch) mark a pose that is not current, independent of colour. The first SubShader is
+// for URP, the second for the built-in pipeline; both support single-pass instanced stereo.
 Shader "Nowpose/Hologram"
 {
     Properties
     {
-        // On an additive display black is transparent: dark colours vanish there.
+        // On an additive display black is transparent, so dark colours are not visible.
         _Color ("Colour (alpha: opacity)", Color) = (0.25, 0.75, 1, 1)
         _Fade ("Fade (0: none, 1: a fifth of the opacity is left)", Range(0, 1)) = 0
         _Hatch ("Hatch (1: stripes)", Range(0, 1)) = 0
@@ -16,7 +16,7 @@ Shader "Nowpose/Hologram"
         {
             "com.unity.render-pipelines.universal"
         }
-        // Batching would take away the object's own space, which the stripes are in.
+        // Batching would remove the object space that the stripes use.
         Tags
         {
             "RenderPipeline" = "UniversalPipeline" "RenderType" = "Transparent" "Queue" = "Transparent" "IgnoreProjector" = "True"
@@ -27,9 +27,9 @@ Shader "Nowpose/Hologram"
         {
             Name "Hologram"
             Tags { "LightMode" = "UniversalForwardOnly" }
-            // The second pair is for the alpha that a mixed reality capture takes over.
+            // The second pair writes the alpha that a mixed reality capture uses.
             Blend SrcAlpha OneMinusSrcAlpha, One OneMinusSrcAlpha
-            // Depth is written although the colour blends: a HoloLens steadies its picture by it.
+            // Writes depth although the colour blends, because a HoloLens uses the depth to stabilise its picture.
             ZWrite On
             Cull Back
 

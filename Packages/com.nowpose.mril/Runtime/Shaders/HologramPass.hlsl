@@ -19,7 +19,7 @@ struct Fragment
     UNITY_VERTEX_OUTPUT_STEREO
 };
 
-// Without instancing these macros declare a plain buffer of that name, which is what URP's SRP batcher asks for.
+// Without instancing these macros declare a plain buffer of that name, which URP's SRP batcher needs.
 UNITY_INSTANCING_BUFFER_START(UnityPerMaterial)
     UNITY_DEFINE_INSTANCED_PROP(float4, _Color)
     UNITY_DEFINE_INSTANCED_PROP(float, _Fade)
@@ -57,7 +57,7 @@ half4 Shade(Fragment fragment) : SV_Target
     return colour;
 }
 
-// For the pass that writes depth alone.
+// Used by the pass that writes only depth.
 half4 ShadeDepth(Fragment fragment) : SV_Target
 {
     UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(fragment);

@@ -1,4 +1,4 @@
-// Makes a part look different while its pose is not current. Pose Appearance sets _Fade (0 to 1) and _Hatch (0 or 1) of every
+// Fades and stripes a part while its pose is not current. Pose Appearance sets _Fade (0 to 1) and _Hatch (0 or 1) of every
 // material whose shader declares both. Include this file after UnityCG.cginc (built-in pipeline) or Core.hlsl (URP).
 #ifndef NOWPOSE_POSE_INCLUDED
 #define NOWPOSE_POSE_INCLUDED

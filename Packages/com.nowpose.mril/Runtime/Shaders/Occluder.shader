@@ -1,5 +1,5 @@
-// Writes depth and nothing else: drawn where a real part is, it hides the virtual parts behind that. It is drawn before all geometry, so
-// that everything drawn later is tested against its depth. Pose Appearance leaves alone what has the tag PoseAppearance = Ignore.
+// Writes only depth. An object with this shader at the place of a real part hides the virtual parts behind it. It is drawn before all other
+// geometry, which is then tested against its depth. Pose Appearance ignores objects with the tag PoseAppearance = Ignore.
 Shader "Nowpose/Occluder"
 {
     SubShader

@@ -1,5 +1,5 @@
-// The letters of a TextMesh. Unlike the font's own shader it is hidden by what is before it, and writes depth, by which a HoloLens steadies
-// its picture. The texture of the font comes by property block, from the component Font Texture.
+// Draws the letters of a TextMesh. Unlike with the font's own shader, objects in front hide the text. It writes depth, which a HoloLens uses
+// to stabilise its picture. The component Font Texture sets the texture of the font by property block.
 Shader "Nowpose/Text"
 {
     Properties

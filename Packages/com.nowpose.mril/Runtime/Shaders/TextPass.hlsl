@@ -44,7 +44,7 @@ half4 Shade(Fragment fragment) : SV_Target
     UNITY_SETUP_INSTANCE_ID(fragment);
     UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(fragment);
 
-    // A font's texture has the letters in its alpha. What is outside of them writes neither colour nor depth.
+    // The alpha of a font's texture contains the letters. Pixels outside them write neither colour nor depth.
     float letter = _MainTex.Sample(sampler_MainTex, fragment.place).a;
     clip(letter - UNITY_ACCESS_INSTANCED_PROP(UnityPerMaterial, _Cutoff));
     return half4(fragment.colour.rgb, fragment.colour.a * letter);

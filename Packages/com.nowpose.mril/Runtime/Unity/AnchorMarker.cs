@@ -9,17 +9,18 @@ namespace Nowpose.Unity
     [Serializable]
     public sealed class AnchorMarker
     {
-        [SerializeField, Tooltip("Text of its code, letter for letter.")]
+        [SerializeField, Tooltip("Text of the marker's code, case-sensitive.")]
         string _payload = "";
 
-        [SerializeField, Tooltip("Where the centre of the code is in the robot's base frame, x forward, y left, z up, metres.")]
+        [SerializeField, Tooltip("Position of the code's centre in the robot's base frame in metres: x forward, y left, z up.")]
         Vector3 _positionMetres = Vector3.zero;
 
-        [SerializeField, Tooltip("Roll, pitch and yaw of the code in the robot's base frame as in a URDF, degrees. All 0: it lies face up, and "
-            + "its text is read from left to right along the robot's x.")]
+        [SerializeField, Tooltip("Roll, pitch and yaw of the code in the robot's base frame in degrees, as in a URDF. All 0: the code lies face "
+            + "up, and its text is read in the robot's x direction.")]
         Vector3 _turnedDegrees = Vector3.zero;
 
-        [SerializeField, Tooltip("Edge of the printed code without its white margin, metres. 0: not known, and not compared with what is seen.")]
+        [SerializeField, Tooltip("Edge length of the printed code without its white margin, in metres. 0: unknown; the measured size is not "
+            + "checked.")]
         float _sizeMetres = 0;
 
         public AnchorMarker() { }

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 // The importer builds its prefabs in the same way as the rig builds its robot at run time.
 [assembly: InternalsVisibleTo("Nowpose.Editor")]
 
-// The package's components for optional packages log and find their session in the same way.
+// The assemblies for optional packages use the same internal helpers for logging and for finding a session.
 [assembly: InternalsVisibleTo("Nowpose.ArFoundation")]
 [assembly: InternalsVisibleTo("Nowpose.OpenXR")]
 [assembly: InternalsVisibleTo("Nowpose.OpenXR.Anchoring")]

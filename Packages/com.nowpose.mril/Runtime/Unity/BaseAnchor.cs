@@ -21,51 +21,54 @@ namespace Nowpose.Unity
     {
         const float GizmoMetres = 0.2f, MarkerGizmoMetres = 0.05f;
 
-        [SerializeField, Tooltip("Name of the robot cell, under which the headset keeps the place over restarts. Empty: it is not kept.")]
+        [SerializeField, Tooltip("Name of the robot cell. The headset stores the base's place under this name. Empty: the place is not stored.")]
         string _cell = "";
 
-        [SerializeField, Tooltip("Codes fixed to the robot's base, and where. None: the base stands where it is placed by hand.")]
+        [SerializeField, Tooltip("Codes fixed to the robot's base, with their poses. Empty: the base stays where it is placed by hand.")]
         List<AnchorMarker> _markers = new List<AnchorMarker>();
 
-        [SerializeField, Range(100, 60_000), Tooltip("How long markers are looked at, at least, before the base is locked, ms. 1850: averages "
-            + "away most of a tracker's noise, and the wait stays below 2 s.")]
+        [SerializeField, Range(100, 60_000), Tooltip("Minimum time for which the markers are seen before the base is locked, ms. Default 1850: "
+            + "long enough to average most of the tracker's noise, and the user waits less than 2 s.")]
         float _settleMs = 1850;
 
-        [SerializeField, Range(20, 10_000), Tooltip("A marker that a camera saw longer ago is not taken for seen now, ms. 400: trackers go on "
-            + "telling old poses, and some see a code only twice a second.")]
+        [SerializeField, Range(20, 10_000), Tooltip("Maximum age of a marker's pose, ms. Older poses are ignored. Default 400: trackers continue "
+            + "to report old poses, and some see a code only twice a second.")]
         float _oldestMs = 400;
 
-        [SerializeField, Range(0.1f, 20), Tooltip("From the head to a marker, metres; beyond it is ignored. 2.5: errors grow with the "
-            + "distance.")]
+        [SerializeField, Range(0.1f, 20), Tooltip("Maximum distance from the head to a marker in metres. Markers farther away are ignored. "
+            + "Default 2.5: the error of a pose grows with the distance.")]
         float _farthestMetres = 2.5f;
 
-        [SerializeField, Range(10, 89), Tooltip("Between the line from the head to a marker and what stands out of its print, degrees; beyond "
-            + "it is ignored. 60: a code looks half as wide then, and its angle is uncertain.")]
+        [SerializeField, Range(10, 89), Tooltip("Maximum viewing angle in degrees, measured between the marker's normal and the line to the "
+            + "head. Markers seen at a larger angle are ignored. Default 60: there, a code appears half as wide, and its angle becomes "
+            + "uncertain.")]
         float _mostObliqueDegrees = 60;
 
-        [SerializeField, Range(0.0001f, 0.1f), Tooltip("What a marker's mean may be off by, as its scatter tells, to be locked by it, metres. "
-            + "0.001: 10 mm of scatter take 100 sightings.")]
+        [SerializeField, Range(0.0001f, 0.1f), Tooltip("Maximum position error for locking, metres, estimated from the scatter of a marker's "
+            + "poses. Default 0.001: with a scatter of 10 mm this takes 100 sightings.")]
         float _lockErrorMetres = 0.001f;
 
-        [SerializeField, Range(0.01f, 10), Tooltip("The same of its angle, degrees. 0.25: 2.6 mm at 0.6 m from the base, if it has one marker.")]
+        [SerializeField, Range(0.01f, 10), Tooltip("Maximum rotation error for locking, degrees, estimated from the scatter of a marker's poses. "
+            + "Default 0.25: 2.6 mm at 0.6 m from the base if it has one marker.")]
         float _lockErrorDegrees = 0.25f;
 
-        [SerializeField, Range(0.001f, 1), Tooltip("A marker that is farther from where it belongs has moved, metres. 0.005: what 2 mm of noise "
-            + "tell apart for sure.")]
+        [SerializeField, Range(0.001f, 1), Tooltip("Maximum distance of a marker from its expected position in metres. A marker beyond it counts "
+            + "as moved. Default 0.005: reliable with a noise of 2 mm.")]
         float _toleranceMetres = 0.005f;
 
-        [SerializeField, Range(0.1f, 45), Tooltip("A marker that is turned more than this has moved, degrees. 0.5: 5 mm at 0.6 m from the base.")]
+        [SerializeField, Range(0.1f, 45), Tooltip("Maximum rotation of a marker from its expected orientation in degrees. A marker beyond it "
+            + "counts as moved. Default 0.5: 5 mm at 0.6 m from the base.")]
         float _toleranceDegrees = 0.5f;
 
-        [SerializeField, Range(0, 10_000), Tooltip("In which a changed place is eased over, ms. 800: seen to glide, and over before anybody "
-            + "waits for it. 0: it jumps.")]
+        [SerializeField, Range(0, 10_000), Tooltip("Duration of the transition to a new base pose, ms. 0: the base jumps. Default 800: the "
+            + "motion is visible and soon over.")]
         float _easeMs = 800;
 
         readonly AnchorSources _sources = new AnchorSources();
         MrilSession _session;
         BaseAnchorState _loggedState;
         string _loggedWords = "", _fault, _loggedProblem;
-        MarkerQuarrel _loggedConflict;
+        MarkerConflict _loggedConflict;
         bool _loggedCorrected;
         bool _isGiven;
 
@@ -118,7 +121,7 @@ namespace Nowpose.Unity
         {
             var length = Mathf.Sqrt(Quaternion.Dot(rotation, rotation));
             if (!IsFinite(position)) throw new ArgumentException("position " + position + " is not finite", nameof(position));
-            if (!(length > 0) || float.IsInfinity(length)) throw new ArgumentException("rotation " + rotation + " turns nowhere", nameof(rotation));
+            if (!(length > 0) || float.IsInfinity(length)) throw new ArgumentException("rotation " + rotation + " is not a valid rotation", nameof(rotation));
             transform.SetPositionAndRotation(
                 position, new Quaternion(rotation.x / length, rotation.y / length, rotation.z / length, rotation.w / length));
             Tracker?.Place(UnityPoses.ToRoom(transform.position, transform.rotation));

@@ -12,24 +12,27 @@ namespace Nowpose.Unity
     [DisallowMultipleComponent]
     public sealed class BodyFollow : MonoBehaviour
     {
-        [SerializeField, Tooltip("Whom it follows. Empty: the main camera, which is the wearer's head.")]
+        [SerializeField, Tooltip("The object to follow. Empty: the main camera, which is the wearer's head.")]
         Transform _head = null;
 
-        [SerializeField, Range(0.5f, 5), Tooltip("Metres from the head. 1.3: a headset's picture is sharp at an arm's length and more.")]
+        [SerializeField, Range(0.5f, 5), Tooltip("Distance from the head in metres. Default 1.3: a headset's picture is sharp at an arm's length "
+            + "and more.")]
         float _distanceMetres = 1.3f;
 
-        [SerializeField, Range(-30, 45), Tooltip("Degrees below the height of the eyes. 6: the whole status panel is in a HoloLens 2's view.")]
+        [SerializeField, Range(-30, 45), Tooltip("Angle below eye level in degrees. Default 6: the whole status panel is in the view of a "
+            + "HoloLens 2.")]
         float _degreesBelow = 6;
 
-        [SerializeField, Range(5, 90), Tooltip("Degrees that the head may turn to either side before it follows. 35: looking to and fro along a "
-            + "robot does not move it.")]
+        [SerializeField, Range(5, 90), Tooltip("Maximum rotation of the head to either side in degrees before the object follows. Default 35: "
+            + "looking along a robot does not move the object.")]
         float _turnDegrees = 35;
 
-        [SerializeField, Range(0.05f, 2), Tooltip("Metres that the head may come nearer, go farther, rise or sink before it follows. 0.4: shifting "
-            + "one's weight does not move it.")]
+        [SerializeField, Range(0.05f, 2), Tooltip("Maximum movement of the head in metres, in any direction, before the object follows. Default "
+            + "0.4: shifting the weight from one foot to the other does not move the object.")]
         float _moveMetres = 0.4f;
 
-        [SerializeField, Range(0.05f, 2), Tooltip("Seconds in which it does two thirds of its way. 0.4: quick to be there, slow enough for the eyes.")]
+        [SerializeField, Range(0.05f, 2), Tooltip("Time constant of the movement in seconds. Default 0.4: fast enough to arrive soon, and slow "
+            + "enough to watch.")]
         float _glideSeconds = 0.4f;
 
         BodyFollowing _following;

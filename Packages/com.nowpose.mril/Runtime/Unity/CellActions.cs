@@ -20,25 +20,26 @@ namespace Nowpose.Unity
     [DisallowMultipleComponent]
     public sealed class CellActions : MonoBehaviour
     {
-        [SerializeField, Tooltip("The session of the cell. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session of the cell. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
-        [SerializeField, Tooltip("Where the robot's base is. Empty: the first below the session.")]
+        [SerializeField, Tooltip("The anchor of the robot's base. Empty: the first anchor below the session.")]
         BaseAnchor _anchor = null;
 
-        [SerializeField, Tooltip("What shows the uncompensated pose. Empty: the first below the session.")]
+        [SerializeField, Tooltip("The ghost, which shows the uncompensated pose. Empty: the first ghost below the session.")]
         Ghost _ghost = null;
 
-        [SerializeField, Tooltip("Makes the displayed robot and its gripper fainter. Empty: the first below the session that is not of a ghost.")]
+        [SerializeField, Tooltip("Sets the opacity of the displayed robot and its gripper. Empty: the first one below the session that does not "
+            + "belong to a ghost.")]
         PoseAppearance _appearance = null;
 
-        [SerializeField, Tooltip("The panel that is shown and hidden. Empty: the first below the session.")]
+        [SerializeField, Tooltip("The panel that the actions show and hide. Empty: the first panel below the session.")]
         StatusPanel _panel = null;
 
-        [SerializeField, Tooltip("What knows the cell and asks before it forgets it. Empty: the first below the session.")]
+        [SerializeField, Tooltip("The pairing that asks before it removes the cell. Empty: the first pairing below the session.")]
         CellPairing _pairing = null;
 
-        [SerializeField, Tooltip("Material of the parts that hide what is behind the real arm. Empty: the arm material of the displayed rig.")]
+        [SerializeField, Tooltip("Material of the parts that hide objects behind the real arm. Empty: the arm material of the displayed rig.")]
         Material _occluder = null;
 
         readonly VisualisationNudge _nudge = new VisualisationNudge();
@@ -174,7 +175,7 @@ namespace Nowpose.Unity
         bool Has(UnityEngine.Object needed, string kind)
         {
             if (needed != null) return true;
-            ConsoleLog.Warn(this, "cell actions '" + name + "' find no " + kind + " to act on; assign one");
+            ConsoleLog.Warn(this, "cell actions '" + name + "' have no " + kind + "; assign one");
             return false;
         }
     }

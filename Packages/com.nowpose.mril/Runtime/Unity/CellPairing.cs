@@ -20,27 +20,27 @@ namespace Nowpose.Unity
     [DisallowMultipleComponent]
     public sealed class CellPairing : MonoBehaviour
     {
-        [SerializeField, Tooltip("The session that is set up. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session to set up. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
-        [SerializeField, Tooltip("Is given the cell's markers. Empty: the first one on the session's object or below.")]
+        [SerializeField, Tooltip("The anchor that receives the cell's markers. Empty: the first anchor on the session's object or a child.")]
         BaseAnchor _anchor = null;
 
-        [SerializeField, Tooltip("The gateway lists this headset under it, and its diagnostics carry it, up to 64 characters. Empty: the name that "
-            + "the device has in its system settings.")]
+        [SerializeField, Tooltip("Name of this headset in the gateway's list and in the diagnostics, up to 64 characters. Empty: the device's "
+            + "name in its system settings.")]
         string _headsetName = "";
 
-        [SerializeField, Tooltip("File below the application's persistent data path in which paired cells are kept, with the tokens; or a full "
+        [SerializeField, Tooltip("File for the paired cells and their tokens: a path below the application's persistent data path, or a full "
             + "path.")]
         string _fileName = "paired-cells.json";
 
-        [SerializeField, Tooltip("There is a question: show it, and call Accept or Refuse.")]
+        [SerializeField, Tooltip("Called when there is a question. Show it, and call Accept or Refuse.")]
         UnityEvent _onAsked = new UnityEvent();
 
-        [SerializeField, Tooltip("The gateway gave this headset a token; the session connects.")]
+        [SerializeField, Tooltip("Called when the gateway has given this headset a token. The session then connects.")]
         UnityEvent _onPaired = new UnityEvent();
 
-        [SerializeField, Tooltip("A problem occurred; the words state it.")]
+        [SerializeField, Tooltip("Called when a problem has occurred. The property Words states it.")]
         UnityEvent _onProblem = new UnityEvent();
 
         readonly AppliedCell _applied = new AppliedCell();
@@ -79,13 +79,13 @@ namespace Nowpose.Unity
         public void Refuse() => Flow?.Refuse();
 
         /// <summary>Asks whether to forget the cell in use, by a <see cref="Question"/>.</summary>
-        /// <remarks>Declined gateways and cells are asked about again at the next look, independent of the answer.</remarks>
+        /// <remarks>Independent of the answer, the pairing asks again about declined gateways and cells when their marker is in view.</remarks>
         public void AskToForget() => Flow?.AskToForget();
 
         /// <summary>Forgets the cell in use and its token without a question; the next look at a marker asks again.</summary>
         public void Forget() => Flow?.Forget();
 
-        /// <summary>Processes a text like that of a marker in view, for typed or scanned codes. Ignores surrounding white space.</summary>
+        /// <summary>Processes the text of a typed or scanned code as if it was in view. Ignores surrounding white space.</summary>
         public void ReadCode(string text)
         {
             if (_source != null) Flow?.See(text?.Trim(), _source.HeadsetClock.Now);
@@ -99,7 +99,7 @@ namespace Nowpose.Unity
             _source = this.SessionOr(_session);
             if (_source == null)
             {
-                ConsoleLog.Warn(this, "cell pairing '" + name + "' has no session above it to set up; assign one");
+                ConsoleLog.Warn(this, "cell pairing '" + name + "' has no session on its object or a parent; assign one");
                 return;
             }
             _target = _anchor != null ? _anchor : _source.GetComponentInChildren<BaseAnchor>(true);

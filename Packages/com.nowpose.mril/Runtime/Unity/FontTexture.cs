@@ -7,7 +7,7 @@ namespace Nowpose.Unity
     /// Assigns the texture of its font to a text with the shader <c>Nowpose/Text</c>, also when the font replaces the texture.
     /// </summary>
     /// <remarks>
-    /// The font's own material is visible through everything and writes no depth, so the package's texts use another one. The letters are
+    /// The font's own material is visible through all objects and writes no depth, so the package's texts use another one. The letters are
     /// in the texture of the font's material. It is set on the text's renderer by property block, because texts of several fonts may share
     /// the text's material.
     /// </remarks>
@@ -19,8 +19,8 @@ namespace Nowpose.Unity
     {
         static readonly int TextureId = Shader.PropertyToID("_MainTex");
 
-        [SerializeField, Tooltip("The font's own material, an asset below the font: its texture has the letters. It must belong to "
-            + "the font of the Text Mesh.")]
+        [SerializeField, Tooltip("Material of the font, an asset below the font. Its texture contains the letters. It must belong to the font of "
+            + "the Text Mesh.")]
         Material _fontMaterial = null;
 
         Renderer _renderer;
@@ -39,7 +39,7 @@ namespace Nowpose.Unity
             _renderer = GetComponent<Renderer>();
             _shown = null;
             if (_fontMaterial == null && Application.isPlaying)
-                ConsoleLog.Fail(this, "font texture '" + name + "' has no font material, so its letters are blocks; assign the one below the font");
+                ConsoleLog.Fail(this, "font texture '" + name + "' has no font material, so its letters are blocks; assign the material below the font");
             Apply();
         }
 

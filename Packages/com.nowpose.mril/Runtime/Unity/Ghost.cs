@@ -9,7 +9,7 @@ namespace Nowpose.Unity
     [DisallowMultipleComponent]
     public sealed class Ghost : MonoBehaviour
     {
-        [SerializeField, Tooltip("The rig to compare with. Empty: the one beside this object that shows the displayed pose.")]
+        [SerializeField, Tooltip("The rig to compare with. Empty: the rig beside this object that shows the displayed pose.")]
         RobotRig _displayed = null;
 
         RobotRig _own, _other;
@@ -39,7 +39,7 @@ namespace Nowpose.Unity
             _own = GetComponent<RobotRig>();
             _other = _displayed != null ? _displayed : DisplayedBeside(transform.parent);
             if (_other == null)
-                ConsoleLog.Warn(this, "ghost '" + name + "' has no rig beside it to compare with; assign one");
+                ConsoleLog.Warn(this, "ghost '" + name + "' has no rig beside it for the comparison; assign one");
         }
 
         static RobotRig DisplayedBeside(Transform parent)

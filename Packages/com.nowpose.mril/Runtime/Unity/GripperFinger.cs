@@ -10,7 +10,8 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Name of the joint that moves this finger, as in the robot's URDF.")]
         string _joint = "";
 
-        [SerializeField, Tooltip("What moves, as it stands at joint position 0 (closed, on the youBot), turned as the joint's own frame.")]
+        [SerializeField, Tooltip("The object that moves. Place it as at joint position 0 (closed, on the youBot), with its axes along those of "
+            + "the joint's frame.")]
         Transform _finger = null;
 
         public GripperFinger() { }

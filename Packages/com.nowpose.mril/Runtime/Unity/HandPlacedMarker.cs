@@ -15,7 +15,8 @@ namespace Nowpose.Unity
     [DisallowMultipleComponent]
     public sealed class HandPlacedMarker : MonoBehaviour, IMarkerSource
     {
-        [SerializeField, Tooltip("Text of the marker of the base that it stands for. Empty: its transform is the robot's base frame itself.")]
+        [SerializeField, Tooltip("Text of the marker of the base that this object replaces. Empty: this object's transform is the robot's base "
+            + "frame.")]
         string _payload = "";
 
         string _id;
@@ -52,7 +53,7 @@ namespace Nowpose.Unity
 
         /// <summary>Moves the marker with the base unless the user moves it.</summary>
         /// <param name="place">Pose of the base.</param>
-        /// <param name="markers">Markers of the base; the one with the same payload determines the pose.</param>
+        /// <param name="markers">Markers of the base; the marker with the same payload determines the pose.</param>
         internal void Rest(Pose place, IReadOnlyList<TrackedMarker> markers)
         {
             if (IsMoving) return;

@@ -11,7 +11,7 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Calibrates L_visu by eye: while the robot moves to and fro at constant speed, the user shifts the displayed robot along its path
+    /// Calibrates L_visu by eye: while the robot moves back and forth at constant speed, the user shifts the displayed robot along its path
     /// until both agree, and marks the shift, forward and backward.
     /// </summary>
     /// <remarks>
@@ -24,17 +24,18 @@ namespace Nowpose.Unity
     {
         const float MaxOffsetMm = 500;
 
-        [SerializeField, Tooltip("The session that is calibrated. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session to calibrate. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
-        [SerializeField, Tooltip("The rig that is shifted. Empty: the first below the session that shows the displayed pose.")]
+        [SerializeField, Tooltip("The rig to shift. Empty: the first rig below the session that shows the displayed pose.")]
         RobotRig _rig = null;
 
-        [SerializeField, Tooltip("What keeps the result on the device. Empty: the one on the session's object; where there is none, the result "
-            + "lasts as long as the session.")]
+        [SerializeField, Tooltip("The loader that stores the result on the device. Empty: the loader on the session's object; without one, the "
+            + "result is lost when the session ends.")]
         LatencyProfileLoader _loader = null;
 
-        [SerializeField, Tooltip("The axis of the robot's base frame along which it moves and is shifted: x forward, y left, z up.")]
+        [SerializeField, Tooltip("The axis of the robot's base frame along which the robot moves and the rig is shifted: x forward, y left, z "
+            + "up.")]
         NudgeAxis _axis = NudgeAxis.X;
 
         readonly AxisSpeed _speed = new AxisSpeed();
@@ -138,12 +139,12 @@ namespace Nowpose.Unity
             _source = this.SessionOr(_session);
             if (_source == null)
             {
-                ConsoleLog.Warn(this, "latency nudge '" + name + "' has no session above it to calibrate; assign one");
+                ConsoleLog.Warn(this, "latency nudge '" + name + "' has no session on its object or a parent; assign one");
                 return;
             }
             if (_loader == null) _loader = _source.GetComponent<LatencyProfileLoader>();
             var rig = _rig != null ? _rig : DisplayedBelow(_source);
-            if (rig == null) ConsoleLog.Warn(this, "latency nudge '" + name + "' finds no rig below the session to shift; assign one");
+            if (rig == null) ConsoleLog.Warn(this, "latency nudge '" + name + "' has no rig below the session; assign one");
             else
             {
                 _moved = rig.transform;
@@ -191,10 +192,10 @@ namespace Nowpose.Unity
         CompensationSession NudgedSession()
         {
             var session = _source != null ? _source.Session : null;
-            if (session == null) throw new InputException("nudge: no session to calibrate");
+            if (session == null) throw new InputException("nudge: there is no session; assign one");
             // The robot is drawn with the predicted display time, so the constant has no visible effect.
             if (session.Statistics(default).IsLightPredicted)
-                throw new InputException("nudge: the runtime predicts display times; there is nothing to nudge");
+                throw new InputException("nudge: the runtime predicts display times, so L_visu needs no correction");
             return session;
         }
 

@@ -19,14 +19,15 @@ namespace Nowpose.Unity
     [DisallowMultipleComponent]
     public sealed class LatencyProfileLoader : MonoBehaviour
     {
-        [SerializeField, Tooltip("The session that is calibrated. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session to calibrate. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
         [SerializeField, Tooltip("Name of the profile's file below the application's persistent data path, where it is also saved, and in "
             + "StreamingAssets; or a full path.")]
         string _fileName = "latency-profile.json";
 
-        [SerializeField, Tooltip("The profile where neither folder has one: the only way to ship it with an Android app. Empty: none.")]
+        [SerializeField, Tooltip("Profile that is used if neither folder contains one. An Android app can get a profile only in this way. Empty: "
+            + "none.")]
         TextAsset _shipped = null;
 
         const string Unkept = "a calibration that is not kept";
@@ -69,7 +70,7 @@ namespace Nowpose.Unity
         void OnEnable()
         {
             _source = this.SessionOr(_session);
-            if (_source == null) ConsoleLog.Warn(this, "latency profile loader '" + name + "' has no session above it to calibrate; assign one");
+            if (_source == null) ConsoleLog.Warn(this, "latency profile loader '" + name + "' has no session on its object or a parent; assign one");
             _calibrated = null;
             _judged = null;
             Reload();

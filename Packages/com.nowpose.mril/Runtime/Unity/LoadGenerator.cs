@@ -16,17 +16,18 @@ namespace Nowpose.Unity
     [DisallowMultipleComponent]
     public sealed class LoadGenerator : MonoBehaviour
     {
-        [SerializeField, Tooltip("What the wall is drawn with. A dark one: a headset's display only adds light, so black is there and not seen.")]
+        [SerializeField, Tooltip("Material of the wall. Choose a dark one: a headset's display only adds light, so black is not visible.")]
         Material _material = null;
 
-        [SerializeField, Range(0, LoadMesh.MaxVertices), Tooltip("How many vertices to draw. A load sweep sets them by itself.")]
+        [SerializeField, Range(0, LoadMesh.MaxVertices), Tooltip("Number of vertices to draw. A load sweep sets it.")]
         int _vertices = 0;
 
-        [SerializeField, Range(MinMsPerFrame, MaxMsPerFrame), Tooltip("What building a load may take of a frame, ms. 2: an eighth of a frame "
-            + "at 60 Hz, which a scene has left unless it is at its limit.")]
+        [SerializeField, Range(MinMsPerFrame, MaxMsPerFrame), Tooltip("Maximum time per frame to build a load, ms. Default 2: an eighth of a "
+            + "frame at 60 Hz, which a scene below its limit can spare.")]
         float _msPerFrame = 2;
 
-        [SerializeField, Range(0.05f, 5), Tooltip("Width of the wall in metres; it is 0.625 times as high. 0.6: all of it is in view from 1.3 m.")]
+        [SerializeField, Range(0.05f, 5), Tooltip("Width of the wall in metres; its height is 0.625 times the width. Default 0.6: the whole wall "
+            + "is in view from 1.3 m.")]
         float _widthMetres = 0.6f;
 
         const float MinMsPerFrame = 0.1f, MaxMsPerFrame = 10;
@@ -57,9 +58,9 @@ namespace Nowpose.Unity
         void OnEnable()
         {
             Problem = null;
-            if (_material == null) Fail("has no material to draw with; assign one");
+            if (_material == null) Fail("has no material; assign one");
             else if (_vertices < 0 || _vertices > LoadMesh.MaxVertices)
-                Fail("is to draw " + _vertices + " vertices; allowed are 0 to " + LoadMesh.MaxVertices);
+                Fail("has a load of " + _vertices + " vertices; allowed are 0 to " + LoadMesh.MaxVertices);
             else _patches = new LoadPatches(
                 transform, _material, _widthMetres, this.SessionOr(null).ClockOrDevices(),
                 Mathf.Clamp(_msPerFrame, MinMsPerFrame, MaxMsPerFrame));

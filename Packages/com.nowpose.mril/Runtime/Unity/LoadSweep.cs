@@ -26,42 +26,45 @@ namespace Nowpose.Unity
         /// <summary>Capacity for rows: maximum display rate in Hz, and maximum time to build a load, in s.</summary>
         const int MaxHz = 144, SecondsToBuild = 3;
 
-        [SerializeField, Tooltip("The session whose frames are logged. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session whose frames are logged. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
-        [SerializeField, Tooltip("What makes the load. Empty: the one on this object or below.")]
+        [SerializeField, Tooltip("The generator of the load. Empty: the generator on this object or a child.")]
         LoadGenerator _load = null;
 
-        [SerializeField, Tooltip("What measures the render time. Empty: the one on the session's object or below.")]
+        [SerializeField, Tooltip("The component that measures the render time. Empty: the one on the session's object or a child.")]
         RenderTimeSource _renderTime = null;
 
-        [SerializeField, Range(1000, SweepPlan.MaxVertices), Tooltip("Maximum load, vertices. 2000000: more than headsets draw in time, so "
-            + "that the limit is among the loads.")]
+        [SerializeField, Range(1000, SweepPlan.MaxVertices), Tooltip("Maximum load in vertices. Default 2000000: more than a headset can draw in "
+            + "time, so that the sweep passes the limit.")]
         int _mostVertices = SweepPlan.MaxVertices;
 
-        [SerializeField, Range(2, 100), Tooltip("Loads from none to the maximum, in equal steps. 10 place the limit within 5 %, 20 within 2 %.")]
+        [SerializeField, Range(2, 100), Tooltip("Number of equal steps from no load to the maximum. 10 steps locate the limit within 5 %, 20 "
+            + "steps within 2 %.")]
         int _steps = 10;
 
-        [SerializeField, Range(0.5f, 600), Tooltip("Seconds for which each load is shown. 5: some 40 pictures at eight a second.")]
+        [SerializeField, Range(0.5f, 600), Tooltip("Duration of each load in seconds. Default 5: about 40 pictures at eight per second.")]
         float _secondsPerLoad = 5;
 
-        [SerializeField, Range(0, 60), Tooltip("Seconds before, in which the GPU's queue follows the new load. Logged like the rest.")]
+        [SerializeField, Range(0, 60), Tooltip("Additional time in seconds before each load, until the GPU's queue has settled. It is logged, "
+            + "too.")]
         float _settleSeconds = 1;
 
-        [SerializeField, Tooltip("Go through the loads in reverse afterwards. On, for a processor that grows warm would look like a load otherwise.")]
+        [SerializeField, Tooltip("Repeat the loads in reverse order. Otherwise, a processor that becomes warm would look like an effect of the "
+            + "load.")]
         bool _goesDown = true;
 
-        [SerializeField, Tooltip("Folder for the logs, below the application's persistent data path, which a HoloLens shows under LocalState in its "
-            + "device portal; or a full path. It is made where there is none.")]
+        [SerializeField, Tooltip("Folder for the logs: a path below the application's persistent data path, or a full path. It is created if it "
+            + "does not exist. A HoloLens shows the persistent data path as LocalState in its device portal.")]
         string _folder = "calibration";
 
-        [SerializeField, Tooltip("Start as soon as this component is enabled. Off, because the camera must be set up first.")]
+        [SerializeField, Tooltip("Start when this component is enabled. Off by default, because the camera must be set up first.")]
         bool _startOnEnable = false;
 
         [SerializeField, Tooltip("Text that shows the progress. Empty: none.")]
         TextMesh _text = null;
 
-        [SerializeField, Tooltip("It has gone through all loads, the log is written and judged.")]
+        [SerializeField, Tooltip("Called when the sweep is complete and its log is written and evaluated.")]
         UnityEvent _onDone = new UnityEvent();
 
         MrilSession _source;
@@ -109,9 +112,9 @@ namespace Nowpose.Unity
             _source = this.SessionOr(_session);
             _generator = _load != null ? _load : GetComponentInChildren<LoadGenerator>();
             _measures = _renderTime != null ? _renderTime : _source != null ? _source.GetComponentInChildren<RenderTimeSource>() : null;
-            if (_source == null) Fail("has no session above it; assign one");
-            else if (_generator == null) Fail("has no load generator below it; assign one");
-            else if (_measures == null) Fail("finds no render time source at its session; assign one");
+            if (_source == null) Fail("has no session on its object or a parent; assign one");
+            else if (_generator == null) Fail("has no load generator on its object or a child; assign one");
+            else if (_measures == null) Fail("has no render time source at its session; assign one");
             else Begin();
         }
 
@@ -121,7 +124,7 @@ namespace Nowpose.Unity
             if (!IsRunning) return;
             End();
             ShowText(SweepWords.Stopped);
-            ConsoleLog.Info(this, "load sweep stopped; what it logged is in " + Path);
+            ConsoleLog.Info(this, "load sweep stopped; its log is " + Path);
         }
 
         void OnEnable()
@@ -184,13 +187,13 @@ namespace Nowpose.Unity
         // Logs the previous frame, because only now its final code is known.
         void Follow()
         {
-            // Not checked at the start: components that are enabled together with the sweep may be enabled a moment later.
+            // Not checked at the start, because components that are enabled together with the sweep may start after it.
             if (ProblemOfLoad() is string problem)
             {
                 Abandon(problem);
                 return;
             }
-            // Also while a load is built: otherwise a picture of a missing frame could match a frame one code period later.
+            // Logs frames also while a load is built; otherwise a picture of a missing frame could match a frame one code period later.
             if (_frame?.Control != null) _file.Add(_frame.Value.ToRow(_conditions.Device, _displayHz));
             ShowPhase();
             var isOver = _run.Advance(_frame?.Start ?? default, _frame?.IsReady ?? false);
@@ -223,7 +226,7 @@ namespace Nowpose.Unity
         // Without this check, the sweep would wait forever for a load that cannot be built.
         string ProblemOfLoad()
         {
-            if (_generator == null) return "load sweep '" + name + "' has lost its load generator; what it logged is kept";
+            if (_generator == null) return "load sweep '" + name + "' has lost its load generator; its log is kept";
             if (_generator.Problem != null) return _generator.Problem;
             return _generator.isActiveAndEnabled ? null : "load generator '" + _generator.name + "' is switched off; the sweep needs it";
         }

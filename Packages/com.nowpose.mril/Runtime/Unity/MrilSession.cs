@@ -28,29 +28,30 @@ namespace Nowpose.Unity
         /// <summary>Execution order of this component: after scripts with the default order 0.</summary>
         public const int ExecutionOrder = 10_000;
 
-        [SerializeField, Tooltip("Where the gateway is, and how the display is calibrated.")]
+        [SerializeField, Tooltip("Address of the gateway and calibration of the display.")]
         SessionSettingsAsset _settings = null;
 
-        [SerializeField, Tooltip("The robot. Empty: the one that the gateway describes on /robot_description.")]
+        [SerializeField, Tooltip("The robot. Empty: the robot that the gateway describes on /robot_description.")]
         RobotDescriptionAsset _robot = null;
 
-        [SerializeField, Tooltip("Connect as soon as this component is enabled. On, for most scenes have nothing to wait for; off where a menu "
-            + "calls Connect, or where a script brings the samples.")]
+        [SerializeField, Tooltip("Connect when this component is enabled. Turn off if a menu calls Connect or a script provides the samples.")]
         bool _connectOnEnable = true;
 
-        [SerializeField, Tooltip("The clock has been synchronised for half a second.")]
+        [SerializeField, Tooltip("Called when the clock has been synchronised for half a second.")]
         UnityEvent _onSynchronised = new UnityEvent();
 
-        [SerializeField, Tooltip("The clock is synchronised no longer, or the application was paused; not called when this component is disabled.")]
+        [SerializeField, Tooltip("Called when the clock is no longer synchronised or the application was paused; not called when this component "
+            + "is disabled.")]
         UnityEvent _onLost = new UnityEvent();
 
-        [SerializeField, Tooltip("The render time has been in the constant-latency range for half a second.")]
+        [SerializeField, Tooltip("Called when the render time has been in the constant-latency range for half a second.")]
         UnityEvent _onEnteredRange = new UnityEvent();
 
-        [SerializeField, Tooltip("The render time is beyond the constant-latency range: the visualisation latency is longer than calibrated.")]
+        [SerializeField, Tooltip("Called when the render time has left the constant-latency range: the visualisation latency is longer than "
+            + "calibrated.")]
         UnityEvent _onLeftRange = new UnityEvent();
 
-        [SerializeField, Tooltip("The arm is held, for its samples are too old or too few.")]
+        [SerializeField, Tooltip("Called when the arm is held, because its samples are too old or too few.")]
         UnityEvent _onStale = new UnityEvent();
 
         // Used until the gateway has described a robot: it has no joints and is not shown.
@@ -59,7 +60,7 @@ namespace Nowpose.Unity
         readonly SessionWatch _watch = new SessionWatch();
         readonly SessionStatistics _statistics = new SessionStatistics();
         readonly DeviceWatch _device = new DeviceWatch();
-        // With sufficient initial capacity, so that no frame allocates.
+        // The initial capacity is sufficient, so that no frame allocates.
         readonly Queue<SessionChange> _changes = new Queue<SessionChange>(4);
         SessionLog _log;
         SessionSettings _given, _used;

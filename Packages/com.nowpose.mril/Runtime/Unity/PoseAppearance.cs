@@ -22,14 +22,14 @@ namespace Nowpose.Unity
     [DisallowMultipleComponent]
     public sealed class PoseAppearance : MonoBehaviour
     {
-        [SerializeField, Tooltip("The session whose pose is shown. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session whose pose is shown. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
-        [SerializeField, Tooltip("Where the words are written. They turn to the viewer, and are as large as it takes to read them. Empty: no words.")]
+        [SerializeField, Tooltip("Text that shows the state. It turns to the viewer and keeps a legible size. Empty: no text.")]
         TextMesh _words = null;
 
-        [SerializeField, Tooltip("Drawn in place of opaque materials whose shader lacks _Hatch or _Fade, while the pose is not current. It needs "
-            + "both itself, as the package's Hologram has. Empty: such parts are hidden then.")]
+        [SerializeField, Tooltip("Replaces opaque materials whose shader lacks _Hatch or _Fade while the pose is not current. Its own shader "
+            + "must have both, as the package's Hologram does. Empty: such parts are hidden instead.")]
         Material _substitute = null;
 
         readonly PoseMaterials _materials = new PoseMaterials();
@@ -137,7 +137,7 @@ namespace Nowpose.Unity
                 _source.Hidden += Abandon;
                 if (_source.Frame != null) Take(_source.Frame);
             }
-            else ConsoleLog.Warn(this, "pose appearance '" + name + "' has no session above it to follow; assign one");
+            else ConsoleLog.Warn(this, "pose appearance '" + name + "' has no session on its object or a parent; assign one");
             Refresh();
         }
 

@@ -22,7 +22,7 @@ namespace Nowpose.Unity
     {
         const int Display = 0, Engine = 1, Completion = 2, Cameras = 3;
 
-        [SerializeField, Tooltip("The session that receives the times. Empty: the one on this object or a parent.")]
+        [SerializeField, Tooltip("The session that receives the render times. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
         readonly GpuTimes _gpu = new GpuTimes();
@@ -36,7 +36,7 @@ namespace Nowpose.Unity
         CameraTime _cameras;
         HeadsetTime? _trigger;
 
-        /// <summary>Source of the render times; none before thirty frames were measured, and when no source works any more.</summary>
+        /// <summary>Source of the render times; none before thirty measured frames and when no source works.</summary>
         public RenderTimeSourceKind Source => _choice?.Source ?? RenderTimeSourceKind.None;
 
         /// <summary>The newest Δt_render; null if none became known in this frame.</summary>

@@ -27,7 +27,7 @@ namespace Nowpose.Unity
         /// <exception cref="InputException">Not a robot that can be computed; the message names this asset, the line and the element.</exception>
         public RobotModel Read()
         {
-            if (string.IsNullOrWhiteSpace(_urdf)) throw new InputException("'" + name + "': holds no URDF; load the robot's into it");
+            if (string.IsNullOrWhiteSpace(_urdf)) throw new InputException("'" + name + "': contains no URDF; load the URDF of the robot");
             return UrdfReader.Read(_urdf, "'" + name + "'");
         }
     }

@@ -16,17 +16,18 @@ namespace Nowpose.Unity
     [DisallowMultipleComponent]
     public sealed class RobotRig : MonoBehaviour
     {
-        [SerializeField, Tooltip("The session that moves this robot. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session that moves this robot. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
-        [SerializeField, Tooltip("Displayed: where the robot is when the light reaches the eye. Held: the newest sample as it came, to compare.")]
+        [SerializeField, Tooltip("Displayed: the robot's pose at the time when the light reaches the eye. Held: the newest sample, for "
+            + "comparison.")]
         RigPose _shows = RigPose.Displayed;
 
-        [SerializeField, Tooltip("For a robot built of primitives: its links up to the flange. An occluder, where the real arm is to hide what "
-            + "is behind it.")]
+        [SerializeField, Tooltip("Material of the links up to the flange, for a robot built of primitives. Choose an occluder if the real arm is "
+            + "to hide the objects behind it.")]
         Material _armMaterial = null;
 
-        [SerializeField, Tooltip("For a robot built of primitives: the links that its flange carries.")]
+        [SerializeField, Tooltip("Material of the links that the flange carries, for a robot built of primitives.")]
         Material _toolMaterial = null;
 
         MrilSession _source;
@@ -122,7 +123,7 @@ namespace Nowpose.Unity
         {
             if (_source != null) FollowRobot();
             else if (Model == null)
-                ConsoleLog.Warn(this, "rig '" + name + "' has no session above it to move it; assign one, or call Bind and Apply");
+                ConsoleLog.Warn(this, "rig '" + name + "' has no session on its object or a parent; assign one, or call Bind and Apply");
         }
 
         void OnDestroy()
@@ -167,8 +168,8 @@ namespace Nowpose.Unity
             made = look.Made;
             if (look.LacksMaterial && !_isMaterialReported)
                 Debug.LogWarning(
-                    "[Nowpose] rig '" + name + "' lacks a material for the robot that it built, which is therefore "
-                    + (made != null ? "drawn by the shader Nowpose/Hologram" : "magenta, for this build does not contain the shader Nowpose/Hologram")
+                    "[Nowpose] rig '" + name + "' has no material for the robot that it built, so the robot is "
+                    + (made != null ? "drawn by the shader Nowpose/Hologram" : "magenta, because this build does not contain the shader Nowpose/Hologram")
                     + "; assign Arm Material and Tool Material", this);
             _isMaterialReported |= look.LacksMaterial;
             return links;

@@ -16,19 +16,18 @@ namespace Nowpose.Unity
     [DisallowMultipleComponent]
     public sealed class SessionRecording : MonoBehaviour
     {
-        [SerializeField, Tooltip("The session to record. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session to record. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
-        [SerializeField, Tooltip("Folder for the files, below the application's persistent data path, which a HoloLens shows under LocalState in its "
-            + "device portal; or a full path. It is made where there is none.")]
+        [SerializeField, Tooltip("Folder for the files: a path below the application's persistent data path, or a full path. It is created if it "
+            + "does not exist. A HoloLens shows the persistent data path as LocalState in its device portal.")]
         string _folder = "recordings";
 
-        [SerializeField, Tooltip("Maximum size of one file in megabytes, 0.001 to 100000; then the recording ends with a message. 500 MB are five hours "
-            + "of a usual session.")]
+        [SerializeField, Tooltip("Maximum size of one file in megabytes, 0.001 to 100000. At this size the recording ends with a message. 500 MB "
+            + "are five hours of a usual session.")]
         double _maximumMegabytes = 500;
 
-        [SerializeField, Tooltip("Record as soon as this component is enabled. On, for it was added to record; off where a menu calls "
-            + "StartRecording.")]
+        [SerializeField, Tooltip("Record when this component is enabled. Turn off if a menu calls StartRecording.")]
         bool _recordOnEnable = true;
 
         MrilSession _source;
@@ -67,7 +66,7 @@ namespace Nowpose.Unity
         void OnEnable()
         {
             _source = this.SessionOr(_session);
-            if (_source == null) ConsoleLog.Warn(this, "session recording '" + name + "' has no session above it to record; assign one");
+            if (_source == null) ConsoleLog.Warn(this, "session recording '" + name + "' has no session on its object or a parent; assign one");
             if (_recordOnEnable) StartRecording();
         }
 

@@ -14,36 +14,37 @@ namespace Nowpose.Unity
     public sealed class SessionSettingsAsset : ScriptableObject
     {
         [Header("Gateway")]
-        [SerializeField, Tooltip("Name or address of the gateway. 127.0.0.1 is this machine: a gateway beside the editor.")]
+        [SerializeField, Tooltip("Name or address of the gateway. 127.0.0.1 is this machine, for a gateway beside the editor.")]
         string _host = "127.0.0.1";
 
-        [SerializeField, Tooltip("TCP port of the clock synchronisation, 1 to 65535. 47010 is what the gateway listens on by default.")]
+        [SerializeField, Tooltip("TCP port of the clock synchronisation, 1 to 65535. The gateway's default is 47010.")]
         int _syncPort = ProtocolLimits.SyncPort;
 
-        [SerializeField, Tooltip("Port of the joint positions, 1 to 65535. 47011 is what the gateway listens on by default.")]
+        [SerializeField, Tooltip("TCP port of the joint positions, 1 to 65535. The gateway's default is 47011.")]
         int _webSocketPort = ProtocolLimits.WebSocketPort;
 
-        [SerializeField, Tooltip("The gateway's public key as the gateway prints it, sha256/…=. With it both connections are encrypted and trust "
-            + "this key only. Empty: none.")]
+        [SerializeField, Tooltip("The gateway's public key as the gateway prints it, sha256/…=. With a pin, both connections are encrypted and "
+            + "accept this key only. Empty: no pin.")]
         string _pin = "";
 
-        [SerializeField, Tooltip("Encrypt, and trust a certificate that the device's own store trusts. Not needed beside a pin.")]
+        [SerializeField, Tooltip("Encrypt the connections and accept a certificate that the device's certificate store trusts. Not needed with a "
+            + "pin.")]
         bool _deviceTrust = false;
 
-        [SerializeField, Tooltip("What proves this headset to a gateway that asks for it, up to 512 bytes; travels encrypted or within this "
-            + "machine only. It lies readable in the project and in the app: better give it to ToSettings. Empty: none.")]
+        [SerializeField, Tooltip("Token that identifies this headset to the gateway, up to 512 bytes. It is sent only encrypted or within this "
+            + "machine. The project and the app contain it as readable text; pass it to ToSettings instead to avoid this. Empty: no token.")]
         string _token = "";
 
-        [SerializeField, Tooltip("Allow unencrypted connections to another machine. Only in a network whose every member is trusted; the "
-            + "status panel shows it.")]
+        [SerializeField, Tooltip("Allow unencrypted connections to another machine. Use it only in a network in which every device is trusted. "
+            + "The status panel shows it.")]
         bool _insecureLan = false;
 
-        [SerializeField, Tooltip("Names this headset in its diagnostics, 1 to 128 characters; no two at one gateway may share theirs. Empty: the name that "
-            + "the device has in its system settings.")]
+        [SerializeField, Tooltip("Name of this headset in its diagnostics, 1 to 128 characters; must be unique at the gateway. Empty: the "
+            + "device's name in its system settings.")]
         string _headsetName = "";
 
-        [SerializeField, Tooltip("Tell the gateway up to 20 times a second which joints are shown, about 9 kB/s, so that its page of operations can "
-            + "draw them beside the robot. On: no frame does anything for it.")]
+        [SerializeField, Tooltip("Send the displayed joints to the gateway up to 20 times a second, about 9 kB/s, so that its operations page "
+            + "can draw them beside the robot. Frames do not wait for it.")]
         bool _publishDisplayed = true;
 
         [Header("Display")]
@@ -51,65 +52,66 @@ namespace Nowpose.Unity
             + "device; 40 ms is about two and a half frames at 60 Hz.")]
         double _visualisationMs = 40;
 
-        [SerializeField, Tooltip("Render time in ms, 0.1 to 1000, up to which L_visu is constant; beyond it the pose is marked. 0: not "
-            + "calibrated yet, so nothing is marked.")]
+        [SerializeField, Tooltip("Maximum render time in ms, 0.1 to 1000, at which L_visu is constant. Beyond it the pose is marked. 0: not "
+            + "calibrated, so nothing is marked.")]
         double _renderTimeLimitMs = 0;
 
-        [SerializeField, Tooltip("What the render time was measured with when its limit was found. The limit means nothing for another source.")]
+        [SerializeField, Tooltip("Source of the render times from which the limit was determined. The limit is not valid for another source.")]
         RenderTimeSourceKind _renderTimeLimitSource = RenderTimeSourceKind.None;
 
-        [SerializeField, Tooltip("What is shown while the render time is outside the range: the pose goes on and fades, goes on as bright as ever, or "
-            + "the newest samples are held. It is striped and said in words each time. Fade: it is late by an unknown time, yet better than held.")]
+        [SerializeField, Tooltip("What is shown while the render time is outside the constant-latency range. Fade: the predicted pose, fainter. "
+            + "Go On: the predicted pose, as bright as usual. Hold: the newest samples. A striped surface and a text mark the robot in each "
+            + "case. Default Fade, because a late prediction is more accurate than the newest samples.")]
         OutsideRangeResponse _outsideRange = OutsideRangeResponse.Fade;
 
-        [SerializeField, Tooltip("Compute and write the pose again right before rendering, with the newer time: a few ms less to predict for "
-            + "twice the work. Off, for L_visu has to be calibrated with the same choice.")]
+        [SerializeField, Tooltip("Compute the pose again right before rendering, with a newer time. This shortens the prediction by a few ms and "
+            + "doubles the work. Calibrate L_visu with the same choice.")]
         bool _rewriteBeforeRender = false;
 
         [Header("Prediction")]
-        [SerializeField, PredictorName, Tooltip("adaptive, hold, linear, quadratic, cubic, quadratic-h3, quadratic-h4 or gp. Adaptive learns from the motion which of "
-            + "them is right, and bears samples' times that are off; quadratic is the paper's.")]
+        [SerializeField, PredictorName, Tooltip("adaptive, hold, linear, quadratic, cubic, quadratic-h3, quadratic-h4 or gp. adaptive selects "
+            + "the best forecast from the motion and tolerates inaccurate time stamps; quadratic is the paper's method.")]
         string _predictor = Predictors.Default;
 
-        [SerializeField, Tooltip("How far ahead of the newest sample is predicted at most, ms, 0 to 5000; then the pose stays and is marked as "
-            + "held. 300 ms: beyond it a prediction is worse than none.")]
+        [SerializeField, Tooltip("Maximum time in ms by which a prediction is ahead of the newest sample, 0 to 5000. Beyond it the pose stays "
+            + "and is marked as held. 300 ms: a longer prediction is worse than none.")]
         double _horizonCapMs = 300;
 
-        [SerializeField, Tooltip("A longer pause between two samples ends their history, ms, 1 to 60000. 500 ms: what the robot did before says "
-            + "nothing about what it does after.")]
+        [SerializeField, Tooltip("Maximum time between two samples, ms, 1 to 60000. After a longer gap the prediction starts again, because the "
+            + "motion before the gap does not determine the motion after it.")]
         double _maximumGapMs = 500;
 
-        [SerializeField, Tooltip("Within how many ms a joint glides most of the way from one prediction to the next when a sample corrects it, "
-            + "0 to 200; 0: it jumps. 14 ms costs less than 5 % of accuracy. Samples that come quickly shorten it.")]
+        [SerializeField, Tooltip("Time in ms in which a joint makes most of the correction when a new sample changes the prediction, 0 to 200. "
+            + "0: the joint jumps. 14 ms costs less than 5 % of accuracy. Frequent samples shorten it.")]
         double _blendMs = PredictionSettings.DefaultBlendMs;
 
-        [SerializeField, Tooltip("Show joints by the set-points that the control system publishes ahead of time, as late as the joints follow "
-            + "them; nothing is predicted then. On: a joint that does not follow is predicted as ever.")]
+        [SerializeField, Tooltip("Show joints by the set-points that the control system publishes ahead of time, with the delay at which the "
+            + "joints follow them. Joints that do not follow their set-points are predicted.")]
         bool _followPlan = true;
 
-        [SerializeField, Tooltip("What the robot's programs use of the velocity limits in its URDF, percent, 1 to 100. 100: the limits as they are; "
-            + "no prediction moves faster. With the override at 30 percent, enter 30.")]
+        [SerializeField, Tooltip("Maximum speed of the robot's programs as a percentage of the velocity limits in the URDF, percent, 1 to 100. "
+            + "No prediction is faster. Example: with a speed override of 30 percent, enter 30.")]
         double _speedPercent = 100;
 
-        [SerializeField, Tooltip("Maximum acceleration of revolute joints whose URDF has none, radians per second squared, 0.01 to 1000000; 0: not "
-            + "known. With both limits moves from rest to rest are predicted by their profile.")]
+        [SerializeField, Tooltip("Maximum acceleration of revolute joints without one in the URDF, radians per second squared, 0.01 to 1000000. "
+            + "0: unknown. With both limits, moves from rest to rest are predicted with their motion profile.")]
         double _accelerationRadians = 0;
 
-        [SerializeField, Tooltip("Maximum jerk of revolute joints whose URDF has none, radians per second cubed, 0.01 to 1000000; 0: not known. The "
-            + "value is in the robot's data sheet or its control's machine data.")]
+        [SerializeField, Tooltip("Maximum jerk of revolute joints without one in the URDF, radians per second cubed, 0.01 to 1000000. 0: "
+            + "unknown. The value is in the robot's data sheet or in the machine data of its control system.")]
         double _jerkRadians = 0;
 
         [Header("Clock")]
-        [SerializeField, Tooltip("Whom to ask for the control time. Clock Sync: the gateway, on the Sync Port. Ros Time: a rosbridge server without a "
-            + "gateway, by its service /rosapi/get_time; nothing uses the Sync Port then, and the time is less exact.")]
+        [SerializeField, Tooltip("Source of the control time. Clock Sync: the gateway, on the Sync Port. Ros Time: the service /rosapi/get_time "
+            + "of a rosbridge server without a gateway; the Sync Port is not used, and the time is less accurate.")]
         ControlClockSource _clockSource = ControlClockSource.ClockSync;
 
-        [SerializeField, ClockEstimatorName, Tooltip("default or ransac: how the offset of the headset's clock is found. ransac is the paper's; default is 5 to 15 "
-            + "times closer over WiFi and follows clocks that step.")]
+        [SerializeField, ClockEstimatorName, Tooltip("Method that estimates the clock offset, default or ransac. ransac is the paper's method; "
+            + "default is 5 to 15 times more accurate over WiFi and follows clock steps.")]
         string _clockEstimator = ClockEstimators.Default;
 
-        [SerializeField, Tooltip("From one clock exchange to the next, ms, 20 to 10000; a quarter of it at the start and after a step, five times "
-            + "as much on a quiet network. 200 ms: the clock is known within seconds, and the network hardly notices.")]
+        [SerializeField, Tooltip("Time between two clock exchanges, ms, 20 to 10000. A quarter of it applies at the start and after a clock "
+            + "step, five times as much on a quiet network. 200 ms: the clock is synchronised within seconds at little network load.")]
         double _syncIntervalMs = ProtocolLimits.SyncIntervalMs;
 
         static double Known(double limit) => limit == 0 ? double.PositiveInfinity : limit;

@@ -15,24 +15,26 @@ namespace Nowpose.Unity
     [DisallowMultipleComponent]
     public sealed class StatusPanel : MonoBehaviour
     {
-        [SerializeField, Tooltip("The session whose status is shown. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session whose status is shown. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
-        [SerializeField, Tooltip("A text below this object that is copied: font, material, style and colour of all cells. Inactive itself.")]
+        [SerializeField, Tooltip("A text below this object. Every text of the panel copies its font, material, style and colour. Keep it "
+            + "inactive.")]
         TextMesh _cell = null;
 
-        [SerializeField, Tooltip("Of the ground behind the text, drawn before it. Empty: none.")]
+        [SerializeField, Tooltip("Material of the background, which is drawn before the text. Empty: no background.")]
         Material _ground = null;
 
-        [SerializeField, Tooltip("An object that stays below the lower edge, such as a bar to grab it by. One unit of it becomes one font size. "
-            + "A child of this object. Empty: none.")]
+        [SerializeField, Tooltip("Child of this object that stays below the panel's lower edge, such as a bar to grasp it by. One unit of it "
+            + "becomes one font size. Empty: none.")]
         Transform _bar = null;
 
-        [SerializeField, Range(0.1f, 2), Tooltip("From one look at the session to the next, seconds. 0.25: numbers that change faster cannot be read.")]
+        [SerializeField, Range(0.1f, 2), Tooltip("Time between two updates of the text in seconds. Default 0.25: numbers that change faster "
+            + "cannot be read.")]
         float _refreshSeconds = 0.25f;
 
-        [SerializeField, Tooltip("Say on top, while nothing went wrong, how much of each joint's error is removed, % over 10 s. Off: the tool's "
-            + "is what the wearer sees.")]
+        [SerializeField, Tooltip("Show the reduction of each joint's error over 10 s in percent on the first line, while there is no problem to "
+            + "report. Off: only the reduction of the tool error is shown.")]
         bool _showJoints = false;
 
         readonly StatusTexts _texts = new StatusTexts();
@@ -54,8 +56,8 @@ namespace Nowpose.Unity
             _anchor = _source != null ? _source.GetComponentInChildren<BaseAnchor>(true) : null;
             _pairing = _source != null ? _source.GetComponentInChildren<CellPairing>(true) : null;
             _due = 0;
-            if (_source == null) ConsoleLog.Warn(this, "status panel '" + name + "' has no session above it to show; assign one");
-            if (_cell == null) ConsoleLog.Fail(this, "status panel '" + name + "' has no cell to copy; assign a text below it");
+            if (_source == null) ConsoleLog.Warn(this, "status panel '" + name + "' has no session on its object or a parent; assign one");
+            if (_cell == null) ConsoleLog.Fail(this, "status panel '" + name + "' has no text to copy; assign a text on a child object");
         }
 
         // Hides numbers that are no longer updated.
@@ -68,7 +70,7 @@ namespace Nowpose.Unity
             if (_cell == null || Time.unscaledTime < _due) return;
             _due = Time.unscaledTime + _refreshSeconds;
             if (_cells == null) MakeCells();
-            _texts.TellsOfJoints = _showJoints;
+            _texts.ShowsJointErrors = _showJoints;
             if (_source == null) _texts.Update(null, null, null, null);
             else _texts.Update(_source.Statistics, _source.Settings, _source.Robot?.Name, _source.Problem, _anchor, _pairing);
             _cells.Show(_texts);

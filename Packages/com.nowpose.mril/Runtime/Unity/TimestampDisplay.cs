@@ -20,17 +20,18 @@ namespace Nowpose.Unity
     {
         const string NoSession = "no session", NotSynchronised = "clock not synchronised";
 
-        [SerializeField, Tooltip("The session whose frames it stamps. Empty: the one on this object or above.")]
+        [SerializeField, Tooltip("The session whose frames are shown. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
-        [SerializeField, Tooltip("A text below this object that is copied: font, material and colour of the time. Inactive itself. Empty: the code only.")]
+        [SerializeField, Tooltip("A text below this object. The time copies its font, material and colour. Keep it inactive. Empty: only the "
+            + "code is shown.")]
         TextMesh _cell = null;
 
-        [SerializeField, Tooltip("Of the code's lit squares: bright and unlit. The dark ones are nothing.")]
+        [SerializeField, Tooltip("Material of the code's lit squares. Choose a bright, unlit one. Dark squares are not drawn.")]
         Material _light = null;
 
-        [SerializeField, Range(0.02f, 1), Tooltip("Side of the code in metres. 0.1: an eighth of the height of a headset camera's picture from 1 m, and "
-            + "a tenth can be read.")]
+        [SerializeField, Range(0.02f, 1), Tooltip("Side length of the code in metres. Default 0.1: an eighth of the picture's height in a "
+            + "headset camera at 1 m; a tenth is enough to read it.")]
         float _sideMetres = 0.1f;
 
         MrilSession _source;
@@ -45,7 +46,7 @@ namespace Nowpose.Unity
             if (_light == null) ConsoleLog.Fail(this, "timestamp display '" + name + "' has no material for its squares; assign one");
             if (_source == null)
             {
-                ConsoleLog.Warn(this, "timestamp display '" + name + "' has no session above it to stamp; assign one");
+                ConsoleLog.Warn(this, "timestamp display '" + name + "' has no session on its object or a parent; assign one");
                 return;
             }
             _source.Shown += Show;

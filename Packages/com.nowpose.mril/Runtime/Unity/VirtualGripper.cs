@@ -15,13 +15,13 @@ namespace Nowpose.Unity
     [DisallowMultipleComponent]
     public sealed class VirtualGripper : MonoBehaviour
     {
-        [SerializeField, Tooltip("The rig whose flange it rides on. Empty: the one above this object.")]
+        [SerializeField, Tooltip("The rig whose flange carries the gripper. Empty: the rig on a parent.")]
         RobotRig _rig = null;
 
-        [SerializeField, Tooltip("Name of the link it rides on. Empty: the last link of the arm.")]
+        [SerializeField, Tooltip("Name of the link that carries the gripper. Empty: the last link of the arm.")]
         string _flangeLink = "";
 
-        [SerializeField, Tooltip("What opens and closes, and by which joint.")]
+        [SerializeField, Tooltip("Fingers of the gripper and the joints that move them.")]
         List<GripperFinger> _fingers = new List<GripperFinger>();
 
         RobotRig _source;
@@ -61,7 +61,7 @@ namespace Nowpose.Unity
         {
             var rig = _rig != null ? _rig : GetComponentInParent<RobotRig>();
             if (rig != null) Mount(rig);
-            else ConsoleLog.Fail(this, "gripper '" + name + "' has no rig to ride on; place it below one, or assign one");
+            else ConsoleLog.Fail(this, "gripper '" + name + "' has no rig; move it below a rig, or assign a rig");
         }
 
         void OnDisable() => Unmount();
@@ -70,7 +70,7 @@ namespace Nowpose.Unity
         {
             _flange = string.IsNullOrEmpty(_flangeLink) ? _source.Flange : _source.Link(_flangeLink);
             if (_flange == null)
-                ConsoleLog.Fail(this, "gripper '" + name + "': robot '" + _source.Model.Name + "' has no link '" + _flangeLink + "' to ride on");
+                ConsoleLog.Fail(this, "gripper '" + name + "': robot '" + _source.Model.Name + "' has no link '" + _flangeLink + "'; correct Flange Link");
             Rest();
             var drives = new List<FingerDrive>();
             var unknown = "";
@@ -80,7 +80,7 @@ namespace Nowpose.Unity
             // Not a warning, because this is correct for a robot without a gripper.
             if (unknown.Length > 0)
                 ConsoleLog.Info(this, "gripper '" + name + "': robot '" + _source.Model.Name + "' has no moving joint " + unknown
-                    + ", so what that moves stays as it is");
+                    + ", so its finger does not move");
         }
 
         bool TryDrive(GripperFinger finger, ref string unknown, out FingerDrive drive)

@@ -122,7 +122,7 @@ public class JointBoardTests
     [TestCase("refused")]
     [TestCase("fault")]
     [TestCase("missing")]
-    public void Read_AdapterReportsAFault_IsThatFaultWithItsReason(string word)
+    public void Read_AdapterReportsAFault_ReturnsTheFaultWithItsReason(string word)
     {
         _source.Name = "press";
         Send(3, "a", "b");
@@ -246,7 +246,7 @@ public class JointBoardTests
     }
 
     [Test]
-    public void Read_AdapterWithoutTheJointAnyMore_RemovesIt()
+    public void Read_AdapterNoLongerHasTheJoint_RemovesTheJoint()
     {
         Report("press", ("a", "missing", ""), ("b", "missing", ""));
 
@@ -356,7 +356,7 @@ public class JointBoardTests
     }
 
     [Test]
-    public void Read_JointOfTheArmWithoutASource_IsMissingWhileAnotherHasOne()
+    public void Read_ArmJointWithoutASource_IsMissingWhileAnotherJointHasOne()
     {
         var arm = RobotFiles.Load("youbot");
         var names = UnpublishedJoints.NamesOf(arm).Order().ToArray();

@@ -26,7 +26,7 @@ public sealed class QuaternionTests
     [TestCase(0, 0, 90, 1, 0, 0, 0, 1, 0)]
     [TestCase(30, 40, 50, 1, 2, 3, 1.648145f, 0.276755f, 3.34769f)]
     [TestCase(-20, 100, 35, 1, 2, 3, 2.088192f, 3.104548f, -0.035144f)]
-    public void Times_Vector_RotatesIt(float x, float y, float z, float vx, float vy, float vz, float rx, float ry, float rz)
+    public void Multiply_Vector_RotatesTheVector(float x, float y, float z, float vx, float vy, float vz, float rx, float ry, float rz)
     {
         var turned = Quaternion.Euler(x, y, z) * new Vector3(vx, vy, vz);
 
@@ -47,7 +47,7 @@ public sealed class QuaternionTests
     [TestCase(0, 0, 0)]
     [TestCase(0, 359, 1)]
     [TestCase(89, 30, 300)]
-    public void EulerAngles_OfEuler_RoundTrip(float x, float y, float z)
+    public void EulerAngles_Euler_RoundTrip(float x, float y, float z)
     {
         var angles = Quaternion.Euler(x, y, z).eulerAngles;
 
@@ -80,7 +80,7 @@ public sealed class QuaternionTests
     public void AngleAxis_ZeroAxis_IsTheIdentity() => Assert.That(Quaternion.AngleAxis(70, Vector3.zero), Is.EqualTo(Quaternion.identity));
 
     [Test]
-    public void ToAngleAxis_OfAngleAxis_RoundTrips()
+    public void ToAngleAxis_AngleAxis_RoundTrips()
     {
         Quaternion.AngleAxis(70, new Vector3(1, 2, 3)).ToAngleAxis(out var angle, out var axis);
 
@@ -143,7 +143,7 @@ public sealed class QuaternionTests
     }
 
     [Test]
-    public void Slerp_PartOfAQuarterTurn_ReturnsThatPart()
+    public void Slerp_PartOfAQuarterTurn_ReturnsTheInterpolation()
     {
         var q = Quaternion.Slerp(Quaternion.identity, Quaternion.Euler(0, 90, 0), 0.3f);
 

@@ -9,7 +9,7 @@ public sealed class ExceptionTests : PlayerFixture
     [TestCase("OnEnable", "Awake OnEnable a.Awake a.OnEnable Start a.Start Update a.Update a.LateUpdate")]
     [TestCase("Start", "Awake OnEnable a.Awake a.OnEnable Start a.Start Update a.Update a.LateUpdate")]
     [TestCase("Update", "Awake OnEnable a.Awake a.OnEnable Start a.Start Update a.Update a.LateUpdate")]
-    public void Message_Throws_OthersContinueAndItIsLogged(string message, string expected)
+    public void Message_Throws_IsLoggedAndOtherScriptsContinue(string message, string expected)
     {
         Thrower.In = message;
         var thrower = Add<Thrower>("t");

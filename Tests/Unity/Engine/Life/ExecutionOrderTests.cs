@@ -19,7 +19,7 @@ public sealed class ExecutionOrderTests : PlayerFixture
     }
 
     [Test]
-    public void Enabled_AgainLater_KeepsItsOrder()
+    public void Enabled_ReenabledLater_KeepsItsOrder()
     {
         var early = Add<EarlyRecorder>("early");
         Add<Recorder>("a");

@@ -144,7 +144,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void OnDisable_ObjectDeactivated_SeesItInactive()
+    public void OnDisable_ObjectDeactivated_IsCalledAfterwards()
     {
         var a = Add<Recorder>("a");
         var active = true;
@@ -171,7 +171,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void Update_DisablesTheNext_WhichIsNotCalled()
+    public void Update_DisablesTheNextScript_SkipsIt()
     {
         var a = Add<Recorder>("a");
         var b = Add<Recorder>("b");
@@ -205,7 +205,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void Start_AddsAnother_WhichStartsBeforeItsFirstUpdate()
+    public void Start_AddsAComponent_StartsItBeforeItsFirstUpdate()
     {
         var a = Add<Recorder>("a");
         Journal.Take();
@@ -215,7 +215,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void Start_AddsAnotherThatDisablesItself_WhichGetsNoUpdate()
+    public void Start_AddsAComponentThatDisablesItself_SkipsItsUpdate()
     {
         var a = Add<Recorder>("a");
         Journal.Take();
@@ -246,6 +246,6 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void Message_ThatTheStandInDoesNotCall_IsRefused() =>
+    public void Message_NotCalledByTheStandIn_IsRefused() =>
         Assert.That(() => Add<WithFixedUpdate>("a"), Throws.TypeOf<NotSupportedException>().With.Message.Contains("WithFixedUpdate.FixedUpdate"));
 }

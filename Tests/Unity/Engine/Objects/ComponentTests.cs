@@ -20,7 +20,7 @@ public sealed class ComponentTests : PlayerFixture
     }
 
     [Test]
-    public void AddComponent_SecondOfADisallowMultiple_IsRefused()
+    public void AddComponent_SecondWithDisallowMultipleComponent_IsRefused()
     {
         var a = new GameObject("a");
         a.AddComponent<Demanding>();
@@ -30,7 +30,7 @@ public sealed class ComponentTests : PlayerFixture
     }
 
     [Test]
-    public void GetComponent_OfAnInterfaceOrABase_FindsTheFirst()
+    public void GetComponent_InterfaceOrBase_FindsTheFirst()
     {
         var a = Add<Keeper>("a");
 

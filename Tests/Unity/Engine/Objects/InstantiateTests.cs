@@ -97,7 +97,7 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Copy_OfAnInactiveOrDisabledObject_IsAlsoInactiveOrDisabled()
+    public void Copy_InactiveOrDisabledObject_KeepsTheState()
     {
         var source = Add<Recorder>("a");
         source.enabled = false;
@@ -111,7 +111,7 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Copy_OfATree_PlacesEveryPart()
+    public void Copy_Tree_PlacesEveryPart()
     {
         var source = new GameObject("a").transform;
         var child = new GameObject("c").transform;

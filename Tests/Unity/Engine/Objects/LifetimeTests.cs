@@ -222,7 +222,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Name_OfAComponent_IsThatOfItsObject()
+    public void Name_Component_IsTheNameOfItsObject()
     {
         var a = Add<Recorder>("a");
         a.name = "b";

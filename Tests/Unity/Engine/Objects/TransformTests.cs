@@ -25,7 +25,7 @@ public sealed class TransformTests : PlayerFixture
     }
 
     [Test]
-    public void Place_InTheWorld_IsTheParentsTimesTheLocal()
+    public void Pose_InTheWorld_IsParentTimesLocal()
     {
         AssertAt(_child.position, ChildPosition);
         Assert.That(Quaternion.Angle(_child.rotation, ChildRotation), Is.LessThan(0.01f));
@@ -36,7 +36,7 @@ public sealed class TransformTests : PlayerFixture
     }
 
     [Test]
-    public void InverseTransform_OfTransform_RoundTrips()
+    public void InverseTransform_Transform_RoundTrips()
     {
         var point = new Vector3(0.3f, -4, 2);
 
@@ -103,7 +103,7 @@ public sealed class TransformTests : PlayerFixture
     }
 
     [Test]
-    public void SetParent_OfItsOwnChild_IsRefused()
+    public void SetParent_OwnChild_IsRefused()
     {
         _parent.SetParent(_child);
 
@@ -122,7 +122,7 @@ public sealed class TransformTests : PlayerFixture
     }
 
     [Test]
-    public void IsChildOf_ItselfAndAnyAbove()
+    public void IsChildOf_ItselfAndAncestors_IsTrue()
     {
         Assert.That((_child.IsChildOf(_parent), _child.IsChildOf(_child), _parent.IsChildOf(_child)), Is.EqualTo((true, true, false)));
     }

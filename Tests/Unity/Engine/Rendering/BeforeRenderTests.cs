@@ -25,7 +25,7 @@ public sealed class BeforeRenderTests : PlayerFixture
     }
 
     [Test]
-    public void Call_RemovesItself_OthersAreCalled()
+    public void Call_RemovesItself_OtherCallsRun()
     {
         UnityAction once = null;
         once = () =>
@@ -41,7 +41,7 @@ public sealed class BeforeRenderTests : PlayerFixture
     }
 
     [Test]
-    public void Call_Throws_OthersAreCalled()
+    public void Call_Throws_OtherCallsRun()
     {
         Application.onBeforeRender += () => throw new InvalidOperationException("before");
         Application.onBeforeRender += Plain;

@@ -9,7 +9,7 @@ export function requireCertificate(file: YamlFile, entry: Path, value: string): 
   try {
     certificateIn(file, entry, readFileSync(besides(file.path, value)));
   } catch (error) {
-    file.report(entry, `value ${shown(value)}; the file cannot be read (${(error as NodeJS.ErrnoException).code}), name an existing one`);
+    file.report(entry, `value ${shown(value)}; the file cannot be read (${(error as NodeJS.ErrnoException).code}); name an existing file`);
   }
 }
 
@@ -17,14 +17,14 @@ export function requireCertificate(file: YamlFile, entry: Path, value: string): 
 export function requirePair(file: YamlFile, user: Path, { certificate, key }: { certificate: string; key: string }): void {
   const found = certificateIn(file, [...user, 'certificate'], certificate), secret = keyIn(file, [...user, 'key'], key);
   if (found !== null && secret !== null && !found.checkPrivateKey(secret))
-    file.report([...user, 'key'], 'it is not the key of plant.user.certificate; name the two that were made together');
+    file.report([...user, 'key'], 'it is not the key of plant.user.certificate; name a certificate and its key');
 }
 
 function certificateIn(file: YamlFile, entry: Path, content: string | Buffer): X509Certificate | null {
   try {
     return new X509Certificate(content);
   } catch {
-    file.report(entry, 'the file holds no certificate; name one in DER or PEM (-----BEGIN CERTIFICATE-----)');
+    file.report(entry, 'the file contains no certificate; name one in DER or PEM (-----BEGIN CERTIFICATE-----)');
     return null;
   }
 }
@@ -34,7 +34,7 @@ function keyIn(file: YamlFile, entry: Path, text: string): KeyObject | null {
     return createPrivateKey(text);
   } catch {
     file.report(entry, /ENCRYPTED/.test(text) ? 'the key is encrypted with a password, which cannot be entered at startup; name an unencrypted key'
-      : 'the file holds no private key; name one in PEM (-----BEGIN PRIVATE KEY-----)');
+      : 'the file contains no private key; name one in PEM (-----BEGIN PRIVATE KEY-----)');
     return null;
   }
 }

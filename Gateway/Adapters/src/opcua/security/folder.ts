@@ -7,7 +7,7 @@ export const PARTS = ['own', 'trusted', 'rejected'];
 /** Gets the reason why certificates cannot be stored there, with the remedy. */
 export function folderTrouble(folder: string, error: Error): string {
   const why = (error as NodeJS.ErrnoException).code ?? error.message;
-  return `certificates cannot be kept in ${folder} (${why}); let this user write there, or set plant.security.folder to another`;
+  return `certificates cannot be stored in ${folder} (${why}); give this user write access, or set plant.security.folder to another`;
 }
 
 /**

@@ -44,8 +44,8 @@ export class TrustList {
     }
     const { validFrom, validTo } = new X509Certificate(der);
     if (this.now() < new Date(validFrom) || this.now() > new Date(validTo)) {
-      this.refusal = `the server's certificate ${prints.sha1} is valid from ${validFrom} to ${validTo} only; `
-        + 'renew it at the server, then trust the new one';
+      this.refusal = `the server's certificate ${prints.sha1} is valid only from ${validFrom} to ${validTo}; `
+        + 'renew it at the server, then trust the new certificate';
       return StatusCodes.BadCertificateTimeInvalid;
     }
     return StatusCodes.Good;
@@ -73,10 +73,10 @@ export class TrustList {
       writeFileSync(file, der);
       this.#forgetOldest();
     } catch (error) {
-      return `It could not be kept (${(error as Error).message}). When the thumbprint is that of your server, `
+      return `It could not be stored (${(error as Error).message}). If the thumbprint is that of your server, `
         + 'add it to the configuration as plant.security.thumbprint';
     }
-    return `When that is the one of your server, move ${file} to ${this.#trusted}, or add plant.security.thumbprint to the configuration`;
+    return `If this is the certificate of your server, move ${file} to ${this.#trusted}, or add plant.security.thumbprint to the configuration`;
   }
 
   #forgetOldest(): void {

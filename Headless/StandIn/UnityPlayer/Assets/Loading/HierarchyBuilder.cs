@@ -64,7 +64,7 @@ sealed class HierarchyBuilder
             for (var i = 0; i < components.Count; i++) MakeComponent(ComponentAt(described, components[i]), made, isFirst: i == 0);
         }
         foreach (var described in _file.Objects.Where(o => !_objects.ContainsKey(o.FileId)))
-            throw described.Place.Error("is a component that no GameObject lists, or of a class that the stand-in does not know");
+            throw described.Place.Error("is a component that no GameObject lists, or has a class that the stand-in does not support");
     }
 
     FileObject ComponentAt(FileObject owner, YamlNode entry)
@@ -76,7 +76,7 @@ sealed class HierarchyBuilder
         if (component.Reference("m_GameObject").FileId != owner.FileId)
         {
             throw component.Place.In("m_GameObject")
-                .Error("is another object than the one that lists this component, &" + Numbers.Write(owner.FileId));
+                .Error("differs from the object that lists this component, &" + Numbers.Write(owner.FileId));
         }
         return component;
     }

@@ -34,7 +34,7 @@ sealed class LoadedAssets
     public Object ObjectAt(AssetReference reference, Place place)
     {
         if (BuiltInAssets.Holds(reference))
-            return BuiltInAssets.Find(reference) ?? throw place.Error("nothing built in that is known here has " + reference);
+            return BuiltInAssets.Find(reference) ?? throw place.Error("the stand-in has no built-in object with " + reference);
         var file = _files.Index.ByGuid(reference.Guid) ?? throw place.Error("no asset has the GUID " + reference.Guid);
         var type = TypeOf(file) ?? throw place.Error("refers into " + file.Path + ", whose objects have fileIDs that only Unity knows");
         if (reference.Type != type) throw place.Error("a reference to " + file.Path + " has type: " + Numbers.Write(type));

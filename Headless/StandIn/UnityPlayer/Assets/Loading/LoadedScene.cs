@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Loading;
 
-/// <summary>The objects of a scene, created but asleep and not in a scene yet.</summary>
+/// <summary>The objects of a scene, created but not yet awake and not yet in a scene.</summary>
 sealed class LoadedScene
 {
     public LoadedScene(string name, string path, IReadOnlyList<GameObject> roots, IReadOnlyList<UnityDocument> settings)

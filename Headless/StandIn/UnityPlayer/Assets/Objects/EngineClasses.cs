@@ -64,7 +64,7 @@ static class EngineClasses
 
     static IEnumerable<Slot> TransformSlots()
     {
-        // Not through the properties, which normalise rotations: values must be written as they were read.
+        // Uses the fields, because the properties normalise rotations and values must be written as they were read.
         foreach (var name in new[] { "m_LocalRotation", "m_LocalPosition", "m_LocalScale" }) yield return Slot.Field(typeof(Transform), name);
         yield return Slot.Constant("m_ConstrainProportionsScale", Nodes.Number(0));
         yield return Slot.Checked("m_Children", (Transform t, IReferences references, Place place) => new YamlSequenceNode(

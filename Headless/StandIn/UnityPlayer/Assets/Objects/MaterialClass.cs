@@ -9,7 +9,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>Materials: the values of exactly the properties that their shader declares.</summary>
+/// <summary>Reads and writes materials, with the values of exactly the properties that their shader declares.</summary>
 static class MaterialClass
 {
     public const long FileId = 2100000;
@@ -78,7 +78,7 @@ static class MaterialClass
                     case "m_TexEnvs" or "m_Ints" when place.In(list).Sequence(entry.Value).Children.Count == 0:
                         break;
                     default:
-                        throw place.In(list).Error("is not understood here");
+                        throw place.In(list).Error("is not supported by the stand-in");
                 }
             }
             return material;
@@ -103,7 +103,7 @@ static class MaterialClass
                 : throw place.Error("the properties of its shader are not known here");
         }
 
-        /// <summary>Reads a list whose items have one name with its value each.</summary>
+        /// <summary>Reads a list in which each item has one name and its value.</summary>
         static void ReadEach<T>(YamlNode node, IReadOnlyDictionary<string, T> declared, Place place, Action<string, YamlNode, Place> set)
         {
             foreach (var entry in place.Sequence(node).Children.SelectMany(i => place.Mapping(i).Children))

@@ -28,7 +28,7 @@ sealed class Slot
             name,
             (_, node, _, place) =>
             {
-                if (!node.Equals(value)) throw place.Error("the stand-in knows only " + value + " here, not " + node);
+                if (!node.Equals(value)) throw place.Error("the stand-in supports only " + value + " here, not " + node);
             },
             (_, _, _) => value);
     }

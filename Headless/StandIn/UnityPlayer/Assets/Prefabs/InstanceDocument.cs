@@ -32,7 +32,7 @@ sealed class InstanceDocument
         _modification = _place.Mapping(Nodes.Find(document.Fields, "m_Modification"));
         RequireOnly(_modification, _place.In("m_Modification"), Known.Concat(LaterLists).ToArray());
         foreach (var list in LaterLists.Where(l => Nodes.Find(_modification, l) != null && Items(l).Count > 0))
-            throw _place.In(list).Error("is not understood; undo it in the editor or write it as Unity 2021 does");
+            throw _place.In(list).Error("is not supported; undo it in the editor or write it as Unity 2021 does");
         if (!AssetReference.TryRead(Nodes.Find(_modification, "m_TransformParent"), out var parent) || parent.Guid != null)
             throw _place.In("m_TransformParent").Error("has to be a reference within the file");
         Parent = parent.FileId;

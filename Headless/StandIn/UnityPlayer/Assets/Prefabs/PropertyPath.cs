@@ -69,24 +69,26 @@ static class PropertyPath
     {
         if (node.Tag == Open) return reference.IsNone ? Nodes.Text(value) : reference.Write();
         if (AssetReference.TryRead(node, out _))
-            return value.Length == 0 ? reference.Write() : throw place.Error("is a reference, it takes an objectReference and no value");
-        if (!(node is YamlScalarNode)) throw place.Error("has parts; only they can be modified, one by one");
-        return reference.IsNone ? Nodes.Text(value) : throw place.Error("is a value, it takes no objectReference");
+            return value.Length == 0 ? reference.Write() : throw place.Error("is a reference: set objectReference, not value");
+        if (!(node is YamlScalarNode)) throw place.Error("is not a single value; modify its fields separately");
+        return reference.IsNone ? Nodes.Text(value) : throw place.Error("is a value: it must not have an objectReference");
     }
 
     static int IndexOf(string step, YamlSequenceNode sequence, Place place)
     {
         var match = Element.Match(step);
         if (!match.Success || !int.TryParse(match.Groups[1].Value, NumberStyles.None, CultureInfo.InvariantCulture, out var index))
-            throw place.Error("is a list: its path goes on with Array.size or Array.data[n]");
-        return index < sequence.Children.Count ? index : throw place.At(index).Error("the list has only " + sequence.Children.Count);
+            throw place.Error("is a list: its path must continue with Array.size or Array.data[n]");
+        return index < sequence.Children.Count
+            ? index
+            : throw place.At(index).Error("is beyond the end of the list; its length is " + sequence.Children.Count);
     }
 
     /// <summary>Sets the size of a list. Added elements are copies of the last one.</summary>
     static void Resize(YamlSequenceNode sequence, string value, Place place)
     {
         if (!int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out var size))
-            throw place.Error("\"" + value + "\" is not a size of a list");
+            throw place.Error("\"" + value + "\" is not a valid list size");
         sequence.Style = SequenceStyle.Block;
         while (sequence.Children.Count > size) sequence.Children.RemoveAt(sequence.Children.Count - 1);
         while (sequence.Children.Count < size)

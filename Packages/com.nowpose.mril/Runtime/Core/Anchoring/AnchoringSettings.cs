@@ -10,9 +10,9 @@ namespace Nowpose.Anchoring
         /// <param name="farthestMetres">Maximum distance of a marker from the viewer's head.</param>
         /// <param name="maxObliqueDegrees">Maximum angle between the normal of the print and the line to the viewer's head.</param>
         /// <param name="lockErrorMetres">Maximum estimated error (root mean square) of each marker's mean position for a lock.</param>
-        /// <param name="lockErrorDegrees">The same for its angle.</param>
+        /// <param name="lockErrorDegrees">Maximum estimated error of each marker's mean angle for a lock.</param>
         /// <param name="toleranceMetres">Distance of a marker from its position at the lock above which it has moved.</param>
-        /// <param name="toleranceDegrees">The same for its angle.</param>
+        /// <param name="toleranceDegrees">Change of a marker's angle since the lock above which it has moved.</param>
         /// <param name="easeMs">Duration over which a changed lock is blended in, except for 2 % of the change; 0 for an immediate change.</param>
         /// <exception cref="InputException">A number is out of range.</exception>
         public AnchoringSettings(
@@ -22,7 +22,7 @@ namespace Nowpose.Anchoring
         {
             Settle = SettingRange.RequireMs(settleMs, 100, 60_000, "settle");
             Oldest = SettingRange.RequireMs(oldestMs, 20, 10_000, "oldest");
-            FarthestMetres = SettingRange.Require(farthestMetres, 0.1, 20, "farthest", "m");
+            MaxDistanceMetres = SettingRange.Require(farthestMetres, 0.1, 20, "farthest", "m");
             MaxObliqueRadians = Radians(SettingRange.Require(maxObliqueDegrees, 10, 89, "most oblique", "°"));
             LockErrorMetres = SettingRange.Require(lockErrorMetres, 0.0001, 0.1, "lock error", "m");
             LockErrorRadians = Radians(SettingRange.Require(lockErrorDegrees, 0.01, 10, "lock error", "°"));
@@ -33,7 +33,7 @@ namespace Nowpose.Anchoring
 
         public TimeSpan Settle { get; }
         public TimeSpan Oldest { get; }
-        public double FarthestMetres { get; }
+        public double MaxDistanceMetres { get; }
         public double MaxObliqueRadians { get; }
         public double LockErrorMetres { get; }
         public double LockErrorRadians { get; }

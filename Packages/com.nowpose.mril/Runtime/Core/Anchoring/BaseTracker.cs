@@ -60,14 +60,14 @@ namespace Nowpose.Anchoring
         /// <summary>Distance by which the device has moved the base since the newest lock, by correcting its map, in metres.</summary>
         public double CorrectedMetres { get; private set; }
 
-        /// <summary>The same for its rotation, in radians.</summary>
+        /// <summary>Angle by which the device has turned the base since the newest lock, by correcting its map, in radians.</summary>
         public double CorrectedRadians { get; private set; }
 
         /// <summary>Markers that contradict each other, with their deviation; null without a conflict.</summary>
-        public MarkerQuarrel Conflict => _attempt.Conflict;
+        public MarkerConflict Conflict => _attempt.Conflict;
 
         [Obsolete("use Conflict")]
-        public MarkerQuarrel Quarrel => Conflict;
+        public MarkerConflict Quarrel => Conflict;
 
         /// <summary>Whether the device has moved the base since the newest lock by more than a marker's tolerance.</summary>
         public bool IsCorrected => CorrectedMetres > _settings.ToleranceMetres || CorrectedRadians > _settings.ToleranceRadians;
@@ -116,7 +116,7 @@ namespace Nowpose.Anchoring
                 var marker = markers[i] ?? throw new ArgumentNullException(nameof(markers));
                 for (var j = 0; j < i; j++)
                     if (markers[j].Payload == marker.Payload)
-                        throw new InputException(MarkerName.Of(marker.Payload) + " is given twice; each marker of a base needs a payload of its own");
+                        throw new InputException(MarkerName.Of(marker.Payload) + " is given twice; each marker of a base needs its own payload");
                 tracked[i] = Array.Find(_markers, known => known.Marker.IsSameAs(marker)) ?? new TrackedMarker(marker, _settings);
             }
             var isSameCell = Cell == (cell ?? "") && _markers.Length > 0;

@@ -12,10 +12,10 @@ namespace Nowpose.Anchoring
         const double ApartMetres = 0.05;
 
         /// <summary>Minimum number of sightings: fewer do not show the scatter.</summary>
-        const int Least = 8;
+        const int MinSightings = 8;
 
         /// <summary>Maximum age of sightings; older ones may be of another position.</summary>
-        static readonly TimeSpan Longest = TimeSpan.FromSeconds(15);
+        static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(15);
 
         readonly AnchoringSettings _settings;
         readonly PoseWindow _window = new PoseWindow();
@@ -86,10 +86,10 @@ namespace Nowpose.Anchoring
         internal bool IsOpen => !IsPart && !IsContradicted;
 
         /// <summary>Whether there are sightings over a sufficient time for an estimate.</summary>
-        internal bool IsReady => _window.Count >= Least && _window.CountOver(_settings.Settle) > 0;
+        internal bool IsReady => _window.Count >= MinSightings && _window.CountOver(_settings.Settle) > 0;
 
         /// <summary>Whether the sightings are recent enough for a comparison with those of other markers.</summary>
-        internal bool IsRecent(HeadsetTime now) => _taken is HeadsetTime taken && now - taken <= Longest;
+        internal bool IsRecent(HeadsetTime now) => _taken is HeadsetTime taken && now - taken <= MaxAge;
 
         /// <summary>Whether the newest estimate shows that the marker is moving.</summary>
         internal bool IsMoving => _mean is PoseMean mean && !mean.IsSteady(_settings.LockErrorMetres, _settings.LockErrorRadians);
@@ -179,18 +179,18 @@ namespace Nowpose.Anchoring
         internal bool TryEstimate(PoseMeanSpace space, out MarkerEstimate estimate)
         {
             estimate = default;
-            var count = Math.Max(_window.CountOver(_settings.Settle), Least);
+            var count = Math.Max(_window.CountOver(_settings.Settle), MinSightings);
             if (!IsReady) return false;
             _mean = PoseMean.Of(_window, count, space);
-            var all = _window.CountSince(_window.Newest - Longest);
-            if (!IsExact(_mean.Value) && all > count + Least) _mean = PoseMean.Of(_window, all, space);
+            var all = _window.CountSince(_window.Newest - MaxAge);
+            if (!IsExact(_mean.Value) && all > count + MinSightings) _mean = PoseMean.Of(_window, all, space);
             var mean = _mean.Value;
             estimate = new MarkerEstimate(Marker.MarkerInBase, mean.Pose, mean.ErrorMetres, mean.ErrorRadians);
             return IsExact(mean);
         }
 
         bool IsExact(in PoseMean mean) =>
-            mean.Inliers >= Least && mean.ErrorMetres <= _settings.LockErrorMetres && mean.ErrorRadians <= _settings.LockErrorRadians
+            mean.Inliers >= MinSightings && mean.ErrorMetres <= _settings.LockErrorMetres && mean.ErrorRadians <= _settings.LockErrorRadians
             && mean.IsSteady(_settings.LockErrorMetres, _settings.LockErrorRadians);
 
         SightingFault JudgePlace(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? belongs)

@@ -26,7 +26,7 @@ namespace Nowpose.Kinematics
             return string.Format(
                 CultureInfo.InvariantCulture,
                 "joint '{0}': {1:0.###} {4} is outside its limits {2:0.###} to {3:0.###} {4}, and is drawn at the limit; "
-                + "is the robot description this robot's, and does the source send {4}, not {5}?",
+                + "check that the robot description belongs to this robot and that the source sends {4}, not {5}",
                 joint.Name, position, joint.Limits.Lower, joint.Limits.Upper, unit, other);
         }
     }

@@ -10,7 +10,7 @@ namespace Nowpose.Kinematics
             Offset = offset;
         }
 
-        /// <summary>Name of the joint that is followed; that joint moves, and may itself follow another.</summary>
+        /// <summary>Name of the joint that is mimicked. It is a moving joint, and may mimic another one.</summary>
         public string Master { get; }
 
         public double Multiplier { get; }

@@ -77,7 +77,7 @@ namespace Nowpose.Kinematics
         internal void RequireOnePerMovingJoint(int length, string argument)
         {
             if (length != MovingJoints.Count)
-                throw new ArgumentException(length + " values for " + MovingJoints.Count + " moving joints", argument);
+                throw new ArgumentException(length + " values were passed for " + MovingJoints.Count + " moving joints", argument);
         }
     }
 }

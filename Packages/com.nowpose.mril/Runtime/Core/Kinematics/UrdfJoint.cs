@@ -55,7 +55,7 @@ namespace Nowpose.Kinematics
                 case "prismatic": return JointKind.Prismatic;
                 default:
                     throw source.Error(element,
-                        "type " + UrdfSource.Quote(type) + " is not supported; fixed, revolute, continuous and prismatic are");
+                        "type " + UrdfSource.Quote(type) + " is not supported; allowed are fixed, revolute, continuous and prismatic");
             }
         }
 
@@ -92,7 +92,7 @@ namespace Nowpose.Kinematics
                 Bound(source, limit, "jerk"));
         }
 
-        // Exporters write 0 or -1 for unknown limits; a joint that cannot move would be fixed.
+        // Some exporters write 0 or -1 for an unknown limit. A joint that really cannot move has the type fixed.
         static double Bound(UrdfSource source, XElement limit, string attribute)
         {
             var value = source.Number(limit, attribute, 0);

@@ -40,7 +40,7 @@ namespace Nowpose.Kinematics
             if (colour == null) return null;
             var rgba = _source.Numbers(colour, "rgba");
             if (rgba.Length != 3 && rgba.Length != 4)
-                throw _source.Error(colour, "rgba has " + rgba.Length + " numbers, it needs 4");
+                throw _source.Error(colour, "rgba has " + rgba.Length + " numbers; it needs 4");
             return new VisualColour(rgba[0], rgba[1], rgba[2], rgba.Length == 4 ? rgba[3] : 1);
         }
     }

@@ -20,7 +20,7 @@ namespace Nowpose.Kinematics
                 for (; at.Joint.Mimic != null && done.Add(at); at = Master(source, at, byName)) chain.Push(at);
                 if (chain.Contains(at))
                     throw MimicError(
-                        source, at, "following " + UrdfSource.Quote(at.Joint.Mimic.Master) + " leads back to this joint: a loop");
+                        source, at, "the chain of mimicked joints through " + UrdfSource.Quote(at.Joint.Mimic.Master) + " leads back to this joint");
                 foreach (var follower in chain) steps.Add(Step(follower.Joint, byName));
             }
             return steps.ToArray();
@@ -32,7 +32,7 @@ namespace Nowpose.Kinematics
             if (!byName.TryGetValue(name, out var master))
                 throw MimicError(source, follower, "unknown joint " + UrdfSource.Quote(name));
             if (master.Joint.Kind == JointKind.Fixed)
-                throw MimicError(source, follower, "joint " + UrdfSource.Quote(name) + " is fixed; only a moving one can be followed");
+                throw MimicError(source, follower, "joint " + UrdfSource.Quote(name) + " is fixed; only a moving joint can be mimicked");
             return master;
         }
 

@@ -20,7 +20,7 @@ namespace Nowpose.Kinematics
             var source = new UrdfSource(sourceName);
             var root = source.ParseRoot(text);
             if (root.Name.LocalName != "robot")
-                throw source.Error(root, "the root element has to be <robot>");
+                throw source.Error(root, "the root element must be <robot>");
 
             var materials = new UrdfMaterials(source, root);
             var links = Children(root, "link").Select(e => new UrdfLink(source, e, materials)).ToArray();

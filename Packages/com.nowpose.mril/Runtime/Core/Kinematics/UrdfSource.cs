@@ -10,7 +10,7 @@ namespace Nowpose.Kinematics
     /// <summary>Reads attributes of one URDF, and makes error messages with its name and the line.</summary>
     sealed class UrdfSource
     {
-        const int DeepestElement = 100;
+        const int MaxDepth = 100;
         const int MaxQuoteLength = 60;
         readonly string _name;
 
@@ -59,7 +59,7 @@ namespace Nowpose.Kinematics
         {
             if (element?.Attribute(attribute) == null) return absent;
             var numbers = Numbers(element, attribute);
-            if (numbers.Length != 3) throw Error(element, attribute + " has " + numbers.Length + " numbers, it needs 3");
+            if (numbers.Length != 3) throw Error(element, attribute + " has " + numbers.Length + " numbers; it needs 3");
             return (numbers[0], numbers[1], numbers[2]);
         }
 
@@ -98,9 +98,9 @@ namespace Nowpose.Kinematics
         {
             while (reader.Read())
             {
-                if (reader.Depth > DeepestElement)
+                if (reader.Depth > MaxDepth)
                     throw new InputException(_name + ":" + ((IXmlLineInfo)reader).LineNumber
-                        + ": elements are nested more than " + DeepestElement + " deep");
+                        + ": elements are nested more than " + MaxDepth + " levels deep");
             }
         }
 

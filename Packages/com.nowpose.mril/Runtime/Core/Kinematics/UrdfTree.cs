@@ -18,7 +18,7 @@ namespace Nowpose.Kinematics
         public UrdfTree(UrdfSource source, XElement robot, UrdfLink[] links, UrdfJoint[] joints)
         {
             _source = source;
-            if (links.Length == 0) throw source.Error(robot, "it has no links");
+            if (links.Length == 0) throw source.Error(robot, "the robot has no links");
             foreach (var link in links)
                 if (!_links.TryAdd(link.Name, link)) throw source.Error(link.Element, "another link has the same name");
             foreach (var joint in joints) Connect(joint);
@@ -63,8 +63,8 @@ namespace Nowpose.Kinematics
             var roots = links.Where(link => !_above.ContainsKey(link.Name)).ToArray();
             if (roots.Length == 0) throw Cycle(links[0]);
             if (roots.Length > 1)
-                throw _source.Error(roots[1].Element, "two root links, this and " + UrdfSource.Quote(roots[0].Name)
-                    + "; every link but one has to be the child of a joint");
+                throw _source.Error(roots[1].Element, "there are two root links, this one and " + UrdfSource.Quote(roots[0].Name)
+                    + "; every link except one must be the child of a joint");
             return roots[0];
         }
 

@@ -15,7 +15,7 @@ namespace Nowpose.Latency
             IsLimitReached = isLimitReached;
             Limit = SettingRange.RequireMs(limitMs, 0.1, 1000, "render time limit");
             if (source == RenderTimeSourceKind.None)
-                throw new InputException("render time limit: name the source of the render time that it was measured with");
+                throw new InputException("render time limit: state the source of the render times from which it was determined");
             Source = source;
         }
 

@@ -6,7 +6,7 @@ namespace Nowpose.Latency
         /// <summary>The mode is not reported.</summary>
         Unknown = 0,
 
-        /// <summary>The frame is shown as it was rendered.</summary>
+        /// <summary>The frame is shown without correction.</summary>
         None,
 
         /// <summary>Corrects the rotation of the head only.</summary>

@@ -80,7 +80,7 @@ namespace Nowpose.Latency
         /// <param name="cells">Result of <see cref="CellCount"/> cells in row-major order; all are written.</param>
         public static void Draw(int value, CodeKind kind, Span<bool> cells)
         {
-            if (cells.Length != CellCount) throw new ArgumentException("a code has 64 cells, not " + cells.Length, nameof(cells));
+            if (cells.Length != CellCount) throw new ArgumentException("a code must have 64 cells, not " + cells.Length, nameof(cells));
             var word = WordOf(value);
             for (var cell = 0; cell < CellCount; cell++) cells[cell] = IsRing(cell) && IsLitRing(cell, kind);
             for (var pair = 0; pair < PairCount; pair++)

@@ -7,8 +7,8 @@ namespace Nowpose.Motion
     /// <summary>A cycle for a robot with known limits only: long swings of the first joint between short dips of the others.</summary>
     static class DerivedWaypoints
     {
-        // Rad and m to either side of a joint's middle: enough for the first joint to reach full speed; less for the others, so that the
-        // motion looks like work. Tables and walls are unknown and not considered.
+        // Distance to either side of a joint's middle, in rad or m: enough for the first joint to reach full speed, and less for the others, as in
+        // a real task. Tables and walls are unknown and not considered.
         const double Swing = 1.2;
         const double Dip = 0.5;
         const double Stroke = 0.1;

@@ -29,7 +29,7 @@ namespace Nowpose.Motion
             for (var i = 0; i < _moves.Length; i++)
                 _ends[i] = CycleSeconds += _moves[i].Duration;
             if (!(CycleSeconds > 0))
-                throw new InputException("robot " + robot.Name + ": has no joint that could move");
+                throw new InputException("robot " + robot.Name + ": has no moving joint; choose another robot");
         }
 
         public IReadOnlyList<string> JointNames { get; }

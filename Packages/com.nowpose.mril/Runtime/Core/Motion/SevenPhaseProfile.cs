@@ -78,11 +78,11 @@ namespace Nowpose.Motion
         /// <summary>The peak velocity at which acceleration and deceleration alone cover the stroke.</summary>
         static double VelocityOfStroke(double stroke, double acceleration, double jerk)
         {
-            // Without constant acceleration: stroke = 2 v sqrt(v/j). Takes roots first, so that a tiny stroke does not underflow.
+            // Without a phase of constant acceleration: stroke = 2 v sqrt(v/j). Computes roots first, so that a tiny stroke does not underflow.
             var root = Math.Cbrt(stroke);
             var withoutPlateau = root * root * Math.Cbrt(jerk / 4);
             if (withoutPlateau * jerk <= acceleration * acceleration) return withoutPlateau;
-            // With constant acceleration: stroke = v²/a + v a/j, solved in the form without cancellation.
+            // With a phase of constant acceleration: stroke = v²/a + v a/j, solved in the form without cancellation.
             var jerkTime = acceleration / jerk;
             return 2 * stroke / (jerkTime + Math.Sqrt(jerkTime * jerkTime + 4 * stroke / acceleration));
         }

@@ -64,10 +64,10 @@ namespace Nowpose.Network
         void RequirePlainIsWanted(bool insecureLan)
         {
             if (Token != null)
-                throw new InputException("token: would travel in plain text to " + Host + "; use a pin or a device-trusted certificate");
+                throw new InputException("token: would be sent unencrypted to " + Host + "; use a pin or a device-trusted certificate");
             if (!insecureLan)
                 throw new InputException(
-                    "host: " + Host + " is not this machine; give the gateway's pin, or allow plain connections on a trusted network (insecure LAN)");
+                    "host: " + Host + " is not this machine; enter the gateway's pin, or allow unencrypted connections in a trusted network (insecure LAN)");
         }
 
         static string RequireName(string name)
@@ -92,7 +92,7 @@ namespace Nowpose.Network
             foreach (var c in token)
                 if (c <= ' ' || c > '~')
                     throw new InputException(
-                        "token: holds a character that an HTTP header cannot carry; use letters, digits and punctuation of ASCII");
+                        "token: contains a character that is not allowed in an HTTP header; use ASCII letters, digits and punctuation");
             return token;
         }
     }

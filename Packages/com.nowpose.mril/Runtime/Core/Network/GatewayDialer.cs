@@ -74,7 +74,7 @@ namespace Nowpose.Network
 
         async Task<Stream> OpenAsync(IPAddress address, int port, CancellationToken cancel)
         {
-            // With the address's family: without it, a client supports only IPv4 under Mono and IL2CPP, and both elsewhere.
+            // States the address family, because without it a client supports only IPv4 under Mono and IL2CPP.
             var tcp = new TcpClient(address.AddressFamily) { NoDelay = true };
             try
             {

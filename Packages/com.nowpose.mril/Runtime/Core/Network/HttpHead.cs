@@ -52,7 +52,7 @@ namespace Nowpose.Network
             while (!IsEnded(head))
             {
                 if (head.Length == MaxHeadBytes)
-                    throw new GatewayRefusalException("the gateway's answer has a head of more than " + MaxHeadBytes + " bytes");
+                    throw new GatewayRefusalException("the head of the gateway's answer is longer than " + MaxHeadBytes + " bytes");
                 if (await stream.ReadAsync(one).ConfigureAwait(false) == 0)
                     throw new EndOfStreamException("the gateway closed the connection before it had answered");
                 head.Append((char)one[0]);

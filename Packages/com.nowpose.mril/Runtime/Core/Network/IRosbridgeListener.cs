@@ -12,7 +12,7 @@ namespace Nowpose.Network
         /// <param name="arrival">Time at which its last byte was read.</param>
         void Received(JointStateMessage message, HeadsetTime arrival);
 
-        /// <summary>Receives the set-points ahead that the control system plans.</summary>
+        /// <summary>Receives set-points that the control system publishes ahead of time.</summary>
         /// <param name="message">As in <see cref="Received"/>.</param>
         /// <param name="arrival">Time at which its last byte was read.</param>
         void Planned(JointTrajectoryMessage message, HeadsetTime arrival);

@@ -3,8 +3,8 @@ using System.Threading.Tasks;
 
 namespace Nowpose.Network
 {
-    /// <summary>Handles texts that take long on the thread pool: one at a time, and of the waiting ones only the newest.</summary>
-    /// <remarks>At any time at most one text is being handled and one waits.</remarks>
+    /// <summary>Handles texts on the thread pool if they take long, one at a time. Of the waiting texts, it keeps only the newest.</summary>
+    /// <remarks>At any time, at most one text is being handled and one waits.</remarks>
     sealed class NewestInBackground
     {
         readonly Action<string> _handle;

@@ -5,7 +5,7 @@ namespace Nowpose.Network
     /// <summary>Estimates the resolution of a ROS clock from its answers, because ROS does not report it. One thread.</summary>
     /// <remarks>
     /// A simulated clock advances in whole steps, so every answer is a multiple of the step. It shows the newest message on
-    /// /clock, so it stands still between messages. The larger of step and standstill is its resolution. The answers of a wall clock
+    /// /clock, so it does not advance between messages. The larger of step and standstill is its resolution. The answers of a wall clock
     /// have no common divisor and never repeat. Only answers in quick succession show the length of a standstill, so it is measured
     /// at intervals (<see cref="IsMeasuring"/>); the value includes the previous measurement.
     /// </remarks>
@@ -20,7 +20,7 @@ namespace Nowpose.Network
         static readonly TimeSpan MeasuredEvery = new TimeSpan(20 * TimeSpan.TicksPerSecond);
 
         /// <summary>Maximum standstill of a running clock; after a longer one it counts as stopped, as in a paused simulation.</summary>
-        static readonly TimeSpan Longest = new TimeSpan(TimeSpan.TicksPerSecond);
+        static readonly TimeSpan MaxStandstill = new TimeSpan(TimeSpan.TicksPerSecond);
 
         long _step = TimeSpan.TicksPerSecond;
         ControlTime? _shown;
@@ -35,9 +35,9 @@ namespace Nowpose.Network
         public bool IsMeasuring { get; private set; } = true;
 
         /// <summary>Whether the clock has shown the same time for more than a second.</summary>
-        public bool IsStopped => _still > Longest;
+        public bool IsStopped => _still > MaxStandstill;
 
-        public TimeSpan Value => Greatest(Greatest(new TimeSpan(_step), CoarseStill), Greatest(_maxStill, _previousMaxStill));
+        public TimeSpan Value => Max(Max(new TimeSpan(_step), CoarseStill), Max(_maxStill, _previousMaxStill));
 
         // A stopped clock gives no information about its resolution.
         TimeSpan CoarseStill => IsStopped ? TimeSpan.Zero : _still;
@@ -72,7 +72,7 @@ namespace Nowpose.Network
             if (_shown is { } shown)
             {
                 _changes++;
-                _maxStill = Greatest(_maxStill, Greatest(CoarseStill, LengthOfStandstill(time - shown, arrived)));
+                _maxStill = Max(_maxStill, Max(CoarseStill, LengthOfStandstill(time - shown, arrived)));
             }
             _shown = time;
             _still = TimeSpan.Zero;
@@ -85,11 +85,11 @@ namespace Nowpose.Network
         TimeSpan LengthOfStandstill(TimeSpan advance, HeadsetTime arrived)
         {
             if (_still <= TimeSpan.Zero || IsStopped || arrived - _sentLast > _still) return TimeSpan.Zero;
-            return Least(Least(advance, arrived - _sentBefore), Longest);
+            return Min(Min(advance, arrived - _sentBefore), MaxStandstill);
         }
 
-        static TimeSpan Least(TimeSpan a, TimeSpan b) => a < b ? a : b;
-        static TimeSpan Greatest(TimeSpan a, TimeSpan b) => a > b ? a : b;
+        static TimeSpan Min(TimeSpan a, TimeSpan b) => a < b ? a : b;
+        static TimeSpan Max(TimeSpan a, TimeSpan b) => a > b ? a : b;
 
         static long GreatestCommonDivisor(long a, long b)
         {

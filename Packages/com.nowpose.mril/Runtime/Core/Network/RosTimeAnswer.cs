@@ -20,13 +20,13 @@ namespace Nowpose.Network
         /// <summary>Time at which its last byte was read.</summary>
         public HeadsetTime Arrival { get; }
 
-        /// <summary>Why the time is unknown, and what to do; null if it is known.</summary>
+        /// <summary>Reason why the time is unknown, and the remedy; null if it is known.</summary>
         public string Problem { get; }
 
         static string ProblemOf(RosbridgeMessage response, DropReason fault)
         {
-            if (fault == DropReason.StampZero) return "the time is zero; with use_sim_time, something has to publish /clock";
-            if (response.Result) return "the answer holds no time (" + fault + ")";
+            if (fault == DropReason.StampZero) return "the time is zero; with use_sim_time, start the node that publishes /clock";
+            if (response.Result) return "the answer contains no time (" + fault + ")";
             var reason = InputException.OneLine(response.Text ?? "the call failed", MaxReasonLength);
             return reason + "; start the node rosapi beside rosbridge, as rosbridge's launch file does";
         }

@@ -51,7 +51,9 @@ namespace Nowpose.Network
         public LinkStatus Status => _status;
 
         /// <summary>Runs exchanges over one connection until it ends.</summary>
-        /// <exception cref="IOException">No answer in time, or too many unusable answers in a row; the connection has to end.</exception>
+        /// <exception cref="IOException">
+        /// No answer arrived in time, or too many consecutive answers were unusable. The caller must close the connection.
+        /// </exception>
         public async Task RunAsync(LinkSender sender, CancellationToken cancel)
         {
             // The connection may lead to another server, or the server may have started or stopped a simulation.
@@ -88,7 +90,7 @@ namespace Nowpose.Network
                 return PauseAfterRefusal;
             }
             _resolution.Add(time, sent, answer.Arrival);
-            if (_resolution.IsStopped) _status = LinkStatus.Waiting(Service + ": the clock stands still; is the simulation paused?");
+            if (_resolution.IsStopped) _status = LinkStatus.Waiting(Service + ": the clock does not advance; continue the simulation if it is paused");
             else if (_resolution.IsKnown) Take(new SyncExchange(sent, time, time, answer.Arrival, _resolution.Value));
             var pause = _pace.Next(_synchroniser, answer.Arrival);
             return _resolution.IsMeasuring && !_resolution.IsStopped ? answer.Arrival - sent + QuickPause : pause;

@@ -15,7 +15,7 @@ namespace Nowpose.Network
     {
         static readonly TimeSpan DiagnosticsInterval = ClockTicks.Span(1);
 
-        /// <summary>Looks smooth, and is a small part of the traffic that a headset receives.</summary>
+        /// <summary>This rate is sufficient for a smooth display, and its traffic is small compared with the received traffic.</summary>
         static readonly TimeSpan DisplayedInterval = ClockTicks.Span(0.05);
 
         static readonly TimeSpan TimerStep = new TimeSpan(TimeSpan.TicksPerMillisecond);
@@ -48,7 +48,7 @@ namespace Nowpose.Network
             _listener = listener;
             _rosTime = rosTime;
             _descriptions = new NewestInBackground(Describe);
-            // Outside the caller's synchronisation context: under Unity, its continuations would wait for the next frame.
+            // Runs outside the caller's synchronisation context, because under Unity its continuations would wait for the next frame.
             _running = Task.Run(RunAsync);
         }
 

@@ -23,12 +23,12 @@ namespace Nowpose.Network
         /// <param name="now">The device's time of day.</param>
         public string Refusal(X509Certificate certificate, SslPolicyErrors errors, DateTime now)
         {
-            if (certificate == null) return "certificate: the gateway showed none";
+            if (certificate == null) return "certificate: the gateway presented none; start it with --tls or --certificate";
             if (_pin == null)
                 return errors == SslPolicyErrors.None ? null : "certificate: not trusted by this device (" + errors + "); install it or use its pin";
             if (!_pin.Matches(certificate))
                 return "certificate: its pin is " + CertificatePin.Of(certificate) + ", expected " + _pin
-                    + "; another server, or the gateway got a new key";
+                    + "; this is another server, or the gateway has a new key; pair again or correct the pin";
             return DatesRefusal(certificate, now);
         }
 

@@ -21,7 +21,7 @@ namespace Nowpose.Network
         volatile LinkStatus _status = LinkStatus.Connecting;
         volatile Task _ending;
 
-        /// <summary>Starts at once.</summary>
+        /// <summary>Creates a client that connects immediately.</summary>
         /// <param name="synchroniser">Receives each exchange, on this client's thread.</param>
         /// <param name="faults">Counts dropped exchanges.</param>
         /// <param name="pace">Schedule of the exchanges; used by this client only.</param>

@@ -53,7 +53,7 @@ namespace Nowpose.Network
         {
             if (head.Status != 101) throw GatewayRefusalException.OfStatus(head.Status);
             if (!IsAcceptance(head.Field("Sec-WebSocket-Accept"), key))
-                throw new GatewayRefusalException("the answer does not accept this WebSocket request: is it a gateway?");
+                throw new GatewayRefusalException("the server does not accept the WebSocket request; check that it is a gateway");
         }
 
         static bool IsAcceptance(string value, string key)

@@ -36,7 +36,7 @@ namespace Nowpose.Pairing
             Host = GatewayHost.Require(host, "cell code: host");
             if (pin == null && !GatewayHost.IsLoopback(Host))
                 throw new InputException(
-                    "cell code: certificate pin is missing, without which only a gateway on the headset's own machine can be used");
+                    "cell code: the certificate pin is missing; only a gateway on the headset's own machine can be used without it");
             Pin = pin;
             Marker = marker;
             if (sizeMetres != 0) SettingRange.Require(sizeMetres, MinSizeMetres, MaxSizeMetres, "cell code: marker size", "m");

@@ -24,9 +24,9 @@ namespace Nowpose.Pairing
                 if (!IsAllowed(name[i]))
                     throw new InputException(string.Format(
                         CultureInfo.InvariantCulture,
-                        "{0}: character {1} is U+{2:X4}; allowed are letters, digits, blanks, hyphens, underscores and full stops",
+                        "{0}: character {1} is U+{2:X4}; allowed are letters, digits, spaces, hyphens, underscores and full stops",
                         what, i + 1, (int)name[i]));
-            if (name[0] == ' ' || name[name.Length - 1] == ' ') throw new InputException(what + ": begins or ends with a blank");
+            if (name[0] == ' ' || name[name.Length - 1] == ' ') throw new InputException(what + ": begins or ends with a space");
             return name;
         }
 

@@ -37,15 +37,15 @@ namespace Nowpose.Pairing
         public string OptionalText(char key) => _values.TryGetValue(key, out var value) ? value : null;
 
         /// <summary>Reads a number of digits without sign or leading zero; returns <paramref name="otherwise"/> if it is missing.</summary>
-        public long Count(char key, long otherwise, long least, long greatest)
+        public long Count(char key, long otherwise, long min, long max)
         {
             var text = OptionalText(key);
             if (text == null) return otherwise;
             var isNumber = long.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var value)
                 && (text.Length == 1 || text[0] != '0');
-            if (isNumber && value >= least && value <= greatest) return value;
+            if (isNumber && value >= min && value <= max) return value;
             // A value that is not a number may contain anything, so the message does not repeat it.
-            throw Fault(key + (isNumber ? "=" + value : " is not a whole number") + "; allowed are " + least + " to " + greatest);
+            throw Fault(key + (isNumber ? "=" + value : " is not a whole number") + "; allowed are " + min + " to " + max);
         }
 
         public InputException Fault(string what) => new InputException(_what + ": " + what);
@@ -55,7 +55,7 @@ namespace Nowpose.Pairing
             for (var i = 0; i < text.Length; i++)
                 if (text[i] <= ' ' || text[i] > '~')
                     throw Fault(string.Format(
-                        CultureInfo.InvariantCulture, "character {0} is U+{1:X4}; allowed is ASCII without blanks and control characters",
+                        CultureInfo.InvariantCulture, "character {0} is U+{1:X4}; allowed is ASCII without spaces and control characters",
                         i + 1, (int)text[i]));
         }
 
@@ -64,7 +64,7 @@ namespace Nowpose.Pairing
             if (text.Length == 0 || text.Length > 4 || text[0] == '0'
                 || !int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var read))
                 throw Fault("has no version; expected is /" + version + "?");
-            if (read != version) throw Fault("of version " + read + ", this Nowpose reads version " + version + "; update Nowpose");
+            if (read != version) throw Fault("has version " + read + "; this Nowpose reads version " + version + "; update Nowpose");
         }
 
         void Add(string field, string keys)

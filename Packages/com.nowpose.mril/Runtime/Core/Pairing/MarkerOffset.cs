@@ -27,8 +27,8 @@ namespace Nowpose.Pairing
             var names = new[] { "x", "y", "z", "roll", "pitch", "yaw" };
             for (var i = 0; i < Numbers; i++)
             {
-                var greatest = i < 3 ? MaxMetres : MaxDegrees;
-                var value = SettingRange.Require(numbers[i], -greatest, greatest, what + ", " + names[i], i < 3 ? "m" : "degrees");
+                var max = i < 3 ? MaxMetres : MaxDegrees;
+                var value = SettingRange.Require(numbers[i], -max, max, what + ", " + names[i], i < 3 ? "m" : "degrees");
                 // Adding 0.0 turns −0 into 0.
                 numbers[i] = Math.Round(value, Decimals) + 0.0;
             }
@@ -46,7 +46,7 @@ namespace Nowpose.Pairing
             var numbers = new double[Numbers];
             for (var i = 0; i < words.Length; i++)
                 if (!TryReadNumber(words[i], out numbers[i]))
-                    throw new InputException(what + ": number " + (i + 1) + " is none; allowed are at most three digits, and six after a full stop");
+                    throw new InputException(what + ": value " + (i + 1) + " is not a number; allowed are at most three digits, and six after the decimal point");
             return new MarkerOffset(numbers, what);
         }
 

@@ -21,7 +21,7 @@ namespace Nowpose.Pairing
                 throw new InputException("paired cell: " + _codes.Length + " codes; allowed are 1 to " + MaxCodes);
             if (_codes.Select(code => code.Text).Distinct().Count() != _codes.Length) throw new InputException("paired cell: two codes are the same");
             if (_codes.Any(code => code.Cell != Newest.Cell || !code.HasSameGateway(Newest)))
-                throw new InputException("paired cell: the codes are of several cells or gateways");
+                throw new InputException("paired cell: the codes belong to several cells or gateways");
             Token = Newest.ToConnection(token, "headset").Token;
         }
 
@@ -47,7 +47,7 @@ namespace Nowpose.Pairing
             return false;
         }
 
-        /// <exception cref="InputException">The cell has the maximum number of codes or already this one, or differs in cell or gateway.</exception>
+        /// <exception cref="InputException">The cell already has this code or the maximum number, or the code is of another cell or gateway.</exception>
         public PairedCell With(CellCode code) => new PairedCell(_codes.Append(code), Token);
 
         public PairedCell WithToken(string token) => new PairedCell(_codes, token);

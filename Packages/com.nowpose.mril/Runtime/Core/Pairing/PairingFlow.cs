@@ -107,7 +107,7 @@ namespace Nowpose.Pairing
 
         /// <summary>
         /// Asks whether to forget the cell in use, in place of any other question. It also clears the declined gateways and cells, independent
-        /// of the answer, so the next look at a marker asks again. If no cell is in use, that is the only effect.
+        /// of the answer, so that the next marker in view asks again. If no cell is in use, this is the only effect.
         /// </summary>
         public void AskToForget()
         {
@@ -115,7 +115,7 @@ namespace Nowpose.Pairing
             if (Cells.Used != null) Ask(PairingQuestion.Forget(Cells.Used));
         }
 
-        /// <summary>Forgets the cell in use with its token, and clears what was declined: the next look at a marker asks again.</summary>
+        /// <summary>Removes the cell in use and its token, and clears the declined gateways and cells, so that the next marker in view asks again.</summary>
         public void Forget()
         {
             Reconsider();

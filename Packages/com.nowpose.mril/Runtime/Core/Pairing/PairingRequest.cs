@@ -26,7 +26,7 @@ namespace Nowpose.Pairing
         public static async Task<PairingAnswer> SendAsync(ConnectionSettings gateway, string codeToken, CancellationToken cancel)
         {
             if (gateway.Security == TransportSecurity.Plain && !gateway.IsLoopback)
-                throw new InputException("pairing: the code's token would travel in plain text to " + gateway.Host + "; use a pin");
+                throw new InputException("pairing: the code's token would be sent unencrypted to " + gateway.Host + "; use a pin");
             using (var inTime = CancellationTokenSource.CreateLinkedTokenSource(cancel))
             {
                 inTime.CancelAfter(PairingLimits.ExchangeTimeout);
@@ -85,12 +85,12 @@ namespace Nowpose.Pairing
             switch (status)
             {
                 case 401: return PairingAnswer.Refused(
-                    "the gateway does not know this code: it was used, or is too old; look at the one that it shows now");
+                    "the gateway does not accept this code, because it was used or is too old; look at the current code");
                 case 404:
-                case 426: return PairingAnswer.Refused("the gateway pairs no headsets; start it with --pairing");
-                case 429: return PairingAnswer.Failed("the gateway has seen too many wrong codes; it answers again in a minute");
+                case 426: return PairingAnswer.Refused("the gateway does not pair headsets; start it with --pairing");
+                case 429: return PairingAnswer.Failed("the gateway has received too many wrong codes; try again in a minute");
                 case 503: return PairingAnswer.Failed("the gateway cannot save this headset's token; see its log");
-                default: return PairingAnswer.Refused("the gateway answered the code with status " + status.ToString(CultureInfo.InvariantCulture));
+                default: return PairingAnswer.Refused("the gateway answered the code with status " + status.ToString(CultureInfo.InvariantCulture) + "; see its log");
             }
         }
 
@@ -108,7 +108,7 @@ namespace Nowpose.Pairing
                 got += read;
             }
             return TokenOf(body) is string token
-                ? PairingAnswer.Accepted(token) : PairingAnswer.Refused("the gateway's answer to the code holds no token that can be used");
+                ? PairingAnswer.Accepted(token) : PairingAnswer.Refused("the gateway's answer to the code contains no valid token");
         }
 
         static string TokenOf(byte[] utf8)

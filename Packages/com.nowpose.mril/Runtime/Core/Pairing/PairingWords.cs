@@ -7,7 +7,7 @@ namespace Nowpose.Pairing
     static class PairingWords
     {
         public const string LookAtMarker = "look at the robot's marker";
-        public const string CodeWasTried = "this code was tried; ask for another on the gateway's page or terminal";
+        public const string CodeWasTried = "this code has been tried; request another one on the gateway's page or terminal";
         public const string MarkerFirst = "the gateway's code is read; now look at the robot's marker";
 
         /// <param name="known">The accepted code of the same name; null for none.</param>
@@ -15,15 +15,15 @@ namespace Nowpose.Pairing
         {
             if (known == null)
                 return "Connect to cell '" + code.Cell + "'? Gateway " + code.Host + ", ports " + Ports(code) + ", " + Key(code.Pin);
-            return "Cell '" + code.Cell + "' has another gateway than before. Connect? Gateway " + Changed(code.Host, known.Host)
+            return "Cell '" + code.Cell + "' has a different gateway than before. Connect? Gateway " + Changed(code.Host, known.Host)
                 + ", ports " + Changed(Ports(code), Ports(known)) + ", " + Changed(Key(code.Pin), Key(known.Pin));
         }
 
         public static string Use(string cell, string instead) => "Use cell '" + cell + "' instead of '" + instead + "'?";
 
         public static string TooMany(string cell) =>
-            "cell '" + cell + "': this marker is one more than the " + PairedCell.MaxCodes
-            + " that are known; forget the cell to have others read";
+            "cell '" + cell + "': the maximum of " + PairedCell.MaxCodes
+            + " markers is reached; forget the cell to read other markers";
 
         public static string Forget(CellCode code) =>
             "Forget cell '" + code.Cell + "'? To use it again, look at its marker" + (code.Pin == null ? "" : " and at its gateway's code");
@@ -31,7 +31,7 @@ namespace Nowpose.Pairing
         public static string LookAtCode(string cell) => "cell '" + cell + "': look at the code that its gateway shows";
 
         public static string TokenRefused(string cell) =>
-            "cell '" + cell + "': its gateway does not accept this headset any more; look at the code that it shows";
+            "cell '" + cell + "': its gateway no longer accepts this headset; look at the code that it shows";
 
         public static string Exchanging(string cell) => "cell '" + cell + "': pairing";
         public static string Paired(string cell) => "cell '" + cell + "': paired";

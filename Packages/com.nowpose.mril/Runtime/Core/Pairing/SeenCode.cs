@@ -36,7 +36,7 @@ namespace Nowpose.Pairing
                 {
                     case PairingCodeKind.Cell: return new SeenCode(CellCode.Parse(text), null, null);
                     case PairingCodeKind.Token: return new SeenCode(null, TokenCode.Parse(text), null);
-                    default: return new SeenCode(null, null, "pairing code: is neither a cell's nor a gateway's; is this Nowpose too old?");
+                    default: return new SeenCode(null, null, "pairing code: is neither a cell's nor a gateway's; update Nowpose if it is older than the gateway");
                 }
             }
             catch (InputException fault)

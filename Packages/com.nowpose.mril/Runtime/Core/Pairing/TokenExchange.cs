@@ -33,7 +33,7 @@ namespace Nowpose.Pairing
         /// <summary>Token of the code. Secret.</summary>
         public string Token { get; }
 
-        /// <summary>Why the last attempt failed, and that it is repeated; null if none has failed.</summary>
+        /// <summary>Text with the reason why the last attempt failed and the note that it is repeated; null if none has failed.</summary>
         public string Trouble { get; private set; }
 
         /// <returns>The final answer; null until there is one.</returns>

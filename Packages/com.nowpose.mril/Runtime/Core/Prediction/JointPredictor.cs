@@ -38,14 +38,14 @@ namespace Nowpose.Prediction
     {
         /// <summary>
         /// Maximum time constant of the blend, as a share of the sampling interval: residuals of several sections add up, and beyond a
-        /// fifth the RMS error grows by more than 5 % (display.md).
+        /// fifth the RMS error grows by more than 5 % (display-reference.md).
         /// </summary>
         const double MaxShareOfInterval = 0.2;
 
         /// <summary>
-        /// Maximum difference between two sections that is blended, relative to the maximum speed times the age of the section. A larger one
-        /// comes from a joint that was repositioned or an angle that wrapped, and blending would show it as a motion. A prediction for a
-        /// joint that reversed has an error of 2; polynomials overshoot that by half and more.
+        /// Maximum difference between two sections that is blended, relative to the maximum speed times the age of the section. A larger
+        /// difference comes from a repositioned joint or an angle that wrapped, and blending would show it as a motion. The value must
+        /// exceed 3: when a joint reverses at full speed, the difference is 2, and a polynomial that overshoots adds half of that or more.
         /// </summary>
         const double MaxError = 4;
 
@@ -81,7 +81,7 @@ namespace Nowpose.Prediction
         internal JointPredictor(Forecaster forecaster, int kept, PredictionParts parts, PredictionLimits limits, double blend)
         {
             if (!(blend >= 0) || double.IsPositiveInfinity(blend))
-                throw new ArgumentOutOfRangeException(nameof(blend), blend, "seconds, 0 or more");
+                throw new ArgumentOutOfRangeException(nameof(blend), blend, "must be 0 s or more");
             _limits = limits ?? throw new ArgumentNullException(nameof(limits));
             _forecaster = forecaster;
             _timeConstant = blend;

@@ -21,7 +21,7 @@ namespace Nowpose.Prediction
         {
             if (!double.IsFinite(time) || !double.IsFinite(position) || !double.IsFinite(order))
                 throw new ArgumentException(
-                    "time, position and order must be finite, not " + time + " s, " + position + ", " + order + " s");
+                    "time, position and order must be finite; they are " + time + " s, " + position + ", " + order + " s");
             Time = time;
             Position = position;
             Order = order;

@@ -23,9 +23,9 @@ namespace Nowpose.Prediction
             if (!(lower <= upper) || double.IsPositiveInfinity(lower) || double.IsNegativeInfinity(upper))
                 throw new ArgumentException("position limits " + lower + " to " + upper + ": lower must not exceed upper");
             if (!(horizonCap >= 0))
-                throw new ArgumentOutOfRangeException(nameof(horizonCap), horizonCap, "seconds, 0 or more");
+                throw new ArgumentOutOfRangeException(nameof(horizonCap), horizonCap, "must be 0 s or more");
             if (!(maximumGap > 0))
-                throw new ArgumentOutOfRangeException(nameof(maximumGap), maximumGap, "seconds, more than 0");
+                throw new ArgumentOutOfRangeException(nameof(maximumGap), maximumGap, "must be more than 0 s");
 
             RequirePositive(velocity, nameof(velocity), "per second");
             RequirePositive(acceleration, nameof(acceleration), "per second squared");
@@ -79,7 +79,7 @@ namespace Nowpose.Prediction
 
         static void RequirePositive(double value, string name, string unit)
         {
-            if (!(value > 0)) throw new ArgumentOutOfRangeException(name, value, unit + ", more than 0");
+            if (!(value > 0)) throw new ArgumentOutOfRangeException(name, value, "must be more than 0 " + unit);
         }
     }
 }

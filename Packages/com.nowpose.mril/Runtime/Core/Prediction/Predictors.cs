@@ -39,11 +39,11 @@ namespace Nowpose.Prediction
         });
 
         /// <summary>Creates a predictor for one joint.</summary>
-        /// <param name="name">One of <see cref="Names"/>, or a degree with another history h: linear-h4.</param>
+        /// <param name="name">One of <see cref="Names"/>, or a polynomial with another history, for example linear-h4.</param>
         /// <param name="limits">Bounds of time and position.</param>
         /// <param name="blend">
-        /// Time constant of the blend between two sections, in s; shorter if samples arrive in
-        /// quick succession. 0: the joint jumps.
+        /// Time constant of the blend between two sections, in s. It is reduced if samples arrive in
+        /// quick succession. 0: no blending, the joint jumps.
         /// </param>
         /// <exception cref="InputException">The name is unknown.</exception>
         public static JointPredictor Create(string name, PredictionLimits limits, double blend = 0)
@@ -51,8 +51,8 @@ namespace Nowpose.Prediction
             if (name == "adaptive") return Adaptive(limits, PredictionParts.All, blend);
             if (name == "gp") return new JointPredictor(new CalibratedProcess(), Kept, PredictionParts.Samples, limits, blend);
             if (!TryReadPolynomial(name, out var degree, out var history))
-                throw new InputException("predictor '" + name + "' is unknown; there are " + string.Join(", ", Names)
-                    + ", and linear, quadratic and cubic with -h and a history, as linear-h4");
+                throw new InputException("predictor '" + name + "' is unknown; allowed are " + string.Join(", ", Names)
+                    + ", and linear, quadratic and cubic with -h and a history, for example linear-h4");
             return new JointPredictor(new PolynomialForecaster(degree, history), history + 1, PredictionParts.None, limits, blend);
         }
 

@@ -24,11 +24,11 @@ namespace Nowpose.Protocol
             string frameId = "")
         {
             if (positions.Length != names.Length)
-                throw new ArgumentException(positions.Length + " positions for " + names.Length + " joints", nameof(positions));
+                throw new ArgumentException(positions.Length + " positions were passed for " + names.Length + " joints", nameof(positions));
             if (velocities != null && velocities.Length != names.Length)
-                throw new ArgumentException(velocities.Length + " velocities for " + names.Length + " joints", nameof(velocities));
+                throw new ArgumentException(velocities.Length + " velocities were passed for " + names.Length + " joints", nameof(velocities));
             if (accelerations != null && accelerations.Length != names.Length)
-                throw new ArgumentException(accelerations.Length + " accelerations for " + names.Length + " joints", nameof(accelerations));
+                throw new ArgumentException(accelerations.Length + " accelerations were passed for " + names.Length + " joints", nameof(accelerations));
             Stamp = stamp;
             Names = names;
             Positions = positions;

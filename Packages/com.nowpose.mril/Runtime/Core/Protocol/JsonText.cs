@@ -130,9 +130,9 @@ namespace Nowpose.Protocol
             if (first < 0xC2 || first > 0xF4) return 0;
             var length = first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
             if (text.Length < length) return 0;
-            var least = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
-            var greatest = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
-            if (text[1] < least || text[1] > greatest) return 0;
+            var min = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
+            var max = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
+            if (text[1] < min || text[1] > max) return 0;
             for (var i = 2; i < length; i++)
                 if ((text[i] & 0xC0) != 0x80) return 0;
             return length;

@@ -130,7 +130,7 @@ namespace Nowpose.Protocol
             foreach (var value in values)
             {
                 if (double.IsNaN(value) || double.IsInfinity(value))
-                    throw new ArgumentException(name + " holds " + value + ", which JSON cannot represent; allowed are finite values");
+                    throw new ArgumentException(name + " contains " + value + ", which JSON cannot represent; allowed are finite values");
                 json.WriteValue(value);
             }
 

@@ -11,7 +11,7 @@ namespace Nowpose.Protocol
     /// </remarks>
     sealed class RosbridgeReader
     {
-        // In the order of RosbridgeOp, without its first value.
+        // The names are in the order of RosbridgeOp, without its first value.
         static readonly JsonNames Ops = new JsonNames(
             "subscribe", "unsubscribe", "advertise", "unadvertise", "publish", "call_service", "service_response", "advertise_service",
             "unadvertise_service", "status", "set_level");
@@ -91,7 +91,7 @@ namespace Nowpose.Protocol
             }
         }
 
-        // The text of a status, or the body of a publication, which is read once its topic is known.
+        // Reads the text of a status, or the body of a publication if its topic is known.
         bool ReadMsg(ref JsonUtf8Reader json)
         {
             if (!json.IsText) return json.Skip();
@@ -117,7 +117,7 @@ namespace Nowpose.Protocol
 
         static DropReason Need(string field) => string.IsNullOrEmpty(field) ? DropReason.MissingField : DropReason.None;
 
-        // Second pass, for a body before its topic, and for a service response, whose meaning depends on several fields.
+        // Reads the body in a second pass if it precedes its topic, or for a service response, whose meaning depends on several fields.
         DropReason ReadBody(ReadOnlySpan<byte> utf8)
         {
             var isPublication = _message.Op == RosbridgeOp.Publish;

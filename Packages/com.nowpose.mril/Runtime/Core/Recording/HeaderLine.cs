@@ -28,7 +28,7 @@ namespace Nowpose.Recording
             line.End();
         }
 
-        /// <summary>Writes the first line of a gateway's file: of the settings it contains only those that a prediction would use.</summary>
+        /// <summary>Writes the first line of a gateway's file. It contains only the settings that a prediction uses.</summary>
         /// <param name="robot">Null without a robot description.</param>
         public static void WriteOfGateway(JsonLine line, string cell, RobotModel robot, DateTime startedUtc)
         {
@@ -96,7 +96,7 @@ namespace Nowpose.Recording
                 line.Add("render_time_limit_ms", settings.Range.Limit.TotalMilliseconds)
                     .Add("render_time_source", Sources[(int)settings.Range.Source]);
             line.Add("clock_estimator", settings.ClockEstimator).Add("sync_interval_ms", settings.SyncInterval.TotalMilliseconds);
-            line.Add("greatest_holdover_error_ms", settings.Clock.GreatestHoldoverError.TotalMilliseconds);
+            line.Add("greatest_holdover_error_ms", settings.Clock.MaxHoldoverError.TotalMilliseconds);
             line.Add("security", Securities[(int)settings.Connection.Security]).Close('}');
         }
     }

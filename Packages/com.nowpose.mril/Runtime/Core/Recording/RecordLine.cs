@@ -50,7 +50,7 @@ namespace Nowpose.Recording
         void WriteSync(SessionRecord record)
         {
             var exchange = record.Exchange;
-            // As received: the reader of the file adds half the resolution again.
+            // Writes the received value, because the reader of the file adds half the resolution again.
             var half = new TimeSpan(exchange.Resolution.Ticks / 2);
             _line.Begin("sync").Add("t1_ns", exchange.T1.Nanoseconds).Add("t2_ns", (exchange.T2 - half).Nanoseconds)
                 .Add("t3_ns", (exchange.T3 - half).Nanoseconds).Add("t4_ns", exchange.T4.Nanoseconds)

@@ -32,7 +32,7 @@ namespace Nowpose.Recording
         /// <summary>Number of records lost since the start because the ring was full.</summary>
         public long Lost => Interlocked.Read(ref _lost);
 
-        /// <summary>Gets a record to fill and pass to <see cref="Publish"/>; null if the ring is full. Any thread; allocates nothing.</summary>
+        /// <summary>Gets a record to fill and pass to <see cref="Publish"/>; null if the ring is full. Thread-safe; allocates nothing.</summary>
         public SessionRecord TryClaim(RecordKind kind)
         {
             var place = Volatile.Read(ref _filled);

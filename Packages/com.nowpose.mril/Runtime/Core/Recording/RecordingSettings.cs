@@ -24,7 +24,7 @@ namespace Nowpose.Recording
         /// <exception cref="InputException">A value is out of range, or the name is empty.</exception>
         public RecordingSettings(string name, Func<Stream> open, double maximumMegabytes = 500, DateTime? startedUtc = null)
         {
-            if (string.IsNullOrWhiteSpace(name)) throw new InputException("recording: no file is named; give the path of one");
+            if (string.IsNullOrWhiteSpace(name)) throw new InputException("recording: no file is named; enter a path");
             Path = name;
             Open = open ?? throw new ArgumentNullException(nameof(open));
             MaximumBytes = (long)(SettingRange.Require(maximumMegabytes, 0.001, 100_000, "maximum size of the recording", "MB") * 1e6);

@@ -23,7 +23,7 @@ namespace Nowpose.Recording
         /// <summary>Clock, display, statistics, drops and diagnostics: the time. Frame: its start.</summary>
         public HeadsetTime At { get; set; }
 
-        /// <summary>Used by sync.</summary>
+        /// <summary>The exchange; used by sync records.</summary>
         public SyncExchange Exchange { get; set; }
 
         /// <inheritdoc cref="Exchange"/>
@@ -32,40 +32,40 @@ namespace Nowpose.Recording
         /// <inheritdoc cref="Exchange"/>
         public SyncExchangeFault Fault { get; set; }
 
-        /// <summary>Sample. The message is referenced, not copied, because nothing modifies it.</summary>
+        /// <summary>The sample; used by sample records. The message is referenced, not copied, because no code modifies it.</summary>
         public SampleArrival Arrival { get; set; }
 
-        /// <summary>Sample, in a gateway's file: arrival time on the control clock.</summary>
+        /// <summary>Arrival time on the control clock; used by sample records of a gateway's file.</summary>
         public ControlTime? ControlArrival { get; set; }
 
-        /// <summary>Diagnostics. Referenced, not copied; it arrived at <see cref="At"/>.</summary>
+        /// <summary>The diagnostics, which arrived at <see cref="At"/>; used by diagnostics records. Referenced, not copied.</summary>
         public DiagnosticsMessage Diagnostics { get; set; }
 
-        /// <summary>Plan. Referenced, not copied.</summary>
+        /// <summary>The plan; used by plan records. Referenced, not copied.</summary>
         public PlanArrival Plan { get; set; }
 
-        /// <summary>Used by sample and plan.</summary>
+        /// <summary>Reason why the message was dropped; used by sample and plan records.</summary>
         public DropReason Reason { get; set; }
 
-        /// <summary>Frame: the display time on the control clock.</summary>
+        /// <summary>Display time on the control clock; used by frame records.</summary>
         public ControlTime? Light { get; set; }
 
-        /// <summary>Used by frame.</summary>
+        /// <summary>State of the pose; used by frame records.</summary>
         public PoseState Pose { get; set; }
 
-        /// <summary>Frame: Δt_render. Display: L_visu.</summary>
+        /// <summary>Δt_render in frame records, L_visu in display records.</summary>
         public TimeSpan? Length { get; set; }
 
-        /// <summary>Frame: the expected error of the clock offset.</summary>
+        /// <summary>Estimated error of the clock offset; used by frame records.</summary>
         public TimeSpan? EstimatedError { get; set; }
 
-        /// <summary>Used by display.</summary>
+        /// <summary>State of the render time; used by display records.</summary>
         public RangeState Range { get; set; }
 
         /// <inheritdoc cref="Range"/>
         public ReprojectionMode Reprojection { get; set; }
 
-        /// <summary>Used by clock and statistics.</summary>
+        /// <summary>The clock model; used by clock and statistics records.</summary>
         public ClockModel Clock { get; set; }
 
         /// <summary>Clock: all samples were discarded.</summary>

@@ -78,7 +78,7 @@ namespace Nowpose.Session
 
         public RobotModel Robot { get; }
 
-        /// <summary>Receives messages from the network or from a simulation. Any thread.</summary>
+        /// <summary>Receives messages from the network or from a simulation. Thread-safe.</summary>
         internal IRosbridgeListener Listener { get; }
 
         /// <summary>Queues of messages for the next frame.</summary>
@@ -86,16 +86,16 @@ namespace Nowpose.Session
 
         public SessionSettings Settings => _settings;
 
-        /// <summary>URDF text of the robot from the gateway, the newest valid one; null before. Any thread.</summary>
+        /// <summary>URDF text of the robot from the gateway, the newest valid one; null before. Thread-safe.</summary>
         public string RobotDescription => _description.Text;
 
-        /// <summary>Robot model of <see cref="RobotDescription"/>; null before. Any thread.</summary>
+        /// <summary>Robot model of <see cref="RobotDescription"/>; null before. Thread-safe.</summary>
         public RobotModel DescribedRobot => _description.Model;
 
-        /// <summary>Whether <see cref="Robot"/> was read from the same text. Any thread.</summary>
+        /// <summary>Whether <see cref="Robot"/> was read from the same text. Thread-safe.</summary>
         internal RobotDescriptionMatch RobotDescriptionMatch => _description.Match;
 
-        /// <summary>Reason why the newest description could not be read, in one line; null without an error or description. Any thread.</summary>
+        /// <summary>Reason why the newest description could not be read, in one line; null without an error or description. Thread-safe.</summary>
         public string RobotDescriptionFault => _descriptionFault;
 
         /// <summary>
@@ -146,13 +146,13 @@ namespace Nowpose.Session
             set { lock (_gate) _light.Calibrated = value; }
         }
 
-        /// <summary>Profile of <see cref="Visualisation"/>; null when the value was set as a number. Any thread.</summary>
+        /// <summary>Profile of <see cref="Visualisation"/>; null when the value was set as a number. Thread-safe.</summary>
         public LatencyProfile Profile
         {
             get { lock (_gate) return _light.Profile; }
         }
 
-        /// <summary>Range for render times: that of the profile, or else that of the settings; null when neither has one. Any thread.</summary>
+        /// <summary>Range for render times: that of the profile, or else that of the settings; null when neither has one. Thread-safe.</summary>
         public ConstantLatencyRange Range
         {
             get { lock (_gate) return _monitor.Range; }
@@ -168,14 +168,14 @@ namespace Nowpose.Session
             set { lock (_gate) _light.Source = value; }
         }
 
-        /// <summary>Whether the newest frame's display time comes from <see cref="DisplayTimeSource"/>, not the calibration. Any thread.</summary>
+        /// <summary>Whether the newest frame's display time comes from <see cref="DisplayTimeSource"/>, not the calibration. Thread-safe.</summary>
         public bool IsLightPredicted
         {
             get { lock (_gate) return _light.IsPredicted; }
         }
 
         /// <summary>
-        /// Newest display time from <see cref="DisplayTimeSource"/> minus its frame's start, used or not; null without one. Any thread.
+        /// Newest display time from <see cref="DisplayTimeSource"/> minus its frame's start, used or not; null without one. Thread-safe.
         /// </summary>
         public TimeSpan? DisplayTimeAhead
         {
@@ -184,7 +184,7 @@ namespace Nowpose.Session
 
         /// <summary>
         /// Reprojection mode of the display, as reported from outside; it does not change what a frame
-        /// shows. Any thread.
+        /// shows. Thread-safe.
         /// </summary>
         public ReprojectionMode Reprojection
         {
@@ -194,7 +194,7 @@ namespace Nowpose.Session
 
         /// <summary>
         /// Conditions that affect L_visu. Set the conditions that the device reports; the value read also includes <see cref="Reprojection"/> and
-        /// <see cref="SessionSettings.RewriteBeforeRender"/>. They do not change what a frame shows. Any thread.
+        /// <see cref="SessionSettings.RewriteBeforeRender"/>. They do not change what a frame shows. Thread-safe.
         /// </summary>
         internal DisplayConditions Conditions
         {
@@ -202,13 +202,13 @@ namespace Nowpose.Session
             set { lock (_gate) _conditions.Report(value); }
         }
 
-        /// <summary>Conditions that differ from those at the measurement of <see cref="Profile"/>; empty for none. Any thread.</summary>
+        /// <summary>Conditions that differ from those at the measurement of <see cref="Profile"/>; empty for none. Thread-safe.</summary>
         public IReadOnlyList<ConditionMismatch> ProfileMismatches
         {
             get { lock (_gate) return _conditions.MismatchesOf(_light.Profile); }
         }
 
-        /// <summary>Whether the depth buffer reaches the display, as reported from outside. Any thread.</summary>
+        /// <summary>Whether the depth buffer reaches the display, as reported from outside. Thread-safe.</summary>
         public DepthSubmission DepthSubmission
         {
             get { lock (_gate) return _depth; }
@@ -221,10 +221,10 @@ namespace Nowpose.Session
         /// <summary>Completes when the ended connections have released all resources, also sockets and threads; waiting is optional.</summary>
         public Task Ended => _connections.Ended;
 
-        /// <summary>Status of the clock sync connection, or of the exchanges with ROS time. Any thread.</summary>
+        /// <summary>Status of the clock sync connection, or of the exchanges with ROS time. Thread-safe.</summary>
         public LinkStatus SyncLink => _connections.SyncLink;
 
-        /// <summary>Status of the connection for joint positions. Any thread.</summary>
+        /// <summary>Status of the connection for joint positions. Thread-safe.</summary>
         public LinkStatus SampleLink => _connections.SampleLink;
 
         /// <summary>
@@ -268,7 +268,7 @@ namespace Nowpose.Session
 
         /// <summary>
         /// Applies a calibration from the next frame on: L_visu, and the range for render times. The session continues. The caller checks
-        /// that the profile is for this device. Any thread.
+        /// that the profile is for this device. Thread-safe.
         /// </summary>
         /// <param name="profile">
         /// Null restores the values of the settings. The range of the settings is also used if the profile has none, because the limit of
@@ -283,7 +283,7 @@ namespace Nowpose.Session
             }
         }
 
-        /// <summary>Reports the render time of a frame, which shows whether L_visu has its calibrated value. Once per frame; any thread.</summary>
+        /// <summary>Reports the render time of a frame, which shows whether L_visu has its calibrated value. Once per frame. Thread-safe.</summary>
         /// <param name="renderTime">Δt_render. Zero and negative values are not measurements and are ignored.</param>
         /// <param name="source"><see cref="RenderTimeSourceKind.None"/> when the render time is not measured any more.</param>
         public void Rendered(TimeSpan renderTime, RenderTimeSourceKind source)
@@ -295,7 +295,7 @@ namespace Nowpose.Session
             }
         }
 
-        /// <summary>Reads a received robot description, which may take some time. Any thread.</summary>
+        /// <summary>Reads a received robot description, which may take some time. Thread-safe.</summary>
         public void Described(string urdf)
         {
             string fault = null;
@@ -308,13 +308,13 @@ namespace Nowpose.Session
             _descriptionFault = fault;
         }
 
-        /// <summary>Starts a new run of <see cref="SessionStatistics.ToolErrorOfRun"/> with the next frame. Any thread.</summary>
+        /// <summary>Starts a new run of <see cref="SessionStatistics.ToolErrorOfRun"/> with the next frame. Thread-safe.</summary>
         public void RestartErrorRun()
         {
             lock (_gate) _hindcast.RestartRun();
         }
 
-        /// <summary>Returns a snapshot for panels and reports; allocates. Any thread.</summary>
+        /// <summary>Returns a snapshot for panels and reports; allocates. Thread-safe.</summary>
         /// <param name="now">Headset time at which the clock's offset and error bound are evaluated.</param>
         public SessionStatistics Statistics(HeadsetTime now)
         {
@@ -323,7 +323,7 @@ namespace Nowpose.Session
             return statistics;
         }
 
-        /// <summary>Writes the same snapshot into a reusable object; allocates nothing. Any thread.</summary>
+        /// <summary>Writes the same snapshot into a reusable object; allocates nothing. Thread-safe.</summary>
         /// <param name="now">Headset time at which the clock's offset and error bound are evaluated.</param>
         public void Fill(SessionStatistics into, HeadsetTime now)
         {
@@ -348,7 +348,7 @@ namespace Nowpose.Session
 
         /// <summary>
         /// Returns the joints of the newest frame, stamped with its display time. Null while the display time is unknown, when a joint of the
-        /// arm is missing, or when this frame was already returned. Any thread; it causes no work in a frame.
+        /// arm is missing, or when this frame was already returned. Thread-safe. Frames do no work for it.
         /// </summary>
         public JointStateMessage Displayed()
         {

@@ -7,7 +7,7 @@ namespace Nowpose.Session
     /// <summary>Settings of the joint prediction. Immutable; validated by the constructor.</summary>
     public sealed class PredictionSettings
     {
-        /// <summary>Increases the RMS error by less than 5 % and reduces jumps by a fifth to a third; see display.md for the numbers.</summary>
+        /// <summary>Increases the RMS error by less than 5 % and reduces jumps by a fifth to a third; see display-reference.md for the numbers.</summary>
         public const double DefaultBlendMs = 14;
 
         /// <summary>Maximum blend time: a longer one would itself add latency.</summary>

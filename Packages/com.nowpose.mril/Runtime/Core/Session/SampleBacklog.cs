@@ -3,7 +3,7 @@ using System.Collections.Concurrent;
 
 namespace Nowpose.Session
 {
-    /// <summary>Messages that wait for a frame, and a selection of those to process. Allocates nothing after construction; single-threaded.</summary>
+    /// <summary>Queues messages until the next frame, and selects those to process. Allocates nothing after construction; single-threaded.</summary>
     /// <remarks>
     /// After a delay of the network or of a frame, a thousand messages may wait. Processing a joint's sample takes about 40 µs with the
     /// default predictor, so that all of them take a quarter of a second for seven joints, which would delay the next frame again.

@@ -36,7 +36,11 @@ namespace Nowpose.Session
         /// The predicted display times of the headset's runtime and the calibrated L_visu differ by more than 5 ms for a lasting time: one
         /// of them is wrong. Reported again only after they agreed.
         /// </summary>
-        DisplayTimeDoubted = 32,
+        DisplayTimeInconsistent = 32,
+
+        /// <summary>Former name of <see cref="DisplayTimeInconsistent"/>.</summary>
+        [Obsolete("Use DisplayTimeInconsistent.")]
+        DisplayTimeDoubted = DisplayTimeInconsistent,
 
         /// <summary>
         /// The display times of the headset's runtime have been implausible for a second: in the past, or more than 500 ms ahead. Implausible

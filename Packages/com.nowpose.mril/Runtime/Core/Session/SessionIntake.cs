@@ -69,7 +69,7 @@ namespace Nowpose.Session
         /// <summary>Number of used messages.</summary>
         public long Samples { get; private set; }
 
-        /// <summary>Queues a message for the next frame. Any thread.</summary>
+        /// <summary>Queues a message for the next frame. Thread-safe.</summary>
         /// <param name="message">A validated message.</param>
         /// <param name="arrival">Headset time of its arrival.</param>
         public void Add(JointStateMessage message, HeadsetTime arrival)
@@ -78,7 +78,7 @@ namespace Nowpose.Session
             if (_arrivals.Count > QueueLength && _arrivals.TryDequeue(out var oldest)) Judged(oldest, DropReason.SlowReader);
         }
 
-        /// <summary>Queues future set-points for the next frame with a known control time. Any thread.</summary>
+        /// <summary>Queues future set-points for the next frame with a known control time. Thread-safe.</summary>
         /// <param name="message">A validated message.</param>
         /// <param name="arrival">Headset time of its arrival.</param>
         public void Add(JointTrajectoryMessage message, HeadsetTime arrival)

@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>Connects a session to its network connection: receives messages, and provides displayed joints and diagnostics. Any thread.</summary>
+    /// <summary>Connects a session to the network: receives messages, and provides displayed joints and diagnostics. Thread-safe.</summary>
     sealed class SessionListener : IRosbridgeListener
     {
         readonly CompensationSession _session;

@@ -73,6 +73,7 @@ namespace Nowpose.Session
         {
             into.ToolError = _hindcast.Tool?.Times(MillimetresPerMetre);
             into.ToolErrorOfRun = _hindcast.ToolOfRun?.Times(MillimetresPerMetre);
+            into.IsRunPartlyOutsideRange = _hindcast.IsRunPartlyOutside;
             var joints = into.PlacesForJointErrors(_hindcast.JointCount);
             for (var i = 0; i < joints.Length; i++) joints[i] = _hindcast.JointAt(i);
         }

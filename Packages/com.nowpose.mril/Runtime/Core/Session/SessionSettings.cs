@@ -58,6 +58,9 @@ namespace Nowpose.Session
         public string ClockEstimator { get; }
         public TimeSpan SyncInterval { get; }
 
+        /// <summary>Whether the pace of the sync exchanges never changes.</summary>
+        internal bool IsSyncIntervalConstant { get; private set; }
+
         /// <summary>Profile of L_visu; null when the value was set as a number.</summary>
         public LatencyProfile Profile { get; }
 
@@ -69,14 +72,25 @@ namespace Nowpose.Session
         /// <summary>Returns the same settings for another gateway.</summary>
         public SessionSettings With(ConnectionSettings connection) => new SessionSettings(
             connection, Visualisation, Prediction, Clock, Ransac, SyncInterval.TotalMilliseconds, Range, RewriteBeforeRender, ClockEstimator,
-            Profile, OutsideRange);
+            Profile, OutsideRange)
+        {
+            IsSyncIntervalConstant = IsSyncIntervalConstant,
+        };
+
+        /// <summary>Returns the same settings with one sync exchange per <see cref="SyncInterval"/> at all times, as in the paper.</summary>
+        internal SessionSettings WithConstantSyncInterval()
+        {
+            var constant = With(Connection);
+            constant.IsSyncIntervalConstant = true;
+            return constant;
+        }
 
         /// <summary>Creates a new estimator of the selected kind.</summary>
         internal IClockEstimator CreateClockEstimator() => ClockEstimators.Create(ClockEstimator, Ransac);
 
         /// <summary>Creates a schedule of sync exchanges; each caller gets its own.</summary>
         /// <param name="random">As in <see cref="ExchangePace"/>.</param>
-        internal ExchangePace NewExchangePace(Random random) => new ExchangePace(SyncInterval, Clock.HoldoverAfter, random);
+        internal ExchangePace NewExchangePace(Random random) => new ExchangePace(SyncInterval, Clock.HoldoverAfter, random, IsSyncIntervalConstant);
 
         /// <summary>Whether the pose is computed and applied again right before rendering.</summary>
         public bool RewriteBeforeRender { get; }

@@ -91,12 +91,19 @@ namespace Nowpose.Session
 
         /// <summary>
         /// Error of the displayed tool relative to its true position from later samples, over the newest ten seconds, mm. Excludes errors
-        /// that these samples cannot show: those of the clock's offset and of L_visu.
+        /// that these samples cannot show: those of the clock's offset and of L_visu. Null while <see cref="Range"/> is outside, where
+        /// L_visu is unknown.
         /// </summary>
         public DisplayedError? ToolError { get; internal set; }
 
-        /// <summary>The same since the session began, or since <see cref="CompensationSession.RestartErrorRun"/>; mm.</summary>
+        /// <summary>
+        /// The same since the session began, or since <see cref="CompensationSession.RestartErrorRun"/>; mm. Null as well if
+        /// <see cref="Range"/> has been outside since then.
+        /// </summary>
         public DisplayedError? ToolErrorOfRun { get; internal set; }
+
+        /// <summary>Whether <see cref="ToolErrorOfRun"/> is withheld, because the range has been outside.</summary>
+        internal bool IsRunPartlyOutsideRange { get; set; }
 
         /// <summary>Errors of the joints between base and tool, from the base, over the newest ten seconds; rad or m.</summary>
         public IReadOnlyList<JointError> JointErrors => _jointErrors;

@@ -41,7 +41,7 @@ namespace Nowpose.Session
             if (pose == PoseState.Incomplete || pose == PoseState.Unsynchronised) _isFresh.Interrupt();
             else if (_isFresh.Update(at, pose != PoseState.Held, Settle) && pose == PoseState.Held)
                 changes |= SessionChange.Stale;
-            if (isDisplayTimeInconsistent && !_isDisplayTimeInconsistent) changes |= SessionChange.DisplayTimeDoubted;
+            if (isDisplayTimeInconsistent && !_isDisplayTimeInconsistent) changes |= SessionChange.DisplayTimeInconsistent;
             _isDisplayTimeInconsistent = isDisplayTimeInconsistent;
             if (isDisplayTimeImplausible != _isDisplayTimeImplausible)
                 changes |= isDisplayTimeImplausible ? SessionChange.DisplayTimeImplausible : SessionChange.DisplayTimePlausible;

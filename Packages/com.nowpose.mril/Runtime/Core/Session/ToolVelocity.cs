@@ -4,14 +4,14 @@ using Nowpose.Kinematics;
 namespace Nowpose.Session
 {
     /// <summary>Velocity of the displayed tool centre point, from its positions at the display times of successive frames.</summary>
-    /// <remarks>It applies to the middle between two frames, half a frame earlier. Allocates nothing; not thread-safe.</remarks>
+    /// <remarks>The velocity is valid for the middle between two frames, half a frame earlier. Allocates nothing; not thread-safe.</remarks>
     sealed class ToolVelocity
     {
         /// <summary>Minimum interval: a shorter one means that the same frame was computed again, and the difference would be noise.</summary>
-        static readonly TimeSpan Shortest = TimeSpan.FromMilliseconds(5);
+        static readonly TimeSpan MinInterval = TimeSpan.FromMilliseconds(5);
 
         /// <summary>Maximum interval: the mean velocity over a longer one is not the current velocity.</summary>
-        static readonly TimeSpan Longest = TimeSpan.FromMilliseconds(100);
+        static readonly TimeSpan MaxInterval = TimeSpan.FromMilliseconds(100);
 
         ControlTime? _time;
         (double X, double Y, double Z) _position;
@@ -27,8 +27,8 @@ namespace Nowpose.Session
         public void Follow(ControlTime? displayTime, in RigidTransform tool)
         {
             var passed = displayTime - _time;
-            if (passed >= TimeSpan.Zero && passed < Shortest) return;
-            var seconds = passed > TimeSpan.Zero && passed <= Longest ? ClockTicks.Seconds(passed.Value) : double.NaN;
+            if (passed >= TimeSpan.Zero && passed < MinInterval) return;
+            var seconds = passed > TimeSpan.Zero && passed <= MaxInterval ? ClockTicks.Seconds(passed.Value) : double.NaN;
             Value = double.IsNaN(seconds)
                 ? ((double, double, double)?)null
                 : ((tool.X - _position.X) / seconds, (tool.Y - _position.Y) / seconds, (tool.Z - _position.Z) / seconds);

@@ -2,19 +2,22 @@ using System;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>A display with a GPU that renders frames in order, so that L_visu is constant up to a render time and increases above it.</summary>
+    /// <summary>A display with a GPU that renders frames in order; L_visu is constant up to a render time and scatters above it.</summary>
     /// <remarks>
-    /// Models the effect of Schnierle &amp; Röck 2022, Figs 10 and 11. A frame is triggered at a refresh and displayed at the first refresh
-    /// for which it is done before the latch. Two frames may be in progress; then the program waits for the older one, so frames that
-    /// take longer than a refresh queue up. Render times grow with the load and scatter a little, and one frame in a hundred is
-    /// much slower. Seeded; allocates nothing after construction; not thread-safe.
+    /// Models the effect of Schnierle &amp; Röck 2022, Figs 10 and 11. A frame starts at a refresh while the program keeps up. Two frames may
+    /// be in progress; when both are, the next frame starts as soon as the older one is done. Starts of frames that take longer than a
+    /// refresh therefore drift against the refreshes. A frame is displayed at the first refresh for which it is done before the latch;
+    /// of two frames for the same refresh only the newer is seen. Render times grow with the load and scatter a little, and one frame
+    /// in a hundred is much slower. Seeded; allocates nothing after construction; not thread-safe.
     /// </remarks>
     sealed class DisplayPipeline
     {
         readonly DisplayPipelineSettings _settings;
         readonly Random _random;
-        long _nextTrigger;
-        double _gpuFreeMs, _doneBeforeMs;
+
+        /// <summary>The newest refresh at or before the next start.</summary>
+        long _refresh;
+        double _nextStartMs, _gpuFreeMs;
 
         /// <param name="settings">Null for the defaults.</param>
         public DisplayPipeline(int seed, DisplayPipelineSettings settings = null)
@@ -23,30 +26,33 @@ namespace Nowpose.Simulation
             _random = new Random(seed);
         }
 
-        /// <summary>Maximum constant render time at which L_visu does not increase.</summary>
+        /// <summary>Maximum constant render time at which each frame is displayed at the next refresh, so that L_visu is constant.</summary>
         public TimeSpan TrueLimit => Span(_settings.RefreshMs - _settings.LatchMs);
 
         /// <summary>Start of the next frame, since the pipeline's start.</summary>
-        public TimeSpan NextStart => Span(_nextTrigger * _settings.RefreshMs);
+        public TimeSpan NextStart => Span(_nextStartMs);
 
         /// <summary>Renders the next frame.</summary>
         /// <param name="vertices">The load in vertices, 0 or more.</param>
         public PipelineFrame Next(double vertices)
         {
             if (!(vertices >= 0 && vertices < 1e9))
-                throw new ArgumentOutOfRangeException(nameof(vertices), vertices, "a frame has 0 to a billion vertices");
+                throw new ArgumentOutOfRangeException(nameof(vertices), vertices, "must be 0 to a billion vertices");
             var renderMs = (_settings.BaseMs + _settings.MsPerMillion * vertices / 1e6) * Slowness();
-            var trigger = _nextTrigger;
-            var startMs = trigger * _settings.RefreshMs;
-            _doneBeforeMs = _gpuFreeMs;
-            _gpuFreeMs = Math.Max(_gpuFreeMs, startMs) + renderMs;
-            _nextTrigger = Math.Max(trigger + 1, RefreshAfter(_doneBeforeMs));
-            var shownMs = RefreshAfter(_gpuFreeMs + _settings.LatchMs) * _settings.RefreshMs;
-            return new PipelineFrame(
-                Span(startMs), Span(renderMs), Span(_gpuFreeMs), Span(shownMs - startMs - _settings.RefreshMs + _settings.PlateauMs));
+            var (startMs, olderDoneMs) = (_nextStartMs, _gpuFreeMs);
+            _gpuFreeMs = Math.Max(olderDoneMs, startMs) + renderMs;
+            WaitForRoom(olderDoneMs);
+            var shown = (long)Math.Ceiling((_gpuFreeMs + _settings.LatchMs) / _settings.RefreshMs);
+            var visualisationMs = (shown - 1) * _settings.RefreshMs - startMs + _settings.PlateauMs;
+            return new PipelineFrame(Span(startMs), Span(renderMs), Span(_gpuFreeMs), Span(visualisationMs), shown);
         }
 
-        long RefreshAfter(double ms) => (long)Math.Ceiling(ms / _settings.RefreshMs);
+        // The next frame starts at the next refresh, or later when the older of two frames is done.
+        void WaitForRoom(double olderDoneMs)
+        {
+            _refresh = Math.Max(_refresh + 1, (long)Math.Floor(olderDoneMs / _settings.RefreshMs));
+            _nextStartMs = Math.Max(_refresh * _settings.RefreshMs, olderDoneMs);
+        }
 
         double Slowness()
         {

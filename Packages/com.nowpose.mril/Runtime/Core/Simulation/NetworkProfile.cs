@@ -20,7 +20,7 @@ namespace Nowpose.Simulation
 
         NetworkProfile(
             string name, double baseMs, double gammaShape, double gammaScaleMs,
-            double spikeChanceUp, double spikeChanceDown, double leastSpikeMs, double greatestSpikeMs)
+            double spikeChanceUp, double spikeChanceDown, double minSpikeMs, double maxSpikeMs)
         {
             Name = name;
             BaseMs = baseMs;
@@ -28,8 +28,8 @@ namespace Nowpose.Simulation
             GammaScaleMs = gammaScaleMs;
             SpikeChanceUp = spikeChanceUp;
             SpikeChanceDown = spikeChanceDown;
-            LeastSpikeMs = leastSpikeMs;
-            GreatestSpikeMs = greatestSpikeMs;
+            MinSpikeMs = minSpikeMs;
+            MaxSpikeMs = maxSpikeMs;
         }
 
         public string Name { get; }
@@ -49,10 +49,18 @@ namespace Nowpose.Simulation
         public double SpikeChanceDown { get; }
 
         /// <summary>Minimum additional delay in a burst, ms.</summary>
-        public double LeastSpikeMs { get; }
+        public double MinSpikeMs { get; }
 
         /// <summary>Maximum additional delay in a burst, ms.</summary>
-        public double GreatestSpikeMs { get; }
+        public double MaxSpikeMs { get; }
+
+        /// <inheritdoc cref="MinSpikeMs"/>
+        [Obsolete("use MinSpikeMs")]
+        public double LeastSpikeMs => MinSpikeMs;
+
+        /// <inheritdoc cref="MaxSpikeMs"/>
+        [Obsolete("use MaxSpikeMs")]
+        public double GreatestSpikeMs => MaxSpikeMs;
 
         /// <exception cref="InputException">No profile has that name.</exception>
         public static NetworkProfile Named(string name) =>

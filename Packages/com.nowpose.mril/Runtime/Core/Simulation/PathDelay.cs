@@ -26,7 +26,7 @@ namespace Nowpose.Simulation
             var ms = _profile.BaseMs + Gamma.Sample(_random, _profile.GammaShape, 1 / _profile.GammaScaleMs);
             _inSpike = _random.NextDouble() < (_inSpike ? ChanceThatASpikeGoesOn : _spikeChance);
             if (_inSpike)
-                ms += _profile.LeastSpikeMs + (_profile.GreatestSpikeMs - _profile.LeastSpikeMs) * _random.NextDouble();
+                ms += _profile.MinSpikeMs + (_profile.MaxSpikeMs - _profile.MinSpikeMs) * _random.NextDouble();
             return ClockTicks.Span(ms / 1000);
         }
     }

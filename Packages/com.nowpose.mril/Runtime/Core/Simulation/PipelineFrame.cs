@@ -5,15 +5,16 @@ namespace Nowpose.Simulation
     /// <summary>Times of one frame in a <see cref="DisplayPipeline"/>.</summary>
     readonly struct PipelineFrame
     {
-        internal PipelineFrame(TimeSpan start, TimeSpan renderTime, TimeSpan done, TimeSpan visualisation)
+        internal PipelineFrame(TimeSpan start, TimeSpan renderTime, TimeSpan done, TimeSpan visualisation, long refresh)
         {
             Start = start;
             RenderTime = renderTime;
             Done = done;
             Visualisation = visualisation;
+            Refresh = refresh;
         }
 
-        /// <summary>Time since the pipeline's start at which the render job is triggered, at a refresh.</summary>
+        /// <summary>Time since the pipeline's start at which the render job is triggered: at a refresh, or when the queue has room.</summary>
         public TimeSpan Start { get; }
 
         /// <summary>Δt_render: duration of the GPU's work on the frame.</summary>
@@ -24,5 +25,11 @@ namespace Nowpose.Simulation
 
         /// <summary>L_visu: from the trigger to the middle of the frame's display duration.</summary>
         public TimeSpan Visualisation { get; }
+
+        /// <summary>Number of the refresh for which the frame is done, counted from the pipeline's start.</summary>
+        public long Refresh { get; }
+
+        /// <summary>Returns whether the next frame is done for the same refresh, so that this one is never seen.</summary>
+        public bool IsReplacedBy(PipelineFrame next) => next.Refresh == Refresh;
     }
 }

@@ -19,8 +19,8 @@ namespace Nowpose.Simulation
             double samplingMs, double latencyMinMs, double latencyMaxMs, double jitterMs, double loss, NetworkProfile network)
         {
             SamplingInterval = SettingRange.RequireMs(samplingMs, 5, 1000, "sampling interval");
-            LatencyMin = SettingRange.RequireMs(latencyMinMs, 0, 2000, "shortest latency");
-            LatencyMax = SettingRange.RequireMs(latencyMaxMs, latencyMinMs, 2000, "longest latency");
+            LatencyMin = SettingRange.RequireMs(latencyMinMs, 0, 2000, "minimum latency");
+            LatencyMax = SettingRange.RequireMs(latencyMaxMs, latencyMinMs, 2000, "maximum latency");
             Jitter = SettingRange.RequireMs(jitterMs, 0, 1000, "jitter");
             Loss = SettingRange.Require(loss, 0, 1, "loss", "");
             Network = network ?? throw new ArgumentNullException(nameof(network));

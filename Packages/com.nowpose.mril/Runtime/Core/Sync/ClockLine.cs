@@ -9,7 +9,7 @@ namespace Nowpose.Sync
         /// Maximum skew: quartz clocks are accurate to 100 ppm each, and slewing one to a reference adds up to 500 ppm in either
         /// direction.
         /// </summary>
-        internal const double GreatestSkew = 700e-6;
+        internal const double MaxSkew = 700e-6;
 
         public ClockLine(HeadsetTime reference, ClockOffset offset, double skew, TimeSpan offsetError, double skewError, int exchanges)
         {

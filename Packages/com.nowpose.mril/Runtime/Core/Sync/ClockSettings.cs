@@ -11,11 +11,11 @@ namespace Nowpose.Sync
         /// <param name="errorToSynchroniseMs">Maximum estimated error (three standard errors) of a synchronised clock, ms.</param>
         /// <param name="holdoverAfterSeconds">Time without exchanges until a coarse or synchronised clock is in holdover, s: ten missed ones.</param>
         /// <param name="stepMarginMs">Minimum amount by which an exchange contradicts the earlier ones to count as a step, ms.</param>
-        /// <param name="startAnewAfterSeconds">
+        /// <param name="restartAfterSeconds">
         /// Time without exchanges after which the estimate restarts, s: the headset may have slept, and quartz clocks drift.
         /// </param>
-        /// <param name="greatestHoldoverErrorMs">Maximum estimated error at which a pose counts as current during a holdover, ms.</param>
-        /// <param name="skewDoubtPpm">
+        /// <param name="maxHoldoverErrorMs">Maximum estimated error at which a pose counts as current during a holdover, ms.</param>
+        /// <param name="skewVariationPpm">
         /// Change of the skew within a minute beyond its standard errors, ppm. The error bound grows at this rate while no exchange
         /// arrives. Quartz clocks that warm up change by a few ppm.
         /// </param>
@@ -25,17 +25,17 @@ namespace Nowpose.Sync
         /// </param>
         public ClockSettings(
             int exchangesToSynchronise = 20, double errorToSynchroniseMs = 1, double holdoverAfterSeconds = 2,
-            double stepMarginMs = 0.5, double startAnewAfterSeconds = 60, double greatestHoldoverErrorMs = 10,
-            double skewDoubtPpm = 10, double coarseErrorMs = 10)
+            double stepMarginMs = 0.5, double restartAfterSeconds = 60, double maxHoldoverErrorMs = 10,
+            double skewVariationPpm = 10, double coarseErrorMs = 10)
         {
             ExchangesToSynchronise = SettingRange.RequireCount(exchangesToSynchronise, 1, 10_000, "exchanges to synchronise");
             ErrorToSynchronise = SettingRange.RequireMs(errorToSynchroniseMs, 0.001, 1000, "error to synchronise");
             HoldoverAfter = SettingRange.RequireSeconds(holdoverAfterSeconds, 0.1, 3600, "holdover after");
             StepMargin = SettingRange.RequireMs(stepMarginMs, 0.01, 10_000, "step margin");
-            StartAnewAfter = SettingRange.RequireSeconds(startAnewAfterSeconds, 1, 86_400, "start anew after");
-            GreatestHoldoverError = SettingRange.RequireMs(greatestHoldoverErrorMs, 0, 1000, "greatest holdover error");
+            RestartAfter = SettingRange.RequireSeconds(restartAfterSeconds, 1, 86_400, "restart after");
+            MaxHoldoverError = SettingRange.RequireMs(maxHoldoverErrorMs, 0, 1000, "maximum holdover error");
             CoarseError = SettingRange.RequireMs(coarseErrorMs, 0, 1000, "coarse error");
-            SkewDoubt = SettingRange.Require(skewDoubtPpm, 0, 10_000, "skew doubt", "ppm") * 1e-6;
+            SkewVariation = SettingRange.Require(skewVariationPpm, 0, 10_000, "skew variation", "ppm") * 1e-6;
         }
 
         public int ExchangesToSynchronise { get; }
@@ -43,15 +43,15 @@ namespace Nowpose.Sync
         public TimeSpan CoarseError { get; }
         public TimeSpan HoldoverAfter { get; }
         public TimeSpan StepMargin { get; }
-        public TimeSpan StartAnewAfter { get; }
-        public TimeSpan GreatestHoldoverError { get; }
+        public TimeSpan RestartAfter { get; }
+        public TimeSpan MaxHoldoverError { get; }
 
         /// <summary>Dimensionless: seconds of error per second.</summary>
-        public double SkewDoubt { get; }
+        public double SkewVariation { get; }
 
         /// <summary>Whether a pose based on this clock counts as current: the clock is coarse, synchronised, or in a short holdover.</summary>
         public bool Trusts(in ClockModel clock) => clock.State == ClockState.Synchronised || clock.State == ClockState.Coarse
-            || (clock.State == ClockState.Holdover && clock.EstimatedError <= GreatestHoldoverError);
+            || (clock.State == ClockState.Holdover && clock.EstimatedError <= MaxHoldoverError);
 
         /// <summary>
         /// Whether a display that uses this clock must also show its estimated error (±): the clock is coarse, or in a holdover with an

@@ -19,11 +19,11 @@ namespace Nowpose.Sync
         TimeSpan _resolution;
         bool _hasContradicted;
 
-        /// <param name="skewDoubt">As in <see cref="OffsetEnvelope"/>.</param>
-        public ClockStepDetector(TimeSpan margin, double skewDoubt)
+        /// <param name="skewUncertainty">As in <see cref="OffsetEnvelope"/>.</param>
+        public ClockStepDetector(TimeSpan margin, double skewUncertainty)
         {
             _margin = margin;
-            _suspected = new OffsetEnvelope(skewDoubt);
+            _suspected = new OffsetEnvelope(skewUncertainty);
         }
 
         /// <summary>Suspected exchanges; after a detected change, all exchanges since the change.</summary>
@@ -38,7 +38,7 @@ namespace Nowpose.Sync
             if (line.Exchanges == 0) _resolution = exchange.Resolution;
             var isContradiction = !envelope.Allows(exchange, line, _margin);
             if (isContradiction || IsOther(exchange.Resolution, _resolution)) return Suspect(exchange, isContradiction);
-            ForgetSuspects();
+            ClearSuspects();
             if (!_shift.Judge(exchange, line, envelope)) return ClockChange.None;
             _suspects.AddRange(_shift.Since);
             return ClockChange.ShortStep;
@@ -48,13 +48,13 @@ namespace Nowpose.Sync
         public void Reset()
         {
             _resolution = _suspects[_suspects.Count - 1].Resolution;
-            ForgetSuspects();
+            ClearSuspects();
             _shift.Reset();
         }
 
         ClockChange Suspect(in SyncExchange exchange, bool isContradiction)
         {
-            if (!GoesWithSuspects(exchange)) ForgetSuspects();
+            if (!AgreesWithSuspects(exchange)) ClearSuspects();
             _suspects.Add(exchange);
             _suspected.Add(exchange);
             _hasContradicted |= isContradiction;
@@ -62,7 +62,7 @@ namespace Nowpose.Sync
             return _hasContradicted ? ClockChange.LongStep : ClockChange.Resolution;
         }
 
-        bool GoesWithSuspects(in SyncExchange exchange) => _suspects.Count == 0
+        bool AgreesWithSuspects(in SyncExchange exchange) => _suspects.Count == 0
             || (_suspected.Allows(exchange, default, _margin) && !IsOther(exchange.Resolution, _suspects[0].Resolution));
 
         // A resolution that the server estimates varies by less than half of its value; a difference below the margin has no effect.
@@ -72,7 +72,7 @@ namespace Nowpose.Sync
             return apart > _margin && apart.Ticks > Math.Max(one.Ticks, other.Ticks) / 2;
         }
 
-        void ForgetSuspects()
+        void ClearSuspects()
         {
             _suspects.Clear();
             _suspected.Reset();

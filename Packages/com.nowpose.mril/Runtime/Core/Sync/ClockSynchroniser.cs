@@ -9,14 +9,14 @@ namespace Nowpose.Sync
         const int ExchangesToBeCoarse = 5;
 
         /// <summary>Contradicting exchanges after which the clock is converging: a single one may be a fault.</summary>
-        const int SuspectsToDoubt = 2;
+        const int SuspectsToConverge = 2;
 
         /// <summary>
         /// Standard deviation of the change of the skew: with the same clocks (one was set, or its resolution changed), after a long
         /// step (the control clock may be that of another machine), and after a long time without exchanges (the headset slept and
         /// cooled down).
         /// </summary>
-        const double SkewDoubtOfSameClocks = 1e-6, SkewDoubtAfterStep = 50e-6, SkewDoubtAfterSilence = 5e-6;
+        const double SkewUncertaintyOfSameClocks = 1e-6, SkewUncertaintyAfterStep = 50e-6, SkewUncertaintyAfterSilence = 5e-6;
 
         readonly object _gate = new object();
         readonly IClockEstimator _estimator;
@@ -25,35 +25,35 @@ namespace Nowpose.Sync
         readonly OffsetEnvelope _envelope;
         readonly ErrorThreshold _coarse, _synchronised;
         SyncExchange? _newest;
-        volatile Belief _belief = Belief.None;
+        volatile Estimate _estimate = Estimate.None;
 
         public ClockSynchroniser(IClockEstimator estimator, ClockSettings settings)
         {
             _estimator = estimator;
             _settings = settings;
-            _detector = new ClockStepDetector(settings.StepMargin, settings.SkewDoubt);
-            _envelope = new OffsetEnvelope(settings.SkewDoubt);
+            _detector = new ClockStepDetector(settings.StepMargin, settings.SkewVariation);
+            _envelope = new OffsetEnvelope(settings.SkewVariation);
             _coarse = new ErrorThreshold(settings.CoarseError);
             _synchronised = new ErrorThreshold(settings.ErrorToSynchronise);
         }
 
         /// <summary>Number of clock steps since the start.</summary>
-        public int Steps => _belief.Steps;
+        public int Steps => _estimate.Steps;
 
         /// <summary>Round-trip time of the newest exchange that was used; zero before the first one.</summary>
-        public TimeSpan RoundTripTime => _belief.RoundTripTime;
+        public TimeSpan RoundTripTime => _estimate.RoundTripTime;
 
         /// <summary>Resolution of the control clock from the newest exchange that was used; zero before the first one and when unknown.</summary>
-        public TimeSpan Resolution => _belief.Resolution;
+        public TimeSpan Resolution => _estimate.Resolution;
 
         /// <summary>Standard error of the offset at the newest exchange; zero before the first one.</summary>
-        public TimeSpan OffsetError => _belief.Line.OffsetError;
+        public TimeSpan OffsetError => _estimate.Line.OffsetError;
 
         /// <summary>Number of exchanges in the model since the start, the last step or the last long time without exchanges.</summary>
-        public int Exchanges => _belief.Line.Exchanges;
+        public int Exchanges => _estimate.Line.Exchanges;
 
         /// <summary>Whether recent exchanges indicate a step that only further exchanges can confirm.</summary>
-        public bool IsStepSuspected => _belief.IsStepSuspected;
+        public bool IsStepSuspected => _estimate.IsStepSuspected;
 
         /// <summary>Reports each exchange with its verdict, in order; raised by <see cref="Add"/> on the same thread.</summary>
         /// <remarks>A handler must be fast, must not throw, and must not call this object.</remarks>
@@ -80,18 +80,18 @@ namespace Nowpose.Sync
         /// </remarks>
         public ClockModel ModelAt(HeadsetTime now)
         {
-            var belief = _belief;
-            var line = belief.Line;
+            var estimate = _estimate;
+            var line = estimate.Line;
             if (line.Exchanges == 0) return default;
 
             var age = Math.Max(0, ClockTicks.Seconds(now - line.Reference));
             // Skew beyond the maximum of real clocks counts as error: a line through two late replies can be that steep.
-            var excess = Math.Max(0, Math.Abs(line.Skew) - ClockLine.GreatestSkew);
-            var grown = ClockTicks.Span((3 * line.SkewError + _settings.SkewDoubt + excess) * age);
-            var isUsable = belief.State == ClockState.Synchronised || belief.State == ClockState.Coarse;
-            var state = isUsable && now - line.Reference > _settings.HoldoverAfter ? ClockState.Holdover : belief.State;
+            var excess = Math.Max(0, Math.Abs(line.Skew) - ClockLine.MaxSkew);
+            var grown = ClockTicks.Span((3 * line.SkewError + _settings.SkewVariation + excess) * age);
+            var isUsable = estimate.State == ClockState.Synchronised || estimate.State == ClockState.Coarse;
+            var state = isUsable && now - line.Reference > _settings.HoldoverAfter ? ClockState.Holdover : estimate.State;
             return new ClockModel(
-                line.Reference, line.Offset, line.Skew, belief.Bound + grown, state, belief.Steps, belief.EstimatedError + grown);
+                line.Reference, line.Offset, line.Skew, estimate.Bound + grown, state, estimate.Steps, estimate.EstimatedError + grown);
         }
 
         SyncVerdict Take(in SyncExchange exchange, out SyncExchangeFault fault)
@@ -99,21 +99,21 @@ namespace Nowpose.Sync
             fault = exchange.T4 <= _newest?.T4 ? SyncExchangeFault.NotNewer : SyncExchangeRules.Check(exchange);
             if (fault != SyncExchangeFault.None) return SyncVerdict.Dropped;
 
-            if (exchange.T4 - _newest?.T4 > _settings.StartAnewAfter) ForgetTheLine(SkewDoubtAfterSilence);
+            if (exchange.T4 - _newest?.T4 > _settings.RestartAfter) ResetLine(SkewUncertaintyAfterSilence);
             _newest = exchange;
             switch (_detector.Judge(exchange, _estimator.Line, _envelope))
             {
                 case ClockChange.Suspected:
-                    Doubt(exchange, _detector.Suspects.Count >= SuspectsToDoubt || _estimator.Line.Exchanges == 0);
+                    WidenBound(exchange, _detector.Suspects.Count >= SuspectsToConverge || _estimator.Line.Exchanges == 0);
                     return SyncVerdict.SetAside;
                 case ClockChange.Resolution:
-                    StartAnew(exchange, SkewDoubtOfSameClocks, stepped: false);
+                    Restart(exchange, SkewUncertaintyOfSameClocks, stepped: false);
                     return SyncVerdict.Consistent;
                 case ClockChange.ShortStep:
-                    StartAnew(exchange, SkewDoubtOfSameClocks, stepped: true);
+                    Restart(exchange, SkewUncertaintyOfSameClocks, stepped: true);
                     return SyncVerdict.Step;
                 case ClockChange.LongStep:
-                    StartAnew(exchange, SkewDoubtAfterStep, stepped: true);
+                    Restart(exchange, SkewUncertaintyAfterStep, stepped: true);
                     return SyncVerdict.Step;
                 default:
                     Use(exchange);
@@ -128,9 +128,9 @@ namespace Nowpose.Sync
             _envelope.Add(exchange);
         }
 
-        void StartAnew(in SyncExchange exchange, double skewDoubt, bool stepped)
+        void Restart(in SyncExchange exchange, double skewUncertainty, bool stepped)
         {
-            ForgetTheLine(skewDoubt);
+            ResetLine(skewUncertainty);
             _envelope.Reset();
             foreach (var suspect in _detector.Suspects) Use(suspect);
             _detector.Reset();
@@ -138,33 +138,33 @@ namespace Nowpose.Sync
         }
 
         // The envelope is kept: it shows whether a clock stepped during the time without exchanges.
-        void ForgetTheLine(double skewDoubt)
+        void ResetLine(double skewUncertainty)
         {
-            _estimator.Restart(skewDoubt);
+            _estimator.Restart(skewUncertainty);
             _coarse.Reset();
             _synchronised.Reset();
         }
 
         // The old line stays in use with a bound that includes the contradiction, as a converging clock if the contradiction is serious.
-        void Doubt(in SyncExchange exchange, bool isSerious)
+        void WidenBound(in SyncExchange exchange, bool isSerious)
         {
             var model = ModelAt(exchange.T4);
             var contradiction = (exchange.Offset - model.OffsetAt(exchange.T4)).Duration() + exchange.RoundTripTime.Duration()
                 + exchange.ServerErrorBound;
-            var bound = contradiction > _belief.Bound ? contradiction : _belief.Bound;
-            _belief = new Belief(
-                _belief.Line, isSerious ? ClockState.Converging : _belief.State, bound, isSerious ? bound : _belief.EstimatedError,
-                _belief.RoundTripTime, _belief.Resolution, _belief.Steps, isStepSuspected: true);
+            var bound = contradiction > _estimate.Bound ? contradiction : _estimate.Bound;
+            _estimate = new Estimate(
+                _estimate.Line, isSerious ? ClockState.Converging : _estimate.State, bound, isSerious ? bound : _estimate.EstimatedError,
+                _estimate.RoundTripTime, _estimate.Resolution, _estimate.Steps, isStepSuspected: true);
         }
 
         void Publish(in SyncExchange exchange, bool stepped)
         {
             var line = _estimator.Line;
-            var proven = _envelope.GreatestError(line);
+            var proven = _envelope.MaxError(line);
             var error = EstimatedError(line, proven) + _detector.Suspicion;
-            _belief = new Belief(
+            _estimate = new Estimate(
                 line, StateOf(line, error, exchange.ServerSynchronised), proven + _detector.Suspicion, error, exchange.RoundTripTime,
-                exchange.Resolution, _belief.Steps + (stepped ? 1 : 0), _detector.Suspicion > TimeSpan.Zero);
+                exchange.Resolution, _estimate.Steps + (stepped ? 1 : 0), _detector.Suspicion > TimeSpan.Zero);
         }
 
         TimeSpan EstimatedError(in ClockLine line, TimeSpan proven)
@@ -181,11 +181,11 @@ namespace Nowpose.Sync
             return line.Exchanges >= ExchangesToBeCoarse && _coarse.Admits(error) ? ClockState.Coarse : ClockState.Converging;
         }
 
-        sealed class Belief
+        sealed class Estimate
         {
-            public static readonly Belief None = new Belief(default, ClockState.Unsynchronised, default, default, default, default, 0, false);
+            public static readonly Estimate None = new Estimate(default, ClockState.Unsynchronised, default, default, default, default, 0, false);
 
-            public Belief(
+            public Estimate(
                 in ClockLine line, ClockState state, TimeSpan bound, TimeSpan estimatedError, TimeSpan roundTripTime, TimeSpan resolution,
                 int steps, bool isStepSuspected)
             {

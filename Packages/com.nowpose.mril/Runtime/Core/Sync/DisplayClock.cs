@@ -36,7 +36,7 @@ namespace Nowpose.Sync
         public ClockModel Follow(in ClockModel believed, HeadsetTime now)
         {
             // The slope of an early line through two late replies can be so steep that time would go back.
-            var skew = Math.Max(-ClockLine.GreatestSkew, Math.Min(ClockLine.GreatestSkew, believed.Skew));
+            var skew = Math.Max(-ClockLine.MaxSkew, Math.Min(ClockLine.MaxSkew, believed.Skew));
             if (!believed.IsKnown || !_shown.IsKnown || believed.Steps != _shown.Steps)
             {
                 _isCatchingUp = false;

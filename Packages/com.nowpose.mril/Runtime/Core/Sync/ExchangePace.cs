@@ -10,10 +10,10 @@ namespace Nowpose.Sync
     sealed class ExchangePace
     {
         /// <summary>Minimum interval between two exchanges: half the rate that a server accepts.</summary>
-        static readonly TimeSpan Shortest = TimeSpan.FromMilliseconds(20);
+        static readonly TimeSpan MinInterval = TimeSpan.FromMilliseconds(20);
 
         /// <summary>Maximum interval: a sixth of the silence that a server accepts.</summary>
-        static readonly TimeSpan Longest = TimeSpan.FromSeconds(10);
+        static readonly TimeSpan MaxInterval = TimeSpan.FromSeconds(10);
 
         const int QuickFactor = 4, SlowFactor = 5;
 
@@ -27,25 +27,28 @@ namespace Nowpose.Sync
         /// Standard error of the offset below which the slow pace starts, and above which it ends. A wired network reaches it, WiFi
         /// rarely, where more exchanges still help.
         /// </summary>
-        static readonly TimeSpan Calm = ClockTicks.Span(10e-6), Uneasy = ClockTicks.Span(25e-6);
+        static readonly TimeSpan SlowBelow = ClockTicks.Span(10e-6), SlowUntil = ClockTicks.Span(25e-6);
 
         readonly TimeSpan _quick, _usual, _slow, _silence;
         readonly Random _random;
+        readonly bool _isConstant;
         HeadsetTime? _last;
         int _quickLeft;
-        bool _isCalm;
+        bool _isSlow;
 
         /// <param name="usual">Configured interval from the start of one exchange to the start of the next.</param>
         /// <param name="silence">
         /// Time without exchanges after which the clock is in holdover. The next exchanges are then quick. Two slow ones fit into it.
         /// </param>
         /// <param name="random">Spreads exchanges over the steps of a coarse control clock; not shared with other objects.</param>
-        public ExchangePace(TimeSpan usual, TimeSpan silence, Random random)
+        /// <param name="isConstant">Whether the configured pace always applies, as in the paper.</param>
+        public ExchangePace(TimeSpan usual, TimeSpan silence, Random random, bool isConstant = false)
         {
             _random = random;
+            _isConstant = isConstant;
             _usual = usual;
-            _quick = Least(usual, Greatest(Shortest, new TimeSpan(usual.Ticks / QuickFactor)));
-            _slow = Greatest(usual, Least(Least(Longest, new TimeSpan(silence.Ticks / 2)), new TimeSpan(usual.Ticks * SlowFactor)));
+            _quick = Min(usual, Max(MinInterval, new TimeSpan(usual.Ticks / QuickFactor)));
+            _slow = Max(usual, Min(Min(MaxInterval, new TimeSpan(silence.Ticks / 2)), new TimeSpan(usual.Ticks * SlowFactor)));
             _silence = silence > _slow + usual ? silence : _slow + usual;
         }
 
@@ -54,20 +57,21 @@ namespace Nowpose.Sync
         /// <param name="now">Not earlier than in the last call.</param>
         public TimeSpan Next(ClockSynchroniser clock, HeadsetTime now)
         {
+            if (_isConstant) return _usual;
             if (now - _last > _silence) _quickLeft = QuickAfterSilence;
             else if (_quickLeft > 0) _quickLeft--;
             _last = now;
             var isSynchronised = clock.ModelAt(now).State == ClockState.Synchronised;
-            _isCalm = isSynchronised && clock.OffsetError < (_isCalm ? Uneasy : Calm);
+            _isSlow = isSynchronised && clock.OffsetError < (_isSlow ? SlowUntil : SlowBelow);
             var isQuick = clock.Exchanges < (isSynchronised ? QuickAtStart : QuickUntilSynchronised) || _quickLeft > 0 || clock.IsStepSuspected;
-            return (isQuick ? _quick : _isCalm ? _slow : _usual) + Dither(clock.Resolution);
+            return (isQuick ? _quick : _isSlow ? _slow : _usual) + Dither(clock.Resolution);
         }
 
         // Without dither, exchanges may hit a coarse clock at the same part of its step each time, which biases the estimated rate.
-        // Limited to the quick interval, so that an implausible resolution does not slow the pace; several intervals cover a longer step.
-        TimeSpan Dither(TimeSpan resolution) => new TimeSpan((long)(Least(resolution, _quick).Ticks * _random.NextDouble()));
+        // The dither is limited to the quick interval, so that an implausible resolution does not slow the pace; several intervals cover a longer step.
+        TimeSpan Dither(TimeSpan resolution) => new TimeSpan((long)(Min(resolution, _quick).Ticks * _random.NextDouble()));
 
-        static TimeSpan Least(TimeSpan a, TimeSpan b) => a < b ? a : b;
-        static TimeSpan Greatest(TimeSpan a, TimeSpan b) => a > b ? a : b;
+        static TimeSpan Min(TimeSpan a, TimeSpan b) => a < b ? a : b;
+        static TimeSpan Max(TimeSpan a, TimeSpan b) => a > b ? a : b;
     }
 }

@@ -10,10 +10,10 @@ namespace Nowpose.Sync
         void Add(in SyncExchange exchange);
 
         /// <summary>Removes the estimate of the offset after a clock step or a long time without exchanges.</summary>
-        /// <param name="skewDoubt">
+        /// <param name="skewUncertainty">
         /// Standard deviation of the change of the skew, dimensionless; small when the clocks are still the same. An estimator may
         /// ignore it.
         /// </param>
-        void Restart(double skewDoubt);
+        void Restart(double skewUncertainty);
     }
 }

@@ -25,31 +25,31 @@ namespace Nowpose.Sync
         public int Count { get; private set; }
 
         /// <summary>Largest lower bound minus the line.</summary>
-        public double Least { get; private set; }
+        public double Lower { get; private set; }
 
         /// <summary>Smallest upper bound minus the line.</summary>
-        public double Greatest { get; private set; }
+        public double Upper { get; private set; }
 
         /// <summary>Mean lateness of the packets relative to the one with the shortest delay, in the worse direction.</summary>
-        public double Lateness => Math.Max(Least - _sumBelow / Count, _sumAbove / Count - Greatest);
+        public double Lateness => Math.Max(Lower - _sumBelow / Count, _sumAbove / Count - Upper);
 
         /// <summary>Maximum lateness of the best request of a group relative to the best of all requests.</summary>
-        public double RowBelow => Least - _slackestBelow;
+        public double RowBelow => Lower - _slackestBelow;
 
-        /// <summary>The same for replies.</summary>
-        public double RowAbove => _slackestAbove - Greatest;
+        /// <summary>Maximum lateness of the best reply of a group relative to the best of all replies.</summary>
+        public double RowAbove => _slackestAbove - Upper;
 
         public void Clear()
         {
             Count = 0;
             _sumBelow = _sumAbove = 0;
-            Least = _rowBelow = _slackestAbove = double.NegativeInfinity;
-            Greatest = _rowAbove = _slackestBelow = double.PositiveInfinity;
+            Lower = _rowBelow = _slackestAbove = double.NegativeInfinity;
+            Upper = _rowAbove = _slackestBelow = double.PositiveInfinity;
         }
 
         public void CopyFrom(OffsetCorridor other)
         {
-            (Count, Least, Greatest) = (other.Count, other.Least, other.Greatest);
+            (Count, Lower, Upper) = (other.Count, other.Lower, other.Upper);
             (_sumBelow, _sumAbove, _rowBelow, _rowAbove) = (other._sumBelow, other._sumAbove, other._rowBelow, other._rowAbove);
             (_slackestBelow, _slackestAbove) = (other._slackestBelow, other._slackestAbove);
         }
@@ -60,8 +60,8 @@ namespace Nowpose.Sync
             Count++;
             _sumBelow += below;
             _sumAbove += above;
-            Least = Math.Max(Least, below);
-            Greatest = Math.Min(Greatest, above);
+            Lower = Math.Max(Lower, below);
+            Upper = Math.Min(Upper, above);
             _rowBelow = Math.Max(_rowBelow, below);
             _rowAbove = Math.Min(_rowAbove, above);
             if (Count % _row != 0) return;
@@ -73,7 +73,7 @@ namespace Nowpose.Sync
 
         /// <summary>Returns both bounds of an exchange minus the line, s.</summary>
         public static (double Below, double Above) Beside(in ClockLine line, in OffsetBounds bounds) => (
-            Beside(line, bounds.Sent, bounds.Least), Beside(line, bounds.Received, bounds.Greatest));
+            Beside(line, bounds.Sent, bounds.Lower), Beside(line, bounds.Received, bounds.Upper));
 
         static double Beside(in ClockLine line, HeadsetTime at, long bound) =>
             (bound - line.Offset.HeadsetMinusControl.Ticks) * SecondsPerTick - ClockTicks.Seconds(at - line.Reference) * line.Skew;

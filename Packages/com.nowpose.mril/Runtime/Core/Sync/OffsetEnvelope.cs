@@ -18,10 +18,10 @@ namespace Nowpose.Sync
         static readonly TimeSpan Oldest = TimeSpan.FromMinutes(1);
 
         readonly BoundsHistory _history = new BoundsHistory(Window, Oldest);
-        readonly double _skewDoubt;
+        readonly double _skewUncertainty;
 
-        /// <param name="skewDoubt">Error of an estimated skew beyond its standard errors, dimensionless: clock rates vary.</param>
-        public OffsetEnvelope(double skewDoubt) => _skewDoubt = skewDoubt;
+        /// <param name="skewUncertainty">Error of an estimated skew beyond its standard errors, dimensionless: clock rates vary.</param>
+        public OffsetEnvelope(double skewUncertainty) => _skewUncertainty = skewUncertainty;
 
         public void Add(in SyncExchange exchange) => _history.Add(new OffsetBounds(exchange));
 
@@ -31,19 +31,19 @@ namespace Nowpose.Sync
         public bool Allows(in SyncExchange exchange, in ClockLine line, TimeSpan margin)
         {
             var proof = new OffsetBounds(exchange);
-            var (least, greatest) = At(exchange.T4, line, includeServerError: false);
-            return proof.Least - proof.HalfResolution <= greatest + margin.Ticks && proof.Greatest + proof.HalfResolution >= least - margin.Ticks;
+            var (lower, upper) = At(exchange.T4, line, includeServerError: false);
+            return proof.Lower - proof.HalfResolution <= upper + margin.Ticks && proof.Upper + proof.HalfResolution >= lower - margin.Ticks;
         }
 
         /// <summary>
         /// Returns the maximum distance of the true offset from the line at its reference time, including the server's own error: the
         /// distance to the farther end of the interval.
         /// </summary>
-        public TimeSpan GreatestError(in ClockLine line)
+        public TimeSpan MaxError(in ClockLine line)
         {
-            var (least, greatest) = At(line.Reference, line, includeServerError: true);
+            var (lower, upper) = At(line.Reference, line, includeServerError: true);
             var offset = line.Offset.HeadsetMinusControl.Ticks;
-            return new TimeSpan(Math.Max(Math.Abs(greatest - offset), Math.Abs(offset - least)));
+            return new TimeSpan(Math.Max(Math.Abs(upper - offset), Math.Abs(offset - lower)));
         }
 
         /// <summary>Returns the server's error bound for a line through the recent exchanges: their mean, but at least the newest.</summary>
@@ -64,21 +64,21 @@ namespace Nowpose.Sync
         }
 
         /// <param name="includeServerError">Whether the interval includes the error of the server's own clock.</param>
-        (long Least, long Greatest) At(HeadsetTime now, in ClockLine line, bool includeServerError)
+        (long Lower, long Upper) At(HeadsetTime now, in ClockLine line, bool includeServerError)
         {
-            var doubt = line.Exchanges == 0 ? ClockLine.GreatestSkew : 3 * line.SkewError + _skewDoubt;
+            var skewError = line.Exchanges == 0 ? ClockLine.MaxSkew : 3 * line.SkewError + _skewUncertainty;
             // Half of the range of long, so that adding a margin to an end without a bound does not overflow.
-            long least = long.MinValue / 2, greatest = long.MaxValue / 2, serverError = 0;
+            long lower = long.MinValue / 2, upper = long.MaxValue / 2, serverError = 0;
             for (var i = 0; i < _history.Count; i++)
             {
                 ref readonly var proof = ref _history[i];
                 // Starts with the newest: a server that states a larger error now may have had it since an earlier exchange.
                 if (includeServerError) serverError = Math.Max(serverError, proof.ServerErrorBound);
                 var margin = proof.HalfResolution + serverError;
-                least = Math.Max(least, Carried(proof.Least, now - proof.Sent, line.Skew, -doubt) - margin);
-                greatest = Math.Min(greatest, Carried(proof.Greatest, now - proof.Received, line.Skew, doubt) + margin);
+                lower = Math.Max(lower, Carried(proof.Lower, now - proof.Sent, line.Skew, -skewError) - margin);
+                upper = Math.Min(upper, Carried(proof.Upper, now - proof.Received, line.Skew, skewError) + margin);
             }
-            return (least, greatest);
+            return (lower, upper);
         }
 
         static long Carried(long bound, TimeSpan age, double skew, double widening) =>

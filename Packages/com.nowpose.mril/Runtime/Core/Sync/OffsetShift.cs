@@ -15,7 +15,7 @@ namespace Nowpose.Sync
 
         const int Violations = 3;
 
-        /// <summary>Maximum number of exchanges: three seconds at the quick pace. What they do not decide is a change of the path.</summary>
+        /// <summary>Maximum number of exchanges, three seconds at the quick pace. If they do not confirm a step, the path has changed.</summary>
         const int MaxExchanges = 60;
 
         /// <summary>Minimum step, s; and in mean latenesses divided by the number of older exchanges, which is the accuracy of the bounds.</summary>
@@ -43,7 +43,7 @@ namespace Nowpose.Sync
         /// <param name="sign">1 for an offset that rises, which breaks the lower bound; −1 for one that falls.</param>
         public OffsetShift(int sign) => _sign = sign;
 
-        /// <summary>Exchanges since the first that broke the bound; empty while none does.</summary>
+        /// <summary>Exchanges since the first that violates the bound; empty if none does.</summary>
         public List<SyncExchange> Since => _since;
 
         /// <summary>Maximum violation of the bound, s; zero while no exchange breaks it.</summary>
@@ -60,7 +60,7 @@ namespace Nowpose.Sync
             if (_since.Count == 0)
             {
                 if (Violation(exchange, line, past) <= Margin(exchange, line, past)) return false;
-                // From now on, the exchanges move the line as well.
+                // From now on, the exchanges also move the line.
                 _line = line;
                 _past.CopyFrom(past);
                 (_violations, _broken, _other) = (0, 0, double.PositiveInfinity);
@@ -71,7 +71,7 @@ namespace Nowpose.Sync
             _since.Add(exchange);
             if (violation > margin) _violations++;
             _broken = Math.Max(_broken, violation);
-            _other = Math.Min(_other, _sign > 0 ? above - _past.Greatest : _past.Least - below);
+            _other = Math.Min(_other, _sign > 0 ? above - _past.Upper : _past.Lower - below);
             if (_since.Count < MinExchanges || _violations < Violations) return false;
             // The best of more packets is less late.
             var byChance = RowShare * (_sign > 0 ? _past.RowAbove : _past.RowBelow) * MinExchanges / _since.Count;
@@ -82,7 +82,7 @@ namespace Nowpose.Sync
         double Violation(in SyncExchange exchange, in ClockLine line, OffsetCorridor past)
         {
             var (below, above) = OffsetCorridor.Beside(line, new OffsetBounds(exchange));
-            return _sign > 0 ? below - past.Least : past.Greatest - above;
+            return _sign > 0 ? below - past.Lower : past.Upper - above;
         }
 
         // A clock with a coarse resolution appears to step by its resolution occasionally.

@@ -9,7 +9,7 @@ namespace Nowpose.Sync
     /// </summary>
     sealed class RansacClockEstimator : IClockEstimator
     {
-        const int FewestForALine = 3;
+        const int MinForLine = 3;
 
         /// <summary>Exchanges after which the slope of a line is used for its error; a burst of late replies can tilt an earlier line.</summary>
         const int MatureExchanges = 50;
@@ -29,12 +29,12 @@ namespace Nowpose.Sync
         public RansacClockEstimator(RansacSettings settings)
         {
             _settings = settings;
-            Restart(ClockLine.GreatestSkew);
+            Restart(ClockLine.MaxSkew);
         }
 
         public ClockLine Line { get; private set; }
 
-        public void Restart(double skewDoubt)
+        public void Restart(double skewUncertainty)
         {
             _points.Clear();
             _lines.Clear();
@@ -49,7 +49,7 @@ namespace Nowpose.Sync
             if (_points.Count > _settings.History)
                 _points.RemoveAt(0);
             _exchanges++;
-            Line = _points.Count < FewestForALine ? MedianSoFar() : Averaged(Fit());
+            Line = _points.Count < MinForLine ? MedianSoFar() : Averaged(Fit());
         }
 
         ClockLine MedianSoFar()
@@ -57,11 +57,11 @@ namespace Nowpose.Sync
             var newest = _points[_points.Count - 1];
             // The mean of two offsets, or the only one.
             var change = new TimeSpan((_points[0].Offset - newest.Offset).Ticks / 2);
-            return new ClockLine(newest.At, newest.Offset + change, 0, TimeSpan.Zero, ClockLine.GreatestSkew / 3, _exchanges);
+            return new ClockLine(newest.At, newest.Offset + change, 0, TimeSpan.Zero, ClockLine.MaxSkew / 3, _exchanges);
         }
 
         double SkewErrorOf(double skew, double standardError) => _exchanges < MatureExchanges
-            ? Math.Max(standardError, (ClockLine.GreatestSkew + Math.Abs(skew)) / 3) : standardError + BurstError;
+            ? Math.Max(standardError, (ClockLine.MaxSkew + Math.Abs(skew)) / 3) : standardError + BurstError;
 
         FittedLine Fit()
         {

@@ -6,7 +6,7 @@ namespace Nowpose.Sync
     static class SyncExchangeRules
     {
         /// <summary>Maximum distance from the epoch: half the range of 64-bit nanoseconds.</summary>
-        static readonly TimeSpan Farthest = new TimeSpan(long.MaxValue / 2 / ClockTicks.NanosecondsPerTick);
+        static readonly TimeSpan MaxSinceEpoch = new TimeSpan(long.MaxValue / 2 / ClockTicks.NanosecondsPerTick);
 
         public static SyncExchangeFault Check(in SyncExchange exchange)
         {
@@ -18,6 +18,6 @@ namespace Nowpose.Sync
             return SyncExchangeFault.None;
         }
 
-        static bool IsFar(TimeSpan sinceEpoch) => sinceEpoch > Farthest || sinceEpoch < -Farthest;
+        static bool IsFar(TimeSpan sinceEpoch) => sinceEpoch > MaxSinceEpoch || sinceEpoch < -MaxSinceEpoch;
     }
 }

@@ -45,7 +45,7 @@ namespace Nowpose.Unity.Anchoring
         /// <inheritdoc cref="MarkerSources.Read"/>
         public List<MarkerSighting> Read() => _sources.Read();
 
-        /// <summary>Moves hand-placed markers with the base while they are not being moved, so that a hand grasps them at their place.</summary>
+        /// <summary>Moves the hand-placed markers that no hand holds along with the base, so that a hand finds them at their place.</summary>
         public void Rest(Pose place, IReadOnlyList<TrackedMarker> markers)
         {
             foreach (var source in _sources.Found)

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>The patches of a load, built in steps within a share of each frame's time. Built patches are kept, visible or not.</summary>
+    /// <summary>Builds the patches of a load in steps, within a share of each frame's time. Keeps built patches, also when they are hidden.</summary>
     sealed class LoadPatches
     {
         /// <summary>Vertices computed in one step: 1/25 of a patch.</summary>
@@ -81,7 +81,7 @@ namespace Nowpose.Unity.Calibration
 
         int Wanted(int slot) => slot < LoadMesh.PatchesOf(_asked) ? LoadMesh.PatchOf(slot, _asked).Vertices : 0;
 
-        // Returns the next step.
+        // Executes a step and returns the next one.
         LoadStep Do(LoadStep step)
         {
             switch (step)

@@ -34,7 +34,7 @@ namespace Nowpose.Unity.Calibration
         public void SetVertices(Vector3[] vertices, Vector3[] normals, int count)
         {
             Free();
-            // 32-bit indices as for the whole load, so that each vertex reads as many bytes as in one large mesh.
+            // Uses 32-bit indices, so that the GPU reads as many bytes per vertex as with one large mesh.
             _mesh = new Mesh { name = "Load Patch", indexFormat = IndexFormat.UInt32 };
             _mesh.SetVertices(vertices, 0, count);
             _mesh.SetNormals(normals, 0, count);

@@ -7,7 +7,7 @@ namespace Nowpose.Unity.Calibration
     /// <summary>Status texts of a sweep, used once per change.</summary>
     static class SweepWords
     {
-        public const string WaitingForClock = "waiting for the clock", Stopped = "sweep stopped", Judging = "sweep done, judging";
+        public const string WaitingForClock = "waiting for the clock", Stopped = "sweep stopped", Judging = "sweep done, evaluating";
 
         public static string Building(int vertices) => Of("building {0} vertices", vertices);
 
@@ -16,10 +16,10 @@ namespace Nowpose.Unity.Calibration
 
         public static string Begun(SweepPlan plan, string path) => Of(
             "load sweep of {0} loads up to {1} vertices, {2:0} s and the time to build them, to {3}",
-            plan.Loads.Count, plan.LargestLoad, plan.Duration.TotalSeconds, path);
+            plan.Loads.Count, plan.MaxLoad, plan.Duration.TotalSeconds, path);
 
         public static string Changed(ConditionMismatch change) => Of(
-            "load sweep stopped: {0} changed from '{1}' to '{2}' during the sweep; keep it as it is and sweep again",
+            "load sweep stopped: {0} changed from '{1}' to '{2}' during the sweep; do not change it and sweep again",
             change.Label, change.Calibrated, change.Actual);
 
         static string Of(string format, params object[] values) => string.Format(CultureInfo.InvariantCulture, format, values);

@@ -46,7 +46,7 @@ namespace Nowpose.Unity.Calibration
         /// <param name="ms">Time in ms, 0 to <see cref="PeriodMs"/> − 1; leading zeros are not shown.</param>
         public void Show(int ms)
         {
-            // From the right; the digit before the decimal point is always shown.
+            // Fills the digits from the right; the digit before the decimal point is always shown.
             for (var i = Pattern.Length - 1; i >= 0; i--)
             {
                 if (Pattern[i] != '0')

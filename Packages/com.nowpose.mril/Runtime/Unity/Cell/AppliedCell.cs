@@ -4,7 +4,7 @@ using Nowpose.Pairing;
 
 namespace Nowpose.Unity.Cell
 {
-    /// <summary>Applies a paired cell to session and anchor, and only what has changed: each change costs a connection or a lock.</summary>
+    /// <summary>Applies a paired cell to session and anchor. Applies only changed values, because each change costs a connection or a lock.</summary>
     sealed class AppliedCell
     {
         PairedCell _connected, _anchored;

@@ -28,8 +28,8 @@ namespace Nowpose.Unity.Rendering
                 case BaseAnchorState.Searching: return _isBeingPlaced
                     ? look.Also("being placed", "the base follows a marker that is being moved", 0)
                     : look.Also("base not locked", "no marker has located the base", 0.8f);
-                case BaseAnchorState.Restored: return look.Also("base not confirmed", "the base stands as in an earlier run", 0);
-                case BaseAnchorState.Moved: return look.Also("base or marker moved", "a marker is not where it belongs", 0.5f);
+                case BaseAnchorState.Restored: return look.Also("base not confirmed", "the base has its pose from an earlier run; look at a marker to confirm it", 0);
+                case BaseAnchorState.Moved: return look.Also("base or marker moved", "a marker is not at its expected place", 0.5f);
                 case BaseAnchorState.Lost: return look.Also("base lost", "the headset has lost its position", 0.5f);
                 default: return look;
             }

@@ -28,7 +28,7 @@ namespace Nowpose.Unity.Rendering
 
         /// <summary>Returns the look while it does not follow the session: its parts stay at an old pose, which may be anywhere.</summary>
         public PoseLook Unmoved(PoseLook look) => IsGripper
-            ? look.With("gripper not moved", "the gripper is disabled or rides on no link of a rig that is moved")
+            ? look.With("gripper not moved", "the gripper is disabled or is not attached to a link of a moving rig")
             : look.With("rig not moved", "the rig is disabled or cannot show the robot");
 
         bool IsGripper => _gripper is object;

@@ -27,7 +27,7 @@ namespace Nowpose.Unity.Rendering
         /// <summary>Whether anything except the words is drawn.</summary>
         public bool IsDrawn { get; }
 
-        /// <summary>0 (unchanged) to 1 (hardly visible): the less is known, the larger.</summary>
+        /// <summary>0 (unchanged) to 1 (hardly visible); larger for a less certain pose.</summary>
         public float Fade { get; }
 
         public bool IsHatched { get; }
@@ -48,7 +48,7 @@ namespace Nowpose.Unity.Rendering
                 case PoseState.OutsideRange: return new PoseLook(PoseWords.Of(pose, outsideRange), reason, FadeOf(outsideRange));
                 case PoseState.Held: return new PoseLook(PoseWords.Of(pose), reason, 0.5f);
                 case PoseState.Unsynchronised: return new PoseLook(PoseWords.Of(pose), reason, 0.8f);
-                // Not drawn, because the joints are at zero, not at the robot's positions.
+                // The robot is not drawn, because the joints are at zero instead of the robot's positions.
                 default: return new PoseLook(PoseWords.Of(pose), reason, 0.8f, isDrawn: false);
             }
         }

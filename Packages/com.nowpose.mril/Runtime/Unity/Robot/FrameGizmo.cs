@@ -52,7 +52,7 @@ namespace Nowpose.Unity.Robot
             var tip = UnityFrame.DirectionToUnity(axis).Vector();
             Gizmos.color = colour;
             Gizmos.DrawLine(Vector3.zero, tip);
-            // Upright and beside the tip of the axis, readable from in front of or behind the frame.
+            // The letter is upright and beside the tip of the axis, so that it is readable from the front and from behind.
             var corner = tip * 1.1f - new Vector3(0.05f, 0.05f, 0);
             for (var i = 0; i < letter.Length; i += 2)
                 Gizmos.DrawLine(corner + (Vector3)letter[i] * 0.1f, corner + (Vector3)letter[i + 1] * 0.1f);

@@ -39,7 +39,8 @@ namespace Nowpose.Unity.Robot
 
         public GameObject MeshOf(LinkVisual visual, bool isTool) => null;
 
-        // Not Unity's default material, which only GameObject.CreatePrimitive returns: it throws if a build contains no colliders.
+        // Creates its own material, because only GameObject.CreatePrimitive returns Unity's default one, and that method throws in a build
+        // without colliders.
         static Material NewMaterial()
         {
             var shader = Shader.Find(ShaderName);

@@ -86,9 +86,9 @@ namespace Nowpose.Unity.Robot
                 var child = at.GetChild(i);
                 if (child.TryGetComponent<RobotRig>(out _) || child.TryGetComponent<VirtualGripper>(out _)) continue;
                 if (child.TryGetComponent<MeshFilter>(out _))
-                    throw new InputException("robot '" + model.Name + "': nothing below '" + rig.name + "' is named as its root link '"
+                    throw new InputException("robot '" + model.Name + "': no object below '" + rig.name + "' has the name of its root link '"
                         + model.Root.Name + "', but '" + at.name + "' is drawn there; name an object after each link of the URDF, "
-                        + "or take away what is drawn to have the robot built");
+                        + "or remove this object so that the rig builds the robot");
                 RequireEmpty(model, rig, child);
             }
         }
@@ -99,12 +99,12 @@ namespace Nowpose.Unity.Robot
             for (var at = link.parent; at != parent; at = at.parent)
             {
                 if (at.localPosition.magnitude > Slack || IsTurned(at.localRotation) || IsScaled(at))
-                    throw new InputException("robot '" + model.Name + "': '" + at.name + "' stands between the links '" + parent.name + "' and '"
+                    throw new InputException("robot '" + model.Name + "': '" + at.name + "' is between the links '" + parent.name + "' and '"
                         + link.name + "' and is moved, turned or scaled; reset its transform");
             }
             if (IsScaled(link))
                 throw new InputException("robot '" + model.Name + "': link '" + link.name
-                    + "' is scaled, and everything that hangs on it with it; scale what shows it instead");
+                    + "' is scaled, and so are its children; scale the visible object instead");
         }
 
         static bool IsTurned(Quaternion q) => new Vector3(q.x, q.y, q.z).magnitude > Slack;
@@ -116,7 +116,7 @@ namespace Nowpose.Unity.Robot
             var joint = link.ParentJoint;
             var where = Below(rig, link.Name) == null ? "is missing" : "is elsewhere";
             return new InputException("robot '" + model.Name + "': below link '" + joint.ParentLink + "' in '" + rig.name + "' link '" + link.Name
-                + "' of joint '" + joint.Name + "' " + where + "; name an object after each link of the URDF and nest them as it does");
+                + "' of joint '" + joint.Name + "' " + where + "; name an object after each link of the URDF and nest the objects in the same way");
         }
 
         // Skips other rigs: objects below them belong to them.

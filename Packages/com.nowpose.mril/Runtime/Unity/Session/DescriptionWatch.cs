@@ -25,8 +25,8 @@ namespace Nowpose.Unity.Session
             if (!IsNews(described, shown)) return false;
             if (asset != null)
             {
-                log.Warn("the gateway describes robot '" + described.Name + "' by another URDF than asset '" + asset.name
-                    + "' holds; the displayed robot may differ from the real one");
+                log.Warn("the gateway describes robot '" + described.Name + "' with a URDF that differs from asset '" + asset.name
+                    + "'; the displayed robot may differ from the real one");
                 return false;
             }
             log.Info("the gateway describes robot '" + described.Name + "'");

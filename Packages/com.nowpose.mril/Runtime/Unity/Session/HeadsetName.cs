@@ -6,7 +6,7 @@ namespace Nowpose.Unity.Session
     static class HeadsetName
     {
         /// <summary>Maximum length in a gateway's list, in characters.</summary>
-        const int Greatest = 64;
+        const int MaxLength = 64;
 
         /// <summary>Returns the chosen name or the device's name in its system settings, cut to 64 characters. Main thread only.</summary>
         /// <param name="chosen">Null or empty for the device's name.</param>
@@ -15,8 +15,8 @@ namespace Nowpose.Unity.Session
             var name = (string.IsNullOrEmpty(chosen) ? SystemInfo.deviceName ?? "" : chosen).Trim();
             // Adapts an unsuitable device name silently, because the name is not a setting of this package.
             if (name.Length == 0) return "headset";
-            if (name.Length <= Greatest) return name;
-            return name.Substring(0, char.IsHighSurrogate(name[Greatest - 1]) ? Greatest - 1 : Greatest);
+            if (name.Length <= MaxLength) return name;
+            return name.Substring(0, char.IsHighSurrogate(name[MaxLength - 1]) ? MaxLength - 1 : MaxLength);
         }
     }
 }

@@ -48,7 +48,7 @@ namespace Nowpose.Unity.Session
                 Debug.Log(ConsoleLog.Prefix + "render time within the constant-latency range", _context);
             if ((change & SessionChange.LeftRange) != 0)
                 Debug.LogWarning(ConsoleLog.Prefix + "render time beyond the constant-latency range; poses are late by an unknown time", _context);
-            if ((change & SessionChange.DisplayTimeDoubted) != 0)
+            if ((change & SessionChange.DisplayTimeInconsistent) != 0)
                 Debug.LogWarning(
                     ConsoleLog.Prefix + "display times of the runtime and the calibrated L_visu differ by more than 5 ms; calibrate again", _context);
             if ((change & SessionChange.DisplayTimeImplausible) != 0) Warn(DisplayWords.ImplausibleTimes(session?.DisplayTimeAhead));

@@ -37,7 +37,7 @@ namespace Nowpose.Unity.Status
             return _note;
         }
 
-        /// <summary>Returns what the user has to do; null for nothing.</summary>
+        /// <summary>Returns the instruction for the user; null if there is none.</summary>
         /// <param name="anchor">Null for none.</param>
         public string FaultOf(BaseAnchor anchor)
         {

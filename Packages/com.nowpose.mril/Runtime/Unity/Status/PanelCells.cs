@@ -100,7 +100,7 @@ namespace Nowpose.Unity.Status
             _notes[(int)row].Show(note);
         }
 
-        // From the bottom, so that only the upper edge moves when a row or a line of the message is added or removed.
+        // Arranges the rows from the bottom, so that only the upper edge moves when a row or a line of the message is added or removed.
         void Arrange(StatusTexts texts)
         {
             var top = LowerEdge + Margin;

@@ -64,7 +64,7 @@ namespace Nowpose.Unity.Status
         }
 
         /// <summary>Whether the removed share of each joint's error is shown while there is no other message.</summary>
-        public bool TellsOfJoints { get; set; }
+        public bool ShowsJointErrors { get; set; }
 
         public static string LabelOf(StatusRow row) => Labels[(int)row];
 
@@ -105,7 +105,7 @@ namespace Nowpose.Unity.Status
                 ?? (IsMismatched(statistics) ? statistics.ProfileMismatches[0].Words : null);
             if (guidance != null) SetMessage(guidance, "");
             else if (fault != null) SetMessage(fault, "! ");
-            else SetMessage(_restingJoints.Of(statistics) ?? (TellsOfJoints && statistics != null ? _joints.Of(statistics.JointErrors) : null), "");
+            else SetMessage(_restingJoints.Of(statistics) ?? (ShowsJointErrors && statistics != null ? _joints.Of(statistics.JointErrors) : null), "");
         }
 
         void UpdateTimes(SessionStatistics statistics)
@@ -126,18 +126,19 @@ namespace Nowpose.Unity.Status
             Set(StatusRow.VisualisationLatency, visualisation.Of(statistics.VisualisationLatency), _origin.Of(statistics));
             Set(StatusRow.RenderTime, Milliseconds.Of(statistics.RenderTime), RenderTimeWords.NameOf(statistics.RenderTimeSource));
             Set(StatusRow.Range, RangeOf(statistics.Range), ReasonOf(statistics.RangeUnknownReason));
-            UpdateError(statistics.ToolError);
+            UpdateError(statistics.ToolError, statistics.Range == RangeState.Outside);
         }
 
         // A predicted display time does not depend on the profile.
         static bool IsMismatched(SessionStatistics statistics) =>
             statistics != null && statistics.ProfileMismatches.Count > 0 && !statistics.IsLightPredicted;
 
-        void UpdateError(DisplayedError? error)
+        void UpdateError(DisplayedError? error, bool isOutside)
         {
+            const string outside = "outside range";
             var uncertainty = error?.ReductionUncertainty;
-            Set(StatusRow.Reduction, Percents.Of(error?.Reduction * 100), uncertainty.HasValue ? PercentBounds.Of(uncertainty * 100) : "");
-            Set(StatusRow.Error, Millimetres.Of(error?.Rms), error.HasValue ? MillimetrePercentiles.Of(error.Value.P95) : "");
+            Set(StatusRow.Reduction, Percents.Of(error?.Reduction * 100), uncertainty.HasValue ? PercentBounds.Of(uncertainty * 100) : isOutside ? outside : "");
+            Set(StatusRow.Error, Millimetres.Of(error?.Rms), error.HasValue ? MillimetrePercentiles.Of(error.Value.P95) : isOutside ? outside : "");
         }
 
         // A name may be of any length.

@@ -14,10 +14,10 @@ namespace Nowpose.Samples
         [SerializeField, Tooltip("Path of the controller in the Input System.")]
         string _controller = "<XRController>{RightHand}";
 
-        [SerializeField, Tooltip("Path of what is held while carrying.")]
+        [SerializeField, Tooltip("Path of the button that is held to carry the marker.")]
         string _grip = "<XRController>{RightHand}/{GripButton}";
 
-        [SerializeField, Tooltip("The origin in which controllers are tracked: what the camera hangs below. Empty: the world's.")]
+        [SerializeField, Tooltip("The origin in which controllers are tracked, which is the parent of the camera. Empty: the world's origin.")]
         Transform _trackingOrigin = null;
 
         HandPlacedMarker _marker;

@@ -9,10 +9,11 @@ namespace Nowpose.Samples
     [AddComponentMenu("Nowpose/Samples/Pressed Action")]
     public sealed class PressedAction : MonoBehaviour
     {
-        [SerializeField, Tooltip("Paths of the Input System, each of them will do: <XRController>{RightHand}/{PrimaryButton}, <Keyboard>/g.")]
+        [SerializeField, Tooltip("Paths in the Input System, for example <XRController>{RightHand}/{PrimaryButton} or <Keyboard>/g. Each of them "
+            + "triggers the action.")]
         string[] _bindings = Array.Empty<string>();
 
-        [SerializeField, Tooltip("What it calls, once a press.")]
+        [SerializeField, Tooltip("Called once for each press.")]
         UnityEvent _onPressed = new UnityEvent();
 
         InputAction _action;

@@ -18,45 +18,48 @@ namespace Nowpose.Samples
     [DisallowMultipleComponent]
     public sealed class SimulatedControlSystem : MonoBehaviour
     {
-        [SerializeField, Tooltip("The session to feed. Its Connect On Enable has to be off.")]
+        [SerializeField, Tooltip("The session that receives the samples. Turn its Connect On Enable off.")]
         MrilSession _session = null;
 
-        [SerializeField, Tooltip("The robot that moves. The youBot has a cycle of its own, any other one that follows from its limits.")]
+        [SerializeField, Tooltip("The robot that moves. The youBot has its own motion cycle; for other robots the cycle is derived from their "
+            + "limits.")]
         RobotDescriptionAsset _robot = null;
 
         [Header("Sampling")]
-        [SerializeField, Range(5, 1000), Tooltip("T_s in ms: from one sample of the joints to the next. 50 ms is what a controller's interface "
-            + "usually gives; beyond the settings' Maximum Gap the pose is held.")]
+        [SerializeField, Range(5, 1000), Tooltip("Sampling interval T_s of the joints in ms. 50 ms is usual for a controller's interface. Beyond "
+            + "the settings' Maximum Gap the pose is held.")]
         float _samplingMs = 50;
 
-        [SerializeField, Range(0, 1000), Tooltip("Shortest time in ms from a sample until it is sent. 55 to 105 ms is what subscription and "
-            + "middleware took in the plant of Schnierle & Röck 2022.")]
+        [SerializeField, Range(0, 1000), Tooltip("Minimum time in ms from a sample until it is sent. 55 to 105 ms is the time of subscription "
+            + "and middleware in the plant of Schnierle & Röck 2022.")]
         float _latencyMinMs = 55;
 
-        [SerializeField, Range(0, 1000), Tooltip("Longest, ms; in between all are equally likely. Below the shortest it counts as equal to it.")]
+        [SerializeField, Range(0, 1000), Tooltip("Maximum time in ms from a sample until it is sent. All times between minimum and maximum are "
+            + "equally likely. A value below the minimum counts as the minimum.")]
         float _latencyMaxMs = 105;
 
         [Header("Network")]
-        [SerializeField, Tooltip("What all packets pass, with its usual delays and bursts.")]
+        [SerializeField, Tooltip("Delays and bursts of the simulated network, which apply to all packets.")]
         SimulatedNetwork _network = SimulatedNetwork.Wifi;
 
-        [SerializeField, Range(0, 500), Tooltip("What each packet takes longer at most, ms, clock exchanges too. 2 ms hardly matters; tens of ms "
-            + "cost the clock its accuracy.")]
+        [SerializeField, Range(0, 500), Tooltip("Maximum additional delay of each packet in ms, including clock exchanges. 2 ms has little "
+            + "effect; tens of ms make the clock inaccurate.")]
         float _jitterMs = 2;
 
-        [SerializeField, Range(0, 1), Tooltip("Share of the packets that never arrive. 0.01 is a usual WiFi; at 1 the connection is cut.")]
+        [SerializeField, Range(0, 1), Tooltip("Share of lost packets. 0.01 is usual for WiFi; 1 cuts the connection.")]
         float _loss = 0.01f;
 
         [Header("Control clock")]
-        [SerializeField, Range(-1000, 1000), Tooltip("What the control clock is ahead of the headset's at the start, s. Changed while playing, "
-            + "the clock steps, as after a restart of the controller.")]
+        [SerializeField, Range(-1000, 1000), Tooltip("Control clock minus headset clock at the start, in seconds. A change during play steps the "
+            + "clock, as a restart of the controller does.")]
         float _clockAheadSeconds = 100;
 
-        [SerializeField, Range(-500, 500), Tooltip("How much faster the control clock runs, ppm. 37 is a usual difference of two quartzes.")]
+        [SerializeField, Range(-500, 500), Tooltip("Rate of the control clock minus that of the headset clock, ppm. 37 ppm is a usual difference "
+            + "between two quartz clocks.")]
         float _skewPpm = 37;
 
         [Header("Chance")]
-        [SerializeField, Tooltip("Seed of all delays and losses, read when the simulation begins: the same seed, the same delays.")]
+        [SerializeField, Tooltip("Seed of all delays and losses, read at the start of the simulation. The same seed gives the same delays.")]
         int _seed = 1;
 
         IHeadsetClock _time;
@@ -84,8 +87,8 @@ namespace Nowpose.Samples
         {
             try
             {
-                if (_session == null) throw new InputException("control system '" + name + "' has no session to feed; assign one");
-                if (_robot == null) throw new InputException("control system '" + name + "' has no robot to move; assign one");
+                if (_session == null) throw new InputException("control system '" + name + "' has no session; assign one");
+                if (_robot == null) throw new InputException("control system '" + name + "' has no robot; assign one");
                 Robot = _robot.Read();
             }
             catch (InputException fault)

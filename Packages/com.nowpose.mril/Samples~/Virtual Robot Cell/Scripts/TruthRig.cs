@@ -15,14 +15,14 @@ namespace Nowpose.Samples
         // Before rigs, because a rig without a session logs a warning at its start unless it is bound to a robot.
         const int BeforeRigs = -1;
 
-        [SerializeField, Tooltip("Moves the robot.")]
+        [SerializeField, Tooltip("The control system that moves the robot.")]
         SimulatedControlSystem _controlSystem = null;
 
-        [SerializeField, Range(0, 200), Tooltip("How long this display truly takes from the start of a frame until its light appears, ms. The same "
-            + "as Visualisation Ms of the session's settings when the display is calibrated; another value shows what an error of it does.")]
+        [SerializeField, Range(0, 200), Tooltip("True time from the start of a frame until its light appears, ms. It equals Visualisation Ms in "
+            + "the session's settings if the display is calibrated. Set another value to see the effect of a calibration error.")]
         float _displayMs = 40;
 
-        [SerializeField, Tooltip("Show the tool, too. Off, for the real robot has none: its tool is virtual.")]
+        [SerializeField, Tooltip("Also show the tool. Off by default, because the tool of the real robot is virtual.")]
         bool _showsTool = false;
 
         RobotRig _rig;

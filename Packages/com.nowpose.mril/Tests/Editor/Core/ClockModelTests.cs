@@ -13,7 +13,7 @@ namespace Nowpose.Tests.Core
         [TestCase(1234.5, 0)]
         [TestCase(-1.7e9, 80e-6)]
         [TestCase(1.7e9, -80e-6)]
-        public void ToHeadset_OfToControl_IsTheSameMoment(double offsetSeconds, double skew)
+        public void ToHeadset_ToControlResult_RoundTrips(double offsetSeconds, double skew)
         {
             var model = Model(offsetSeconds, skew);
 

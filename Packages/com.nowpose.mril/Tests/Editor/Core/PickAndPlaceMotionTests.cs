@@ -13,8 +13,8 @@ namespace Nowpose.Tests.Core
         const double Step = 1e-3;
 
         // Limits of the arm. Differences of a profile with piecewise constant jerk are exact apart from rounding.
-        const double LargestAcceleration = 3;
-        const double LargestJerk = 30;
+        const double MaxAcceleration = 3;
+        const double MaxJerk = 30;
 
         static double[][] Sampled(PickAndPlaceMotion motion)
         {
@@ -40,8 +40,8 @@ namespace Nowpose.Tests.Core
 
                 Assert.That(q, Has.All.InRange(joint.Limits.Lower, joint.Limits.Upper), joint.Name);
                 Assert.That(velocity.Max(Math.Abs), Is.LessThanOrEqualTo(joint.Limits.Velocity), joint.Name);
-                Assert.That(acceleration.Max(Math.Abs), Is.LessThanOrEqualTo(LargestAcceleration * 1.001), joint.Name);
-                Assert.That(jerk.Max(Math.Abs), Is.LessThanOrEqualTo(LargestJerk * 1.01), joint.Name);
+                Assert.That(acceleration.Max(Math.Abs), Is.LessThanOrEqualTo(MaxAcceleration * 1.001), joint.Name);
+                Assert.That(jerk.Max(Math.Abs), Is.LessThanOrEqualTo(MaxJerk * 1.01), joint.Name);
             }
         }
 
@@ -102,7 +102,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void At_CyclesLater_IsTheSame()
+        public void At_WholeCyclesLater_RepeatsThePosition()
         {
             var motion = new PickAndPlaceMotion(UrdfFiles.Robot("ur5"));
             var once = new double[6];
@@ -117,7 +117,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void At_AllJoints_RestOnlyTogetherAtWaypoints()
+        public void At_AllJoints_RestTogetherAtWaypointsOnly()
         {
             var rows = Sampled(new PickAndPlaceMotion(UrdfFiles.Robot("youbot")));
             var rests = 0;

@@ -56,7 +56,7 @@ namespace Nowpose.Tests.Core
         }
 
         [TestCaseSource(nameof(Moves))]
-        public void Profile_AnyMove_StartsAndEndsAtRestAtItsDistance(double[] move)
+        public void Profile_AnyMove_StartsAndEndsAtRest(double[] move)
         {
             var profile = Profile(move);
             var end = profile.Duration;
@@ -140,7 +140,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void Profile_NoDistance_HasNoDuration()
+        public void Profile_ZeroDistance_HasZeroDuration()
         {
             var profile = new SevenPhaseProfile(0, 1, 1, 1);
 

@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Core
 
         [TestCase(0)]
         [TestCase(1_000_000)]
-        public void At_CountsOfASecondApart_AreASecondApartHoweverLongTheDeviceRuns(long seconds)
+        public void At_CountsASecondApart_DifferByASecondAtAnyUptime(long seconds)
         {
             var count = seconds * Stopwatch.Frequency + 3;
 

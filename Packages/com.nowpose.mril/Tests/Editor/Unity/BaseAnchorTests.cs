@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Nudge_RotatedAnchor_MovesAlongItsOwnAxes()
+        public void Nudge_RotatedAnchor_MovesAlongTheAnchorsAxes()
         {
             _anchor.Place(new Vector3(1, 0, 0), Quaternion.Euler(0, 90, 0));
 

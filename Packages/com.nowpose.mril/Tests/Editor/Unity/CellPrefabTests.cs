@@ -78,7 +78,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Rigs_BoundToTheRobot_HaveTheGripperAtTheirFlange()
+        public void Rigs_BoundToTheRobot_HaveTheGripperAtTheFlange()
         {
             var isKnown = _session.RobotAsset != null;
             if (isKnown) Assert.That(_session.RobotAsset.Read().SourceHash, Is.EqualTo(_model.SourceHash));

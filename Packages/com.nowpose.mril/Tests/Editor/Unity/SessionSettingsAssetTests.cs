@@ -108,7 +108,7 @@ namespace Nowpose.Tests.Unity
         [TestCase(null, "of-the-asset")]
         [TestCase("of-the-code", "of-the-code")]
         [TestCase("", null)]
-        public void ToSettings_TokenByCode_ReplacesTheAssets(string given, string expected)
+        public void ToSettings_TokenArgument_ReplacesTheTokenOfTheAsset(string given, string expected)
         {
             var asset = Asset().With("_token", "of-the-asset").With("_host", "localhost");
 
@@ -131,7 +131,7 @@ namespace Nowpose.Tests.Unity
 
         [TestCase(null)]
         [TestCase("")]
-        public void HeadsetName_Empty_IsThatOfTheDevice(string name) =>
+        public void HeadsetName_Empty_UsesTheDeviceName(string name) =>
             Assert.That(Asset().With("_headsetName", name).ToSettings().Connection.HeadsetName, Is.EqualTo(SystemInfo.deviceName));
 
         [TestCase("_host", "no host", "host", "'no host'", "name", "address")]

@@ -13,7 +13,7 @@ namespace Nowpose.Anchoring.Fitting
         /// <summary>Outlier threshold in medians of the distance: for normal noise in three directions 3.8 sd of one, which 0.2 % exceed.</summary>
         const double Reach = 2.5;
 
-        /// <summary>Minimum thresholds, for rounding errors of equal poses.</summary>
+        /// <summary>Minimum thresholds, which cover the rounding errors of equal poses.</summary>
         const double MinMetres = 1e-6, MinRadians = 1e-6;
 
         const int Rounds = 4;
@@ -53,7 +53,7 @@ namespace Nowpose.Anchoring.Fitting
 
         /// <summary>Whether the means of the older and the newer half of the poses agree. The mean of a moving marker has no meaning.</summary>
         /// <param name="metres">Difference that is always allowed, even with little scatter.</param>
-        /// <param name="radians">The same for the angle.</param>
+        /// <param name="radians">Angle difference that is always allowed.</param>
         public bool IsSteady(double metres, double radians) =>
             _shiftMetres <= Math.Max(metres, 2 * Sure * ErrorMetres) && _shiftRadians <= Math.Max(radians, 2 * Sure * ErrorRadians);
 

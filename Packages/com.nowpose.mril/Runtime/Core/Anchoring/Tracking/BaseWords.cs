@@ -111,14 +111,14 @@ namespace Nowpose.Anchoring.Tracking
             {
                 case Kind.BeingPlaced: return "being placed by hand";
                 case Kind.Conflict: return Name(subject.First) + " and " + Name(subject.Second) + " contradict each other by " + off
-                    + ": measure their places again";
-                case Kind.Scatters: return Name(subject.First) + " scatters by " + off + ": go nearer, keep still";
+                    + ": measure their poses again";
+                case Kind.Scatters: return Name(subject.First) + " scatters by " + off + ": move closer and keep still";
                 case Kind.Gathers: return subject.A + " of " + tracker.Markers.Count + " markers in view: keep looking";
                 case Kind.Ignored: return Name(subject.First) + " " + WhyIgnored((SightingFault)subject.Count);
                 case Kind.Moving: return Name(subject.First) + " is moving: keep it and the robot still";
-                case Kind.Looking: return "looking for markers" + (subject.Count > 0 ? "; is the camera allowed?" : Because((string)subject.First));
+                case Kind.Looking: return "looking for markers" + (subject.Count > 0 ? "; allow the camera if it is blocked" : Because((string)subject.First));
                 case Kind.Moved: return (subject.Count > 1 ? subject.Count + " markers, the worst " : "") + Name(subject.First) + ", " + off
-                    + " from where it belongs: put it back, or lock again";
+                    + " from its expected place: put it back, or lock again";
                 case Kind.Locked: return Locked(tracker);
                 case Kind.Restored: return "as in an earlier run: " + (tracker.Markers.Count > 0 ? "look at a marker" : "lock it") + " to confirm it"
                     + Because(tracker.Problem);
@@ -134,7 +134,7 @@ namespace Nowpose.Anchoring.Tracking
         {
             switch (fault)
             {
-                case SightingFault.TooFar: return "is too far away: go within " + Number(_settings.FarthestMetres, "0.##") + " m";
+                case SightingFault.TooFar: return "is too far away: go within " + Number(_settings.MaxDistanceMetres, "0.##") + " m";
                 case SightingFault.TooOblique: return "is seen too obliquely: go in front of it";
                 case SightingFault.Behind: return "is behind you: look at it";
                 case SightingFault.OtherSize: return "does not have the configured size";

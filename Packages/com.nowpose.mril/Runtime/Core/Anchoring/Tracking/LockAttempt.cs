@@ -24,7 +24,7 @@ namespace Nowpose.Anchoring.Tracking
         public LockAttempt(AnchoringSettings settings) => _settings = settings;
 
         /// <summary>Markers that contradict each other in the newest attempt; null without a conflict.</summary>
-        public MarkerQuarrel Conflict { get; private set; }
+        public MarkerConflict Conflict { get; private set; }
 
         /// <summary>Base from the newest successful attempt, in the room frame.</summary>
         public RigidTransform Fitted { get; private set; }
@@ -112,7 +112,7 @@ namespace Nowpose.Anchoring.Tracking
         {
             var isClear = agreement.Wrong >= 0;
             var wrong = _estimated[isClear ? agreement.Wrong : 0];
-            Conflict = new MarkerQuarrel(wrong.Marker, isClear ? null : _estimated[1].Marker, agreement.Metres, agreement.Radians);
+            Conflict = new MarkerConflict(wrong.Marker, isClear ? null : _estimated[1].Marker, agreement.Metres, agreement.Radians);
             // Parts of the lock are at the end of the list. If two markers contradict each other, the part is kept and the other one excluded.
             if (isClear || _estimated[_estimated.Count - 1].IsPart) wrong.Exclude();
             if (!isClear) return false;

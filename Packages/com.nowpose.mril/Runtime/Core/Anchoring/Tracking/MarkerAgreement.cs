@@ -48,14 +48,14 @@ namespace Nowpose.Anchoring.Tracking
             if (markers.Count > 2)
             {
                 int wrong = -1;
-                var (least, fitted) = (double.PositiveInfinity, all);
+                var (min, fitted) = (double.PositiveInfinity, all);
                 for (var i = 0; i < markers.Count; i++)
                 {
                     var others = BaseFit.Of(markers, without: i);
                     var rest = Worst(markers, others, i, settings);
-                    if (rest < least) (least, wrong, fitted) = (rest, i, others);
+                    if (rest < min) (min, wrong, fitted) = (rest, i, others);
                 }
-                if (least <= 1)
+                if (min <= 1)
                 {
                     var (off, turned) = BaseFit.Misfit(fitted, markers[wrong]);
                     return new MarkerAgreement(false, wrong, fitted, off, turned);

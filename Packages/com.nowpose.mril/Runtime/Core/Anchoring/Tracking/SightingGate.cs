@@ -36,7 +36,7 @@ namespace Nowpose.Anchoring.Tracking
         {
             double x = head.X - pose.X, y = head.Y - pose.Y, z = head.Z - pose.Z;
             var distance = PoseNumbers.Length(x, y, z);
-            if (distance > settings.FarthestMetres) return SightingFault.TooFar;
+            if (distance > settings.MaxDistanceMetres) return SightingFault.TooFar;
             if (head.R00 * x + head.R10 * y + head.R20 * z > 0) return SightingFault.Behind;
             var straight = pose.R02 * x + pose.R12 * y + pose.R22 * z;
             return straight < Math.Cos(settings.MaxObliqueRadians) * distance ? SightingFault.TooOblique : SightingFault.None;

@@ -31,7 +31,7 @@ namespace Nowpose.Latency.Calibration
             if (!(Math.Abs(speedMmPerS) >= MinSpeedMmPerS))
                 throw Fault("nudge: the tool moves at {0:0} mm/s along the axis; mark at {1:0} mm/s or more", speedMmPerS, MinSpeedMmPerS);
             if (_marks.Count > 0 && Math.Abs(Math.Abs(speedMmPerS) - Speed) > SameSpeed * Speed)
-                throw Fault("nudge: the tool moves at {0:0} mm/s, and moved at {1:0} mm/s in the marks before; keep one speed, or clear them",
+                throw Fault("nudge: the tool moves at {0:0} mm/s, and moved at {1:0} mm/s during the earlier marks; use the same speed, or clear the marks",
                     Math.Abs(speedMmPerS), Speed);
             _marks.Add((offsetMm, speedMmPerS));
         }

@@ -55,10 +55,10 @@ namespace Nowpose.Latency.Calibration
             return new RangeSplit(count, beyond >= MinBeyondCount && beyond >= MinBeyondFraction * good.Length && best - never >= MinEvidence);
         }
 
-        static double LogLikelihood(int bad, int count, double least, double greatest)
+        static double LogLikelihood(int bad, int count, double min, double max)
         {
             if (count == 0) return 0;
-            var chance = Math.Min(Math.Max((double)bad / count, least), greatest);
+            var chance = Math.Min(Math.Max((double)bad / count, min), max);
             return bad * Math.Log(chance) + (count - bad) * Math.Log(1 - chance);
         }
     }

@@ -123,7 +123,7 @@ namespace Nowpose.Latency.Conditions
             if (string.IsNullOrEmpty(value)) return;
             if (value.Length > MaxTextLength || value.Any(char.IsControl))
                 throw new InputException(
-                    DisplayConditionNames.FieldOf(condition) + ": " + what + " is one line of up to " + MaxTextLength + " characters");
+                    DisplayConditionNames.FieldOf(condition) + ": " + what + " must be one line of up to " + MaxTextLength + " characters");
             _values[(int)condition] = value;
         }
 

@@ -73,11 +73,11 @@ namespace Nowpose.Latency.Profile
         static void CheckFormat(ProfileFields fields)
         {
             var format = fields.OptionalText("format");
-            if (format != Format) throw fields.Fault("no latency profile; its format is '" + format + "', not '" + Format + "'");
+            if (format != Format) throw fields.Fault("it is not a latency profile; its format is '" + format + "', not '" + Format + "'");
             var version = fields.Count("version");
             if (version > Version)
                 throw fields.Fault(
-                    "latency profile of version " + version + ", this Nowpose reads up to " + Version + "; update Nowpose or calibrate again");
+                    "the latency profile has version " + version + "; this Nowpose reads up to version " + Version + "; update Nowpose or calibrate again");
             if (version < 1) throw fields.Fault("version: " + version + " is out of range; allowed is " + Version);
         }
 
@@ -105,14 +105,14 @@ namespace Nowpose.Latency.Profile
         {
             var name = fields.Text("method");
             return CalibrationMethodNames.TryParse(name, out var method)
-                ? method : throw fields.Fault("method: '" + name + "' is none; allowed are " + CalibrationMethodNames.All);
+                ? method : throw fields.Fault("method: '" + name + "' is unknown; allowed are " + CalibrationMethodNames.All);
         }
 
         static RenderTimeSourceKind SourceOf(ProfileFields fields)
         {
             var name = fields.OptionalText("render_source") ?? "";
             return RenderTimeSourceNames.TryParse(name, out var source)
-                ? source : throw fields.Fault("render_source: '" + name + "' is none; allowed are " + RenderTimeSourceNames.All);
+                ? source : throw fields.Fault("render_source: '" + name + "' is unknown; allowed are " + RenderTimeSourceNames.All);
         }
     }
 }

@@ -24,7 +24,7 @@ namespace Nowpose.Latency.Profile
             _name = name;
             var utf8 = Encoding.UTF8.GetBytes(text);
             if (JsonUtf8Reader.Check(utf8, Nesting) != DropReason.None)
-                throw Fault("not a complete JSON object, so not a latency profile; calibrate again");
+                throw Fault("it is not a complete JSON object; calibrate again");
             var json = new JsonUtf8Reader(utf8, Nesting);
             json.BeginObject();
             while (json.NextField(out var field))
@@ -40,16 +40,16 @@ namespace Nowpose.Latency.Profile
             return Other;
         }
 
-        public double Number(string field, double least, double greatest, string unit) =>
-            OptionalNumber(field, least, greatest, unit) ?? throw Missing(field);
+        public double Number(string field, double min, double max, string unit) =>
+            OptionalNumber(field, min, max, unit) ?? throw Missing(field);
 
         /// <returns>Null when the value is null or the field is missing.</returns>
-        public double? OptionalNumber(string field, double least, double greatest, string unit)
+        public double? OptionalNumber(string field, double min, double max, string unit)
         {
             switch (ValueOf(field))
             {
                 case null: return null;
-                case double value: return SettingRange.Require(value, least, greatest, _name + ": " + field, unit);
+                case double value: return SettingRange.Require(value, min, max, _name + ": " + field, unit);
                 default: throw Fault(field + " must be a number");
             }
         }

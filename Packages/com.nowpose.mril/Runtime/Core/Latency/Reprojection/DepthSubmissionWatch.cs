@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Latency.Reprojection
 {
     /// <summary>Monitors whether depth is submitted. A change takes effect after it has lasted a second.</summary>
-    /// <remarks>Hence a change of the scene's camera reports nothing. Allocates nothing; not thread-safe.</remarks>
+    /// <remarks>A brief change of the scene's camera is therefore not reported. Allocates nothing; not thread-safe.</remarks>
     sealed class DepthSubmissionWatch
     {
         static readonly TimeSpan Lasting = TimeSpan.FromSeconds(1);

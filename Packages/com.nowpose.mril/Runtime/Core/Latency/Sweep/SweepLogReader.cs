@@ -41,7 +41,7 @@ namespace Nowpose.Latency.Sweep
             for (; IsComment(header); header = text.ReadLine(), line++) TakeCondition(header, values);
             conditions = ConditionsOf(values, name);
             if (header == null || header.Trim() != SweepLog.Header)
-                throw new InputException(Place(name, line) + ": the header is '" + header + "'; that of a sweep log is " + SweepLog.Header);
+                throw new InputException(Place(name, line) + ": the header is '" + header + "'; it must be " + SweepLog.Header);
             var rows = new List<SweepRow>();
             var fields = new List<string>();
             var device = "";
@@ -52,7 +52,7 @@ namespace Nowpose.Latency.Sweep
                 CsvFields.Split(row, fields);
                 rows.Add(RowOf(fields, Place(name, line), ref device));
             }
-            if (rows.Count == 0) throw new InputException(name + ": no rows below the header; a sweep has one for each frame");
+            if (rows.Count == 0) throw new InputException(name + ": there are no rows below the header; a sweep log has one for each frame");
             return rows;
         }
 
@@ -85,7 +85,7 @@ namespace Nowpose.Latency.Sweep
         /// <param name="device">Device of the previous row; reused when it is equal, so that the string is stored once.</param>
         static SweepRow RowOf(List<string> fields, string place, ref string device)
         {
-            if (fields.Count != Columns) throw new InputException(place + ": " + fields.Count + " fields; there must be " + Columns);
+            if (fields.Count != Columns) throw new InputException(place + ": " + fields.Count + " fields; it must have " + Columns);
             if (fields[4] != device) device = fields[4];
             try
             {
@@ -107,7 +107,7 @@ namespace Nowpose.Latency.Sweep
         {
             if (RenderTimeSourceNames.TryParse(text, out var source)) return source;
             throw new InputException(
-                Source + ": '" + text + "' is not a source of a render time; allowed are " + RenderTimeSourceNames.All + ", or nothing");
+                Source + ": '" + text + "' is not a source of render times; allowed are " + RenderTimeSourceNames.All + ", or nothing");
         }
 
         static long Whole(string text, string field, string unit)

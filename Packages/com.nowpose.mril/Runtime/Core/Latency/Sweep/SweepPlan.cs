@@ -11,7 +11,7 @@ namespace Nowpose.Latency.Sweep
 
         readonly int[] _loads;
 
-        /// <param name="largestLoad">Number of vertices of the largest load, 1000 to <see cref="MaxVertices"/>.</param>
+        /// <param name="maxLoad">Number of vertices of the largest load, 1000 to <see cref="MaxVertices"/>.</param>
         /// <param name="steps">Number of steps from no load to the largest, 2 to 100.</param>
         /// <param name="secondsPerLoad">Duration of each load after settling, 0.5 to 600 s.</param>
         /// <param name="settleSeconds">
@@ -23,22 +23,22 @@ namespace Nowpose.Latency.Sweep
         /// </param>
         /// <exception cref="InputException">Out of range.</exception>
         public SweepPlan(
-            int largestLoad = MaxVertices, int steps = 10, double secondsPerLoad = 5, double settleSeconds = 1, bool goesDown = true)
+            int maxLoad = MaxVertices, int steps = 10, double secondsPerLoad = 5, double settleSeconds = 1, bool goesDown = true)
         {
-            LargestLoad = SettingRange.RequireCount(largestLoad, 1000, MaxVertices, "maximum load of the sweep, vertices");
+            MaxLoad = SettingRange.RequireCount(maxLoad, 1000, MaxVertices, "maximum load of the sweep, vertices");
             SettingRange.RequireCount(steps, 2, 100, "steps of the sweep");
             Settling = SettingRange.RequireSeconds(settleSeconds, 0, 60, "time for a load to settle");
             TimePerLoad = Settling + SettingRange.RequireSeconds(secondsPerLoad, 0.5, 600, "time of a load");
             _loads = new int[goesDown ? 2 * steps + 1 : steps + 1];
             for (var i = 0; i <= steps; i++)
             {
-                _loads[i] = (int)((long)largestLoad * i / steps);
+                _loads[i] = (int)((long)maxLoad * i / steps);
                 if (goesDown) _loads[2 * steps - i] = _loads[i];
             }
         }
 
         /// <summary>Number of vertices of the largest load.</summary>
-        public int LargestLoad { get; }
+        public int MaxLoad { get; }
 
         /// <summary>Numbers of vertices in the order of the sweep.</summary>
         public IReadOnlyList<int> Loads => _loads;

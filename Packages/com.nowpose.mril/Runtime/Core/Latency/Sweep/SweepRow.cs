@@ -41,7 +41,7 @@ namespace Nowpose.Latency.Sweep
         {
             MeasuredRenderTime.RequireMs(ms);
             if (source == RenderTimeSourceKind.None)
-                throw new InputException("render_ms: its source is missing; without it the time means nothing");
+                throw new InputException("render_ms: its source is missing; a render time needs a source");
         }
     }
 }

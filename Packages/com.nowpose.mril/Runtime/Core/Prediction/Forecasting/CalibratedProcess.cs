@@ -7,12 +7,12 @@ namespace Nowpose.Prediction.Forecasting
     /// The kernel gives the growth of the standard deviation with the horizon, not its scale: the motion of a robot is not stationary.
     /// The quadratic form of the newest samples underestimates the errors of fast moves by a third, and grows only after the error.
     /// Therefore each new sample is compared with the forecast made one horizon before it. The scale is the mean of the squared errors,
-    /// each divided by the variance of the unscaled process at that horizon. prediction.md lists the share of errors within the deviation.
+    /// each divided by the variance of the unscaled process at that horizon. prediction-reference.md lists the share of errors within the deviation.
     /// </remarks>
     sealed class CalibratedProcess : Forecaster
     {
         /// <summary>
-        /// Forgetting time constant of the errors, s. Between 1 s and 10 s it changes the shares inside by 3 points at most.
+        /// Forgetting time constant of the errors, s. Between 1 s and 10 s it changes the shares of errors within the deviations by at most 3 %.
         /// </summary>
         const double ErrorTimeConstant = 3;
 

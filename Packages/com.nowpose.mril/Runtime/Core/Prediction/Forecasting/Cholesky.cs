@@ -19,7 +19,7 @@ namespace Nowpose.Prediction.Forecasting
                     var other = j * n;
                     var sum = matrix[row + j];
                     for (var k = 0; k < j; k++) sum -= matrix[row + k] * matrix[other + k];
-                    matrix[row + j] = i == j ? Math.Sqrt(Math.Max(sum, MinPivot)) : sum / matrix[other + j];
+                    matrix[row + j] = i == j ? Math.Sqrt(sum > MinPivot ? sum : MinPivot) : sum / matrix[other + j];
                 }
             }
         }
@@ -32,7 +32,7 @@ namespace Nowpose.Prediction.Forecasting
             for (var i = n - 1; i >= 0; i--)
             {
                 var value = vector[i];
-                for (var k = i + 1; k < n; k++) value -= matrix[k * n + i] * vector[k];
+                for (int k = i + 1, at = k * n + i; k < n; k++, at += n) value -= matrix[at] * vector[k];
                 vector[i] = value / matrix[i * n + i];
             }
         }
@@ -42,9 +42,9 @@ namespace Nowpose.Prediction.Forecasting
         {
             for (var i = 0; i < n; i++)
             {
-                var value = vector[i];
-                for (var k = 0; k < i; k++) value -= matrix[i * n + k] * vector[k];
-                vector[i] = value / matrix[i * n + i];
+                var (value, row) = (vector[i], i * n);
+                for (var k = 0; k < i; k++) value -= matrix[row + k] * vector[k];
+                vector[i] = value / matrix[row + i];
             }
         }
     }

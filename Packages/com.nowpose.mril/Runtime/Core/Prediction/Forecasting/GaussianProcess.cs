@@ -34,7 +34,9 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Maximum time between the newest and the oldest used sample, in units of l/√7.</summary>
         const double MaxSpan = 300;
 
-        static readonly double PerSecond = Math.Sqrt(7) / LengthScale;
+        /// <summary>√7 / l, in 1/s.</summary>
+        const double PerSecond = 2.6457513110645906 / LengthScale;
+
         static readonly double DecayPerStep = Math.Exp(-ForecastTable.Step * PerSecond);
 
         readonly double[] _times = new double[Newest];
@@ -42,6 +44,7 @@ namespace Nowpose.Prediction.Forecasting
         readonly double[] _weights = new double[Newest];
         readonly double[] _covariance = new double[Newest];
         readonly double[] _matrix = new double[Newest * Newest];
+        readonly double[] _table = new double[ForecastTable.Points];
         readonly bool _stopsAtReversal;
         double _a0, _a1, _a2, _a3, _b0, _b1;
         double _stop;
@@ -68,13 +71,10 @@ namespace Nowpose.Prediction.Forecasting
             {
                 ref readonly var sample = ref motion.Samples[age + i];
                 _times[i] = sample.Time - newest.Time;
-                _decays[i] = Math.Exp(_times[i] * PerSecond);
+                _decays[i] = i == 0 ? 1 : Math.Exp(_times[i] * PerSecond);
                 _weights[i] = sample.Position - newest.Position;
             }
-            for (var i = 0; i < Newest; i++)
-                for (var j = 0; j <= i; j++)
-                    _matrix[i * Newest + j] = Polynomial((_times[j] - _times[i]) * PerSecond) * _decays[i] / _decays[j]
-                        + LevelVariance + TrendVariance * _times[i] * _times[j] + (i == j ? Noise : 0);
+            FillMatrix();
             Cholesky.Factor(_matrix, Newest);
             Cholesky.Solve(_matrix, _weights, Newest);
             Sum();
@@ -105,9 +105,23 @@ namespace Nowpose.Prediction.Forecasting
 
         public override void Fill(double[] table, int start, int points)
         {
-            var decay = 1.0;
-            for (var i = 0; i < points; i++, decay *= DecayPerStep)
-                table[start + i] = i * ForecastTable.Step > _stop ? table[start + i - 1] : At(i * ForecastTable.Step, decay);
+            if (!_stopsAtReversal) base.Fill(table, start, points);
+            else for (var i = 0; i < points; i++) table[start + i] = _table[i];
+        }
+
+        void FillMatrix()
+        {
+            var (matrix, times, decays) = (_matrix, _times, _decays);
+            for (var i = 0; i < Newest; i++)
+            {
+                var (time, decay, trend, row) = (times[i], decays[i], TrendVariance * times[i], i * Newest);
+                for (var j = 0; j < i; j++)
+                {
+                    var r = (times[j] - time) * PerSecond;
+                    matrix[row + j] = (1 + r * (1 + r * (0.4 + r / 15))) * decay / decays[j] + LevelVariance + trend * times[j];
+                }
+                matrix[row + i] = 1 + LevelVariance + trend * time + Noise;
+            }
         }
 
         // k without its exponential; r is never negative, because the newest sample comes first.
@@ -137,19 +151,24 @@ namespace Nowpose.Prediction.Forecasting
             }
         }
 
+        // Fills the table on the way.
         void StopAtReversal(int direction)
         {
-            var before = At(0, 1);
-            var decay = DecayPerStep;
-            for (var i = 1; i < ForecastTable.Points; i++, decay *= DecayPerStep)
+            var (table, ahead, decay) = (_table, 0.0, 1.0);
+            table[0] = At(0, 1);
+            for (var i = 1; i < table.Length; i++)
             {
-                var position = At(i * ForecastTable.Step, decay);
-                if ((position - before) * direction <= 0)
+                ahead += ForecastTable.Step;
+                decay *= DecayPerStep;
+                var u = ahead * PerSecond;
+                var position = (_a0 + u * (_a1 + u * (_a2 + u * _a3))) * decay + _b0 + _b1 * ahead;
+                if ((position - table[i - 1]) * direction <= 0)
                 {
                     _stop = (i - 1) * ForecastTable.Step;
+                    for (; i < table.Length; i++) table[i] = table[i - 1];
                     return;
                 }
-                before = position;
+                table[i] = position;
             }
         }
     }

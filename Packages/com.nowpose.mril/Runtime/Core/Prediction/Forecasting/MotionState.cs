@@ -84,7 +84,7 @@ namespace Nowpose.Prediction.Forecasting
         public void Take(bool isNewest, double displayed)
         {
             IsNewest = isNewest;
-            Connected = Samples.CountWithoutGap(_maximumGap);
+            Connected = isNewest && !Samples.HasGap(0, _maximumGap) ? Math.Min(Connected + 1, Samples.Count) : Samples.CountWithoutGap(_maximumGap);
             if (!isNewest) return;
             double intervalBefore = 0, speedBefore = 0;
             if (Samples.Count >= 2) (Interval, Speed) = Increment(0);

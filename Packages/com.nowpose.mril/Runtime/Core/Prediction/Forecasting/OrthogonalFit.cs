@@ -43,9 +43,10 @@ namespace Nowpose.Prediction.Forecasting
                 if (Dot(_values[j], _values[j], count) < NearlyAll * before) RemoveOthers(j, count, degree);
                 Normalise(j, count, degree);
 
-                var share = Dot(_values[j], positions, count);
-                for (var i = 0; i < count; i++) positions[i] -= share * _values[j][i];
-                for (var k = 0; k <= degree; k++) coefficients[k] += share * _powers[j][k];
+                var (values, powers) = (_values[j], _powers[j]);
+                var share = Dot(values, positions, count);
+                for (var i = 0; i < count; i++) positions[i] -= share * values[i];
+                for (var k = 0; k <= degree; k++) coefficients[k] += share * powers[k];
             }
         }
 
@@ -58,9 +59,10 @@ namespace Nowpose.Prediction.Forecasting
                 for (var i = 0; i < count; i++) _values[0][i] = 1;
                 return;
             }
-            for (var i = 0; i < count; i++) _values[j][i] = times[i] * _values[j - 1][i];
-            for (var k = degree; k > 0; k--) _powers[j][k] = _powers[j - 1][k - 1];
-            _powers[j][0] = 0;
+            var (values, powers, valuesBefore, powersBefore) = (_values[j], _powers[j], _values[j - 1], _powers[j - 1]);
+            for (var i = 0; i < count; i++) values[i] = times[i] * valuesBefore[i];
+            for (var k = degree; k > 0; k--) powers[k] = powersBefore[k - 1];
+            powers[0] = 0;
         }
 
         void RemoveOthers(int j, int count, int degree)
@@ -70,16 +72,18 @@ namespace Nowpose.Prediction.Forecasting
 
         void RemoveFrom(int j, int other, int count, int degree)
         {
-            var share = Dot(_values[j], _values[other], count);
-            for (var i = 0; i < count; i++) _values[j][i] -= share * _values[other][i];
-            for (var k = 0; k <= degree; k++) _powers[j][k] -= share * _powers[other][k];
+            var (values, powers, otherValues, otherPowers) = (_values[j], _powers[j], _values[other], _powers[other]);
+            var share = Dot(values, otherValues, count);
+            for (var i = 0; i < count; i++) values[i] -= share * otherValues[i];
+            for (var k = 0; k <= degree; k++) powers[k] -= share * otherPowers[k];
         }
 
         void Normalise(int j, int count, int degree)
         {
-            var perLength = 1 / Math.Sqrt(Dot(_values[j], _values[j], count));
-            for (var i = 0; i < count; i++) _values[j][i] *= perLength;
-            for (var k = 0; k <= degree; k++) _powers[j][k] *= perLength;
+            var (values, powers) = (_values[j], _powers[j]);
+            var perLength = 1 / Math.Sqrt(Dot(values, values, count));
+            for (var i = 0; i < count; i++) values[i] *= perLength;
+            for (var k = 0; k <= degree; k++) powers[k] *= perLength;
         }
 
         static double Dot(double[] a, double[] b, int count)

@@ -41,11 +41,11 @@ namespace Nowpose.Prediction.Forecasting
         public override void Fill(double[] table, int start, int points)
         {
             var (speed, bend, stop) = (_speed, _bend, _stop);
-            for (var i = 0; i < points; i++)
+            var ahead = 0.0;
+            for (var i = start; i < start + points; i++, ahead += ForecastTable.Step)
             {
-                var x = i * ForecastTable.Step;
-                if (x > stop) x = stop;
-                table[start + i] = x * (speed + bend * x);
+                var x = ahead > stop ? stop : ahead;
+                table[i] = x * (speed + bend * x);
             }
         }
 

@@ -23,7 +23,7 @@ namespace Nowpose.Prediction.Forecasting
             if (degree < 0 || degree > PolynomialSection.HighestDegree)
                 throw new ArgumentOutOfRangeException(nameof(degree), degree, "0 to " + PolynomialSection.HighestDegree);
             if (history < degree || history > MaxHistory)
-                throw new ArgumentOutOfRangeException(nameof(history), history, "from the degree to " + MaxHistory);
+                throw new ArgumentOutOfRangeException(nameof(history), history, "must be from the degree to " + MaxHistory);
             Samples = history + 1;
             _section = new PolynomialSection(degree, Samples);
         }

@@ -42,16 +42,13 @@ namespace Nowpose.Prediction.Forecasting
             return c[0] + x * (c[1] + x * (c[2] + x * c[3]));
         }
 
-        /// <summary>As <see cref="Forecaster.Fill"/>.</summary>
+        /// <inheritdoc cref="Forecaster.Fill"/>
         public void Fill(double[] table, int start, int points)
         {
             var (c0, c1, c2, c3) = (_coefficients[0], _coefficients[1], _coefficients[2], _coefficients[3]);
             var step = ForecastTable.Step * _perScale;
-            for (var i = 0; i < points; i++)
-            {
-                var x = i * step;
-                table[start + i] = c0 + x * (c1 + x * (c2 + x * c3));
-            }
+            var x = 0.0;
+            for (var i = start; i < start + points; i++, x += step) table[i] = c0 + x * (c1 + x * (c2 + x * c3));
         }
 
         /// <summary>Solves for the newest <paramref name="count"/> samples, with the highest degree that they determine.</summary>
@@ -68,11 +65,15 @@ namespace Nowpose.Prediction.Forecasting
         void Localise(SampleHistory history, int count)
         {
             var span = 0.0;
+            var (newestTime, newestPosition) = (history.NewestTime, history.NewestPosition);
             for (var i = 0; i < count; i++)
             {
-                _times[i] = history[i].Time - history[0].Time;
-                _positions[i] = history[i].Position - history[0].Position;
-                span = Math.Max(span, Math.Abs(_times[i]));
+                ref readonly var sample = ref history[i];
+                var time = sample.Time - newestTime;
+                _times[i] = time;
+                _positions[i] = sample.Position - newestPosition;
+                if (time < 0) time = -time;
+                if (time > span) span = time;
             }
             _perScale = span > 0 ? 1 / PowerOfTwoBelow(span) : 1;
             for (var i = 0; i < count; i++) _times[i] *= _perScale;

@@ -36,13 +36,13 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Minimum ratio of second to first differences: √3 for white noise, near 0 for a smooth reversal.</summary>
         const double MinRoughness = 1.3;
 
-        /// <summary>Minimum range as a share of the maximum ever; the logarithm of zero would never recover.</summary>
+        /// <summary>Minimum range as a share of the maximum range so far, because the mean would never recover from the logarithm of zero.</summary>
         const double MinShare = 1e-6, Tiny = 1e-300;
 
         /// <summary>Number of samples used to distinguish noise from a slow motion.</summary>
         const int NoiseWindow = 12;
 
-        /// <summary>Threshold of standstill: displacement as a share of the recent maximum.</summary>
+        /// <summary>Standstill threshold: displacement as a share of the recent maximum.</summary>
         const double StillShare = 1e-3;
 
         /// <summary>Forgetting factor of the maximum displacement per sample: 1/e after 500 samples.</summary>
@@ -69,15 +69,15 @@ namespace Nowpose.Prediction.Forecasting
         public void Add(SampleHistory history, double interval)
         {
             var count = Math.Min(Window, history.Count);
-            double least = double.PositiveInfinity, greatest = double.NegativeInfinity, sum = 0;
+            double min = double.PositiveInfinity, max = double.NegativeInfinity, sum = 0;
             for (var i = 0; i < count; i++)
             {
                 var position = history[i].Position;
-                least = Math.Min(least, position);
-                greatest = Math.Max(greatest, position);
+                if (position < min) min = position;
+                if (position > max) max = position;
                 sum += position;
             }
-            var range = greatest - least;
+            var range = max - min;
             _maxRange = Math.Max(_maxRange, range);
             if (history.Count < 2) return;
 

@@ -60,9 +60,13 @@ namespace Nowpose.Prediction.Mixing
         readonly double[] _line;
         readonly double[] _hold;
         readonly double[] _errors;
-        readonly double[] _table = new double[ForecastTable.Points];
+        readonly double[] _standstill = new double[ForecastTable.Points];
         readonly int _points;
         double[] _weights;
+
+        // The displayed forecast: one table of the newest snapshot.
+        double[] _section;
+        int _sectionStart;
         double _maxSquare;
 
         /// <param name="limits">Limits of the drive.</param>
@@ -122,7 +126,7 @@ namespace Nowpose.Prediction.Mixing
             return motion.Connected >= 2;
         }
 
-        public override double At(double ahead) => ForecastTable.Read(_table, 0, ahead);
+        public override double At(double ahead) => ForecastTable.Read(_section, _sectionStart, ahead);
 
         public override void Reset()
         {
@@ -133,7 +137,7 @@ namespace Nowpose.Prediction.Mixing
             _overall.Reset(_prior);
             _moving.Reset(_prior);
             _resting.Reset(_prior);
-            Array.Clear(_table, 0, _table.Length);
+            (_section, _sectionStart) = (_standstill, 0);
             _weights = _prior;
             _maxSquare = 1e-12;
         }
@@ -158,13 +162,16 @@ namespace Nowpose.Prediction.Mixing
                 var share = candidate.ShareOfSquare(into.WasStill);
                 if (share < minShare) (best, minShare) = (forecast, share);
             }
-            Array.Copy(into.Tables, best * ForecastTable.Points, _table, 0, ForecastTable.Points);
+            (_section, _sectionStart) = (into.Tables, best * ForecastTable.Points);
         }
 
         void FillForecasts(MotionState motion, double[] tables)
         {
-            Array.Clear(tables, 0, tables.Length);
-            if (motion.Connected < 2) return;
+            if (motion.Connected < 2)
+            {
+                Array.Clear(tables, 0, tables.Length);
+                return;
+            }
             var samples = Has(PredictionParts.ChangePoints) ? motion.OfOneMotion : motion.Connected;
             if (samples <= 2)
             {
@@ -183,18 +190,19 @@ namespace Nowpose.Prediction.Mixing
 
         void FillLine(double[] tables, int forecast, double speed)
         {
-            var start = forecast * ForecastTable.Points;
-            for (var i = 0; i < _points; i++) tables[start + i] = speed * (i * ForecastTable.Step);
+            var (start, step) = (forecast * ForecastTable.Points, speed * ForecastTable.Step);
+            for (var i = 0; i < _points; i++) tables[start + i] = i * step;
         }
 
         void FillMixture(MotionState motion, double[] tables)
         {
             var start = Mixture * ForecastTable.Points;
+            for (var point = start; point < start + _points; point++) tables[point] = 0;
             for (var i = Line; i < Mixture; i++)
             {
                 var weight = _weights[i];
                 if (weight == 0) continue;
-                for (var point = 0; point < _points; point++) tables[start + point] += weight * tables[i * ForecastTable.Points + point];
+                for (int point = 0, from = i * ForecastTable.Points; point < _points; point++) tables[start + point] += weight * tables[from + point];
             }
             if (motion.Connected >= 2) SpeedLimits.Apply(tables, start, motion.Speed, motion.Interval, _limits);
         }
@@ -226,10 +234,10 @@ namespace Nowpose.Prediction.Mixing
             if (!IsInTable(ahead)) return false;
             // The forecaster is not responsible for an error across a change point.
             var isOfOneMotion = snapshot.ChangePoints == motion.ChangePoints.Count;
-            var threshold = FillErrors(snapshot, ahead, motion.Samples.NewestPosition, isOfOneMotion, out var greatest);
+            var threshold = FillErrors(snapshot, ahead, motion.Samples.NewestPosition, isOfOneMotion, out var max);
             ScoreCandidates(motion, snapshot, threshold);
             if (!isOfOneMotion) return false;
-            var square = greatest * greatest;
+            var square = max * max;
             var keeping = Math.Exp(-motion.MeanInterval / Memory);
             _maxSquare = Math.Max(_maxSquare * keeping, square);
             var isTelling = square > MinShareOfSquare * _maxSquare;
@@ -240,9 +248,9 @@ namespace Nowpose.Prediction.Mixing
         }
 
         /// <param name="isOfOneMotion">Whether no change point lies between forecast and sample, so that the threshold adapts.</param>
-        /// <param name="greatest">The larger error of hold and mixture, limited by the threshold.</param>
+        /// <param name="max">The larger error of hold and mixture, limited by the threshold.</param>
         /// <returns>The outlier threshold.</returns>
-        double FillErrors(ForecastSnapshots.Snapshot snapshot, double ahead, double truth, bool isOfOneMotion, out double greatest)
+        double FillErrors(ForecastSnapshots.Snapshot snapshot, double ahead, double truth, bool isOfOneMotion, out double max)
         {
             var mixture = 0.0;
             for (var i = 0; i < Mixture; i++)
@@ -250,12 +258,13 @@ namespace Nowpose.Prediction.Mixing
                 _errors[i] = snapshot.At(i, ahead) - truth;
                 mixture += _overall.Values[i] * _errors[i];
             }
-            greatest = Math.Max(Math.Abs(_errors[Hold]), Math.Abs(mixture));
+            max = Math.Max(Math.Abs(_errors[Hold]), Math.Abs(mixture));
             var threshold = Threshold;
             if (double.IsPositiveInfinity(threshold)) return threshold;
-            if (isOfOneMotion) _outliers.Add(UsualError, greatest);
-            for (var i = 0; i < Mixture; i++) _errors[i] = Math.Min(Math.Max(_errors[i], -threshold), threshold);
-            greatest = Math.Min(greatest, threshold);
+            if (isOfOneMotion) _outliers.Add(UsualError, max);
+            for (var i = 0; i < Mixture; i++)
+                if (Math.Abs(_errors[i]) > threshold) _errors[i] = _errors[i] > 0 ? threshold : -threshold;
+            max = Math.Min(max, threshold);
             return threshold;
         }
 
@@ -283,7 +292,7 @@ namespace Nowpose.Prediction.Mixing
         double Threshold => _overall.Evidence < MinEvidence || !Has(PredictionParts.OutlierThreshold)
             ? double.PositiveInfinity : _outliers.Of(UsualError);
 
-        // Share of the memory that one sample fills.
+        // Weight of one sample in the exponential means over the memory.
         static double SampleShare(MotionState motion) => 1 - Math.Exp(-motion.MeanInterval / Memory);
 
         double[] PriorNow(MotionState motion) => double.IsNaN(motion.Samples[0].Velocity + motion.Samples[0].Acceleration) ? _prior : _priorWhenReported;

@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Prediction.Mixing
 {
     /// <summary>
-    /// Weights of a mixture of forecasts that minimise the recent error; none is negative and their sum is one. Stacking
+    /// Weights of a mixture of forecasts that minimise the recent error; they are not negative, and their sum is one. Stacking
     /// (Wolpert 1992, Breiman 1996) with exponential forgetting.
     /// </summary>
     /// <remarks>
@@ -11,8 +11,14 @@ namespace Nowpose.Prediction.Mixing
     /// </remarks>
     sealed class MixtureWeights
     {
-        /// <summary>Pairwise steps per solve; few are enough, because each solve starts from the previous weights.</summary>
-        const int Steps = 10;
+        /// <summary>
+        /// Pairwise steps per solve; few are enough, because each solve starts from the previous weights. Ten change the errors on
+        /// recordings by 0.02 %.
+        /// </summary>
+        const int Steps = 5;
+
+        /// <summary>A step that reduces the mean square by a smaller share of that of the best forecast ends the solve.</summary>
+        const double MinGain = 1e-4;
 
         /// <summary>Number of samples whose evidence has the same weight as the prior.</summary>
         const double PriorSamples = 5;
@@ -49,14 +55,12 @@ namespace Nowpose.Prediction.Mixing
         /// <param name="keeping">Forgetting factor, 0 to 1.</param>
         public void Learn(double[] errors, double keeping)
         {
-            var share = 1 - keeping;
+            var (products, share, k) = (_products, 1 - keeping, 0);
             for (var i = 0; i < _count; i++)
-                for (var j = 0; j <= i; j++)
-                {
-                    var value = keeping * _products[i * _count + j] + share * errors[i] * errors[j];
-                    _products[i * _count + j] = value;
-                    _products[j * _count + i] = value;
-                }
+            {
+                var error = share * errors[i];
+                for (var j = 0; j < _count; j++, k++) products[k] = keeping * products[k] + error * errors[j];
+            }
             Evidence = keeping * Evidence + share;
         }
 
@@ -65,12 +69,14 @@ namespace Nowpose.Prediction.Mixing
         /// <param name="sampleShare">Share of the memory that one sample fills.</param>
         public void Solve(double[] prior, double sampleShare)
         {
-            var least = double.PositiveInfinity;
-            for (var i = 0; i < _count; i++) least = Math.Min(least, _products[i * (_count + 1)]);
-            var pull = _regularisation * (least + Tiny) * (1 + PriorSamples * sampleShare / Math.Max(Evidence, Positive));
+            var min = double.PositiveInfinity;
+            for (var i = 0; i < _products.Length; i += _count + 1)
+                if (_products[i] < min) min = _products[i];
+            min += Tiny;
+            var pull = _regularisation * min * (1 + PriorSamples * sampleShare / Math.Max(Evidence, Positive));
             FillGradient(prior, pull);
             for (var step = 0; step < Steps; step++)
-                if (!MoveBestPair(pull)) return;
+                if (!(MoveBestPair(pull) > MinGain * min)) return;
         }
 
         public void Reset(double[] prior)
@@ -82,33 +88,38 @@ namespace Nowpose.Prediction.Mixing
 
         void FillGradient(double[] prior, double pull)
         {
+            var (products, values, k) = (_products, Values, 0);
             for (var i = 0; i < _count; i++)
             {
-                var sum = pull * (Values[i] - prior[i]);
-                for (var j = 0; j < _count; j++) sum += _products[i * _count + j] * Values[j];
+                var sum = pull * (values[i] - prior[i]);
+                for (var j = 0; j < values.Length; j++, k++) sum += products[k] * values[j];
                 _gradient[i] = sum;
             }
         }
 
-        // Moves weight from the forecast with the largest gradient to the one with the smallest.
-        bool MoveBestPair(double pull)
+        // Moves weight from the forecast with the largest gradient to the one with the smallest. Returns the reduction of the cost.
+        double MoveBestPair(double pull)
         {
+            var (products, gradient, values) = (_products, _gradient, Values);
             int to = 0, from = -1;
-            for (var i = 0; i < _count; i++)
+            double least = gradient[0], largest = double.NegativeInfinity;
+            for (var i = 0; i < gradient.Length; i++)
             {
-                if (_gradient[i] < _gradient[to]) to = i;
-                if (Values[i] > Positive && (from < 0 || _gradient[i] > _gradient[from])) from = i;
+                var slope = gradient[i];
+                if (slope < least) (to, least) = (i, slope);
+                if (slope > largest && values[i] > Positive) (from, largest) = (i, slope);
             }
-            if (from < 0 || _gradient[from] <= _gradient[to]) return false;
-            var curvature = _products[to * (_count + 1)] + _products[from * (_count + 1)] - 2 * _products[to * _count + from]
-                + 2 * pull + Tiny;
-            var move = Math.Min((_gradient[from] - _gradient[to]) / Math.Max(curvature, Tiny), Values[from]);
-            Values[to] += move;
-            Values[from] -= move;
-            for (var i = 0; i < _count; i++) _gradient[i] += move * (_products[i * _count + to] - _products[i * _count + from]);
-            _gradient[to] += pull * move;
-            _gradient[from] -= pull * move;
-            return true;
+            var difference = largest - least;
+            if (from < 0 || !(difference > 0)) return 0;
+            int toRow = to * _count, fromRow = from * _count;
+            var curvature = products[toRow + to] + products[fromRow + from] - 2 * products[toRow + from] + 2 * pull + Tiny;
+            var move = Math.Min(difference / Math.Max(curvature, Tiny), values[from]);
+            values[to] += move;
+            values[from] -= move;
+            for (var i = 0; i < gradient.Length; i++) gradient[i] += move * (products[toRow + i] - products[fromRow + i]);
+            gradient[to] += pull * move;
+            gradient[from] -= pull * move;
+            return move * (difference - 0.5 * move * curvature);
         }
     }
 }

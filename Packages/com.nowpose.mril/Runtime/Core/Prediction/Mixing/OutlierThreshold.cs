@@ -12,7 +12,9 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Multiple of hold's usual error: with five, the error on one recording was 6 % larger.</summary>
         const double Tolerance = 8;
 
-        /// <summary>Growth per error above the threshold: a dozen in a row, longer than any glitch, raise it fifteenfold.</summary>
+        /// <summary>
+        /// Factor per error above the threshold. Twelve consecutive errors, more than in any glitch, raise the threshold by a factor of 15.
+        /// </summary>
         const double Growth = 1.25;
 
         double _tolerance = Tolerance;

@@ -13,7 +13,7 @@ namespace Nowpose.Prediction.Mixing
         {
             if (double.IsInfinity(limits.Velocity) && double.IsInfinity(limits.Acceleration)) return;
             // The observed speed overrides a smaller limit, because URDFs can be wrong.
-            var greatest = Math.Max(limits.Velocity, Math.Abs(speed));
+            var max = Math.Max(limits.Velocity, Math.Abs(speed));
             var wanted = table[start];
             for (var cell = 1; cell < ForecastTable.Points; cell++)
             {
@@ -22,8 +22,8 @@ namespace Nowpose.Prediction.Mixing
                 wanted = table[i];
                 // The mean speed is that of half an interval ago, and a cell's speed is that at its middle.
                 var change = limits.Acceleration * (interval / 2 + (cell - 0.5) * ForecastTable.Step);
-                var slowest = Math.Max(-greatest, speed - change);
-                var fastest = Math.Min(greatest, speed + change);
+                var slowest = Math.Max(-max, speed - change);
+                var fastest = Math.Min(max, speed + change);
                 table[i] = table[i - 1] + Math.Min(Math.Max(displacement, slowest * ForecastTable.Step), fastest * ForecastTable.Step);
             }
         }

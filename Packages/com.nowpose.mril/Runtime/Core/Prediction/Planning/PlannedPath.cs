@@ -24,20 +24,20 @@ namespace Nowpose.Prediction.Planning
         public PlannedPath(double[] times, double[] positions, double[] velocities = null, double[] accelerations = null)
         {
             if (times.Length == 0 || positions.Length != times.Length)
-                throw new ArgumentException(positions.Length + " positions for " + times.Length + " times; at least one of each");
+                throw new ArgumentException(positions.Length + " positions for " + times.Length + " times; the numbers must be equal and at least 1");
             if ((velocities ?? times).Length != times.Length || (accelerations ?? times).Length != times.Length)
-                throw new ArgumentException("velocities and accelerations must be as many as the " + times.Length + " times");
+                throw new ArgumentException("the numbers of velocities and accelerations must equal that of the times, " + times.Length);
             for (var i = 1; i < times.Length; i++)
                 if (!(times[i] > times[i - 1]))
-                    throw new ArgumentException("time " + i + ": " + times[i] + " s is not after " + times[i - 1] + " s");
+                    throw new ArgumentException("time " + i + ": " + times[i] + " s is not later than " + times[i - 1] + " s");
 
             _times = times;
             _positions = positions;
             _velocities = velocities;
             _accelerations = accelerations;
-            var (least, greatest) = (positions[0], positions[0]);
-            foreach (var position in positions) (least, greatest) = (Math.Min(least, position), Math.Max(greatest, position));
-            Range = greatest - least;
+            var (min, max) = (positions[0], positions[0]);
+            foreach (var position in positions) (min, max) = (Math.Min(min, position), Math.Max(max, position));
+            Range = max - min;
         }
 
         /// <summary>Time of the first set-point, in s after the stamp.</summary>

@@ -15,6 +15,9 @@ namespace Nowpose.Prediction.Repetition
         /// <summary>The next power of two: index operations use a mask instead of thousands of divisions per sample.</summary>
         const int RingSize = 8192;
 
+        /// <summary>The grid point of an index is at <c>index &amp; Mask</c> in <see cref="Points"/>.</summary>
+        public const int Mask = RingSize - 1;
+
         /// <summary>Samples around a grid point: two on either side determine a cubic.</summary>
         const int Neighbours = 4;
 
@@ -24,7 +27,6 @@ namespace Nowpose.Prediction.Repetition
         /// <summary>Distance from a grid point, in steps, within which a sample counts as lying on it.</summary>
         const double Rounding = 1e-6;
 
-        readonly double[] _points = new double[RingSize];
         readonly double[] _times = new double[Neighbours];
         readonly double[] _positions = new double[Neighbours];
         int _samples;
@@ -40,23 +42,11 @@ namespace Nowpose.Prediction.Repetition
         /// <summary>Index of the oldest point kept.</summary>
         public long First => Math.Max(0, Count - Capacity);
 
-        /// <summary>Position at a grid point between <see cref="First"/> and the last.</summary>
-        public double this[long index] => _points[index & (RingSize - 1)];
+        /// <summary>The grid points, for loops over many of them.</summary>
+        public double[] Points { get; } = new double[RingSize];
 
-        /// <summary>Adds to each lag's sum the squared difference of the grid points that are that lag apart.</summary>
-        /// <param name="index">Index of the later grid point.</param>
-        /// <param name="keeping">Forgetting factor of the sums, 0 to 1.</param>
-        public void AddSquaredDifferences(long index, int minLag, int maxLag, int step, double keeping, double[] sums)
-        {
-            var points = _points;
-            var now = this[index];
-            var longest = (int)Math.Min(index, maxLag);
-            for (var lag = minLag; lag <= longest; lag += step)
-            {
-                var difference = now - points[(int)(index - lag) & (RingSize - 1)];
-                sums[lag] = keeping * sums[lag] + difference * difference;
-            }
-        }
+        /// <summary>Position at a grid point between <see cref="First"/> and the last.</summary>
+        public double this[long index] => Points[(int)index & Mask];
 
         /// <summary>Clears the history and sets the grid step.</summary>
         /// <param name="step">Grid step in s.</param>
@@ -91,7 +81,7 @@ namespace Nowpose.Prediction.Repetition
                 _samples++;
             }
             if (_samples == Neighbours) TakeOutSpike();
-            for (; TimeOf(Count) <= _times[1] + Rounding * Step; Count++) _points[Count & (RingSize - 1)] = Between(TimeOf(Count));
+            for (; TimeOf(Count) <= _times[1] + Rounding * Step; Count++) Points[(int)Count & Mask] = Between(TimeOf(Count));
         }
 
         // A wrong sample would reappear in a forecast whenever the motion repeats.
@@ -108,17 +98,28 @@ namespace Nowpose.Prediction.Repetition
         public double IndexOf(double time) => (time - _start) / Step;
 
         /// <summary>Returns the position at a fractional index by a Catmull-Rom spline; it needs two points on either side.</summary>
-        /// <param name="speed">Change per grid step there.</param>
-        public double At(double index, out double speed)
+        public double At(double index)
         {
-            var i = (long)Math.Floor(index);
-            var f = index - i;
-            double p0 = this[i - 1], p1 = this[i], p2 = this[i + 1], p3 = this[i + 2];
-            var a = p2 - p0;
-            var b = 2 * p0 - 5 * p1 + 4 * p2 - p3;
-            var c = 3 * (p1 - p2) + p3 - p0;
-            speed = 0.5 * (a + f * (2 * b + 3 * f * c));
-            return p1 + 0.5 * f * (a + f * (b + f * c));
+            var cell = (long)index;
+            var (f, i, points) = (index - cell, (int)cell, Points);
+            double p0 = points[(i - 1) & Mask], p1 = points[i & Mask], p2 = points[(i + 1) & Mask], p3 = points[(i + 2) & Mask];
+            return p1 + 0.5 * f * (p2 - p0 + f * (2 * p0 - 5 * p1 + 4 * p2 - p3 + f * (3 * (p1 - p2) + p3 - p0)));
+        }
+
+        /// <summary>Adds the weighted positions at equidistant indices to a table.</summary>
+        /// <param name="index">First index, as in <see cref="At"/>.</param>
+        /// <param name="step">Interval of the indices.</param>
+        /// <param name="offset">Is added to each position.</param>
+        public void AddTo(double[] table, int start, int count, double index, double step, double weight, double offset)
+        {
+            var points = Points;
+            for (var k = start; k < start + count; k++, index += step)
+            {
+                var cell = (long)index;
+                var (f, i) = (index - cell, (int)cell);
+                double p0 = points[(i - 1) & Mask], p1 = points[i & Mask], p2 = points[(i + 1) & Mask], p3 = points[(i + 2) & Mask];
+                table[k] += weight * (offset + p1 + 0.5 * f * (p2 - p0 + f * (2 * p0 - 5 * p1 + 4 * p2 - p3 + f * (3 * (p1 - p2) + p3 - p0))));
+            }
         }
 
         /// <summary>Returns whether <see cref="At"/> has a position for an index.</summary>

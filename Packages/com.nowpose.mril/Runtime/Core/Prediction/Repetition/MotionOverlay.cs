@@ -13,11 +13,11 @@ namespace Nowpose.Prediction.Repetition
         /// <summary>Ratio of mean squares below which a nearby match replaces that of the longer memory.</summary>
         const double MuchBetter = 0.1;
 
-        /// <summary>Number of samples compared in the search near the lag.</summary>
-        const int NearbySamples = 6;
+        /// <summary>Number of samples compared in the search near the lag: with six, the errors are the same within 0.01 %.</summary>
+        const int NearbySamples = 4;
 
-        /// <summary>Approximate maximum number of compared samples; every second of 24, for example.</summary>
-        const int ComparedSamples = 12;
+        /// <summary>Approximate maximum number of compared samples; every third of 24, for example.</summary>
+        const int ComparedSamples = 8;
 
         /// <summary>Number of Gauss-Newton steps: the third changes the lag by less than a thousandth of a grid step.</summary>
         const int Refinements = 3;
@@ -26,8 +26,14 @@ namespace Nowpose.Prediction.Repetition
         const double SmallStep = 1e-3;
 
         readonly MotionHistory _history;
-        SampleHistory _newest;
-        int _samples;
+
+        // The compared samples, newest first: grid index and position.
+        readonly double[] _indices = new double[2 * ComparedSamples];
+        readonly double[] _positions = new double[2 * ComparedSamples];
+        int _count;
+
+        // Gauss-Newton step from the lag of the last comparison.
+        double _step;
 
         public MotionOverlay(MotionHistory history) => _history = history;
 
@@ -39,7 +45,17 @@ namespace Nowpose.Prediction.Repetition
 
         /// <summary>Sets the samples to compare with the history.</summary>
         /// <param name="count">Number of newest samples.</param>
-        public void Take(SampleHistory newest, int count) => (_newest, _samples) = (newest, count);
+        public void Take(SampleHistory newest, int count)
+        {
+            _count = 0;
+            var stride = 1 + (count - 1) / ComparedSamples;
+            for (var age = 0; age < count; age += age == 0 ? 1 : stride)
+            {
+                ref readonly var sample = ref newest[age];
+                _indices[_count] = _history.IndexOf(sample.Time);
+                _positions[_count++] = sample.Position;
+            }
+        }
 
         /// <summary>Returns the lag at which the samples fit best.</summary>
         /// <param name="lag">Lag of the longer memory's match.</param>
@@ -58,29 +74,38 @@ namespace Nowpose.Prediction.Repetition
         /// <returns>False if the history does not cover the lag.</returns>
         public bool Compare(double lag)
         {
-            double sum = 0, offset = 0;
             MeanSquare = double.PositiveInfinity;
-            var stride = Stride(ComparedSamples);
-            var count = 0;
-            for (var i = 0; i < _samples; i += i == 0 ? 1 : stride)
+            _step = 0;
+            if (!_history.Covers(_indices[0] - lag) || !_history.Covers(_indices[_count - 1] - lag)) return false;
+            var points = _history.Points;
+            double sum = 0, offset = 0, pull = 0, stiffness = 0;
+            for (var k = 0; k < _count; k++)
             {
-                if (!TryCompare(i, lag, out var error, out _)) return false;
+                var index = _indices[k] - lag;
+                var cell = (long)index;
+                var (f, i) = (index - cell, (int)cell);
+                double p0 = points[(i - 1) & MotionHistory.Mask], p1 = points[i & MotionHistory.Mask];
+                double p2 = points[(i + 1) & MotionHistory.Mask], p3 = points[(i + 2) & MotionHistory.Mask];
+                // Catmull-Rom, as MotionHistory.At, and its derivative.
+                double a = p2 - p0, b = 2 * p0 - 5 * p1 + 4 * p2 - p3, c = 3 * (p1 - p2) + p3 - p0;
+                var error = _positions[k] - p1 - 0.5 * f * (a + f * (b + f * c));
+                var speed = 0.5 * (a + f * (2 * b + 3 * f * c));
                 sum += error * error;
-                count++;
-                if (i < 2) offset += error;
+                pull += error * speed;
+                stiffness += speed * speed;
+                if (k < 2) offset += error;
             }
-            Offset = offset / Math.Min(count, 2);
-            MeanSquare = sum / count;
+            Offset = offset / Math.Min(_count, 2);
+            MeanSquare = sum / _count;
+            if (stiffness > 0) _step = Math.Min(Math.Max(pull / stiffness, -1), 1);
             return true;
         }
 
-        int Stride(int wanted) => 1 + (_samples - 1) / wanted;
-
         double Settled(double lag, int minLag)
         {
-            for (var i = 0; i < Refinements; i++)
+            for (var i = 0; i < Refinements && Compare(lag); i++)
             {
-                var refined = Math.Max(Refined(lag), minLag);
+                var refined = Math.Max(lag - _step, minLag);
                 var step = Math.Abs(refined - lag);
                 lag = refined;
                 if (step < SmallStep) break;
@@ -91,54 +116,30 @@ namespace Nowpose.Prediction.Repetition
         // A dwell that was longer or shorter than last time shifts the match by the difference.
         int Nearby(int lag, int minLag)
         {
-            var best = lag;
-            var least = double.PositiveInfinity;
-            var reach = (int)(Reach / _history.Step);
+            var (best, min, reach) = (lag, double.PositiveInfinity, (int)(Reach / _history.Step));
             for (var shift = Math.Max(-reach, minLag - lag); shift <= reach; shift++)
             {
-                var cost = Nearness(lag + shift, least);
+                var cost = Nearness(lag + shift, min);
                 // Of equal costs, the lag nearest to that of the longer memory is chosen.
-                if (cost > least || (cost == least && Math.Abs(shift) >= Math.Abs(best - lag))) continue;
-                least = cost;
+                if (cost > min || (cost == min && Math.Abs(shift) >= Math.Abs(best - lag))) continue;
+                min = cost;
                 best = lag + shift;
             }
             return best;
         }
 
-        // One Gauss-Newton step: returns the lag with the better fit.
-        double Refined(double lag)
-        {
-            double pull = 0, stiffness = 0;
-            for (var i = 0; i < _samples; i += Stride(ComparedSamples))
-            {
-                if (!TryCompare(i, lag, out var error, out var speed)) return lag;
-                pull += error * speed;
-                stiffness += speed * speed;
-            }
-            return stiffness > 0 ? lag - Math.Min(Math.Max(pull / stiffness, -1), 1) : lag;
-        }
-
         // Whole grid points are accurate enough for the search near the lag.
         double Nearness(int lag, double enough)
         {
+            if (!_history.Covers(_indices[0] - lag) || !_history.Covers(_indices[_count - 1] - lag)) return double.PositiveInfinity;
+            var points = _history.Points;
             var sum = 0.0;
-            for (var i = 0; i < _samples && sum <= enough; i += Stride(NearbySamples))
+            for (int k = 0, stride = 1 + (_count - 1) / NearbySamples; k < _count && sum <= enough; k += stride)
             {
-                var index = (long)Math.Round(_history.IndexOf(_newest[i].Time)) - lag;
-                if (!_history.Covers(index)) return double.PositiveInfinity;
-                var error = _newest[i].Position - _history[index];
+                var error = _positions[k] - points[(int)((long)(_indices[k] + 0.5) - lag) & MotionHistory.Mask];
                 sum += error * error;
             }
             return sum;
-        }
-
-        bool TryCompare(int age, double lag, out double error, out double speed)
-        {
-            var index = _history.IndexOf(_newest[age].Time) - lag;
-            error = speed = 0;
-            if (!_history.Covers(index)) return false;
-            error = _newest[age].Position - _history.At(index, out speed);
-            return true;
         }
     }
 }

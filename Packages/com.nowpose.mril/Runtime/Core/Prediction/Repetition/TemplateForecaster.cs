@@ -83,7 +83,7 @@ namespace Nowpose.Prediction.Repetition
             var position = 0.0;
             for (var i = 0; i < _matches; i++)
                 if (_weights[i] > 0)
-                    position += _weights[i] * (_history.At(_history.IndexOf(_newestTime + ahead) - _lags[i], out _) + _offsets[i]);
+                    position += _weights[i] * (_history.At(_history.IndexOf(_newestTime + ahead) - _lags[i]) + _offsets[i]);
             return position - _newestPosition;
         }
 
@@ -93,9 +93,9 @@ namespace Nowpose.Prediction.Repetition
             for (var match = 0; match < _matches; match++)
             {
                 if (_weights[match] == 0) continue;
+                var (weight, offset, step) = (_weights[match], _offsets[match], ForecastTable.Step / _history.Step);
                 var index = _history.IndexOf(_newestTime) - _lags[match];
-                for (var i = 0; i < points; i++, index += ForecastTable.Step / _history.Step)
-                    table[start + i] += _weights[match] * (_history.At(index, out _) + _offsets[match]);
+                _history.AddTo(table, start, points, index, step, weight, offset);
             }
         }
 
@@ -160,7 +160,7 @@ namespace Nowpose.Prediction.Repetition
             _matchedAt = _newestTime;
             _overlay.Take(motion.Samples, SamplesInWindow(motion));
             _turn = (_turn + 1) % LagSearch.Kept;
-            var least = double.PositiveInfinity;
+            var min = double.PositiveInfinity;
             for (var i = 0; i < _search.Count; i++)
             {
                 // Matches keep their refined lags; one of them is refined again per search.
@@ -171,9 +171,9 @@ namespace Nowpose.Prediction.Repetition
                 _errors[_matches] = _overlay.MeanSquare;
                 // The offset of the newest samples from the history is assumed to persist.
                 _offsets[_matches] = _overlay.Offset;
-                least = Math.Min(least, _errors[_matches++]);
+                min = Math.Min(min, _errors[_matches++]);
             }
-            Weigh(least);
+            Weigh(min);
         }
 
         bool HasContinuation(double lag) => _history.Covers(_history.IndexOf(_newestTime) - lag)
@@ -190,13 +190,13 @@ namespace Nowpose.Prediction.Repetition
             return moving < MinMoving ? full : Math.Min(full, moving + 2);
         }
 
-        void Weigh(double least)
+        void Weigh(double min)
         {
             var total = 0.0;
             for (var i = 0; i < _matches; i++)
             {
-                var share = _errors[i] / (least + 1e-300) + 1;
-                _weights[i] = _errors[i] > WorstMatch * least ? 0 : 1 / (share * share);
+                var share = _errors[i] / (min + 1e-300) + 1;
+                _weights[i] = _errors[i] > WorstMatch * min ? 0 : 1 / (share * share);
                 total += _weights[i];
             }
             for (var i = 0; i < _matches; i++) _weights[i] /= total;

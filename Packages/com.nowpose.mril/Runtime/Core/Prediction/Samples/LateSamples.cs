@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>
-    /// Consecutive late samples of one joint, each older than the newest and newer than the one before. Allocates nothing after construction.
+    /// Consecutive late samples of one joint: older than the newest sample, and each newer than the previous one. Allocates nothing after construction.
     /// </summary>
     sealed class LateSamples
     {
@@ -16,7 +16,7 @@ namespace Nowpose.Prediction.Samples
         const int MinContradicted = 2;
 
         /// <summary>
-        /// Sufficient number if they are late by more than <see cref="MaxDelay"/>. A single one may be a repeated message.
+        /// Number of late samples that is sufficient if they are late by more than <see cref="MaxDelay"/>. A single one may be a repeated message.
         /// </summary>
         const int MinFarBehind = 2;
 
@@ -55,7 +55,7 @@ namespace Nowpose.Prediction.Samples
             if (isContradicted) _contradicted++;
         }
 
-        /// <param name="newest">Order of the newest sample, s.</param>
+        /// <param name="newest">Order time of the newest sample in the history, s.</param>
         public bool HasTimeGoneBack(double newest) =>
             _count == Capacity || _contradicted == MinContradicted
             || (_count >= MinFarBehind && newest - _oldestFirst[_count - 1].Order > MaxDelay);

@@ -40,9 +40,13 @@ namespace Nowpose.Prediction.Samples
         public int CountWithoutGap(double maximumGap)
         {
             var count = Math.Min(Count, 1);
-            while (count < Count && _newestFirst[count - 1].Order - _newestFirst[count].Order <= maximumGap) count++;
+            while (count < Count && !HasGap(count - 1, maximumGap)) count++;
             return count;
         }
+
+        /// <summary>Returns whether there is no sample before the one of this age, or more than the maximum gap before it.</summary>
+        public bool HasGap(int age, double maximumGap) =>
+            age + 1 >= Count || _newestFirst[age].Order - _newestFirst[age + 1].Order > maximumGap;
 
         public void Clear() => Count = 0;
 

@@ -67,7 +67,7 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Returns the time of the line at the number nearest to a stamp.</summary>
         public double Nearest(double stamp) => Newest + Math.Round((stamp - Newest) / Interval) * Interval;
 
-        /// <summary>Adds the stamp of a sample that follows those before.</summary>
+        /// <summary>Adds the time stamp of the next sample.</summary>
         public void Add(double stamp)
         {
             if (IsKnown && Math.Abs(stamp - Newest) > MaxPause * Interval) Reset();

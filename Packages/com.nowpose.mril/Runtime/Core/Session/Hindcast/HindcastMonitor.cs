@@ -28,6 +28,7 @@ namespace Nowpose.Session.Hindcast
         readonly ShownFrames.JointValues[] _values;
         readonly TrueSpeeds _speeds;
         ControlTime? _now;
+        bool _isOutside;
         ControlTime? _runSince;
 
         /// <param name="maximumGap">Maximum interval between samples; the motion within a longer one is unknown.</param>
@@ -53,15 +54,21 @@ namespace Nowpose.Session.Hindcast
         /// <summary>Number of joints between base and tool with samples of their own.</summary>
         public int JointCount => _joints.Length;
 
-        /// <summary>Errors of the tool over the newest ten seconds, m; null while unknown.</summary>
-        public DisplayedError? Tool => _now.HasValue ? _tool.Now(_now.Value) : null;
+        /// <summary>
+        /// Errors of the tool over the newest ten seconds, m; null while unknown. They are withheld while the render time is outside the
+        /// constant-latency range, because the display time is then unknown.
+        /// </summary>
+        public DisplayedError? Tool => _now.HasValue && !_isOutside ? _tool.Now(_now.Value) : null;
 
-        /// <summary>Errors of the tool since <see cref="RestartRun"/>, m; null while unknown.</summary>
-        public DisplayedError? ToolOfRun => _tool.OfRun;
+        /// <summary>Errors of the tool since <see cref="RestartRun"/>, m; null while unknown, and from the first frame outside the range on.</summary>
+        public DisplayedError? ToolOfRun => IsRunPartlyOutside ? null : _tool.OfRun;
+
+        /// <summary>Whether the render time has been outside the constant-latency range since <see cref="RestartRun"/>.</summary>
+        public bool IsRunPartlyOutside { get; private set; }
 
         /// <summary>Returns the errors of one joint over the newest ten seconds, rad or m; joints are in the order from the base.</summary>
         public JointError JointAt(int index) => new JointError(
-            _robot.MovingJoints[_joints[index]].Name, _now.HasValue ? _ofJoint[index].Now(_now.Value) : null);
+            _robot.MovingJoints[_joints[index]].Name, _now.HasValue && !_isOutside ? _ofJoint[index].Now(_now.Value) : null);
 
         /// <summary>Adds a displayed frame. A frame without a trusted display time cannot be scored and makes the current errors unknown.</summary>
         /// <param name="clockError">Error bound of the clock.</param>
@@ -69,7 +76,9 @@ namespace Nowpose.Session.Hindcast
         {
             _now = frame.IsTimeTrusted ? frame.DisplayTime : null;
             // Outside the range, the frame appears at another time than its display time.
-            if (_now == null || frame.State == PoseState.Incomplete || frame.Range == RangeState.Outside) return;
+            _isOutside = frame.Range == RangeState.Outside;
+            IsRunPartlyOutside |= _isOutside;
+            if (_now == null || frame.State == PoseState.Incomplete || _isOutside) return;
             foreach (ref readonly var track in _tracks.AsSpan())
                 if (!(track.CompleteUntil < _now.Value)) return;
             var values = _frames.Add(_now.Value, frame.State, frame.ToolPose, _kinematics.ToolOf(frame.HeldJoints), ClockTicks.Seconds(clockError));
@@ -108,10 +117,11 @@ namespace Nowpose.Session.Hindcast
         public void RestartRun()
         {
             _runSince = _now;
+            IsRunPartlyOutside = _isOutside;
             _tool.RestartRun();
         }
 
-        /// <summary>Resets everything except the run, because earlier times belong to another time line.</summary>
+        /// <summary>Resets everything except the errors over the whole run, because earlier times belong to another time line.</summary>
         public void Reset()
         {
             Array.Clear(_tracks, 0, _tracks.Length);

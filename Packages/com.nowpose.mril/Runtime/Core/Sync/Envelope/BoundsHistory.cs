@@ -31,10 +31,10 @@ namespace Nowpose.Sync.Envelope
         }
 
         /// <summary>Moves the bounds of one exchange; the amounts are in ticks.</summary>
-        public void Shift(int age, long least, long greatest)
+        public void Shift(int age, long lower, long upper)
         {
             ref var bounds = ref _ring[(_newest - age + _ring.Length) % _ring.Length];
-            bounds = bounds.Shifted(least, greatest);
+            bounds = bounds.Shifted(lower, upper);
         }
 
         public void Clear() => Count = 0;

@@ -21,13 +21,13 @@ namespace Nowpose.Sync.Envelope
         /// Number of exchanges in the newest block and maximum number in a block; each block has one more than the next newer one. Short
         /// blocks follow the current skew in a quiet network, long ones contain a packet with a short delay in a busy one.
         /// </summary>
-        const int NewestBlock = 6, LargestBlock = 30;
+        const int NewestBlock = 6, MaxBlock = 30;
 
         /// <summary>Minimum ratio of the number of exchanges to the block length: late blocks are recognised only among several.</summary>
-        const int BlocksWanted = 10;
+        const int MinBlocks = 10;
 
         /// <summary>Maximum hidden scatter, as a multiple of the mean excess over the minimum round-trip time, and exchanges needed for it.</summary>
-        const int ScatterShare = 2, FewestForScatter = 5;
+        const int ScatterShare = 2, MinForScatter = 5;
 
         /// <summary>Initial standard deviation of the skew, dimensionless, and its increase per second after a restart, 1/s.</summary>
         const double SkewPrior = 50e-6, SkewWander = 0.05e-6;
@@ -42,34 +42,34 @@ namespace Nowpose.Sync.Envelope
         /// Time constant with which the steady skew follows the estimate, s. When a path changes, the curve bends from the old bounds to
         /// the new ones; its slope then shows neither the skew of the clocks nor how accurately it is known.
         /// </summary>
-        const double SkewPatience = 60;
+        const double SkewTimeConstant = 60;
 
         readonly BoundsHistory _history = new BoundsHistory(History, ClockTicks.Span(HistorySeconds));
         readonly EnvelopeSide _below = new EnvelopeSide(1, History);
         readonly EnvelopeSide _above = new EnvelopeSide(-1, History);
         readonly EnvelopeFit _fit;
-        readonly LeastDelay _up, _down;
+        readonly MinDelay _up, _down;
         readonly OffsetMemory _memory = new OffsetMemory();
-        readonly UnmetPart _unmetPart = new UnmetPart();
+        readonly UnsampledPart _unsampledPart = new UnsampledPart();
         OffsetCurve _curve;
         double _expectedSkew, _steadySkew, _steadySkewError, _steadyBend;
-        double _skewDoubt = SkewPrior;
+        double _skewUncertainty = SkewPrior;
         HeadsetTime _start;
         int _exchanges;
 
         public EnvelopeClockEstimator()
         {
             _fit = new EnvelopeFit(_below, _above);
-            _up = new LeastDelay(1, _history);
-            _down = new LeastDelay(-1, _history);
+            _up = new MinDelay(1, _history);
+            _down = new MinDelay(-1, _history);
         }
 
         public ClockLine Line { get; private set; }
 
-        public void Restart(double skewDoubt)
+        public void Restart(double skewUncertainty)
         {
             if (_exchanges > 0) _expectedSkew = Line.Skew;
-            _skewDoubt = Math.Min(SkewPrior, skewDoubt + (_exchanges > 0 ? Line.SkewError : SkewPrior));
+            _skewUncertainty = Math.Min(SkewPrior, skewUncertainty + (_exchanges > 0 ? Line.SkewError : SkewPrior));
             _curve = new OffsetCurve(_expectedSkew, 0);
             _history.Clear();
             _up.Reset();
@@ -96,22 +96,22 @@ namespace Nowpose.Sync.Envelope
                 _start = exchange.T4;
                 _steadySkew = _expectedSkew;
                 _steadyBend = 0;
-                _steadySkewError = _skewDoubt;
+                _steadySkewError = _skewUncertainty;
             }
 
             var newest = _history[0];
             // Half of each because their sum may overflow.
-            var middle = newest.Least / 2 + newest.Greatest / 2;
+            var middle = newest.Lower / 2 + newest.Upper / 2;
             var scatter = Collect(newest.Received, middle);
             var running = ClockTicks.Seconds(newest.Received - _start);
             // A skew beyond the range of the prior would leave residuals that make the data appear poor.
             var proven = ProvenSkew.Of(_history, exchange.Resolution);
-            var unmet = ClockTicks.Seconds(_unmetPart.Of(_history, exchange.Resolution));
+            var unsampled = ClockTicks.Seconds(_unsampledPart.Of(_history, exchange.Resolution));
             _fit.Solve(
-                ClockTicks.Seconds(scatter + exchange.Resolution), unmet, new OffsetCurve(proven.Nearest(_curve.Slope), _curve.Bend),
-                proven.Nearest(_expectedSkew), Math.Min(SkewPrior, _skewDoubt + SkewWander * running));
+                ClockTicks.Seconds(scatter + exchange.Resolution), unsampled, new OffsetCurve(proven.Nearest(_curve.Slope), _curve.Bend),
+                proven.Nearest(_expectedSkew), Math.Min(SkewPrior, _skewUncertainty + SkewWander * running));
             _curve = _fit.Curve;
-            Line = LineAt(newest.Received, middle, running, unmet);
+            Line = LineAt(newest.Received, middle, running, unsampled);
         }
 
         // Returns the maximum difference of bounds that are equally good.
@@ -119,20 +119,20 @@ namespace Nowpose.Sync.Envelope
         {
             _below.Clear();
             _above.Clear();
-            var largest = Math.Max(1, Math.Min(LargestBlock, _history.Count / BlocksWanted));
+            var largest = Math.Max(1, Math.Min(MaxBlock, _history.Count / MinBlocks));
             var length = Math.Min(NewestBlock, largest);
             for (var from = 0; from + length <= _history.Count; from += length, length = Math.Min(length + 1, largest))
                 CollectBlock(from, length, reference, referenceOffset);
-            long least = long.MaxValue, sum = 0;
+            long min = long.MaxValue, sum = 0;
             for (var i = 0; i < _history.Count; i++)
             {
-                var roundTrip = _history[i].Greatest - _history[i].Least;
-                least = Math.Min(least, roundTrip);
+                var roundTrip = _history[i].Upper - _history[i].Lower;
+                min = Math.Min(min, roundTrip);
                 sum += roundTrip;
             }
             // If the scatter of the round trips is small, the hidden error is small, however long the round trips are.
-            var scatter = ScatterShare * (sum / _history.Count - least);
-            return new TimeSpan(Math.Max(0, _history.Count < FewestForScatter ? least : Math.Min(least, scatter)));
+            var scatter = ScatterShare * (sum / _history.Count - min);
+            return new TimeSpan(Math.Max(0, _history.Count < MinForScatter ? min : Math.Min(min, scatter)));
         }
 
         void CollectBlock(int from, int length, HeadsetTime reference, long referenceOffset)
@@ -141,32 +141,32 @@ namespace Nowpose.Sync.Envelope
             {
                 ref readonly var bounds = ref _history[i];
                 var sent = ClockTicks.Seconds(bounds.Sent - reference);
-                var least = ClockTicks.Seconds(new TimeSpan(bounds.Least - referenceOffset));
+                var lower = ClockTicks.Seconds(new TimeSpan(bounds.Lower - referenceOffset));
                 var received = ClockTicks.Seconds(bounds.Received - reference);
-                var greatest = ClockTicks.Seconds(new TimeSpan(bounds.Greatest - referenceOffset));
+                var upper = ClockTicks.Seconds(new TimeSpan(bounds.Upper - referenceOffset));
                 if (i == from)
                 {
-                    _below.Begin(sent, least);
-                    _above.Begin(received, greatest);
+                    _below.Begin(sent, lower);
+                    _above.Begin(received, upper);
                     continue;
                 }
-                _below.Improve(sent, least, _curve);
-                _above.Improve(received, greatest, _curve);
+                _below.Improve(sent, lower, _curve);
+                _above.Improve(received, upper, _curve);
             }
         }
 
-        ClockLine LineAt(HeadsetTime reference, long referenceOffset, double running, double unmet)
+        ClockLine LineAt(HeadsetTime reference, long referenceOffset, double running, double unsampled)
         {
             var span = ClockTicks.Seconds(reference - _history[_history.Count - 1].Received);
             var skew = _curve.Slope - 2 * _curve.Bend * Math.Min(SkewAge, span / 2);
             var passed = _history.Count < 2 ? 0 : ClockTicks.Seconds(reference - _history[1].Received);
             // Half of the elapsed time at first.
-            var share = Math.Min(1, passed / Math.Max(1e-3, Math.Min(SkewPatience, running / 2)));
+            var share = Math.Min(1, passed / Math.Max(1e-3, Math.Min(SkewTimeConstant, running / 2)));
             _steadySkew += (skew - _steadySkew) * share;
             _steadyBend += (_curve.Bend - _steadyBend) * share;
             // Maximum slope error if the offset is off by half the part at one end and by minus half at the other; a third as standard error.
-            var hidden = unmet / Math.Max(1e-3, span) / 3;
-            var skewError = Math.Min(ClockLine.GreatestSkew / 3, _fit.SlopeError + Math.Abs(skew - _steadySkew) + hidden);
+            var hidden = unsampled / Math.Max(1e-3, span) / 3;
+            var skewError = Math.Min(ClockLine.MaxSkew / 3, _fit.SlopeError + Math.Abs(skew - _steadySkew) + hidden);
             _steadySkewError += (skewError - _steadySkewError) * share;
             var offset = new ClockOffset(new TimeSpan(referenceOffset) + ClockTicks.Span(_fit.Offset));
             var error = _fit.OffsetError + (_up.Error + _down.Error) / 2;

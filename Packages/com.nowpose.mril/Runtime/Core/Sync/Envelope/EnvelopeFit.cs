@@ -20,10 +20,10 @@ namespace Nowpose.Sync.Envelope
         /// Factor on the standard errors from the weights, because delays are not normally distributed and clock rates vary. On four
         /// simulated networks, 95 % of the errors were within 1.8 to 3.8 of these standard errors instead of 2.
         /// </summary>
-        const double Optimism = 2;
+        const double ErrorFactor = 2;
 
         /// <summary>Minimum weight of the data on the slope relative to the weight of the prior; keeps the error finite.</summary>
-        const double LeastShare = 1e-6;
+        const double MinShare = 1e-6;
 
         readonly EnvelopeSide _below, _above;
         double _xx, _xz, _zz, _xy, _zy;
@@ -47,19 +47,19 @@ namespace Nowpose.Sync.Envelope
         public double SlopeError { get; private set; }
 
         /// <param name="scatter">Maximum difference of bounds that are equally good, plus the control clock's resolution, s.</param>
-        /// <param name="unmet">Value of <see cref="UnmetPart"/>, s.</param>
+        /// <param name="unsampled">Value of <see cref="UnsampledPart"/>, s.</param>
         /// <param name="start">Initial curve of the iteration.</param>
         /// <param name="slopePrior">Expected slope, dimensionless.</param>
-        /// <param name="slopeDoubt">Standard deviation of the expected slope, dimensionless.</param>
-        public void Solve(double scatter, double unmet, OffsetCurve start, double slopePrior, double slopeDoubt)
+        /// <param name="slopePriorError">Standard deviation of the expected slope, dimensionless.</param>
+        public void Solve(double scatter, double unsampled, OffsetCurve start, double slopePrior, double slopePriorError)
         {
             Curve = start;
-            var slopeWeight = 1 / (slopeDoubt * slopeDoubt);
+            var slopeWeight = 1 / (slopePriorError * slopePriorError);
             const double bendWeight = 1 / (BendPrior * BendPrior);
             for (var i = 0; i < Iterations; i++)
             {
-                _below.Weigh(Curve, scatter, unmet);
-                _above.Weigh(Curve, scatter, unmet);
+                _below.Weigh(Curve, scatter, unsampled);
+                _above.Weigh(Curve, scatter, unsampled);
                 _xx = _xz = _zz = _xy = _zy = 0;
                 _heightBelow = Gather(_below);
                 _heightAbove = Gather(_above);
@@ -106,12 +106,12 @@ namespace Nowpose.Sync.Envelope
             var z = (_heightBelow.Z + _heightAbove.Z) / 2;
             var variance = (1 / _heightBelow.Weights + 1 / _heightAbove.Weights) / 4
                 + (x * x * zz - 2 * x * z * _xz + z * z * xx) / determinant;
-            OffsetError = Optimism * Math.Sqrt(variance);
+            OffsetError = ErrorFactor * Math.Sqrt(variance);
             // A single exchange contains no information about the slope.
-            var known = Math.Max(_xx - _xz * _xz / zz, LeastShare * slopeWeight);
+            var known = Math.Max(_xx - _xz * _xz / zz, MinShare * slopeWeight);
             // Distance to the slope that the data alone would give.
             var pull = slopeWeight / known * Math.Abs(Curve.Slope - slopePrior);
-            SlopeError = Optimism * Math.Sqrt(1 / known) + pull;
+            SlopeError = ErrorFactor * Math.Sqrt(1 / known) + pull;
         }
 
         /// <summary>Weighted means of one side.</summary>

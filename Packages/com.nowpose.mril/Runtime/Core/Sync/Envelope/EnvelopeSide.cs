@@ -17,10 +17,10 @@ namespace Nowpose.Sync.Envelope
         const double PunctualShare = 0.75, ScaleShare = 0.4;
 
         /// <summary>Minimum scale, s: without it, a few equal time stamps would dominate all others.</summary>
-        const double LeastScale = 3e-6;
+        const double MinScale = 3e-6;
 
         /// <summary>Contribution to the scale when bounds miss a part of a coarse clock's step, relative to that part; 0.5 is too small.</summary>
-        const double UnmetShare = 0.1;
+        const double UnsampledShare = 0.1;
 
         /// <summary>a = this · age², 1/s: a change of the skew by 2 ppm within 50 s that slope and bend cannot follow.</summary>
         const double AgeGrowth = 2e-8;
@@ -40,16 +40,16 @@ namespace Nowpose.Sync.Envelope
         double _scale;
 
         /// <param name="sign">1 for bounds below the offset, −1 for bounds above it.</param>
-        /// <param name="mostBlocks">Maximum number of blocks.</param>
-        public EnvelopeSide(int sign, int mostBlocks)
+        /// <param name="maxBlocks">Maximum number of blocks.</param>
+        public EnvelopeSide(int sign, int maxBlocks)
         {
             _sign = sign;
-            _x = new double[mostBlocks];
-            _y = new double[mostBlocks];
-            _behind = new double[mostBlocks];
-            _recency = new double[mostBlocks];
-            _weights = new double[mostBlocks];
-            _quantile = new WeightedQuantile(mostBlocks);
+            _x = new double[maxBlocks];
+            _y = new double[maxBlocks];
+            _behind = new double[maxBlocks];
+            _recency = new double[maxBlocks];
+            _weights = new double[maxBlocks];
+            _quantile = new WeightedQuantile(maxBlocks);
         }
 
         public int Count { get; private set; }
@@ -89,8 +89,8 @@ namespace Nowpose.Sync.Envelope
 
         /// <summary>Computes the weights of the blocks relative to a curve, which does not include the heights of the sides.</summary>
         /// <param name="scatter">As in <see cref="EnvelopeFit.Solve"/>, s.</param>
-        /// <param name="unmet">Value of <see cref="UnmetPart"/>, s.</param>
-        public void Weigh(OffsetCurve curve, double scatter, double unmet)
+        /// <param name="unsampled">Value of <see cref="UnsampledPart"/>, s.</param>
+        public void Weigh(OffsetCurve curve, double scatter, double unsampled)
         {
             var growth = Growth();
             for (var i = 0; i < Count; i++)
@@ -100,7 +100,7 @@ namespace Nowpose.Sync.Envelope
             }
             var punctual = _quantile.Of(_behind, _recency, Count, PunctualShare);
             for (var i = 0; i < Count; i++) _behind[i] = Math.Max(0, punctual - _behind[i]);
-            _scale = _quantile.Of(_behind, _recency, Count, ScaleShare) + LeastScale + UnmetShare * unmet
+            _scale = _quantile.Of(_behind, _recency, Count, ScaleShare) + MinScale + UnsampledShare * unsampled
                 + scatter / Math.Pow(Count, YouthPower);
 
             growth = Growth();

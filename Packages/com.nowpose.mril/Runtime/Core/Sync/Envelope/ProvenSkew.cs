@@ -8,12 +8,12 @@ namespace Nowpose.Sync.Envelope
     /// </summary>
     readonly struct ProvenSkew
     {
-        readonly double _least, _greatest;
+        readonly double _min, _max;
 
-        ProvenSkew(double least, double greatest)
+        ProvenSkew(double min, double max)
         {
-            _least = least;
-            _greatest = greatest;
+            _min = min;
+            _max = max;
         }
 
         /// <summary>Computes the range for a history of at least one exchange.</summary>
@@ -24,22 +24,22 @@ namespace Nowpose.Sync.Envelope
             var late = Quickest(history, 0, part);
             var early = Quickest(history, history.Count - part, history.Count);
             // Each bound applies at its own time.
-            var least = ClockTicks.Seconds(late.Sent - early.Received);
-            var greatest = ClockTicks.Seconds(late.Received - early.Sent);
-            if (!(least > 0)) return new ProvenSkew(double.NegativeInfinity, double.PositiveInfinity);
-            var fell = (late.Least - early.Greatest - resolution.Ticks) / (double)TimeSpan.TicksPerSecond;
-            var rose = (late.Greatest - early.Least + resolution.Ticks) / (double)TimeSpan.TicksPerSecond;
-            return new ProvenSkew(fell / least, rose / greatest);
+            var shortest = ClockTicks.Seconds(late.Sent - early.Received);
+            var longest = ClockTicks.Seconds(late.Received - early.Sent);
+            if (!(shortest > 0)) return new ProvenSkew(double.NegativeInfinity, double.PositiveInfinity);
+            var fell = (late.Lower - early.Upper - resolution.Ticks) / (double)TimeSpan.TicksPerSecond;
+            var rose = (late.Upper - early.Lower + resolution.Ticks) / (double)TimeSpan.TicksPerSecond;
+            return new ProvenSkew(fell / shortest, rose / longest);
         }
 
         /// <summary>Returns the possible skew that is nearest to <paramref name="skew"/>.</summary>
-        public double Nearest(double skew) => Math.Max(_least, Math.Min(_greatest, skew));
+        public double Nearest(double skew) => Math.Max(_min, Math.Min(_max, skew));
 
         static OffsetBounds Quickest(BoundsHistory history, int from, int to)
         {
             var quickest = history[from];
             for (var i = from + 1; i < to; i++)
-                if (history[i].Greatest - history[i].Least < quickest.Greatest - quickest.Least) quickest = history[i];
+                if (history[i].Upper - history[i].Lower < quickest.Upper - quickest.Lower) quickest = history[i];
             return quickest;
         }
     }

@@ -434,7 +434,7 @@ namespace Nowpose.Tests.Core.Anchoring
         [TestCase(0.04, 0, 0)]
         [TestCase(0, 0, 0.03)]
         [TestCase(0, 0.1, 0)]
-        public void Tick_OneOfThreeWithWrongPlace_LocksByTheOthersAndNamesIt(double x, double y, double z)
+        public void Tick_OneOfThreeMarkersMisplaced_LocksByTheOthersAndNamesIt(double x, double y, double z)
         {
             for (var seed = 1; seed <= 10; seed++)
             {
@@ -507,12 +507,12 @@ namespace Nowpose.Tests.Core.Anchoring
             var marker = new BaseMarker("a", RigidTransform.Identity);
 
             var twice = Assert.Throws<InputException>(() => tracker.Use("", new[] { marker, marker }));
-            Assert.That(twice.Message, Is.EqualTo("marker 'a' is given twice; each marker of a base needs a payload of its own"));
+            Assert.That(twice.Message, Is.EqualTo("marker 'a' is given twice; each marker of a base needs its own payload"));
             Assert.Throws<InputException>(() => tracker.Use("", new BaseMarker[40]));
             Assert.That(tracker.State, Is.EqualTo(BaseAnchorState.Placed), "nothing was taken");
         }
 
-        // A headset learns of the cell's codes one by one.
+        // A headset reads the cell's codes one after the other.
         [Test]
         public void Use_AnotherMarkerOfTheSameCell_KeepsAndImprovesTheLock()
         {

@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(new BaseTracker(new AnchoringSettings()).Words, Is.EqualTo("placed by hand"));
             _cell.IsInView = _ => false;
             Assert.That(Words(9), Is.EqualTo("looking for markers"));
-            Assert.That(Words(2), Is.EqualTo("looking for markers; is the camera allowed?"));
+            Assert.That(Words(2), Is.EqualTo("looking for markers; allow the camera if it is blocked"));
             _cell.Tracker.SourceProblem = "no XR Origin";
             Assert.That(Words(), Is.EqualTo("looking for markers; no XR Origin"));
             _cell.Tracker.SourceProblem = null;
@@ -73,7 +73,7 @@ namespace Nowpose.Tests.Core.Anchoring
             _cell.IsInView = payload => payload == "a";
             (_cell.NoiseMetres, _cell.OutlierShare) = (0.04, 0);
 
-            Assert.That(Words(3), Does.Match("^marker 'a' scatters by (3|4)\\d mm, 0\\.\\d°: go nearer, keep still$"));
+            Assert.That(Words(3), Does.Match("^marker 'a' scatters by (3|4)\\d mm, 0\\.\\d°: move closer and keep still$"));
         }
 
         [Test]
@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Words(3);
             _cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866, 0.25, 0, 0, 0, 2);
 
-            Assert.That(Words(3), Does.Match("^marker 'b', (99|100|101) mm, 0\\.\\d° from where it belongs: put it back, or lock again$"));
+            Assert.That(Words(3), Does.Match("^marker 'b', (99|100|101) mm, 0\\.\\d° from its expected place: put it back, or lock again$"));
             _cell.Tracker.Relock();
             Assert.That(Words(3), Does.Match("^locked by 2 markers, moved by 0\\.\\d mm, 0\\.\\d\\d°; "
                 + "marker 'b' is (99|100|101) mm, 0\\.\\d° from the place that the other markers show$"));
@@ -104,7 +104,7 @@ namespace Nowpose.Tests.Core.Anchoring
             _cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866 - 0.0433, 0.175, 0, 0, 0, 2);
 
             Assert.That(
-                Words(3), Does.Match("^marker 'a' and marker 'b' contradict each other by (49|50|51) mm, \\d\\.\\d°: measure their places again$"));
+                Words(3), Does.Match("^marker 'a' and marker 'b' contradict each other by (49|50|51) mm, \\d\\.\\d°: measure their poses again$"));
         }
 
         [Test]

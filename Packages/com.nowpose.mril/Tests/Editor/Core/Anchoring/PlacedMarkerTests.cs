@@ -55,7 +55,7 @@ namespace Nowpose.Tests.Core.Anchoring
 
         [TestCase(null)]
         [TestCase("a")]
-        public void Tick_MarkerReleased_LocksThereAndTheDeviceHoldsIt(string payload)
+        public void Tick_MarkerReleased_LocksAndTheDeviceHoldsTheAnchor(string payload)
         {
             if (payload != null) _tracker.Use("cell", new[] { new BaseMarker("a", InBase) });
             var put = Move(20, payload);

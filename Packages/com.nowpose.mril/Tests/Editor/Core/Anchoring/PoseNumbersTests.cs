@@ -8,7 +8,7 @@ namespace Nowpose.Tests.Core.Anchoring
     public class PoseNumbersTests
     {
         [Test]
-        public void RotationVector_OfARotation_HasItsAxisAndAngle()
+        public void RotationVector_AnyRotation_HasItsAxisAndAngle()
         {
             foreach (var angle in new[] { 0, 1e-10, 1e-6, 0.3, 2, Math.PI - 1e-6, Math.PI - 1e-10, Math.PI })
                 foreach (var (x, y, z) in new[] { (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (0.6, -0.8, 0.0), (0.48, 0.6, -0.64) })
@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Between_HalfATurnApart_StaysOnTheAxis()
+        public void Between_PosesHalfATurnApart_StaysOnTheAxis()
         {
             var half = PoseNumbers.Between(RigidTransform.Identity, RigidTransform.FromXyzRpy(0, 0, 0, 0, 0, Math.PI), 0.5);
 

@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Marker, Now, head ?? Head, new AnchoringSettings());
 
         [Test]
-        public void Judge_CurrentSightingFromNear_IsAccepted()
+        public void Judge_CurrentSightingAtAShortDistance_IsAccepted()
         {
             Assert.That(Judge(), Is.EqualTo(SightingFault.None));
             Assert.That(Judge(size: 0), Is.EqualTo(SightingFault.None), "a size that is not known");

@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Anchoring
         /// <summary>The true pose of the base.</summary>
         public RigidTransform Base { get; set; }
 
-        /// <summary>Root mean square distance of the noise in m. <see cref="NoiseDegrees"/> is the same for its angle.</summary>
+        /// <summary>Root mean square of the position noise in m; <see cref="NoiseDegrees"/> is that of the angle noise.</summary>
         public double NoiseMetres { get; set; }
 
         public double NoiseDegrees { get; set; }
@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Core.Anchoring
         /// <summary>True poses in the base frame of markers that are not where they were measured.</summary>
         public Dictionary<string, RigidTransform> Shifted { get; } = new Dictionary<string, RigidTransform>();
 
-        /// <summary>One marker.</summary>
+        /// <summary>Creates a base with a single marker.</summary>
         public static SimulatedMarkers One(int seed, double offsetMetres, AnchoringSettings settings = null)
         {
             var cell = new SimulatedMarkers(seed, settings);

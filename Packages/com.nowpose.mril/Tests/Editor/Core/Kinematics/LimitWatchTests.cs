@@ -84,8 +84,8 @@ namespace Nowpose.Tests.Core.Kinematics
         {
             Assert.That(Fed(Shoulder, 45, 45, 45.25).Present.Words, Is.EqualTo(
                 "joint 'shoulder': 45.25 rad is outside its limits -3 to 3 rad, and is drawn at the limit; "
-                + "is the robot description this robot's, and does the source send rad, not degrees?"));
-            Assert.That(Fed(Grip, 50, 50, 50).Present.Words, Does.Contain("50 m is outside its limits 0 to 0.05 m").And.EndsWith("send m, not mm?"));
+                + "check that the robot description belongs to this robot and that the source sends rad, not degrees"));
+            Assert.That(Fed(Grip, 50, 50, 50).Present.Words, Does.Contain("50 m is outside its limits 0 to 0.05 m").And.EndsWith("sends m, not mm"));
         }
     }
 }

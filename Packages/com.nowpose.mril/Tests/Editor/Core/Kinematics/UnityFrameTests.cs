@@ -12,7 +12,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase(1, 0, 0, 0, 0, 1, TestName = "ToUnity_Forward_IsZ")]
         [TestCase(0, 1, 0, -1, 0, 0, TestName = "ToUnity_Left_IsMinusX")]
         [TestCase(0, 0, 1, 0, 1, 0, TestName = "ToUnity_Up_IsY")]
-        public void ToUnity_Axis(double x, double y, double z, double unityX, double unityY, double unityZ)
+        public void ToUnity_Axis_IsTheExpectedAxis(double x, double y, double z, double unityX, double unityY, double unityZ)
         {
             var pose = UnityFrame.ToUnity(RigidTransform.FromXyzRpy(x, y, z, 0, 0, 0));
 
@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase(0, 0, Math.PI / 2, 0, -1, 0, TestName = "ToUnity_YawLeft_IsMinusY")]
         [TestCase(0, Math.PI / 2, 0, 1, 0, 0, TestName = "ToUnity_PitchDown_IsPlusX")]
         [TestCase(Math.PI / 2, 0, 0, 0, 0, -1, TestName = "ToUnity_RollRight_IsMinusZ")]
-        public void ToUnity_QuarterTurn(double roll, double pitch, double yaw, double x, double y, double z)
+        public void ToUnity_QuarterTurn_IsTheExpectedRotation(double roll, double pitch, double yaw, double x, double y, double z)
         {
             var pose = UnityFrame.ToUnity(RigidTransform.FromXyzRpy(0, 0, 0, roll, pitch, yaw));
 
@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void FromUnity_OfToUnity_RoundTrips()
+        public void FromUnity_ToUnityResult_RoundTrips()
         {
             var random = new Random(12);
             for (var i = 0; i < 200; i++)
@@ -61,7 +61,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase(0, Math.PI, 0)]
         [TestCase(0, 0, Math.PI)]
         [TestCase(3.1, 0.01, 0.02)]
-        public void FromUnity_OfToUnityForHalfATurn_RoundTrips(double roll, double pitch, double yaw)
+        public void FromUnity_ToUnityOfHalfTurn_RoundTrips(double roll, double pitch, double yaw)
         {
             var pose = RigidTransform.FromXyzRpy(1, 2, 3, roll, pitch, yaw);
 
@@ -70,7 +70,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Axes_OfAJoint_MoveInUnityAsInTheUrdf()
+        public void Axes_Joint_MoveInUnityAsInTheUrdf()
         {
             var random = new Random(13);
             for (var i = 0; i < 50; i++)
@@ -106,7 +106,7 @@ namespace Nowpose.Tests.Core.Kinematics
         static RigidTransform RandomPose(Random random) => RigidTransform.FromXyzRpy(
             Any(random, 2), Any(random, 2), Any(random, 2), Any(random, Math.PI), Any(random, Math.PI), Any(random, Math.PI));
 
-        static double Any(Random random, double greatest) => (2 * random.NextDouble() - 1) * greatest;
+        static double Any(Random random, double max) => (2 * random.NextDouble() - 1) * max;
 
         static double[] Numbers(UnityPose p) => new[] { p.X, p.Y, p.Z, p.RotationX, p.RotationY, p.RotationZ, p.RotationW };
 

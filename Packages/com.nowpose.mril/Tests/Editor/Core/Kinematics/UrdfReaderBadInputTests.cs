@@ -13,25 +13,25 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("not a robot", "r.urdf:1: not well-formed XML")]
         [TestCase("<robot>\n<link name='a'>\n</robot>", "r.urdf:3: not well-formed XML")]
         [TestCase("<robot name='r'/><robot name='s'/>", "r.urdf:1: not well-formed XML")]
-        [TestCase("<sdf version='1'>\n<model/></sdf>", "r.urdf:1: sdf: the root element has to be <robot>")]
-        [TestCase("<robot name='r'/>", "r.urdf:1: robot 'r': it has no links")]
+        [TestCase("<sdf version='1'>\n<model/></sdf>", "r.urdf:1: sdf: the root element must be <robot>")]
+        [TestCase("<robot name='r'/>", "r.urdf:1: robot 'r': the robot has no links")]
         [TestCase("<!DOCTYPE r [<!ENTITY a 'b'>]>\n<robot/>", "r.urdf:1: a document type (DTD)")]
         [TestCase("<?xml version='1.0'?>\n<!DOCTYPE r SYSTEM 'file:///etc/passwd'>\n<robot/>", "r.urdf:2: a document type (DTD)")]
         public void Read_NotARobot_NamesTheLine(string text, string message) => Refuses(text, message);
 
         [TestCase("<link/>", "r.urdf:2: link: its attribute name is missing")]
         [TestCase("<link name='a'/>\n<link name='a'/>", "r.urdf:3: link 'a': another link has the same name")]
-        [TestCase("<link name='a'/>\n<link name='b'/>", "r.urdf:3: link 'b': two root links, this and 'a'")]
+        [TestCase("<link name='a'/>\n<link name='b'/>", "r.urdf:3: link 'b': there are two root links, this one and 'a'")]
         [TestCase("<link name='a'><visual><geometry><box size='1 2'/></geometry></visual></link>", "link 'a' <box>: size has 2 numbers")]
-        [TestCase("<link name='a'><visual><geometry><sphere/></geometry></visual></link>", "link 'a' <sphere>: radius has to be")]
-        [TestCase("<link name='a'><visual><geometry><cylinder radius='1' length='-1'/></geometry></visual></link>", "link 'a' <cylinder>: length has to be")]
+        [TestCase("<link name='a'><visual><geometry><sphere/></geometry></visual></link>", "link 'a' <sphere>: radius must be")]
+        [TestCase("<link name='a'><visual><geometry><cylinder radius='1' length='-1'/></geometry></visual></link>", "link 'a' <cylinder>: length must be")]
         [TestCase("<link name='a'><visual><geometry><mesh/></geometry></visual></link>", "link 'a' <mesh>: its attribute filename is missing")]
         [TestCase("<material name='m'>\n<color rgba='1 0'/></material><link name='a'/>", "r.urdf:3: material 'm' <color>: rgba has 2 numbers")]
         public void Read_InvalidLinks_NamesThem(string body, string message) => Refuses("<robot name='r'>\n" + body + "</robot>", message);
 
         [TestCase("<joint type='fixed'>" + Ends + "</joint>", "r.urdf:3: joint: its attribute name is missing")]
         [TestCase("<joint name='j'>" + Ends + "</joint>", "r.urdf:3: joint 'j': its attribute type is missing")]
-        [TestCase("<joint name='j' type='planar'>" + Ends + "</joint>", "r.urdf:3: joint 'j': type 'planar' is not supported; fixed, revolute, continuous and prismatic are")]
+        [TestCase("<joint name='j' type='planar'>" + Ends + "</joint>", "r.urdf:3: joint 'j': type 'planar' is not supported; allowed are fixed, revolute, continuous and prismatic")]
         [TestCase("<joint name='j' type='floating'>" + Ends + "</joint>", "joint 'j': type 'floating' is not supported")]
         [TestCase("<joint name='j' type='screw'>" + Ends + "</joint>", "joint 'j': type 'screw' is not supported")]
         [TestCase("<joint name='j' type='fixed'><child link='b'/></joint>", "joint 'j': its <parent link=…/> is missing")]
@@ -43,9 +43,9 @@ namespace Nowpose.Tests.Core.Kinematics
         public void Read_InvalidJoint_NamesIt(string joints, string message) => RefusesJoints(joints, message);
 
         [TestCase("<axis xyz='0 0 0'/>", "<axis>: xyz is not a direction")]
-        [TestCase("<axis xyz='0 1'/>", "<axis>: xyz has 2 numbers, it needs 3")]
-        [TestCase("<origin xyz='0 0 0 0'/>", "<origin>: xyz has 4 numbers, it needs 3")]
-        [TestCase("<origin xyz=''/>", "<origin>: xyz has 0 numbers, it needs 3")]
+        [TestCase("<axis xyz='0 1'/>", "<axis>: xyz has 2 numbers; it needs 3")]
+        [TestCase("<origin xyz='0 0 0 0'/>", "<origin>: xyz has 4 numbers; it needs 3")]
+        [TestCase("<origin xyz=''/>", "<origin>: xyz has 0 numbers; it needs 3")]
         [TestCase("<origin rpy='0 x 0'/>", "<origin>: rpy 'x' is not a finite number")]
         [TestCase("<origin rpy='0 NaN 0'/>", "<origin>: rpy 'NaN' is not a finite number")]
         [TestCase("<origin xyz='0 1e999 0'/>", "<origin>: xyz '1e999' is not a finite number")]
@@ -57,8 +57,8 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("<limit velocity='fast'/>", "<limit>: velocity 'fast' is not a finite number")]
         [TestCase("<mimic/>", "<mimic>: its attribute joint is missing")]
         [TestCase("<mimic joint='z'/>", "<mimic>: unknown joint 'z'")]
-        [TestCase("<mimic joint='j'/>", "<mimic>: following 'j' leads back to this joint: a loop")]
-        [TestCase("<mimic joint='k'/>", "<mimic>: joint 'k' is fixed; only a moving one can be followed")]
+        [TestCase("<mimic joint='j'/>", "<mimic>: the chain of mimicked joints through 'j' leads back to this joint")]
+        [TestCase("<mimic joint='k'/>", "<mimic>: joint 'k' is fixed; only a moving joint can be mimicked")]
         [TestCase("<mimic joint='m' multiplier='two'/>", "<mimic>: multiplier 'two' is not a finite number")]
         public void Read_InvalidJointContent_NamesTheElement(string inside, string message) => RefusesJoints(
             "<joint name='j' type='revolute'>" + Ends + "\n" + inside + "</joint>"
@@ -68,7 +68,7 @@ namespace Nowpose.Tests.Core.Kinematics
         public void Read_MimicsInALoop_NamesOneOfThem() => RefusesJoints(
             Joint("i", "a", "b", "<mimic joint='j'/>") + "\n" + Joint("j", "b", "c", "<mimic joint='k'/>") + "\n"
             + "<link name='d'/>" + Joint("k", "c", "d", "<mimic joint='j'/>"),
-            "r.urdf:4: joint 'j' <mimic>: following 'k' leads back to this joint: a loop");
+            "r.urdf:4: joint 'j' <mimic>: the chain of mimicked joints through 'k' leads back to this joint");
 
         [Test]
         public void Read_TwoParents_NamesTheLink() => RefusesJoints(
@@ -100,10 +100,10 @@ namespace Nowpose.Tests.Core.Kinematics
         [Test]
         public void Read_DeeplyNestedElements_AreRefused() => Refuses(
             "<robot name='r'><link name='a'/>\n<gazebo>" + string.Concat(System.Linq.Enumerable.Repeat("<x>", 100000)),
-            "r.urdf:2: elements are nested more than 100 deep");
+            "r.urdf:2: elements are nested more than 100 levels deep");
 
         [Test]
-        public void Read_MultiplyingEntities_AreRefusedUnexpanded() => Refuses(
+        public void Read_MultiplyingEntities_AreRefusedWithoutExpansion() => Refuses(
             "<!DOCTYPE r [<!ENTITY a '0000000000'><!ENTITY b '&a;&a;&a;&a;&a;&a;&a;&a;'><!ENTITY c '&b;&b;&b;&b;&b;&b;&b;&b;'>]>"
             + "<robot name='&c;'><link name='a'/></robot>", "r.urdf:1: a document type (DTD) with its entities is not allowed");
 

@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_LoadAtTheLimit_ChangesStateAtMostTwiceAMinute()
+        public void Add_LoadAtTheLimit_ChangesStateAtMostTwicePerMinute()
         {
             var flips = Seeds.Select(seed => FlipsPerMinute(Limit, seed, 3)).ToArray();
 
@@ -93,7 +93,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_LoadJustBelowTheLimit_ChangesStateAtMostTwiceAMinute([Values(0.94, 0.95, 0.96, 0.97, 0.98)] double ofLimit)
+        public void Add_LoadJustBelowTheLimit_ChangesStateAtMostTwicePerMinute([Values(0.94, 0.95, 0.96, 0.97, 0.98)] double ofLimit)
         {
             var flips = Seeds.Select(seed => FlipsPerMinute(ofLimit * Limit, seed, 3)).ToArray();
 
@@ -138,7 +138,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(9.3, 37, true, TestName = "Add_ClearlyInsideForThirtyFrames_IsInsideAgain")]
         [TestCase(9.3, 36, false, TestName = "Add_ClearlyInsideForTwentyNineFrames_IsStillOutside")]
         [TestCase(9.5, 2000, false, TestName = "Add_JustInsideForLong_IsStillOutside")]
-        public void Add_AfterTheLoadFell(double renderMs, int frames, bool isInside)
+        public void Add_AfterTheLoadFell_HasTheExpectedState(double renderMs, int frames, bool isInside)
         {
             var monitor = Monitor(10);
             Add(monitor, 20, 100);
@@ -263,7 +263,7 @@ namespace Nowpose.Tests.Core.Latency
 
         [TestCase(0, RenderTimeSourceKind.DisplayGpuTime, "render time limit: 0 ms is out of range; allowed are 0.1 to 1000 ms")]
         [TestCase(double.NaN, RenderTimeSourceKind.DisplayGpuTime, "render time limit: NaN ms is out of range; allowed are 0.1 to 1000 ms")]
-        [TestCase(15, RenderTimeSourceKind.None, "render time limit: name the source of the render time that it was measured with")]
+        [TestCase(15, RenderTimeSourceKind.None, "render time limit: state the source of the render times from which it was determined")]
         public void ConstantLatencyRange_InvalidSetting_ThrowsWithTheReason(double limitMs, RenderTimeSourceKind source, string message)
         {
             Assert.That(Assert.Throws<InputException>(() => new ConstantLatencyRange(limitMs, source)).Message, Is.EqualTo(message));

@@ -63,7 +63,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Or_UnknownCondition_UsesTheOthersValue()
+        public void Or_UnknownCondition_UsesTheOtherValue()
         {
             var both = new DisplayConditions(graphicsApi: "Vulkan", rewritesBeforeRender: false).Or(Calibrated());
 
@@ -75,7 +75,7 @@ namespace Nowpose.Tests.Core.Latency
         public void Constructor_TextWithLineBreakOrTooLong_ThrowsWithItsField()
         {
             Assert.That(() => Calibrated(api: "Direct3D\n11"),
-                Throws.TypeOf<InputException>().With.Message.EqualTo("graphics_api: the value is one line of up to 128 characters"));
+                Throws.TypeOf<InputException>().With.Message.EqualTo("graphics_api: the value must be one line of up to 128 characters"));
             Assert.That(() => Calibrated(pipeline: new string('x', 129)),
                 Throws.TypeOf<InputException>().With.Message.StartsWith("render_pipeline: "));
         }

@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Frames_StepsOfSeveralKinds_StayWithinTheShareAndUseIt()
+        public void Frames_StepsOfSeveralKinds_UseTheShareWithoutExceedingIt()
         {
             double[] lengths = { 0.05, 0.4, 0.9, 0.3 };
 
@@ -73,7 +73,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Frames_StepSlowOnce_SharesFramesAgainLater()
+        public void Frames_OneSlowStep_SharesFramesAgainLater()
         {
             var frames = Work(new FrameShare(ShareMs, 1), step => step == 0 ? 30 : 0.1, 1, 200);
 

@@ -52,7 +52,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Triangles_OfAnyPatch_UseEveryVertexAndFaceTheViewer()
+        public void Triangles_AnyPatch_UseEveryVertexAndFaceTheViewer()
         {
             foreach (var vertices in Enumerable.Range(3, 40).Concat(new[] { 249, 250, 251, 499, 500, 501, 502, 750, 751, 10_001, 24_999, 25_000 }))
             {
@@ -76,7 +76,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Patches_OfTheMaximumLoad_FillTheWallWithoutOverlap()
+        public void Patches_MaximumLoad_FillTheWallWithoutOverlap()
         {
             var area = 0.0;
             var corners = new HashSet<(float, float)>();

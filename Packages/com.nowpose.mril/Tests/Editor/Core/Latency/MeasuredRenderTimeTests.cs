@@ -7,7 +7,7 @@ namespace Nowpose.Tests.Core.Latency
 {
     public class MeasuredRenderTimeTests
     {
-        // The headset's log and the range use the same rule: a value that one accepts and the other refuses would be lost.
+        // The headset's log and the range must use the same rule, because a value that only one of them accepts would be lost.
         [TestCase(0.001, true)]
         [TestCase(1000, true)]
         [TestCase(0, false)]

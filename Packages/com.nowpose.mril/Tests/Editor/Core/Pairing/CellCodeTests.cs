@@ -61,7 +61,7 @@ namespace Nowpose.Tests.Core.Pairing
         {
             var error = Assert.Throws<InputException>(() => CellCode.Parse(Whole.Replace("cell/1", "cell/" + version)));
 
-            Assert.That(error.Message, Does.Contain("of version " + version).And.Contain("update Nowpose"));
+            Assert.That(error.Message, Does.Contain("has version " + version).And.Contain("update Nowpose"));
         }
 
         [TestCase(null, "0 characters")]
@@ -112,16 +112,16 @@ namespace Nowpose.Tests.Core.Pairing
 
         [TestCase("o=1", "1 numbers")]
         [TestCase("o=1,2,3,4,5,6,7", "7 numbers")]
-        [TestCase("o=1,2,NaN", "number 3")]
-        [TestCase("o=1,2,Infinity", "number 3")]
-        [TestCase("o=1,2,1e3", "number 3")]
-        [TestCase("o=1,,3", "number 2")]
-        [TestCase("o=1,2,3.", "number 3")]
-        [TestCase("o=1,2,.5", "number 3")]
-        [TestCase("o=1,2,0.1234567", "number 3")]
-        [TestCase("o=1,2,--3", "number 3")]
-        [TestCase("o=1,2,1.2.3", "number 3")]
-        [TestCase("o=1,2,9999", "number 3")]
+        [TestCase("o=1,2,NaN", "value 3 is not a number")]
+        [TestCase("o=1,2,Infinity", "value 3 is not a number")]
+        [TestCase("o=1,2,1e3", "value 3 is not a number")]
+        [TestCase("o=1,,3", "value 2 is not a number")]
+        [TestCase("o=1,2,3.", "value 3 is not a number")]
+        [TestCase("o=1,2,.5", "value 3 is not a number")]
+        [TestCase("o=1,2,0.1234567", "value 3 is not a number")]
+        [TestCase("o=1,2,--3", "value 3 is not a number")]
+        [TestCase("o=1,2,1.2.3", "value 3 is not a number")]
+        [TestCase("o=1,2,9999", "value 3 is not a number")]
         [TestCase("o=1,2,101", "100 m")]
         [TestCase("o=1,2,3,0,0,361", "360 degrees")]
         [TestCase("m=0", "0.01 to 5 m")]

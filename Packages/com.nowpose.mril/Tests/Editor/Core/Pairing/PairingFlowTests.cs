@@ -135,7 +135,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Question_NotAnswered_SendsAndAppliesNothing()
+        public void Question_NotAnswered_HasNoEffect()
         {
             for (var i = 0; i < 100; i++) Frame(Cell, Token);
 
@@ -144,7 +144,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Refuse_Gateway_IsNotAskedAgainInThisRunForAnyOfItsMarkers()
+        public void Refuse_Gateway_DoesNotAskAgainForItsMarkersInThisRun()
         {
             Frame(Cell);
             _flow.Refuse();
@@ -263,7 +263,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void OtherKnownCell_SeenBrieflyOrBesideTheUsedOne_AsksNothing()
+        public void OtherKnownCell_SeenBrieflyOrBesideTheUsedCell_DoesNotAsk()
         {
             PairBoth();
 
@@ -278,7 +278,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void OtherKnownCell_Declined_IsAskedAgainAfterAMinuteOutOfView()
+        public void OtherKnownCell_Declined_AsksAgainAfterAMinuteOutOfView()
         {
             PairBoth();
             Look(Other);
@@ -419,7 +419,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void AskToForget_GatewayWasDeclined_IsAskedAgainAtTheNextSighting()
+        public void AskToForget_GatewayWasDeclined_AsksAgainAtTheNextSighting()
         {
             Frame(Cell);
             _flow.Refuse();
@@ -467,7 +467,7 @@ namespace Nowpose.Tests.Core.Pairing
 
             Frame(Token);
 
-            Assert.That(_flow.Words, Is.EqualTo("this code was tried; ask for another on the gateway's page or terminal"));
+            Assert.That(_flow.Words, Is.EqualTo("this code has been tried; request another one on the gateway's page or terminal"));
             Assert.That(_flow.IsSettled, Is.False);
         }
 

@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [TestCase("nowpose:token/1?p=" + PinText, "t is missing")]
-        [TestCase("nowpose:token/2?t=" + Token, "of version 2")]
+        [TestCase("nowpose:token/2?t=" + Token, "has version 2")]
         [TestCase("nowpose:token/1?t=" + Token + "&n=a", "field n is not known")]
         [TestCase("nowpose:token/1?t=" + Token + "A", "16 bytes")]
         [TestCase("nowpose:token/1?t=_-ECAwQFBgcICQoLDA0OD", "16 bytes")]

@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Play_LongRestAtStart_KeepsLaterRestQuiet()
+        public void Play_LongRestAtStart_KeepsLaterRestSteady()
         {
             const double noise = 1e-4;
             var random = new Random(4);

@@ -88,19 +88,19 @@ namespace Nowpose.Tests.Core.Prediction
             var path = new PlannedPath(new[] { 0.0, 0.25 }, new[] { start + beside, start + beside + 0.25 }, new[] { 1.0, 1 });
             var last = blended.Show(1.1);
             blended.Follow(path, start);
-            var (kinds, greatest) = (0, 0.0);
+            var (kinds, max) = (0, 0.0);
             for (var (i, k) = (0, 1); i * step < 0.6; i++)
             {
                 var time = 1.1 + i * step;
                 for (; 1 + k * Interval + 0.1 <= time; k++) blended.Add(1 + k * Interval, 1 + k * Interval);
                 var shown = blended.Show(time);
-                greatest = Math.Max(greatest, Math.Abs(shown.Position - last.Position));
+                max = Math.Max(max, Math.Abs(shown.Position - last.Position));
                 if (shown.Kind != last.Kind) kinds++;
                 last = shown;
             }
 
             Assert.That(kinds, Is.EqualTo(2), "to the plan and back");
-            Assert.That(greatest, Is.LessThan(1.05 * (1 + beside / TimeConstant) * step));
+            Assert.That(max, Is.LessThan(1.05 * (1 + beside / TimeConstant) * step));
             Assert.That(last.Position, Is.EqualTo(1.1 + 0.6 - step).Within(1e-3));
         }
 

@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void DeviationAt_NewestSample_IsThatOfTheNoise()
+        public void DeviationAt_NewestSample_EqualsTheNoise()
         {
             var predictor = Fed("gp", Waves, 100);
 
@@ -52,7 +52,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void DeviationAt_ConstantVelocity_IsFarBelowThatOfAVaryingMotion()
+        public void DeviationAt_ConstantVelocity_IsFarSmallerThanInVaryingMotion()
         {
             var steady = Fed("gp", t => 100 * t, 100);
 

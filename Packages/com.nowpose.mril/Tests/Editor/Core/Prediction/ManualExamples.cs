@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(tried, Is.LessThan(0.5 * usual));
         }
 
-        // Squared error 0.2 s ahead of an axis that is pushed every second and coasts. The unpredictable pushes are left out.
+        // Returns the squared error 0.2 s ahead for an axis that is pushed every second and coasts. Times after a push are excluded.
         static double Coasting(params Forecaster[] more)
         {
             const double interval = 0.1, ahead = 0.2;

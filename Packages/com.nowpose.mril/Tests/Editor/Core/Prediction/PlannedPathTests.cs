@@ -12,10 +12,10 @@ namespace Nowpose.Tests.Core.Prediction
 
         static double MaxError(PlannedPath path, Func<double, double> motion)
         {
-            var greatest = 0.0;
+            var max = 0.0;
             for (var t = Times[0]; t <= Times[Times.Length - 1]; t += 0.01)
-                greatest = Math.Max(greatest, Math.Abs(path.At(t, out _) - motion(t)));
-            return greatest;
+                max = Math.Max(max, Math.Abs(path.At(t, out _) - motion(t)));
+            return max;
         }
 
         [Test]
@@ -72,7 +72,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_OutsideThePath_StandsAtItsEnds()
+        public void At_OutsideThePath_ReturnsTheEndPosition()
         {
             var path = new PlannedPath(Times, Each(t => t));
 
@@ -83,7 +83,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void EndsAtRest_ByTheLastVelocity()
+        public void EndsAtRest_LastVelocity_DeterminesTheResult()
         {
             Assert.That(new PlannedPath(Times, Each(t => t)).EndsAtRest, Is.True, "no velocity shows that it moves on");
             Assert.That(new PlannedPath(Times, Each(t => t), Each(t => t - 2)).EndsAtRest, Is.True);
@@ -91,7 +91,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Create_TimesThatDoNotRise_IsRefused()
+        public void Create_TimesNotIncreasing_IsRefused()
         {
             Assert.Throws<ArgumentException>(() => new PlannedPath(new double[] { 0, 1, 1 }, new double[3]));
             Assert.Throws<ArgumentException>(() => new PlannedPath(Array.Empty<double>(), Array.Empty<double>()));

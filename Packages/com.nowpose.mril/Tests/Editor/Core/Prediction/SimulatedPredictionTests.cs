@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase("cubic", 0.271)]
         [TestCase("quadratic-h3", 0.328)]
         [TestCase("quadratic-h4", 0.404)]
-        public void Ratio_SampledEvery50MsAnd100MsLate_IsAsInFigures13And14(string predictor, double expected)
+        public void Ratio_Sampling50MsLatency100Ms_MatchesFigures13And14(string predictor, double expected)
         {
             Assert.That(Ratio(predictor), Is.EqualTo(expected).Within(0.02), "seed " + Seed);
         }
@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase(0.05, 0, "quadratic", 0.084)]
         [TestCase(0.05, 0.25, "quadratic", 0.621)]
         [TestCase(0.05, 0.25, "cubic", 0.938)]
-        public void Ratio_OtherIntervalsAndLatencies_IsAsInFigures13And14(
+        public void Ratio_OtherIntervalsAndLatencies_MatchesFigures13And14(
             double sampling, double latency, string predictor, double expected)
         {
             Assert.That(Ratio(predictor, sampling, latency), Is.EqualTo(expected).Within(0.02), "seed " + Seed);

@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase("[\"a\",\"c\"]", "a c")]
         [TestCase("[ \"a\",\"b\"]", "a b")]
         [TestCase("[\"\\u0061\",\"b\"]", "a b")]
-        public void TryRead_OtherNames_AreThoseOfTheMessage(string names, string expected)
+        public void TryRead_OtherNames_ReturnsTheNamesOfTheMessage(string names, string expected)
         {
             Read(State("[\"a\",\"b\"]", "[1,2]"));
             var count = expected.Split(' ').Length;
@@ -158,7 +158,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_FieldTwiceOnceWithEscapes_IsRefused()
+        public void TryRead_DuplicateFieldWithEscapes_IsRefused()
         {
             var text = State("[\"a\"]", "[1]", ",\"p\\u006fsition\":[1]");
 

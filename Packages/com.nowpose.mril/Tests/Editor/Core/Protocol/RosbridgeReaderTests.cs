@@ -158,7 +158,7 @@ namespace Nowpose.Tests.Core.Protocol
 
         [TestCase(256, true)]
         [TestCase(257, false)]
-        public void TryRead_Joints_UpTo256(int count, bool expected)
+        public void TryRead_Joints_AreReadUpTo256(int count, bool expected)
         {
             var names = "[" + string.Join(",", Enumerable.Range(0, count).Select(i => "\"j" + i + "\"")) + "]";
             var text = State(names, "[" + string.Join(",", Enumerable.Repeat("0", count)) + "]");
@@ -169,7 +169,7 @@ namespace Nowpose.Tests.Core.Protocol
 
         [TestCase(128, true)]
         [TestCase(129, false)]
-        public void TryRead_Name_UpTo128Characters(int length, bool expected)
+        public void TryRead_Name_IsReadUpTo128Characters(int length, bool expected)
         {
             var text = State("[\"" + new string('n', length) + "\"]", "[0]");
 
@@ -257,7 +257,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase(14, true)]
         [TestCase(15, false)]
         [TestCase(10_000, false)]
-        public void TryRead_Nesting_UpTo16Levels(int inside, bool expected)
+        public void TryRead_Nesting_IsReadUpTo16Levels(int inside, bool expected)
         {
             // The message and its msg object add two levels.
             var nested = new string('[', inside) + new string(']', inside);
@@ -268,14 +268,14 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_UnclosedNestingOf10000_IsTooDeepNotACrash() =>
+        public void TryRead_UnclosedNestingOf10000_IsTooDeep() =>
             Refuse("{\"op\":" + string.Concat(Enumerable.Repeat("{\"a\":[", 10_000)), DropReason.TooDeep);
 
         [TestCase("x", 0, true)]
         [TestCase("x", 1, false)]
         [TestCase("é", 0, true)]
         [TestCase("é", 1, false)]
-        public void TryRead_Message_UpTo64KiBOfUtf8(string character, int over, bool expected)
+        public void TryRead_Message_IsReadUpTo64KiBOfUtf8(string character, int over, bool expected)
         {
             var text = Sized(character, 64 * 1024 + over, "/joint_states", "name");
 
@@ -285,7 +285,7 @@ namespace Nowpose.Tests.Core.Protocol
 
         [TestCase(0, true)]
         [TestCase(1, false)]
-        public void TryRead_Description_UpTo1MiB(int over, bool expected)
+        public void TryRead_LongDescription_IsLimitedTo1MiB(int over, bool expected)
         {
             var text = Sized("x", 1024 * 1024 + over, "/robot_description", "data");
 

@@ -13,7 +13,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase(0, false)]
         [TestCase(1.0200000, false)]
         [TestCase(1.0200001, true)]
-        public void IsInFuture_BeyondBoundAndASecond_Only(double aheadSeconds, bool expected)
+        public void IsInFuture_BeyondBoundPlusOneSecond_IsTrueOnlyThen(double aheadSeconds, bool expected)
         {
             var stamp = Now + new TimeSpan((long)Math.Round(aheadSeconds * TimeSpan.TicksPerSecond));
 

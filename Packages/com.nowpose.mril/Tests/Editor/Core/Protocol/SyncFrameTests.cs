@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void Write_Reply_IsTheTableByteForByte()
+        public void Write_Reply_MatchesTheTableByteForByte()
         {
             var request = SyncFrame.Request(0x0A0B0C0D, 0x0102030405060708);
 
@@ -52,7 +52,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_OfWritten_IsTheSameFrame()
+        public void TryRead_WrittenFrame_RoundTrips()
         {
             const int Seed = 11;
             var random = new Random(Seed);

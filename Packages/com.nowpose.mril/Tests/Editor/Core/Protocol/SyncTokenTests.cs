@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_OfWritten_IsTheToken()
+        public void TryRead_WrittenToken_RoundTrips()
         {
             var token = new string('x', ProtocolLimits.TokenBytes);
             var bytes = SyncToken.Write(token);

@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Header_Conditions_ContainsTheKnownOnes()
+        public void Header_Conditions_ContainsKnownConditions()
         {
             var session = NewSession();
             session.Conditions = new DisplayConditions("HoloLens 2", 59.94, graphicsApi: "Direct3D11");
@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Lines_OfASimulatedSession_ContainItsEventsInOrder()
+        public void Lines_SimulatedSession_ContainItsEventsInOrder()
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
             var taken = new List<SampleArrival>();

@@ -355,7 +355,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_ArmAndGripperPublishSeparately_HaveOwnHistoriesAndTheArmSetsTheState()
+        public void Tick_ArmAndGripperPublishSeparately_ArmDeterminesTheState()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             var now = HeadsetTime.FromSeconds(0);
@@ -445,7 +445,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Received_SamplesOvertakenInARow_AreAllUsed()
+        public void Received_ConsecutiveOvertakenSamples_AreAllUsed()
         {
             var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
             foreach (var at in new[] { 1.0, 1.02, 1.04, 1.06, 1.14, 1.08, 1.1, 1.12, 1.16 }) Send(session, at, at);
@@ -482,7 +482,7 @@ namespace Nowpose.Tests.Core.Session
         {
             var error = Assert.Throws<InputException>(() => new ConnectionSettings("192.168.0.5", token: "secret", insecureLan: true));
 
-            Assert.That(error.Message, Does.Contain("plain text").And.Not.Contain("secret"));
+            Assert.That(error.Message, Does.Contain("unencrypted").And.Not.Contain("secret"));
         }
 
         [Test]

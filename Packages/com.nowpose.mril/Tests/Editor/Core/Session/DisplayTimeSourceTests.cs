@@ -75,7 +75,7 @@ namespace Nowpose.Tests.Core.Session
             var reports = 0;
             void See(DisplayFrame frame, double light)
             {
-                if ((watch.Changed(frame) & SessionChange.DisplayTimeDoubted) != 0) reports++;
+                if ((watch.Changed(frame) & SessionChange.DisplayTimeInconsistent) != 0) reports++;
             }
             simulated.Run(1, See);
 

@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void ToolErrorOfRun_Percentiles_EqualTheTrueOnes()
+        public void ToolErrorOfRun_Percentiles_EqualTheTruePercentiles()
         {
             var (run, hindcast, _) = Scored("wifi", 5, 60);
             double P95(List<double> values) => values.OrderBy(v => v).ElementAt((int)(0.95 * values.Count));
@@ -100,7 +100,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void ToolErrorOfRun_LongerRun_IsMoreCertain()
+        public void ToolErrorOfRun_LongerRun_HasASmallerUncertainty()
         {
             var (_, shorter, _) = Scored("wifi", 7, 23, predictor: Steady);
             var (_, longer, _) = Scored("wifi", 7, 183, predictor: Steady);

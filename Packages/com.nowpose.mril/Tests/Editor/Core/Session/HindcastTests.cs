@@ -157,29 +157,48 @@ namespace Nowpose.Tests.Core.Session
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(18.1);
-            var greatest = 0.0;
+            var max = 0.0;
             simulated.IsSamplingByTest = true;
-            simulated.Run(2.4, (frame, light) => greatest = Math.Max(greatest, SquareMm(ToolOf(frame.HeldJoints), TrueTool(light))));
+            simulated.Run(2.4, (frame, light) => max = Math.Max(max, SquareMm(ToolOf(frame.HeldJoints), TrueTool(light))));
             simulated.IsSamplingByTest = false;
 
             simulated.Run(2);
 
-            Assert.That(Math.Sqrt(greatest), Is.GreaterThan(500), "from one end of the sine to the other");
+            Assert.That(Math.Sqrt(max), Is.GreaterThan(500), "from one end of the sine to the other");
             Assert.That(Statistics(simulated).HoldErrorMm.Value, Is.LessThan(400),
                 "665 with the gap; the tenth of a second in which the samples after it are on their way is judged");
         }
 
         [Test]
-        public void Statistics_RenderTimeOutsideTheRange_DoNotScoreThoseFrames()
+        public void Statistics_RenderTimeOutsideTheRange_HaveNoErrorUntilItIsInsideAgain()
         {
             var range = new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime);
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed, range: range);
+            void Render(double seconds)
+            {
+                for (var i = 0; i < 100; i++) simulated.Session.Rendered(ClockTicks.Span(seconds), RenderTimeSourceKind.DisplayGpuTime);
+            }
             simulated.Run(8);
-            for (var i = 0; i < 20; i++) simulated.Session.Rendered(TimeSpan.FromMilliseconds(30), RenderTimeSourceKind.DisplayGpuTime);
+            var before = Statistics(simulated);
 
-            simulated.Run(12);
+            Render(0.030);
+            simulated.Run(0.1);
+            var outside = Statistics(simulated);
+            Render(0.005);
+            simulated.Run(2);
+            var after = Statistics(simulated);
+            simulated.Session.RestartErrorRun();
+            simulated.Run(2);
+            var restarted = Statistics(simulated);
 
-            Assert.That(Statistics(simulated).ErrorMm, Is.Null);
+            Assert.That((before.ErrorMm, before.ToolErrorOfRun), Is.Not.EqualTo(((double?)null, (DisplayedError?)null)));
+            Assert.That(outside.Range, Is.EqualTo(RangeState.Outside));
+            Assert.That((outside.ErrorMm, outside.ErrorReduction, outside.ToolErrorOfRun), Is.EqualTo(((double?)null, (double?)null, (DisplayedError?)null)));
+            Assert.That(outside.JointErrors.Select(joint => joint.Error), Is.All.Null);
+            Assert.That(after.ErrorMm, Is.Not.Null, "of the frames inside");
+            Assert.That((after.ToolErrorOfRun, after.IsRunPartlyOutsideRange), Is.EqualTo(((DisplayedError?)null, true)), "part of this run cannot be judged");
+            Assert.That(restarted.ToolErrorOfRun, Is.Not.Null);
+            Assert.That(restarted.IsRunPartlyOutsideRange, Is.False);
         }
 
         [Test]
@@ -221,7 +240,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Statistics_StampsGoBack_ScoreFramesAgainImmediately()
+        public void Statistics_StampsGoBack_IncludeFramesAgainImmediately()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(8);

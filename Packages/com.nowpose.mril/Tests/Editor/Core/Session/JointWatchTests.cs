@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Core.Session
 
         [TestCase(false)]
         [TestCase(true)]
-        public void Tick_SamplesOfOneJointEnd_HoldsThePoseWithinTheHorizonCapAndNamesTheJoint(bool isEachJointApart)
+        public void Tick_SamplesOfOneJointStop_HoldsThePoseAndNamesTheJoint(bool isEachJointApart)
         {
             var simulated = Running(isEachJointApart);
 
@@ -125,7 +125,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_GatewayReportsRestButNoSamplesArrive_IsHeldAndAtRestUntilTheReportIsNotRepeated()
+        public void Tick_GatewayReportsRestWithoutSamples_IsHeldUntilTheReportEnds()
         {
             var simulated = Running();
             simulated.SilentJoint = "elbow";
@@ -184,7 +184,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_GripperReportedWithoutData_IsNotCurrentWhileTheArmIs()
+        public void Tick_GripperReportedInFault_PoseIsHeld()
         {
             var simulated = Running();
 
@@ -267,7 +267,7 @@ namespace Nowpose.Tests.Core.Session
 
         [TestCase(5, "current")]
         [TestCase(1, "coarse")]
-        public void PoseStateName_Holdover_FollowsTheSessionsOwnLimit(double errorToSynchroniseMs, string expected)
+        public void PoseStateName_Holdover_UsesTheLimitOfTheSession(double errorToSynchroniseMs, string expected)
         {
             var statistics = new SessionStatistics
             {

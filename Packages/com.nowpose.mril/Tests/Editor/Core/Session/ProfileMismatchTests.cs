@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void ProfileMismatches_DeviceDiffers_AreInStatisticsAndDiagnosticsAndTheProfileStaysInUse()
+        public void ProfileMismatches_DeviceDiffers_AreReportedAndTheProfileStaysInUse()
         {
             var session = NewSession();
             session.Calibrate(Profile(new DisplayConditions(graphicsApi: "Direct3D11", graphicsJobs: "MultiThreaded")));
@@ -52,7 +52,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void ProfileMismatches_RewriteBeforeRender_IsThatOfTheSettings([Values] bool rewrites)
+        public void ProfileMismatches_RewriteBeforeRender_UsesTheSettings([Values] bool rewrites)
         {
             var session = NewSession(rewrites);
 

@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Described_TextOfTheRobot_MatchIsSame()
+        public void Described_UrdfOfTheRobot_MatchIsSame()
         {
             var text = UrdfFiles.Text("youbot.urdf").Replace("\r\n", "\n").Replace("\n", "\r\n") + "\n";
 

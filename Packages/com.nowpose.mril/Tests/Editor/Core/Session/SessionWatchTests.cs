@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Session
         [TestCase("UChchcchchh", "Synchronised Stale", TestName = "Changed_SamplesFlicker_IsStaleOnce")]
         [TestCase("UOH", "Synchronised Stale", TestName = "Changed_OutsideRange_IsNotStale")]
         [TestCase("UCUH", "Synchronised Lost Stale Synchronised", TestName = "Changed_HeldAfterLost_IsStaleAsSoonAsItsAgeIsKnown")]
-        public void Changed_Poses(string frames, string expected)
+        public void Changed_Poses_ReportsTheExpectedChanges(string frames, string expected)
         {
             Assert.That(PoseChanges(new SessionWatch(), frames), Is.EqualTo(expected));
         }
@@ -50,7 +50,7 @@ namespace Nowpose.Tests.Core.Session
         [TestCase("Ioioiiiooi", "EnteredRange LeftRange", TestName = "Changed_RangeFlickers_LeftOnce")]
         [TestCase("I???I", "EnteredRange", TestName = "Changed_RangeTemporarilyUnknown_ReportsNothing")]
         [TestCase("O?iiii?iiii?iiii", "LeftRange", TestName = "Changed_RangeRepeatedlyUnknown_ReportsNoReturn")]
-        public void Changed_Ranges(string frames, string expected)
+        public void Changed_Ranges_ReportsTheExpectedChanges(string frames, string expected)
         {
             var watch = new SessionWatch();
 

@@ -60,7 +60,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Ms_BackToZeroWithoutProfile_RestoresTheNumber()
+        public void Ms_BackToZeroWithoutProfile_RestoresTheConfiguredValue()
         {
             var session = NewSession();
             var nudge = Following(session);

@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core.Simulation
         [TestCase("lossy", 0.92, 5)]
         [TestCase("cellular", 0.92, 8)]
         [TestCase("bad", 0.8, 30)]
-        public void Pose_SlowOrLossyLink_IsCurrentWithinSecondsAndCloseToTheRobot(string link, double minReduction, double synchronisedSeconds)
+        public void Pose_SlowOrLossyLink_IsCurrentWithinSeconds(string link, double minReduction, double synchronisedSeconds)
         {
             var runs = Runs(link, 30);
 
@@ -50,7 +50,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void State_WhileTheClockIsCoarse_StatesMoreThanAMillisecond()
+        public void State_CoarseClock_HasAnErrorAboveAMillisecond()
         {
             foreach (var run in Runs("bad", 10))
             {

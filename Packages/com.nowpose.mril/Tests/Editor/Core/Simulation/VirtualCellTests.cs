@@ -190,8 +190,8 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [TestCase(4.9, 55, 105, 0, 0, "sampling interval")]
-        [TestCase(50, -1, 105, 0, 0, "shortest latency")]
-        [TestCase(50, 55, 54, 0, 0, "longest latency")]
+        [TestCase(50, -1, 105, 0, 0, "minimum latency")]
+        [TestCase(50, 55, 54, 0, 0, "maximum latency")]
         [TestCase(50, 55, 105, 1001, 0, "jitter")]
         [TestCase(50, 55, 105, 0, 1.1, "loss")]
         [TestCase(double.NaN, 55, 105, 0, 0, "sampling interval")]

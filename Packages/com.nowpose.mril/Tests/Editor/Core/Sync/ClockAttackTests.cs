@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase("wifi", 0.05)]
         [TestCase("wifi", 0.5)]
         [TestCase("wifi", 5)]
-        public void Delay_OfOneWayThatGrows_IsNeverBeyondTheBound(string network, double msASecond)
+        public void Delay_OneDirectionGrows_ErrorStaysWithinTheBound(string network, double msASecond)
         {
             for (var seed = FirstSeed; seed < FirstSeed + 4; seed++)
             {
@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Core.Sync
         /// <summary>A ramp within the skew of real quartz clocks cannot be distinguished from one, so the estimate follows it.</summary>
         [TestCase(50)]
         [TestCase(-50)]
-        public void Ramp_OfTheControlClockAsSlowAsAQuartz_IsFollowed(double ppm)
+        public void Ramp_ControlClockAsSlowAsAQuartz_IsFollowed(double ppm)
         {
             for (var seed = FirstSeed; seed < FirstSeed + 4; seed++)
             {

@@ -28,7 +28,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase("busy-wifi", 50, 2)]
         [TestCase("lan", 0.5, 4)]
         [TestCase("lan", -0.5, 4)]
-        public void Step_OfTheControlClock_IsFoundOnceAndInTime(string network, double stepMs, double limitSeconds)
+        public void Step_ControlClock_IsDetectedOnceInTime(string network, double stepMs, double limitSeconds)
         {
             for (var seed = FirstSeed; seed < FirstSeed + 6; seed++)
             {
@@ -43,12 +43,12 @@ namespace Nowpose.Tests.Core.Sync
                 run.Run(link, 90 + limitSeconds, 110);
 
                 Assert.That(run.Clock.Steps, Is.EqualTo(1), "found again; seed " + seed);
-                Assert.That(run.PercentileMs(100, 0.95), Is.LessThan(network == "busy-wifi" ? 0.8 : 0.2), "it starts anew with the old skew; seed " + seed);
+                Assert.That(run.PercentileMs(100, 0.95), Is.LessThan(network == "busy-wifi" ? 0.8 : 0.2), "it restarts with the earlier skew; seed " + seed);
             }
         }
 
         [Test]
-        public void Step_OfHalfAMillisecondOverWifi_IsMostlyFoundWithinSixSeconds()
+        public void Step_HalfAMillisecondOverWifi_IsUsuallyDetectedWithinSixSeconds()
         {
             var found = 0;
             for (var seed = FirstSeed; seed < FirstSeed + 20; seed++)
@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Sync
 
         [TestCase("wifi", false)]
         [TestCase("busy-wifi", true)]
-        public void Steps_AnHourWithoutOne_AreNoneAndTheBoundHolds(string network, bool isLoaded)
+        public void Steps_HourWithoutAStep_AreZeroAndTheBoundHolds(string network, bool isLoaded)
         {
             var run = new SyncRun(new EnvelopeClockEstimator());
 
@@ -96,7 +96,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase("lan", -0.1)]
         [TestCase("wifi", 4)]
         [TestCase("wifi", -1)]
-        public void Steps_OneWayPathThatChanges_AreNone(string network, double upMs)
+        public void Steps_OneDirectionChanges_AreZero(string network, double upMs)
         {
             for (var seed = FirstSeed; seed < FirstSeed + 6; seed++)
             {
@@ -115,7 +115,7 @@ namespace Nowpose.Tests.Core.Sync
 
         /// <summary>Both bounds move in the direction of a step, but by different amounts: the minimum round-trip time changes.</summary>
         [Test]
-        public void Steps_DirectionsThatChangeOppositelyByDifferentAmounts_AreNone(
+        public void Steps_DirectionsChangeOppositelyByDifferentAmounts_AreZero(
             [Values("lan", "wifi", "busy-wifi")] string network, [Values(4.0, 1.0)] double longer, [Values(true, false)] bool isUpLonger)
         {
             var shorter = 5 - longer;
@@ -135,9 +135,9 @@ namespace Nowpose.Tests.Core.Sync
             }
         }
 
-        /// <summary>The exchanges are the same as with a step of 4 ms, so nothing can tell the two apart.</summary>
+        /// <summary>The exchanges are the same as with a step of 4 ms, so the two cannot be distinguished.</summary>
         [Test]
-        public void Steps_DirectionsThatChangeOppositelyByTheSameAmount_AreCounted()
+        public void Steps_DirectionsChangeOppositelyByTheSameAmount_AreCounted()
         {
             var link = Link("wifi", FirstSeed);
             link.LongerDownMs = 4;
@@ -151,7 +151,7 @@ namespace Nowpose.Tests.Core.Sync
 
         [TestCase(300)]
         [TestCase(-600)]
-        public void Steps_OtherMachinesClockAfterAStep_AreNoMoreThanThatOne(double skewPpm)
+        public void Steps_ClockOfAnotherMachine_AreOne(double skewPpm)
         {
             foreach (var network in NetworkProfile.All)
             {

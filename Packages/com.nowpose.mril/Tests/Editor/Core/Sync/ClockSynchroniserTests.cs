@@ -26,7 +26,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase("lan", 0, 0.2)]
         [TestCase("wifi", 0, 0.8)]
         [TestCase("busy-wifi", 0.02, 3)]
-        public void State_OnceSynchronised_TheErrorIsWhatTheSettingsPromise(string network, double loss, double limitMs)
+        public void State_Synchronised_ErrorIsWithinTheSettings(string network, double loss, double limitMs)
         {
             for (var seed = 0; seed < 12; seed++)
             {
@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void State_SilentNetwork_IsHoldoverWithAGrowingBoundThatHolds()
+        public void State_SilentNetwork_IsHoldoverWithAGrowingValidBound()
         {
             var link = new SimulatedLink(NetworkProfile.Wifi, 2, -60, driftPpm: 2);
             var run = NewRun();
@@ -100,7 +100,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void State_ServerErrorBoundPeaksOnce_IsSynchronisedAgainAtOnce()
+        public void State_ServerErrorBoundPeaksOnce_IsSynchronisedAgainImmediately()
         {
             var run = new SyncRun(ClockEstimators.Create(ClockEstimators.Default));
 
@@ -149,7 +149,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Add_ServerThatIsNotOfOneMind_NeverOverflows()
+        public void Add_ContradictoryServer_DoesNotOverflow()
         {
             var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
             var contradictions = 0;
@@ -167,7 +167,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Step_WhileTheDeviceSlept_IsDoubtedAtOnce()
+        public void Step_WhileTheDeviceSlept_IsConvergingImmediately()
         {
             var link = new SimulatedLink(NetworkProfile.Wifi, 12, 20);
             var run = NewRun();
@@ -184,7 +184,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase(50)]
         [TestCase(-50)]
         [TestCase(86_400_000)]
-        public void Step_OfTheControlClock_IsFoundWithinASecondAndStartsAnew(int stepMs)
+        public void Step_ControlClock_IsDetectedWithinASecondAndRestarts(int stepMs)
         {
             var link = new SimulatedLink(NetworkProfile.Wifi, 3, 20);
             var run = NewRun();
@@ -200,7 +200,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Step_WhileItIsBeingFound_TheStateAndTheBoundAdmitTheDoubt()
+        public void Step_UntilItIsConfirmed_BoundIncludesItAndClockConverges()
         {
             var link = new SimulatedLink(NetworkProfile.Lan, 5, 20);
             var run = NewRun();
@@ -219,7 +219,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase(-600, 0.2)]
         [TestCase(150, 2)]
         [TestCase(150, 10)]
-        public void Steps_FastOrSlowClocks_AreNone(double skewPpm, double intervalSeconds)
+        public void Steps_FastOrSlowClocks_AreZero(double skewPpm, double intervalSeconds)
         {
             foreach (var network in NetworkProfile.All)
             {
@@ -232,7 +232,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void State_AfterALongSleep_SettlesAnew()
+        public void State_AfterALongSleep_ConvergesAgain()
         {
             var link = new SimulatedLink(NetworkProfile.Wifi, 8, 60, driftPpm: 2);
             var run = NewRun();
@@ -248,7 +248,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void ErrorBound_FewExchangesLongAgo_CountsOnNoSkew()
+        public void ErrorBound_FewExchangesLongAgo_IncludesTheUnknownSkew()
         {
             var link = new SimulatedLink(NetworkProfile.Lan, 9, 80);
             var run = NewRun();
@@ -261,7 +261,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void ErrorBound_ControlClockThatSaysItsCoarseResolution_Holds()
+        public void ErrorBound_ControlClockStatesItsCoarseResolution_Holds()
         {
             var run = NewRun();
             var link = new SimulatedLink(NetworkProfile.Lan, 10, 30) { Resolution = TimeSpan.FromMilliseconds(1) };
@@ -273,7 +273,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Add_RandomTimes_NeverBreaksTheModel()
+        public void Add_RandomTimes_KeepsTheModelValid()
         {
             var random = new Random(11);
             var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
@@ -290,7 +290,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Add_OneWildExchange_IsSetAsideAndForgotten()
+        public void Add_OneOutlier_IsExcludedAndForgotten()
         {
             var link = new SimulatedLink(NetworkProfile.Wifi, 4, 20);
             var run = NewRun();
@@ -320,7 +320,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void State_ServerSaysItIsNotSynchronised_StaysConverging()
+        public void State_ServerIsNotSynchronised_StaysConverging()
         {
             var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
             for (var i = 0; i < 50; i++)
@@ -334,7 +334,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void ErrorBound_ServerAddsItsOwn_IsWider()
+        public void ErrorBound_ServerStatesABound_IsWider()
         {
             TimeSpan BoundWith(TimeSpan server)
             {

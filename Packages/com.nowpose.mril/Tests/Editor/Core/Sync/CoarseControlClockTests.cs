@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Sync
         static readonly double[] Skews = { -80, -24, 0, 12, 30, 200 };
 
         [Test, Combinatorial]
-        public void ErrorBound_AtTheClientsPace_HoldsAndIsNoStep(
+        public void ErrorBound_AtTheClientsPace_HoldsWithoutAClockStep(
             [ValueSource(nameof(Resolutions))] double resolutionMs, [ValueSource(nameof(Skews))] double skewPpm, [Values(0, 1.2)] double latestMs)
         {
             var seed = 600 + (int)skewPpm;
@@ -32,7 +32,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test, Combinatorial]
-        public void ErrorBound_ExchangesThatMeetOnePartOfTheStep_HoldsAndIsNoStep(
+        public void ErrorBound_ExchangesAtOnePartOfTheStep_HoldsWithoutAClockStep(
             [ValueSource(nameof(Resolutions))] double resolutionMs, [ValueSource(nameof(Skews))] double skewPpm,
             [Values("lan", "wifi")] string network)
         {
@@ -50,7 +50,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase(1, 5)]
         [TestCase(4, 20)]
         [TestCase(10, -50)]
-        public void Steps_OfSeveralResolutions_AreStillFound(double resolutionMs, double stepMs)
+        public void Steps_SeveralResolutions_AreDetected(double resolutionMs, double stepMs)
         {
             var link = new SimulatedLink(NetworkProfile.Lan, 800, 20) { Resolution = Lengths.Ms(resolutionMs) };
             var run = new PacedRun();
@@ -64,7 +64,7 @@ namespace Nowpose.Tests.Core.Sync
 
         /// <summary>The gateway serves another clock from now on, or a simulation changes its steps.</summary>
         [Test, Combinatorial]
-        public void ErrorBound_ResolutionThatChanges_HoldsAndIsNoStep(
+        public void ErrorBound_ResolutionChanges_HoldsWithoutAClockStep(
             [Values(0, 1, 10, 50)] double beforeMs, [Values(0, 1, 10, 50)] double afterMs, [Values("lan", "wifi")] string network)
         {
             var link = new SimulatedLink(NetworkProfile.Named(network), 810, 20) { Resolution = Lengths.Ms(beforeMs) };
@@ -85,7 +85,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase("wifi", 0.1)]
         [TestCase("lan", 3)]
         [TestCase("wifi", 3)]
-        public void ErrorBound_ResolutionOverstatedForAWhile_HoldsAndIsNoStep(string network, double seconds)
+        public void ErrorBound_ResolutionOverstatedForAWhile_HoldsWithoutAClockStep(string network, double seconds)
         {
             for (var seed = 820; seed < 824; seed++)
             {

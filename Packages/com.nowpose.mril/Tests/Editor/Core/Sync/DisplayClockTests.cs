@@ -32,7 +32,7 @@ namespace Nowpose.Tests.Core.Sync
                 var display = new DisplayClock();
                 SyncExchange? underway = null;
                 ControlTime? last = null;
-                var least = TimeSpan.MaxValue;
+                var min = TimeSpan.MaxValue;
                 var next = 0.0;
                 for (var s = 0.0; s < 30; s += 2 * random.NextDouble() / callsPerSecond)
                 {
@@ -51,10 +51,10 @@ namespace Nowpose.Tests.Core.Sync
                     var shown = display.Follow(clock.ModelAt(now), now);
                     if (!shown.IsKnown) continue;
                     var control = shown.ToControl(now);
-                    if (last.HasValue && control - last.Value < least) least = control - last.Value;
+                    if (last.HasValue && control - last.Value < min) min = control - last.Value;
                     last = control;
                 }
-                Assert.That(least, Is.GreaterThanOrEqualTo(TimeSpan.Zero), "seed " + seed);
+                Assert.That(min, Is.GreaterThanOrEqualTo(TimeSpan.Zero), "seed " + seed);
                 Assert.That(clock.Steps, Is.EqualTo(0), "seed " + seed);
             }
         }
@@ -72,7 +72,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Follow_WhileItSlews_TheBoundHoldsWhatIsMissing()
+        public void Follow_WhileSlewing_BoundIncludesTheRemainingCorrection()
         {
             var clock = new DisplayClock();
             clock.Follow(Model(10), HeadsetTime.FromSeconds(0));
@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Sync
 
         [TestCase(10)]
         [TestCase(-10)]
-        public void Follow_WhileConverging_IsQuickAndNeverStands(int correctionMs)
+        public void Follow_WhileConverging_IsFastAndAlwaysAdvances(int correctionMs)
         {
             var clock = new DisplayClock();
             ShownMs(clock, Model(0, ClockState.Converging), 0);
@@ -95,7 +95,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Follow_AStep_IsTakenOverAtOnce()
+        public void Follow_ClockStep_IsAppliedImmediately()
         {
             var clock = new DisplayClock();
             ShownMs(clock, Model(0), 0);
@@ -104,12 +104,12 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Follow_AfterALongPause_IsWhatIsBelieved()
+        public void Follow_AfterALongPause_EqualsTheEstimate()
         {
             var clock = new DisplayClock();
             ShownMs(clock, Model(0), 0);
 
-            Assert.That(ShownMs(clock, Model(20), 60), Is.EqualTo(20), "the headset slept: nobody saw the time between");
+            Assert.That(ShownMs(clock, Model(20), 60), Is.EqualTo(20), "the headset slept: no frame was shown between");
         }
 
         [Test]
@@ -124,7 +124,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Follow_Unknown_SaysSo()
+        public void Follow_UnknownClock_IsUnknown()
         {
             Assert.That(new DisplayClock().Follow(default, HeadsetTime.FromSeconds(1)).IsKnown, Is.False);
         }

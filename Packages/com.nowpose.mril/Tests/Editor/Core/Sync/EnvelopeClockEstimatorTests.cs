@@ -83,7 +83,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase(-1.7e9)]
         [TestCase(0)]
         [TestCase(4e9)]
-        public void Error_EpochsFarApart_IsTheSame(double epoch)
+        public void Error_DistantEpochs_IsUnchanged(double epoch)
         {
             var link = new SimulatedLink(NetworkProfile.Lan, FirstSeed, 40, controlEpoch: epoch);
 
@@ -147,7 +147,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Line_AfterRestart_KnowsNothingButExpectsTheSkew()
+        public void Line_AfterRestart_IsEmptyAndStartsWithTheEarlierSkew()
         {
             var estimator = new EnvelopeClockEstimator();
             var link = Link("lan", FirstSeed + 3);

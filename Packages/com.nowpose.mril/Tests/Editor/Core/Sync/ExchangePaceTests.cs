@@ -12,7 +12,7 @@ namespace Nowpose.Tests.Core.Sync
         static SimulatedLink Link(string network, int seed = 400) => new SimulatedLink(NetworkProfile.Named(network), seed, 35, 2, driftPeriod: 400);
 
         [Test]
-        public void Next_QuietNetwork_IsQuickAtTheStartAndSlowWhenSettled()
+        public void Next_QuietNetwork_IsFastAtTheStartAndSlowWhenSettled()
         {
             var run = new PacedRun();
 
@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Sync
 
         [TestCase("wifi", 0.05)]
         [TestCase("busy-wifi", 0.12)]
-        public void Next_Wifi_StaysAtTheUsualPaceForMoreDoesHelp(string network, double limitMs)
+        public void Next_Wifi_StaysAtTheConfiguredPace(string network, double limitMs)
         {
             var run = new PacedRun();
 
@@ -37,7 +37,17 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Next_AfterAStep_IsQuickAgain()
+        public void Next_ConstantPace_IsTheUsualIntervalFromTheStart()
+        {
+            var clock = new ClockSynchroniser(ClockEstimators.Create(ClockEstimators.Default), ClockSettings.Default);
+            var pace = new ExchangePace(TimeSpan.FromMilliseconds(200), TimeSpan.FromSeconds(2), new Random(1), isConstant: true);
+
+            foreach (var second in new[] { 0, 1, 60, 200 })
+                Assert.That(pace.Next(clock, HeadsetTime.FromSeconds(second)), Is.EqualTo(TimeSpan.FromMilliseconds(200)));
+        }
+
+        [Test]
+        public void Next_AfterAStep_IsFastAgain()
         {
             var link = Link("lan");
             var run = new PacedRun();
@@ -51,7 +61,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Next_AfterASilence_IsQuickForAWhile()
+        public void Next_AfterASilence_IsFastForAWhile()
         {
             var link = Link("wifi");
             var run = new PacedRun();
@@ -65,7 +75,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Next_SlowerSetting_IsNeverTakenForASilence()
+        public void Next_SlowerSetting_DoesNotCountAsSilence()
         {
             var run = new PacedRun(usualMs: 500);
 
@@ -78,7 +88,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase(20)]
         [TestCase(200)]
         [TestCase(10_000)]
-        public void Next_WhateverIsSet_TheServerBearsIt(double usualMs)
+        public void Next_AnySetting_StaysWithinTheServersRateLimit(double usualMs)
         {
             var run = new PacedRun(usualMs);
 
@@ -106,7 +116,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Next_ServerThatClaimsAnAbsurdResolution_IsStillQuick()
+        public void Next_ServerStatesAnImplausibleResolution_IsStillFast()
         {
             var link = Link("lan");
             link.Resolution = TimeSpan.FromSeconds(4);

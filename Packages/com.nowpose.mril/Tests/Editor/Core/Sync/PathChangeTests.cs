@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Error_OneDirectionBecomesLonger_StaysWithinTheLimitThatPhysicsSets(
+        public void Error_OneDirectionBecomesLonger_StaysWithinThePhysicalLimit(
             [Values("lan", "wifi", "busy-wifi")] string network, [Values(2.0, 4.0, 20.0)] double changeMs, [Values(true, false)] bool isUp)
         {
             for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Core.Sync
 
         [TestCase("lan")]
         [TestCase("wifi")]
-        public void Error_OneDirectionBecomesLonger_IsAsSmallAsBefore(string network)
+        public void Error_OneDirectionBecomesLonger_IsUnchanged(string network)
         {
             for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
             {
@@ -67,7 +67,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase("wifi", 4, 2)]
         [TestCase("wifi", 1, 8)]
         [TestCase("busy-wifi", 6, 2)]
-        public void Error_BothDirectionsBecomeLonger_StaysWithinTheLimitThatPhysicsSets(string network, double upMs, double downMs)
+        public void Error_BothDirectionsBecomeLonger_StaysWithinThePhysicalLimit(string network, double upMs, double downMs)
         {
             for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
             {
@@ -83,7 +83,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase("wifi", 4)]
         [TestCase("busy-wifi", 4)]
         [TestCase("wifi", 20)]
-        public void Error_PathChangesAndChangesBack_StaysWithinTheLimitThatPhysicsSets(string network, double changeMs)
+        public void Error_PathChangesAndChangesBack_StaysWithinThePhysicalLimit(string network, double changeMs)
         {
             for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
             {
@@ -101,7 +101,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase("busy-wifi", -0.5)]
         [TestCase("busy-wifi", 0.5)]
         [TestCase("busy-wifi", 4)]
-        public void EstimatedError_ChangeThatMayBeTooSmallToRecognise_Holds(string network, double changeMs)
+        public void EstimatedError_ChangeTooSmallToRecognise_Holds(string network, double changeMs)
         {
             for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
             {
@@ -132,7 +132,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Error_DirectionBecomesShorterThanEver_MovesByHalfAndSaysSo()
+        public void Error_DirectionBecomesShorterThanBefore_ChangesByHalfWithinTheEstimatedError()
         {
             const string network = "wifi";
             const double changeMs = 1;

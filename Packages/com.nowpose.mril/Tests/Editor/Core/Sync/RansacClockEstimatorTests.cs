@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Error_GoodWifi_StaysAsPublished()
+        public void Error_GoodWifi_MatchesThePaper()
         {
             var error = Worst(NetworkProfile.Wifi, 0, 10);
 
@@ -96,7 +96,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Line_AfterRestart_KnowsNothing()
+        public void Line_AfterRestart_IsEmpty()
         {
             var estimator = new RansacClockEstimator(RansacSettings.Paper);
             estimator.Add(new SyncExchange(default, default, default, HeadsetTime.FromSeconds(0.01)));

@@ -32,7 +32,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase(0.5, 9.0)]
         [TestCase(20.0, 1.0)]
         [TestCase(0, 30)]
-        public void Offset_AsymmetricPath_ErrsByHalfTheDifferenceAndAtMostHalfTheRoundTrip(double upMs, double downMs)
+        public void Offset_AsymmetricPath_ErrorIsHalfTheDifference(double upMs, double downMs)
         {
             var offset = new ClockOffset(Seconds(1234.5));
 
@@ -67,7 +67,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase(0, 5, 17, 10, SyncExchangeFault.NegativeRoundTrip)]
         [TestCase(0, 5, 6, 10, SyncExchangeFault.None)]
         [TestCase(0, 5, 15, 10, SyncExchangeFault.None)]
-        public void Check_EachRule_IsNamed(int t1Ms, int t2Ms, int t3Ms, int t4Ms, object expected)
+        public void Check_EachViolatedRule_IsReported(int t1Ms, int t2Ms, int t3Ms, int t4Ms, object expected)
         {
             var exchange = new SyncExchange(
                 new HeadsetTime(Ms(t1Ms)), new ControlTime(Ms(t2Ms)), new ControlTime(Ms(t3Ms)), new HeadsetTime(Ms(t4Ms)));

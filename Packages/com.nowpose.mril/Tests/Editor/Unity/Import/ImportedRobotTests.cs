@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Unity.Import
         [TestCase(Robots + "youbot.urdf")]
         [TestCase(Robots + "ur5.urdf")]
         [TestCase(OddAxes)]
-        public void Prefab_OfAnImportedRobot_MatchesForwardKinematics(string path)
+        public void Prefab_ImportedRobot_MatchesForwardKinematics(string path)
         {
             var model = AssetDatabase.LoadAssetAtPath<RobotDescriptionAsset>(path).Read();
             var robot = Object.Instantiate(AssetDatabase.LoadAssetAtPath<GameObject>(path));
@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Unity.Import
 
         [TestCase(Robots + "youbot.urdf")]
         [TestCase(Robots + "ur5.urdf")]
-        public void Prefab_OfAnImportedRobot_ShowsEveryVisual(string path)
+        public void Prefab_ImportedRobot_ShowsEveryVisual(string path)
         {
             var visuals = 0;
             foreach (var link in AssetDatabase.LoadAssetAtPath<RobotDescriptionAsset>(path).Read().Links) visuals += link.Visuals.Count;

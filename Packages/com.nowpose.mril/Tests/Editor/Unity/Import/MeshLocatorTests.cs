@@ -70,19 +70,19 @@ namespace Nowpose.Tests.Unity.Import
                 "Assets/other/meshes/a.stl",
                 "Packages/other/meshes/a.stl",
             }));
-            Assert.That(found.Fault, Does.StartWith("'package://other/meshes/a.stl' was not found; it was looked for at Assets/Robots/"));
+            Assert.That(found.Fault, Does.StartWith("'package://other/meshes/a.stl' was not found; searched at Assets/Robots/"));
         }
 
-        [TestCase("../../../../a.stl", "lies outside of the project's Assets and Packages; copy it beside the URDF")]
-        [TestCase("../../../../../a.stl", "lies outside of the project's")]
-        [TestCase("/projects/meshes/a.stl", "lies outside of the project's")]
-        [TestCase("/projects/project/Library/a.stl", "lies outside of the project's")]
-        [TestCase("/projects/project/Assets/../../a.stl", "lies outside of the project's")]
-        [TestCase("D:/meshes/a.stl", "lies outside of the project's")]
-        [TestCase("http://example.org/a.stl", "is not a file")]
-        [TestCase("package://other", "names no file in a package")]
-        [TestCase("package://other/", "names no file in a package")]
-        [TestCase("package:///a.stl", "names no file in a package")]
+        [TestCase("../../../../a.stl", "is outside the project's Assets and Packages; copy it beside the URDF")]
+        [TestCase("../../../../../a.stl", "is outside the project's")]
+        [TestCase("/projects/meshes/a.stl", "is outside the project's")]
+        [TestCase("/projects/project/Library/a.stl", "is outside the project's")]
+        [TestCase("/projects/project/Assets/../../a.stl", "is outside the project's")]
+        [TestCase("D:/meshes/a.stl", "is outside the project's")]
+        [TestCase("http://example.org/a.stl", "is not supported")]
+        [TestCase("package://other", "does not name a file in a package")]
+        [TestCase("package://other/", "does not name a file in a package")]
+        [TestCase("package:///a.stl", "does not name a file in a package")]
         [TestCase("$(find other)/a.stl", "is not a path; expand the file with xacro first")]
         public void Find_PathOutsideTheProject_ReturnsTheFault(string name, string fault)
         {

@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Unity.Import
         [TestCase("<up_axis> Z_UP\n</up_axis>", 2)]
         [TestCase("", 1)]
         [TestCase("<up_axis/>", 1)]
-        public void UpAxis_Collada_IsThatOfTheFile(string entry, int axis)
+        public void UpAxis_Collada_MatchesTheFile(string entry, int axis)
         {
             Assert.That((int)OfText(Collada(entry), ".DAE"), Is.EqualTo(axis));
         }
@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Unity.Import
         }
 
         [Test]
-        public void UpAxis_ColladaWithAnAssetOfAGeometry_IsThatOfTheDocument()
+        public void UpAxis_ColladaGeometryWithAsset_MatchesTheDocument()
         {
             Assert.That(OfText(Collada("", "<asset><up_axis>Z_UP</up_axis></asset>"), ".dae"), Is.EqualTo(UpAxis.Y));
         }
@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Unity.Import
         [TestCase("P: \"UpAxis\", \"int\", \"Integer\", \"\",0\n", 0)]
         [TestCase("P: \"UpAxisSign\", \"int\", \"Integer\", \"\",2\n", 1)]
         [TestCase("P: \"UpAxis\", \"int\", \"Integer\", \"\",up\n", 1)]
-        public void UpAxis_TextFbx_IsThatOfTheFile(string line, int axis)
+        public void UpAxis_TextFbx_MatchesTheFile(string line, int axis)
         {
             Assert.That((int)OfText("; FBX 7.4.0 project file\nGlobalSettings: {\n" + line + "}", ".fbx"), Is.EqualTo(axis));
         }
@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Unity.Import
         [TestCase(0)]
         [TestCase(1)]
         [TestCase(2)]
-        public void UpAxis_BinaryFbx_IsThatOfTheFile(int axis)
+        public void UpAxis_BinaryFbx_MatchesTheFile(int axis)
         {
             var content = Binary(("OriginalUpAxis", 0), ("UpAxisSign", 2), ("UpAxis", axis), ("FrontAxis", 2));
 

@@ -81,20 +81,20 @@ namespace Nowpose.Tests.Unity.Import
         [TestCase("", "a.stl, byte 0: the file ends within its header")]
         [TestCase("soli", "a.stl, byte 4: the file ends within its header")]
         [TestCase("solid empty\nendsolid\n", "a.stl: the mesh has no triangles")]
-        [TestCase("solid a\n", "a.stl:1: the file ends without endsolid; it is cut short")]
-        [TestCase("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", "a.stl:4: the file ends without endsolid; it is cut short")]
-        [TestCase("solid a\nfacet\nvertex 0 0\n", "a.stl:3: a vertex has 2 numbers, it needs 3")]
+        [TestCase("solid a\n", "a.stl:1: the file ends without endsolid; it is incomplete, export it again")]
+        [TestCase("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", "a.stl:4: the file ends without endsolid; it is incomplete, export it again")]
+        [TestCase("solid a\nfacet\nvertex 0 0\n", "a.stl:3: a vertex has 2 numbers; it needs 3")]
         [TestCase("solid a\nfacet\nvertex 0 0 nan\n", "a.stl:3: 'nan' is not a finite number")]
         [TestCase("solid a\nfacet\nvertex 0 0 1e99\n", "a.stl:3: '1e99' is not a finite number")]
         [TestCase("solid a\nfacet\nvertex 0 0 1,5\n", "a.stl:3: '1,5' is not a finite number")]
-        [TestCase("solid a\nvertex 0 0 0\n", "a.stl:2: a vertex outside of a facet")]
-        [TestCase("solid a\nfacet\nfacet\n", "a.stl:3: a facet outside of a solid, or within another facet")]
-        [TestCase("solid a\nfacet\nendsolid\n", "a.stl:3: endsolid without its solid, or within a facet")]
-        [TestCase("solid a\nfacet\nvertex 0 0 0\nvertex 1 0 0\nendfacet\n", "a.stl:5: the facet has 2 corners, it needs 3")]
-        [TestCase("solid a\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n", "a.stl:6: a fourth corner; a facet has 3")]
-        [TestCase("solid a\nendfacet\n", "a.stl:2: endfacet without its facet")]
-        [TestCase("solid a\nouter loop\n", "a.stl:2: a loop outside of a facet")]
-        [TestCase("solid a\nsolid b\n", "a.stl:2: a solid within a solid")]
+        [TestCase("solid a\nvertex 0 0 0\n", "a.stl:2: a vertex is outside a facet")]
+        [TestCase("solid a\nfacet\nfacet\n", "a.stl:3: a facet is outside a solid, or inside another facet")]
+        [TestCase("solid a\nfacet\nendsolid\n", "a.stl:3: endsolid without a solid, or inside a facet")]
+        [TestCase("solid a\nfacet\nvertex 0 0 0\nvertex 1 0 0\nendfacet\n", "a.stl:5: the facet has 2 corners; it needs 3")]
+        [TestCase("solid a\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n", "a.stl:6: the facet has a fourth corner; it needs 3")]
+        [TestCase("solid a\nendfacet\n", "a.stl:2: endfacet without a facet")]
+        [TestCase("solid a\nouter loop\n", "a.stl:2: endloop outside a facet")]
+        [TestCase("solid a\nsolid b\n", "a.stl:2: a solid is inside another solid")]
         [TestCase("solid a\n\nbox 1 2 3\n", "a.stl:3: 'box' is not a keyword of the STL format")]
         public void Read_InvalidText_ThrowsWithThePosition(string text, string message) => Refuses(Encoding.UTF8.GetBytes(text), message);
 
@@ -117,7 +117,7 @@ namespace Nowpose.Tests.Unity.Import
         {
             var content = Binary(header, Lower, Upper);
 
-            Refuses(content.Take(content.Length - 1).ToArray(), "a.stl, byte 80: 2 triangles take 184 bytes, the file has 183; it is cut short");
+            Refuses(content.Take(content.Length - 1).ToArray(), "a.stl, byte 80: 2 triangles take 184 bytes, the file has 183; it is incomplete, export it again");
         }
 
         [Test]
@@ -135,7 +135,7 @@ namespace Nowpose.Tests.Unity.Import
             var content = Binary("exported", Lower);
             content[80] = content[81] = content[82] = content[83] = 0xFF;
 
-            Refuses(content, "a.stl, byte 80: 4294967295 triangles or more, at most 1000000 are read");
+            Refuses(content, "a.stl, byte 80: 4294967295 triangles or more; the maximum is 1000000");
         }
 
         [TestCase(float.NaN)]
@@ -150,16 +150,16 @@ namespace Nowpose.Tests.Unity.Import
         }
 
         [Test]
-        public void ReadFile_LargerThanTheLimit_IsRefusedUnread()
+        public void ReadFile_LargerThanTheLimit_IsRefusedWithoutReading()
         {
             var path = Path.GetTempFileName();
             try
             {
-                using (var file = File.OpenWrite(path)) file.SetLength(StlReader.LargestFile + 1);
+                using (var file = File.OpenWrite(path)) file.SetLength(StlReader.MaxFileBytes + 1);
 
                 var error = Assert.Throws<InputException>(() => StlReader.ReadFile(path, "a.stl"));
 
-                Assert.That(error.Message, Does.StartWith("a.stl: 314572801 bytes, at most 314572800 are read"));
+                Assert.That(error.Message, Does.StartWith("a.stl: 314572801 bytes; the maximum is 314572800"));
             }
             finally
             {

@@ -53,9 +53,9 @@ namespace Nowpose.Tests.Unity.Inspectors
             var series = new RollingSeries(capacity: 10, seconds: 5);
             foreach (var value in new double?[] { null, 3, -2, null }) series.Add(series.Count, value);
 
-            Assert.That(series.TryGetRange(out var least, out var greatest));
-            Assert.That(least, Is.EqualTo(-2));
-            Assert.That(greatest, Is.EqualTo(3));
+            Assert.That(series.TryGetRange(out var min, out var max));
+            Assert.That(min, Is.EqualTo(-2));
+            Assert.That(max, Is.EqualTo(3));
             Assert.That(series.Newest, Is.NaN);
         }
 

@@ -50,7 +50,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Rows_OfARunningSession_HaveValuesWithUnits()
+        public void Rows_RunningSession_HaveValuesWithUnits()
         {
             var cell = new SimulatedSession(NetworkProfile.Wifi, seed: 3);
             cell.Run(20);

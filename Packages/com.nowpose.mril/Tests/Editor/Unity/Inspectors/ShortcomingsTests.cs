@@ -19,7 +19,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         public void Session_WithoutSettings_IsReported()
         {
             var session = _scene.New<MrilSession>("Session");
-            Assert.That(Of(session).Single().Message, Is.EqualTo("It has no settings and cannot start, unless a script gives it some."));
+            Assert.That(Of(session).Single().Message, Is.EqualTo("It has no settings and cannot start. Assign settings, or let a script provide them."));
 
             session.With("_settings", _scene.Asset<SessionSettingsAsset>("Settings"));
 
@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Unity.Inspectors
             var rig = _scene.New<RobotRig>("Robot");
 
             var shortcoming = Of(rig).Single();
-            Assert.That(shortcoming.Message, Does.StartWith("No session on this object or a parent"));
+            Assert.That(shortcoming.Message, Does.StartWith("There is no session on this object or a parent"));
             Assert.That(shortcoming.FixLabel, Is.EqualTo("Use 'The Session'"));
             shortcoming.Fix();
 
@@ -86,7 +86,7 @@ namespace Nowpose.Tests.Unity.Inspectors
             _scene.New<TextMesh>("Cell", panel.transform);
 
             Assert.That(Of(panel).Select(s => s.FixLabel), Is.EqualTo(new[] { null, "Use 'Cell'" }));
-            Assert.That(Of(_scene.New<PoseAppearance>("Looks")).Single().Message, Does.StartWith("No session"));
+            Assert.That(Of(_scene.New<PoseAppearance>("Looks")).Single().Message, Does.StartWith("There is no session"));
         }
 
         [Test]
@@ -100,7 +100,7 @@ namespace Nowpose.Tests.Unity.Inspectors
 
             part.sharedMaterial = _scene.Material("Steel");
             var shortcoming = Of(appearance).Single();
-            Assert.That(shortcoming.Message, Does.StartWith("Parts below it have materials that cannot be drawn fainter"));
+            Assert.That(shortcoming.Message, Does.StartWith("Some parts have materials that cannot fade"));
             Assert.That(shortcoming.FixLabel, Is.EqualTo("Use 'Hologram'"));
             shortcoming.Fix();
 

@@ -18,8 +18,8 @@ namespace Nowpose.Tests.Unity.Robot
             var positions = new double[model.MovingJoints.Count];
             for (var i = 0; i < positions.Length; i++)
             {
-                var greatest = model.MovingJoints[i].Kind == JointKind.Prismatic ? 0.5 : 2 * Math.PI;
-                positions[i] = (2 * random.NextDouble() - 1) * greatest;
+                var max = model.MovingJoints[i].Kind == JointKind.Prismatic ? 0.5 : 2 * Math.PI;
+                positions[i] = (2 * random.NextDouble() - 1) * max;
             }
             model.CompleteMimics(positions, new bool[positions.Length]);
             return positions;

@@ -180,7 +180,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Bind_AnotherRobot_RemovesTheBuiltOne()
+        public void Bind_AnotherRobot_RemovesTheBuiltRobot()
         {
             var rig = NewRig();
             rig.Bind(UrdfFiles.Robot("ur5"));
@@ -195,7 +195,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Bind_SameRobotAgain_KeepsTheBuiltOne()
+        public void Bind_SameRobotAgain_KeepsTheBuiltRobot()
         {
             var model = UrdfFiles.Robot("ur5");
             var rig = NewRig();

@@ -157,7 +157,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Unmount_FingersOpen_AreAtRestWithoutStoredState()
+        public void Unmount_FingersOpen_ReturnsThemToRest()
         {
             _rig.Bind(UrdfFiles.Robot("youbot"));
             var rest = _left.localPosition;

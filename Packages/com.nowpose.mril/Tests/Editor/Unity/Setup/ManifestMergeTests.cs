@@ -11,7 +11,7 @@ namespace Nowpose.Tests.Unity.Setup
         const string File = "Packages/manifest.json";
         const string Url = "https://pkgs.dev.azure.com/aipmr/MixedReality-Unity-Packages/_packaging/Unity-packages/npm/registry/";
 
-        static readonly PackageOrigin Plain = PackageOrigin.OfUnity("com.unity.b", "2.0.0", least: "1.5.0", below: "3.0.0");
+        static readonly PackageOrigin Plain = PackageOrigin.OfUnity("com.unity.b", "2.0.0", min: "1.5.0", below: "3.0.0");
         static readonly PackageOrigin OpenXr = ProjectNeeds.MixedRealityOpenXr;
 
         static ManifestMerge Merge(string text, PackageOrigin package, ConflictRule rule = ConflictRule.Refuse)
@@ -97,11 +97,11 @@ namespace Nowpose.Tests.Unity.Setup
             var merge = Merge(before, Plain);
 
             Assert.That(merge.Text, Is.EqualTo(before));
-            Assert.That(merge.Notes.Single(), Does.StartWith("com.unity.b stays " + version));
+            Assert.That(merge.Notes.Single(), Does.StartWith("com.unity.b is kept at " + version));
         }
 
         [Test]
-        public void Need_ExactVersion_NamesEveryOther()
+        public void Need_ExactVersion_ReportsEveryOtherVersion()
         {
             var merge = new ManifestMerge("{\"dependencies\":{\"com.unity.b\":\"2.0.1\"}}", File, ConflictRule.Refuse);
 
@@ -111,7 +111,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [Test]
-        public void Need_Twice_ChangesNothingTheSecondTime()
+        public void Need_CalledTwice_ChangesNothingTheSecondTime()
         {
             var once = Merge("{}", OpenXr).Text;
 
@@ -135,7 +135,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [Test]
-        public void Need_ScopeOfAnotherRegistry_IsNamedOrItsUrlReplaced()
+        public void Need_ScopeOfAnotherRegistry_IsReportedOrReplaced()
         {
             const string before =
                 "{\n\"scopedRegistries\":[\n{\"name\":\"x\",\"url\":\"https://old.example\",\"scopes\":[\"com.microsoft.mixedreality\"]}]}";
@@ -162,7 +162,7 @@ namespace Nowpose.Tests.Unity.Setup
             var merge = Merge(before, OpenXr, ConflictRule.Replace);
 
             Assert.That(merge.Text, Is.EqualTo(before));
-            Assert.That(merge.Conflicts.Single(), Does.EndWith("; the registry has other scopes too, so its url stays"));
+            Assert.That(merge.Conflicts.Single(), Does.EndWith("; the registry has other scopes too, so its url is kept"));
             Assert.That(merge.CanReplaceAll, Is.False);
         }
 

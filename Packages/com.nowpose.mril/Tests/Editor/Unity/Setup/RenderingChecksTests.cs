@@ -120,7 +120,7 @@ namespace Nowpose.Tests.Unity.Setup
         [TestCase(0.02f, "Missing", "0.02 m; one step of the depth is 1.72 mm at 1.5 m")]
         [TestCase(0.1f, "Good", "0.1 m")]
         [TestCase(0.3f, "Good", "0.3 m")]
-        [TestCase(0.85f, "Advice", "0.85 m; what is nearer to the eyes is cut off")]
+        [TestCase(0.85f, "Advice", "0.85 m; objects closer to the eyes are not drawn")]
         public void NearClip_MainCamera_IsCheckedByTheDepthResolution(float near, string state, string found)
         {
             _project.NearClipMetres = near;

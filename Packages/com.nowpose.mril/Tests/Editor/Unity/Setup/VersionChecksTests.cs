@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [Test]
-        public void Mrtk3_AllPackagesOfTheTable_IsGood()
+        public void Mrtk3_AllPackagesInstalled_IsGood()
         {
             var project = new FakeProject();
             foreach (var package in ProjectNeeds.Mrtk3) project.Installed[package.Name] = PackageVersion.Read(package.Reference).ToString();

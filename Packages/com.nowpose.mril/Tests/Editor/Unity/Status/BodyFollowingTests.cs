@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(0)]
         [TestCase(90)]
         [TestCase(-170)]
-        public void Next_FirstFrame_IsInFrontOfTheHeadUprightAndReadable(float yaw)
+        public void Next_FirstFrame_IsUprightInFrontOfTheHead(float yaw)
         {
             _following = default;
             var eyes = new Vector3(1, 1.6f, -2);

@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Unity.Status
         public void Clear() => _objects.Destroy();
 
         [Test]
-        public void Update_ViewerMoves_LettersStayAboveHalfADegreeAndRarelyChange()
+        public void Update_ViewerMoves_KeepsTheLettersAboveHalfADegree()
         {
             var random = new System.Random(3);
             var distance = new ReadingDistance();
@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void At_OneMetre_IsTheSizeOfHalfADegree()
+        public void At_OneMetre_SpansHalfADegree()
         {
             Assert.That(LetterSize.At(1) * 1409 / 2048, Is.EqualTo(0.008727).Within(1e-5));
         }

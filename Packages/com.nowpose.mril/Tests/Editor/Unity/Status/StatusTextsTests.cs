@@ -252,7 +252,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(OutsideRangeResponse.Fade)]
         [TestCase(OutsideRangeResponse.GoOn)]
         [TestCase(OutsideRangeResponse.Hold)]
-        public void Update_PoseOutsideRange_HasTheWordsOfTheAppearance(OutsideRangeResponse response)
+        public void Update_PoseOutsideRange_HasTheWordsOfPoseAppearance(OutsideRangeResponse response)
         {
             var row = Row(StatusRow.Pose, ("Pose", PoseState.OutsideRange), ("OutsideRange", response)).Split('|');
 
@@ -290,6 +290,13 @@ namespace Nowpose.Tests.Unity.Status
         public void Update_Reduction_HasItsUncertaintyOnceKnown(double reduction, double? uncertainty, string expected)
         {
             Assert.That(Row(StatusRow.Reduction, ("ToolError", (DisplayedError?)Error(3, 8, reduction, uncertainty))), Is.EqualTo(expected));
+        }
+
+        [TestCase("Reduction")]
+        [TestCase("Error")]
+        public void Update_RangeOutside_NamesItBesideTheMissingError(string row)
+        {
+            Assert.That(Row(Enum.Parse<StatusRow>(row), ("Range", RangeState.Outside)), Is.EqualTo("–|outside range"));
         }
 
         [Test]
@@ -337,7 +344,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [TestCaseSource(nameof(Links))]
-        public void Update_Connections_ShowTheWorseOne(LinkStatus sync, LinkStatus samples, string value, string message)
+        public void Update_Connections_ShowsTheWorseState(LinkStatus sync, LinkStatus samples, string value, string message)
         {
             var texts = new StatusTexts();
 

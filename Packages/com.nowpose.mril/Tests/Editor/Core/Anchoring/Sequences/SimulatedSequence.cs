@@ -75,7 +75,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
                 Normal(NoiseMetres), Normal(NoiseMetres), Normal(NoiseMetres), Normal(NoiseRadians), Normal(NoiseRadians), Normal(NoiseRadians));
         }
 
-        // At another position, or turned about the line of sight.
+        // Returns a wrong pose: at another position, or turned about the line of sight.
         static RigidTransform Outlier(Random random) => random.NextDouble() < 0.5
             ? RigidTransform.FromXyzRpy(0.08, 0, 0.05, 0, 0, 0)
             : RigidTransform.FromXyzRpy(0, 0, 0, 0, 0, 1.6);

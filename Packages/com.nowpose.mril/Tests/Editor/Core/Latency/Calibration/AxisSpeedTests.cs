@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
 
         [TestCase(250)]
         [TestCase(-80)]
-        public void MmPerS_NoisyConstantSpeed_IsThatSpeed(double mmPerS)
+        public void MmPerS_NoisyConstantSpeed_EqualsTheSpeed(double mmPerS)
         {
             var random = new Random(2);
 

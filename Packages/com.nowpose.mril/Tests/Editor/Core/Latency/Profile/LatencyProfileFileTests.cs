@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
             LatencyProfileFile.Save(_path, Profile(60));
 
             Assert.That(afterwards, Is.EqualTo(40));
-            Assert.That(LoadedMs(), Is.EqualTo(60), "what was left does not stand in the way");
+            Assert.That(LoadedMs(), Is.EqualTo(60), "the remaining file does not prevent it");
         }
 
         [Test]
@@ -83,11 +83,11 @@ namespace Nowpose.Tests.Core.Latency.Profile
             File.WriteAllText(_path, Half(File.ReadAllText(_path)));
 
             Assert.That(Assert.Throws<InputException>(() => LatencyProfileFile.Load(_path)).Message,
-                Is.EqualTo(_path + ": not a complete JSON object, so not a latency profile; calibrate again"));
+                Is.EqualTo(_path + ": it is not a complete JSON object; calibrate again"));
         }
 
         [Test]
-        public void Load_HugeFile_IsRefusedUnread()
+        public void Load_HugeFile_IsRefusedWithoutReading()
         {
             Directory.CreateDirectory(_folder);
             File.WriteAllBytes(_path, new byte[1_000_000]);

@@ -28,42 +28,42 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Gpu_UsualSweep_SeesLoad() => AllAre(LoadSight.Seen, Usual, sweep => (t, v) => sweep.GpuMs(t, v));
+        public void Gpu_UsualSweep_RespondsToLoad() => AllAre(LoadSight.Seen, Usual, sweep => (t, v) => sweep.GpuMs(t, v));
 
         [Test]
-        public void Gpu_ShortSweepOfSmallLoads_SeesLoad() =>
+        public void Gpu_ShortSweepOfSmallLoads_RespondsToLoad() =>
             AllAre(LoadSight.Seen, new SweepPlan(300_000, 5, 2, 0), sweep => (t, v) => sweep.GpuMs(t, v));
 
         // Half a second per load is too short to estimate drift, which must not count against the source.
         [Test]
-        public void Gpu_SweepUpWithHalfASecondPerLoad_SeesLoad() => AllAre(
+        public void Gpu_SweepUpWithHalfASecondPerLoad_RespondsToLoad() => AllAre(
             LoadSight.Seen, new SweepPlan(steps: 21, secondsPerLoad: 0.5, settleSeconds: 0, goesDown: false), sweep => (t, v) => sweep.GpuMs(t, v));
 
         [Test]
-        public void Gpu_DriftsDownWhileTheLoadRises_SeesLoad() =>
+        public void Gpu_DriftsDownWhileTheLoadRises_RespondsToLoad() =>
             AllAre(LoadSight.Seen, Upwards, sweep => (t, v) => Math.Max(0.1, sweep.GpuMs(t, v) - 0.03 * t));
 
         // Readbacks are polled once a frame.
         [TestCase(60)]
         [TestCase(90)]
-        public void Completion_RoundedToFrames_SeesLoad(int hertz) => AllAre(
+        public void Completion_RoundedToFrames_RespondsToLoad(int hertz) => AllAre(
             LoadSight.Seen, Usual, sweep => (t, v) => Math.Ceiling(sweep.GpuMs(t, v) * hertz / 1000) * 1000 / hertz);
 
         [Test]
-        public void Gpu_TimeInEveryFourthFrame_SeesLoad() =>
+        public void Gpu_TimeInEveryFourthFrame_RespondsToLoad() =>
             AllAre(LoadSight.Seen, Usual, sweep => (t, v) => sweep.GpuMs(t, v) is double ms && Math.Round(t * 60) % 4 == 0 ? ms : (double?)null);
 
         [Test]
-        public void Camera_Flat_CannotSeeLoad() => AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep));
+        public void Camera_Flat_DoesNotRespondToLoad() => AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep));
 
         [Test]
-        public void Camera_FlatShortSweep_CannotSeeLoad() => AllAre(
+        public void Camera_FlatShortSweep_DoesNotRespondToLoad() => AllAre(
             LoadSight.Unseen, new SweepPlan(steps: 4, secondsPerLoad: 0.5), sweep => (t, v) => Flat(sweep));
 
         [TestCase(0.01)]
         [TestCase(0.05)]
         [TestCase(-0.01)]
-        public void Camera_LinearDrift_CannotSeeLoad(double msPerSecond)
+        public void Camera_LinearDrift_DoesNotRespondToLoad(double msPerSecond)
         {
             AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep) + (msPerSecond < 0 ? 2 : 0) + msPerSecond * t);
             AllAre(LoadSight.Unseen, Upwards, sweep => (t, v) => Flat(sweep) + (msPerSecond < 0 ? 2 : 0) + msPerSecond * t);
@@ -71,40 +71,40 @@ namespace Nowpose.Tests.Core.Latency.Sweep
 
         [TestCase(20)]
         [TestCase(60)]
-        public void Camera_WarmsUp_CannotSeeLoad(double timeConstantSeconds) => AllAre(
+        public void Camera_WarmsUp_DoesNotRespondToLoad(double timeConstantSeconds) => AllAre(
             LoadSight.Unseen, Upwards, sweep => (t, v) => Flat(sweep) + 1 - Math.Exp(-t / timeConstantSeconds));
 
         // A processor that changes its speed. In a sweep in one direction this looks like an effect of the load.
         [TestCase(30)]
         [TestCase(60)]
         [TestCase(100)]
-        public void Camera_StepsOnce_CannotSeeLoad(double atSeconds) =>
+        public void Camera_StepsOnce_DoesNotRespondToLoad(double atSeconds) =>
             AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep) + (t < atSeconds ? 0 : 0.8));
 
         [Test]
-        public void Camera_ChangesSlightlyWithTheLoad_CannotSeeLoad() =>
+        public void Camera_ChangesSlightlyWithTheLoad_DoesNotRespondToLoad() =>
             AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep) + 0.1 * v / SweepPlan.MaxVertices);
 
         [Test]
-        public void Words_LoadNotSeen_AreOneLineWithNumbersAndRemedy()
+        public void Words_NoResponseToLoad_AreOneLineWithNumbersAndRemedy()
         {
             var sweep = new SimulatedSweep(Usual, 1);
 
             var words = LoadSensitivity.Judge(sweep.Rows((t, v) => Flat(sweep))).Words;
 
-            Assert.That(words, Does.StartWith("this source cannot see load: from about 200000 to 1800000 vertices camera_cpu went from 2."));
+            Assert.That(words, Does.StartWith("this source does not respond to load: from about 200000 to 1800000 vertices camera_cpu went from 2."));
             Assert.That(words, Does.Contain(" ms").And.Contain("Frame Timing Stats").And.Not.Contain("\n"));
         }
 
         [Test]
-        public void Words_LoadSeen_StateTheRange()
+        public void Words_ResponseToLoad_StateTheRange()
         {
             var sweep = new SimulatedSweep(Usual, 1) { Source = RenderTimeSourceKind.DisplayGpuTime };
 
             var judged = LoadSensitivity.Judge(sweep.Rows((t, v) => sweep.GpuMs(t, v)));
 
             Assert.That(judged.Source, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime));
-            Assert.That(judged.Words, Does.StartWith("this source sees load: from about 200000 to 1800000 vertices display_gpu_time went from 5."));
+            Assert.That(judged.Words, Does.StartWith("this source responds to load: from about 200000 to 1800000 vertices display_gpu_time went from 5."));
         }
 
         [Test]
@@ -117,7 +117,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
             Assert.That(judged.Sight, Is.EqualTo(LoadSight.Unclear));
             Assert.That(
                 judged.Words,
-                Does.StartWith("too few data to determine whether camera_cpu sees load: 1 load has 15 or more render times, 3 are needed"));
+                Does.StartWith("too few data to determine whether camera_cpu responds to load: 1 load has 15 or more render times; 3 are needed"));
         }
 
         [Test]
@@ -137,17 +137,17 @@ namespace Nowpose.Tests.Core.Latency.Sweep
             var judged = LoadSensitivity.Judge(new SimulatedSweep(Usual, 1).Rows((t, v) => null));
 
             Assert.That(judged.Sight, Is.EqualTo(LoadSight.Unseen));
-            Assert.That(judged.Words, Does.StartWith("nothing measured the render time"));
+            Assert.That(judged.Words, Does.StartWith("no component measured the render time"));
         }
 
         [Test]
         public void Judge_NoRows_StatesThatRenderTimesAreMissing()
         {
-            Assert.That(LoadSensitivity.Judge(Array.Empty<SweepRow>()).Words, Does.StartWith("nothing measured"));
+            Assert.That(LoadSensitivity.Judge(Array.Empty<SweepRow>()).Words, Does.StartWith("no component measured"));
         }
 
         [Test]
-        public void Gpu_AnyOrderOfLoads_SeesLoad()
+        public void Gpu_AnyOrderOfLoads_RespondsToLoad()
         {
             var sweep = new SimulatedSweep(Usual, 3);
             var rows = sweep.Rows((t, v) => sweep.GpuMs(t, v));

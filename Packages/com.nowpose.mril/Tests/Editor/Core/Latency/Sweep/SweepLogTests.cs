@@ -55,7 +55,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
             "HoloLens 2", 60, "Direct3D11", "MultiThreaded", "built-in", false, "PrioritizeRendering", ReprojectionMode.Depth);
 
         [Test]
-        public void Conditions_Written_AreReadExceptThoseOfTheRows()
+        public void Conditions_Written_AreReadExceptRowValues()
         {
             var text = new StringWriter();
             SweepLog.WriteHeader(text, Conditions);
@@ -101,9 +101,9 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [TestCase("", "sweep.csv:1: the header is ''")]
-        [TestCase("time,load\n1,2\n", "sweep.csv:1: the header is 'time,load'; that of a sweep log is control_ns,")]
-        [TestCase(Header, "sweep.csv: no rows below the header")]
-        [TestCase(Header + "5,0,4,display_gpu_time,x\n", "sweep.csv:2: 5 fields; there must be 6")]
+        [TestCase("time,load\n1,2\n", "sweep.csv:1: the header is 'time,load'; it must be control_ns,")]
+        [TestCase(Header, "sweep.csv: there are no rows below the header")]
+        [TestCase(Header + "5,0,4,display_gpu_time,x\n", "sweep.csv:2: 5 fields; it must have 6")]
         [TestCase(Header + "5.5,0,4,display_gpu_time,x,60\n", "sweep.csv:2: control_ns: '5.5' is not a whole number of nanoseconds")]
         [TestCase(
             Header + "5,0,,,x,60\n5,2000001,4,display_gpu_time,x,60\n", "sweep.csv:3: vertices: 2000001 is out of range; allowed are 0 to 2000000")]
@@ -112,7 +112,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         [TestCase(Header + "5,0,-1,display_gpu_time,x,60\n", "sweep.csv:2: render_ms: -1 ms is out of range")]
         [TestCase(Header + "5,0,1001,display_gpu_time,x,60\n", "sweep.csv:2: render_ms: 1001 ms is out of range")]
         [TestCase(Header + "5,0,4 ms,display_gpu_time,x,60\n", "sweep.csv:2: render_ms: '4 ms' is not a number of milliseconds")]
-        [TestCase(Header + "5,0,4,gpu,x,60\n", "sweep.csv:2: source: 'gpu' is not a source of a render time; allowed are display_gpu_time, ")]
+        [TestCase(Header + "5,0,4,gpu,x,60\n", "sweep.csv:2: source: 'gpu' is not a source of render times; allowed are display_gpu_time, ")]
         [TestCase(Header + "5,0,4,,x,60\n", "sweep.csv:2: render_ms: its source is missing")]
         [TestCase(Header + "5,0,4,camera_cpu,x,0\n", "sweep.csv:2: display rate: 0 Hz is out of range")]
         public void Text_Invalid_IsRefusedInOneLineWithItsPlace(string text, string message)
@@ -124,7 +124,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void File_Missing_IsRefusedByName()
+        public void File_Missing_ThrowsWithTheName()
         {
             var path = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N") + ".csv");
 

@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         static HeadsetTime At(double seconds) => HeadsetTime.FromSeconds(seconds);
 
         [Test]
-        public void Advance_AllLoads_ShowsThemInOrderForTheirTime()
+        public void Advance_AllLoads_ShowsEachLoadForItsTime()
         {
             var run = new SweepRun(Plan);
             var frames = new int[3];

@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void At_ConstantAcceleration_ErrsLessThanALine()
+        public void At_ConstantAcceleration_IsMoreAccurateThanALine()
         {
             var predictor = Fed(30, t => 0.4 * t * t);
             var t = 29 * Interval + 0.15;
@@ -149,7 +149,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
 
         // The window straddles an emergency stop: a polynomial through it overshoots, while the change point detector cuts the window.
         [Test]
-        public void At_EmergencyStop_ErrsFarLessThanAQuadratic()
+        public void At_EmergencyStop_IsFarMoreAccurateThanAQuadratic()
         {
             double Stopped(double t) => Math.Min(t, 2.512);
             var stacked = Fed(Mixed(), 53, Stopped);
@@ -162,7 +162,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         // The displayed joint must not tremble at rest. A quadratic amplifies the noise fifteen times when it extrapolates.
         [TestCase(0.05, 0.0001)]
         [TestCase(0.02, 0.0005)]
-        public void At_NoisyRestAfterMotion_HardlyAmplifiesTheNoise(double interval, double noise)
+        public void At_NoisyRestAfterMotion_DoesNotAmplifyTheNoise(double interval, double noise)
         {
             var random = new Random(5);
             var predictor = Mixed();

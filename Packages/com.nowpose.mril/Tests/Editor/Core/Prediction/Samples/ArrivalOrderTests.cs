@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         [TestCase(5, 1, 2, 3, 4, 6)]
         [TestCase(4, 3, 2, 1, 5)]
         [TestCase(6, 2, 5, 1, 4, 3, 7)]
-        public void Add_SamplesOvertaken_PredictAsInOrder(params int[] order)
+        public void Add_SamplesOutOfOrder_PredictAsInOrder(params int[] order)
         {
             JointPredictor shuffled = FedJoint(), inOrder = FedJoint();
 
@@ -85,7 +85,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Add_ClockWentBackBehindAnOvertakenSample_IsFollowed()
+        public void Add_ClockWentBackAfterAnOvertakenSample_IsFollowed()
         {
             var joint = FedJoint();
             joint.Add(Sample((Newest - 0.5) * Interval));
@@ -121,7 +121,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
         // At rest after a move; the overtaken samples differ by one encoder count.
         [Test]
-        public void Add_OvertakenAtRestByOneCount_DoesNotRestart()
+        public void Add_OvertakenSampleAtRest_DoesNotRestart()
         {
             var joint = NewJoint();
             for (var i = 0; i < 50; i++) joint.Add(i * Interval, Math.Min(0.5, 0.02 * i));

@@ -18,10 +18,10 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
         static double MaxError(JointPredictor predictor, Func<double, double> position)
         {
-            var greatest = 0.0;
+            var max = 0.0;
             for (var t = Times[0]; t <= Times[Times.Length - 1]; t += 0.001)
-                greatest = Math.Max(greatest, Math.Abs(predictor.At(t).Position - position(t)));
-            return greatest;
+                max = Math.Max(max, Math.Abs(predictor.At(t).Position - position(t)));
+            return max;
         }
 
         [TestCase(10.18)]
@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void At_SmoothMotion_ErrsFarLessThanLinearInterpolation()
+        public void At_SmoothMotion_IsFarMoreAccurateThanLinearInterpolation()
         {
             Func<double, double> motion = t => Math.Sin(5 * t);
 

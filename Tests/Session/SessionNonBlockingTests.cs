@@ -13,7 +13,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Session;
 
 /// <summary>The frame's thread connects and disconnects, so neither may block a frame for long, in any state of the other side.</summary>
-public class SessionWaitsForNobodyTests
+public class SessionNonBlockingTests
 {
     /// <summary>Below every timeout of the protocol, so waiting for the other side exceeds it; far above the delays of a busy machine.</summary>
     static readonly TimeSpan Bearable = TimeSpan.FromSeconds(1.5);

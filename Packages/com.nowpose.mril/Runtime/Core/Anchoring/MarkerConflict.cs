@@ -1,9 +1,9 @@
 namespace Nowpose.Anchoring
 {
     /// <summary>Markers whose relative poses differ from those measured at the base.</summary>
-    public sealed class MarkerQuarrel
+    public sealed class MarkerConflict
     {
-        internal MarkerQuarrel(BaseMarker marker, BaseMarker other, double metres, double radians)
+        internal MarkerConflict(BaseMarker marker, BaseMarker other, double metres, double radians)
         {
             Marker = marker;
             Other = other;
@@ -12,7 +12,7 @@ namespace Nowpose.Anchoring
         }
 
         /// <summary>Whether the same markers are in conflict, regardless of the amount.</summary>
-        public bool IsOf(MarkerQuarrel other) => other != null && Marker == other.Marker && Other == other.Other;
+        public bool IsOf(MarkerConflict other) => other != null && Marker == other.Marker && Other == other.Other;
 
         /// <summary>The marker that contradicts the others.</summary>
         public BaseMarker Marker { get; }

@@ -15,7 +15,7 @@ namespace Nowpose.Sync.Envelope
     /// a wrong skew moves the offset by half of it, and widens the error if the other direction shows that the path has changed.
     /// Allocates nothing after construction.
     /// </remarks>
-    sealed class LeastDelay
+    sealed class MinDelay
     {
         /// <summary>Minimum change, s. The fit absorbs smaller ones with a negligible error of half the change.</summary>
         const double MinChange = 0.2e-3;
@@ -60,11 +60,11 @@ namespace Nowpose.Sync.Envelope
         /// <summary>The same after a change of the other direction, which makes a change of this one likely.</summary>
         const double ExpectedSignificance = 7;
 
-        /// <summary>The same for a part of a change that may be hidden; it only widens the error.</summary>
+        /// <summary>Significance for a part of a change that may be hidden; such a part only widens the error.</summary>
         const double HiddenSignificance = 3;
 
         /// <summary>
-        /// Number of exchanges in which a shorter delay is searched, and how many must show it. A clock step is detected within
+        /// Number of exchanges that are searched for a shorter delay, and number of exchanges that must show it. A clock step is detected within
         /// <see cref="StepWindow"/> exchanges, see <see cref="OffsetShiftWatch"/>.
         /// </summary>
         const int ShorterWindow = 32, ShorterCount = 3, StepWindow = 16;
@@ -87,7 +87,7 @@ namespace Nowpose.Sync.Envelope
         int _count, _sinceChange, _sinceHidden, _sinceShorter, _looks;
 
         /// <param name="sign">1 for the bounds below the offset, from requests; −1 for those above it, from replies.</param>
-        public LeastDelay(int sign, BoundsHistory history)
+        public MinDelay(int sign, BoundsHistory history)
         {
             _sign = sign;
             _history = history;
@@ -118,7 +118,7 @@ namespace Nowpose.Sync.Envelope
         /// <param name="skewError">Standard error of the curve's slope.</param>
         /// <param name="resolution">Resolution of the control clock, s: movement of bounds without any change.</param>
         /// <returns>Whether a change was detected.</returns>
-        public bool Update(LeastDelay other, double skewError, double resolution)
+        public bool Update(MinDelay other, double skewError, double resolution)
         {
             _sinceChange++;
             _sinceHidden++;
@@ -134,8 +134,8 @@ namespace Nowpose.Sync.Envelope
         double Tightness(int age, OffsetCurve curve)
         {
             ref readonly var bounds = ref _history[age];
-            var (at, bound) = _sign > 0 ? (bounds.Sent, bounds.Least) : (bounds.Received, bounds.Greatest);
-            var (newestAt, newest) = _sign > 0 ? (_history[0].Sent, _history[0].Least) : (_history[0].Received, _history[0].Greatest);
+            var (at, bound) = _sign > 0 ? (bounds.Sent, bounds.Lower) : (bounds.Received, bounds.Upper);
+            var (newestAt, newest) = _sign > 0 ? (_history[0].Sent, _history[0].Lower) : (_history[0].Received, _history[0].Upper);
             return _sign * (ClockTicks.Seconds(new TimeSpan(bound - newest)) - curve.At(ClockTicks.Seconds(at - newestAt)));
         }
 
@@ -154,28 +154,32 @@ namespace Nowpose.Sync.Envelope
             if (!isEstimate) _sinceChange = 1;
         }
 
-        bool FindLonger(LeastDelay other, int count, double skewError, double resolution)
+        bool FindLonger(MinDelay other, int count, double skewError, double resolution)
         {
             // After a change of the path in one direction, a change in both is likely, by unequal amounts.
             var isExpected = (other._excess > 0 && other._sinceChange <= MaxWindow) || other._sinceShorter > 0;
             var minDuration = isExpected ? MinDurationExpected : MinDuration;
             var minChange = isExpected ? MinChange / 2 : MinChange;
             var significance = isExpected ? ExpectedSignificance : Significance;
-            foreach (var least in Windows)
+            // Tightest bound of the window, and the length of the window that it includes.
+            var (newest, measured) = (double.NegativeInfinity, 0);
+            foreach (var length in Windows)
             {
-                var window = least;
+                var window = length;
                 while (window < Math.Min(MaxWindow, count) && Duration(window) < minDuration) window++;
                 if (count < window + MinEarlier) return false;
                 var duration = Duration(window);
                 if (duration < minDuration) continue;
                 var earlier = Math.Min(count, window + MaxEarlier);
                 var reference = Max(window, earlier);
-                var late = reference - Max(0, window);
-                var change = reference - Max(0, window - window / BoundaryShare);
+                newest = Math.Max(newest, Max(measured, window));
+                measured = window;
+                var late = reference - newest;
                 if (late <= Margin(earlier, minChange, SkewErrorsLonger * skewError, resolution)) continue;
                 // A wrong skew makes one direction late and the other early by the same amount, and the minimum round-trip time is unchanged.
                 if (late + Math.Min(0, other.Lateness(window, earlier)) <= minChange + resolution) continue;
                 if (late <= Quantile(window, earlier, reference, 1 - Math.Exp(-significance / window))) continue;
+                var change = reference - Max(0, window - window / BoundaryShare);
                 var typicalSince = Quantile(0, window, reference - change, 0.5);
                 var typical = Quantile(window, earlier, reference, 0.5);
                 if (!isExpected && typicalSince > (1 + MaxScatterGrowth / Math.Sqrt(window)) * typical && duration < MinDurationScattered) continue;
@@ -210,12 +214,12 @@ namespace Nowpose.Sync.Envelope
             _referenceError += more / 2;
         }
 
-        // Until a change is confirmed, a bound tighter than the earlier ones is relaxed to their level. What follows is then a change of
+        // Until a change is confirmed, a bound tighter than the earlier ones is relaxed to their level. The result is then a change of
         // the offset and not of the skew.
         bool FindShorter(int count, double skewError, double resolution)
         {
             var earlier = Math.Min(count, ShorterWindow + MaxEarlier);
-            // Without the recent ones: several small increases in a row would hide the change.
+            // Excludes the recent bounds, because several small increases in a row would hide the change.
             var reference = Max(ShorterWindow, earlier);
             var shorter = _tightness[0] - reference;
             int times = 0, first = 0;
@@ -223,10 +227,9 @@ namespace Nowpose.Sync.Envelope
             for (var age = 1; age < Math.Min(_looks, ShorterWindow); age++)
                 if (Withheld(age) > 0) (times, first) = (times + 1, age);
             // After one bound beyond the margin, any amount counts as confirmation.
-            var margin = times > 0 ? 0 : Math.Max(
-                Margin(earlier, MinChange, SkewErrorsShorter * skewError, resolution),
-                LatenessShare * Quantile(ShorterWindow, earlier, reference, 0.5) / (earlier - ShorterWindow));
+            var margin = times > 0 ? 0 : Margin(earlier, MinChange, SkewErrorsShorter * skewError, resolution);
             if (shorter <= margin) return false;
+            if (times == 0 && shorter <= LatenessShare * Quantile(ShorterWindow, earlier, reference, 0.5) / (earlier - ShorterWindow)) return false;
             _shorter[(_looks - 1) % ShorterWindow] = shorter;
             Shift(0, 1, -shorter);
             // Before that, the change may be a clock step.

@@ -6,7 +6,7 @@ namespace Nowpose.Sync.Envelope
     /// Longest part of the step of a coarse control clock in which no recent exchange falls. Exchanges in the same part of the step
     /// agree to within microseconds but have a common error of up to half of this part.
     /// </summary>
-    sealed class UnmetPart
+    sealed class UnsampledPart
     {
         /// <summary>
         /// Number of recent exchanges. Spread at random, they leave a gap of a twelfth of a step. They take a few seconds, in which the

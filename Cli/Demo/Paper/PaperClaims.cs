@@ -1,0 +1,53 @@
+using MathNet.Numerics.Distributions;
+using MathNet.Numerics.Statistics;
+
+namespace Nowpose.Cli.Demo.Paper;
+
+/// <summary>The claims of the paper's Figs 8, 16, 17 and 18, and their judgement. The measured numbers are results of the run.</summary>
+static class PaperClaims
+{
+    const string Ms = "ms", Share = "share";
+    const double Confidence = 0.975;
+
+    static readonly PaperRule[] Rules =
+    [
+        new("8", "The fitting error |ε_i| of Eq. (6) is less than 1 ms: median over all exchanges from 10 s on, outliers included.", 1, Ms,
+            m => m.Clock?.FitErrorMs, ms => ms < 1),
+        new("8", "The offset is known within 1 ms: P95 of its true error over all frames from 10 s on.", 1, Ms,
+            m => m.Clock?.OffsetErrorMs, ms => ms < 1),
+        new("8", "The skew converges: its RMS error over the last quarter of the run is less than half of that from 2 to 10 s.", null, Share,
+            m => m.Clock?.SkewRatio, ratio => ratio < 0.5),
+        new("8", "The round-trip time shows how accurate an exchange is: P95 of the error in the quarter of the exchanges with the shortest times "
+            + "is less than half of that in the quarter with the longest times.", null, Share, m => m.Clock?.RoundTripRatio, ratio => ratio < 0.5),
+        new("16", "The compensated signal follows the true one: it is nearer than the uncompensated one in 90 % or more of the frames "
+            + "in motion in which they differ.", null, Share, m => m.Swings?.NearerShare, share => share >= 0.9),
+        new("16", "Only the curved phases are hard to predict: the RMS error at constant velocity is at most two thirds of that elsewhere "
+            + "in motion.", null, Share, m => m.Swings?.SteadyRatio, ratio => ratio <= 1 / 1.5),
+        GapAt(0, "A"), GapAt(1, "B"), GapAt(2, "C"),
+        new("18", "The end-to-end latency L is known within 4 ms: P95 of |ε_L|, assumed minus true control time of the light, over all "
+            + "frames from 10 s on.", 4, Ms, m => m.LightErrorMs, ms => ms < 4),
+        new("18", "About 80 % of the error is removed for t < 1.5 s: 1 − RMS with / RMS without compensation; 75 % or more.", 0.8, Share,
+            m => m.Swings?.Reduction, reduction => reduction >= 0.75),
+        new("18", "The effective latency e/v for t < 1.5 s is less than a third of that without compensation (ratio of the medians).", null, Share,
+            m => m.Swings?.LatencyRatio, ratio => ratio < 1 / 3.0),
+    ];
+
+    /// <param name="repeats">At least one repeat.</param>
+    public static IReadOnlyList<PaperClaim> Of(IReadOnlyList<PaperMeasures> repeats) => [.. Rules.Select(rule => Judge(rule, repeats))];
+
+    static PaperClaim Judge(PaperRule rule, IReadOnlyList<PaperMeasures> repeats)
+    {
+        var measured = repeats.Select(rule.Measure).Where(value => value is double number && double.IsFinite(number));
+        double[] values = [.. measured.Select(value => value.Value)];
+        // A repeat that could not measure the number does not support the claim.
+        if (values.Length < repeats.Count) return new(rule.Figure, rule.Claim, rule.Paper, null, null, rule.Unit, false);
+        var mean = values.Average();
+        double? uncertainty = values.Length < 2 ? null
+            : StudentT.InvCDF(0, 1, values.Length - 1, Confidence) * values.StandardDeviation() / Math.Sqrt(values.Length);
+        return new(rule.Figure, rule.Claim, rule.Paper, mean, uncertainty, rule.Unit, rule.IsMet(mean));
+    }
+
+    static PaperRule GapAt(int moment, string name) => new(
+        "17", $"At {name} the compensation is clearly visible: the gap to the real gripper is less than half of the gap without (ratio of "
+            + "the RMS over the swings).", null, Share, m => m.Swings?.GapRatios[moment], ratio => ratio < 0.5);
+}

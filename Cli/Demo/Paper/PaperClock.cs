@@ -1,0 +1,45 @@
+using Nowpose.Cli.Figures.Clocks;
+using Nowpose.Sync;
+
+namespace Nowpose.Cli.Demo.Paper;
+
+/// <summary>The numbers of Fig. 8.</summary>
+/// <param name="FitErrorMs">Median of |ε_i| from 10 s on, ms.</param>
+/// <param name="OffsetErrorMs">P95 of the magnitude of the offset's true error over the frames from 10 s on, ms.</param>
+/// <param name="SkewRatio">RMS error of the skew over the last quarter divided by that from 2 to 10 s.</param>
+/// <param name="RoundTripRatio">P95 error of the exchanges with the shortest round-trip times divided by that of the longest, quarters.</param>
+sealed record PaperClock(double FitErrorMs, double OffsetErrorMs, double SkewRatio, double RoundTripRatio)
+{
+    const int MinExchanges = 4;
+
+    /// <summary>Gets the numbers; null if the run was too short.</summary>
+    public static PaperClock Of(PaperRun run)
+    {
+        var settled = run.Steps.Where(step => step.Seconds >= ClockErrors.SettledAfter && step.FitErrorMs.HasValue);
+        double[] errors = [.. settled.Select(step => Math.Abs(step.FitErrorMs.Value))];
+        if (errors.Length < MinExchanges || run.Scored.Count == 0) return null;
+        var known = run.Run.Frames.Rows.Where(row => row.Clock.IsKnown).ToList();
+        var end = known[^1].Elapsed.TotalSeconds;
+        return new PaperClock(
+            Quantile.Of(errors, 0.5), Quantile.Of(run.Scored.Select(row => Math.Abs(row.OffsetErrorUs) / 1000), 0.95),
+            SkewRms(run, known, 0.75 * end, end) / SkewRms(run, known, ClockErrors.FirstSkew, ClockErrors.SettledAfter), RoundTripRatioOf(run));
+    }
+
+    static double SkewRms(PaperRun run, List<DemoFrames.Row> rows, double from, double to)
+    {
+        var (first, last) = (rows[0].Start, rows[^1].Start);
+        var trueSkew = (run.Run.Truth.OffsetAt(last) - run.Run.Truth.OffsetAt(first)) / (last - first);
+        var squares = rows.Where(row => row.Elapsed.TotalSeconds >= from && row.Elapsed.TotalSeconds <= to)
+            .Select(row => (row.Clock.Skew - trueSkew) * (row.Clock.Skew - trueSkew)).ToList();
+        return squares.Count == 0 ? double.NaN : Math.Sqrt(squares.Average());
+    }
+
+    static double RoundTripRatioOf(PaperRun run)
+    {
+        var trips = RoundTrips.Of(run.Run.Exchanges.Select(each => ((each.T4 - each.T1).TotalMilliseconds, ErrorUs(run, each))));
+        return trips.ShortUs / trips.LongUs;
+    }
+
+    static double ErrorUs(PaperRun run, in SyncExchange exchange) =>
+        Math.Abs((exchange.Offset - run.Run.Truth.OffsetAt(exchange.T4)).TotalMicroseconds);
+}

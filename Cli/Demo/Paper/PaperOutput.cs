@@ -1,0 +1,73 @@
+using System.Globalization;
+using Nowpose.Cli.Calibrate;
+using Nowpose.Cli.Figures.Clocks;
+using Nowpose.Cli.Figures.Model;
+
+namespace Nowpose.Cli.Demo.Paper;
+
+/// <summary>The files that only <c>--paper</c> writes: the figures' data, the calibration, and all frames and exchanges of all repeats.</summary>
+static class PaperOutput
+{
+    const string Frames = "frames.csv", Exchanges = "exchanges.csv", Profile = "profile.json", CalibrationPage = "calibration.html";
+
+    /// <summary>Removes an earlier run's files, so that they cannot be mistaken for this run's.</summary>
+    public static void RemoveEarlier(string folder)
+    {
+        // Without the frames beside it, a profile may belong to the user, so it is kept.
+        string[] ofPaper = File.Exists(Path.Combine(folder, Frames)) ? [Profile, CalibrationPage] : [];
+        foreach (var name in ofPaper.Concat(["figure-8.csv", "figure-16.csv", "figure-17.csv", "figure-18.csv", Exchanges, Frames]))
+            File.Delete(Path.Combine(folder, name));
+    }
+
+    public static void Write(string folder, IReadOnlyList<PaperRun> repeats, PaperCalibration calibration, IReadOnlyList<Figure> figures)
+    {
+        WriteText(folder, Frames, writer => WriteFrames(writer, repeats));
+        WriteText(folder, Exchanges, writer => WriteExchanges(writer, repeats));
+        foreach (var figure in figures) WriteText(folder, figure.FileName, figure.Table.WriteCsv);
+        CalibrationOutput.At(folder).Write(calibration.Profile, calibration.Page);
+    }
+
+    /// <summary>Writes every frame with a display time: the true, the displayed and the uncompensated position of the tool at its light.</summary>
+    public static void WriteFrames(TextWriter writer, IEnumerable<PaperRun> repeats)
+    {
+        writer.Write("repeat,elapsed_s,true_light_s,assumed_light_s,offset_error_us,swing,swing_s,"
+            + "true_x_m,true_y_m,true_z_m,shown_x_m,shown_y_m,shown_z_m,held_x_m,held_y_m,held_z_m\n");
+        foreach (var repeat in repeats)
+        {
+            foreach (var row in repeat.Run.Frames.Rows.Where(row => row.AssumedLight.HasValue))
+            {
+                var (swing, time) = repeat.TimeOf(row);
+                writer.Write(string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{repeat.Repeat},{row.Elapsed.TotalSeconds:0.######},{Seconds(row.TrueLight)},{Seconds(row.AssumedLight.Value)},")
+                    + string.Create(CultureInfo.InvariantCulture, $"{row.OffsetErrorUs:0.###},{swing},{time:0.######},")
+                    + $"{Text(repeat.TruthOf(row))},{Text(row.Tool)},{Text(row.HeldTool)}\n");
+            }
+        }
+    }
+
+    static void WriteExchanges(TextWriter writer, IEnumerable<PaperRun> repeats)
+    {
+        writer.Write("repeat,time_s,offset_ms,fitted_offset_ms,skew_ppm,theta2_ms,fit_error_ms,round_trip_ms\n");
+        foreach (var repeat in repeats)
+            foreach (var step in repeat.Steps)
+                writer.Write(string.Create(CultureInfo.InvariantCulture, $"{repeat.Repeat},") + Text(step) + "\n");
+    }
+
+    static string Text(SyncStep s) => string.Create(
+        CultureInfo.InvariantCulture,
+        $"{s.Seconds:0.######},{s.OffsetMs:0.####},{s.FitMs:0.####},{s.SkewPpm:0.###},{s.InterceptMs:0.####},")
+        + string.Create(CultureInfo.InvariantCulture, $"{s.FitErrorMs:0.####},{s.RoundTripMs:0.####}");
+
+    static string Text(ToolPosition p) => string.Create(CultureInfo.InvariantCulture, $"{p.X:0.#######},{p.Y:0.#######},{p.Z:0.#######}");
+
+    // As a decimal, because a double has too few digits for ticks since 1970.
+    static string Seconds(ControlTime t) =>
+        ((decimal)t.SinceEpoch.Ticks / TimeSpan.TicksPerSecond).ToString("0.0000000", CultureInfo.InvariantCulture);
+
+    static void WriteText(string folder, string name, Action<TextWriter> write)
+    {
+        using var file = File.CreateText(Path.Combine(folder, name));
+        write(file);
+    }
+}

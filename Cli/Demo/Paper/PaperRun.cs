@@ -1,0 +1,82 @@
+using Nowpose.Cli.Figures.Clocks;
+using Nowpose.Cli.Figures.Swing;
+using Nowpose.Studies;
+
+namespace Nowpose.Cli.Demo.Paper;
+
+/// <summary>One repeat: the run's scored frames, its swings and its sync exchanges.</summary>
+sealed class PaperRun
+{
+    static readonly TimeSpan SettledAfter = TimeSpan.FromSeconds(ClockErrors.SettledAfter);
+
+    /// <summary>Time shown before a swing starts, s.</summary>
+    const double Before = 0.2;
+
+    /// <summary>Maximum time without a frame at the end of a whole swing, s.</summary>
+    const double Gap = 0.1;
+
+    /// <summary>Maximum time between two frames of a whole swing, s. Longer ones are stalls of this machine.</summary>
+    const double MaxStall = 0.25;
+
+    readonly YoubotSwing _swing;
+    readonly ToolKinematics _kinematics;
+
+    /// <param name="repeat">Number of the repeat, from 1.</param>
+    /// <param name="run">A run with the motion of <paramref name="swing"/>.</param>
+    public PaperRun(int repeat, DemoRun run, YoubotSwing swing)
+    {
+        (Repeat, Run, _swing) = (repeat, run, swing);
+        _kinematics = new ToolKinematics(swing.Robot);
+        Scored = [.. run.Frames.Rows.Where(row => row.Elapsed >= SettledAfter && row.AssumedLight.HasValue)];
+        Steps = SyncSteps.Of(run.Exchanges, run.Settings.Estimator);
+        Swings = SwingsOf();
+    }
+
+    /// <summary>Number of the repeat, from 1.</summary>
+    public int Repeat { get; }
+
+    public DemoRun Run { get; }
+
+    /// <summary>All frames from 10 s on with a display time.</summary>
+    public IReadOnlyList<DemoFrames.Row> Scored { get; }
+
+    /// <summary>The clock after each exchange.</summary>
+    public IReadOnlyList<SyncStep> Steps { get; }
+
+    /// <summary>The whole swings among the scored frames; null if there are none.</summary>
+    public SwingFrames Swings { get; }
+
+    /// <summary>Gets ε_L, the assumed minus the true control time of a frame's light, ms.</summary>
+    public static double LightErrorMs(in DemoFrames.Row row) => (row.AssumedLight.Value - row.TrueLight).TotalMilliseconds;
+
+    /// <summary>Gets the index of the swing in which a frame is seen, from 0, and the time since that swing's start, s.</summary>
+    public (int Swing, double Time) TimeOf(in DemoFrames.Row row)
+    {
+        var motion = Run.Truth.MotionSecondsAt(row.TrueLight);
+        var swing = (int)Math.Floor(motion / _swing.Motion.Seconds);
+        return (swing, motion - swing * _swing.Motion.Seconds - _swing.Start);
+    }
+
+    /// <summary>Gets the true position of the tool when a frame is seen.</summary>
+    public ToolPosition TruthOf(in DemoFrames.Row row) => _kinematics.TrueAt(Run.Truth, row.TrueLight);
+
+    SwingFrames SwingsOf()
+    {
+        StudyFrame[][] whole = [.. Scored.Select(row => (TimeOf(row).Swing, Frame: FrameOf(row)))
+            .GroupBy(each => each.Swing, each => each.Frame)
+            .Where(frames => IsWhole([.. frames]))
+            .Select(frames => frames.Where(frame => frame.Time >= -Before).ToArray())];
+        var scenario = new SwingScenario($"repeat {Repeat}", IsCold: true);
+        return whole.Length == 0 ? null : new SwingFrames(Run.Settings.Predictor, scenario, _swing, whole);
+    }
+
+    bool IsWhole(StudyFrame[] frames) => frames[0].Time <= -Before && frames[^1].Time >= _swing.Motion.Seconds - _swing.Start - Gap
+        && frames.Zip(frames.Skip(1)).All(pair => pair.Second.Time - pair.First.Time <= MaxStall);
+
+    // The angles of the displayed tool in the scene, not of the joints: the whole chain is measured.
+    StudyFrame FrameOf(DemoFrames.Row row)
+    {
+        double AngleOf(ToolPosition tool) => _swing.AngleOf(tool.X, tool.Y);
+        return new StudyFrame(TimeOf(row).Time, AngleOf(TruthOf(row)), AngleOf(row.HeldTool), AngleOf(row.Tool), 0);
+    }
+}

@@ -1,0 +1,49 @@
+using Nowpose.Cli.Figures.Swing;
+using Nowpose.Gateway.Options;
+
+namespace Nowpose.Cli.Demo.Paper;
+
+/// <summary><c>demo --paper</c>: calibrates and plays each repeat, judges the claims and writes the results.</summary>
+static class PaperSession
+{
+    const int PicturesPerLoad = 12;
+
+    /// <param name="given">Settings of the user, see <see cref="PaperScenario.Of"/>.</param>
+    /// <param name="repeats">Number of repeats. Each has its own seed, calibration and connection.</param>
+    public static async Task<int> RunAsync(DemoSettings given, int repeats, string folder, CancellationToken cancel)
+    {
+        var output = DemoOutput.At(folder);
+        var swing = new YoubotSwing(isCold: true);
+        var scenario = PaperScenario.Of(given, swing);
+        PaperCalibration firstCalibration = null;
+        var runs = new List<PaperRun>();
+        for (var repeat = 1; repeat <= repeats && !cancel.IsCancellationRequested; repeat++)
+        {
+            if (repeats > 1) await Console.Error.WriteLineAsync($"repeat {repeat} of {repeats}");
+            var settings = scenario with { Seed = given.Seed + repeat - 1 };
+            var calibration = await Task.Run(() => PaperCalibration.Of(settings, PicturesPerLoad, cancel), CancellationToken.None);
+            if (calibration == null) break;
+            firstCalibration ??= calibration;
+            // The recording is that of the first repeat, like the report's plots.
+            var run = await DemoStage.PlayAsync(settings with { Profile = calibration.Profile }, repeat == 1 ? output.SessionPath : null, cancel);
+            // A clock that does not become synchronised is a result: its claim does not hold.
+            if (!cancel.IsCancellationRequested && run.Failure(needsClock: false) is string failure) throw new DemoFailedException(failure);
+            // Claims need whole repeats. An interrupted first one still has the demo's results.
+            if (repeat == 1 || !cancel.IsCancellationRequested) runs.Add(new PaperRun(repeat, run, swing));
+        }
+        if (runs.Count > 0) Finish(runs, firstCalibration, output);
+        return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
+    }
+
+    static void Finish(List<PaperRun> runs, PaperCalibration calibration, DemoOutput output)
+    {
+        var claims = PaperClaims.Of([.. runs.Select(PaperMeasures.Of)]);
+        var figures = PaperFigures.Of(runs, claims);
+        var score = new DemoScore(runs[0].Run);
+        var result = score.Result() with { Claims = claims };
+        PaperOutput.Write(output.Folder, runs, calibration, figures);
+        output.Write(score, runs[0].Run, result, figures);
+        DemoTable.Print(runs[0].Run, score, result, output);
+        PaperTable.Print(claims);
+    }
+}

@@ -1,0 +1,17 @@
+using Spectre.Console;
+
+namespace Nowpose.Cli.Demo.Paper;
+
+/// <summary>The paper's claims as text: the paper's number against ours.</summary>
+static class PaperTable
+{
+    public static void Print(IReadOnlyList<PaperClaim> claims)
+    {
+        var table = new Table().AddColumns("figure", "claim of the paper", "paper", "measured", "verdict");
+        foreach (var claim in claims)
+            table.AddRow(
+                claim.Figure, Markup.Escape(claim.Claim), Markup.Escape(claim.PaperText), Markup.Escape(claim.MeasuredText),
+                claim.Holds ? "holds" : "does not hold");
+        ResultConsole.Create().Write(table);
+    }
+}

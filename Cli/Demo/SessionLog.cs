@@ -1,0 +1,46 @@
+using Nowpose.Session;
+using Nowpose.Sync;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>Collects the sync exchanges and the application latencies of a session.</summary>
+sealed class SessionLog
+{
+    const int ExpectedExchanges = 4096;
+
+    readonly Lock _gate = new();
+    readonly List<SyncExchange> _exchanges = new(ExpectedExchanges);
+
+    // With capacity for all samples: the frame is checked for allocations, and this list is filled within it.
+    readonly List<TimeSpan> _latencies;
+
+    /// <param name="samples">Expected number of samples; more are accepted.</param>
+    public SessionLog(int samples) => _latencies = new List<TimeSpan>(samples);
+
+    /// <summary>L_app of every sample that arrived while the clock was synchronised.</summary>
+    public IReadOnlyList<TimeSpan> ApplicationLatencies => _latencies;
+
+    /// <summary>Gets a copy of the sync exchanges of the session, in order.</summary>
+    public IReadOnlyList<SyncExchange> Exchanges()
+    {
+        lock (_gate) return [.. _exchanges];
+    }
+
+    /// <summary>Follows a session. The exchanges of a former one are forgotten.</summary>
+    public void Follow(CompensationSession session)
+    {
+        lock (_gate) _exchanges.Clear();
+        session.Clock.Judged += OnExchange;
+        session.Intake.SampleTaken += (_, latency) =>
+        {
+            if (latency.HasValue) _latencies.Add(latency.Value);
+        };
+    }
+
+    // On the thread of the connection.
+    void OnExchange(in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault)
+    {
+        if (verdict == SyncVerdict.Dropped) return;
+        lock (_gate) _exchanges.Add(exchange);
+    }
+}

@@ -1,0 +1,70 @@
+using Nowpose.Motion;
+using Nowpose.Network;
+using Nowpose.Session;
+using Nowpose.Simulation;
+
+namespace Nowpose.Cli.Demo.Virtual;
+
+/// <summary>Plays a run in virtual time: the demo's display, frame loop and score, fed by a virtual cell over a virtual network.</summary>
+sealed class VirtualStage
+{
+    const double ControlSkew = 37e-6;
+
+    /// <summary>Time by which the control clock is ahead of the headset's.</summary>
+    static readonly TimeSpan ControlAhead = TimeSpan.FromSeconds(50);
+
+    static readonly HeadsetTime Start = HeadsetTime.FromSeconds(100);
+    static readonly TimeSpan MaxPause = TimeSpan.FromSeconds(2);
+
+    readonly DemoSettings _settings;
+    readonly VirtualHeadsetClock _clock = new();
+    readonly VirtualTruth _truth;
+    readonly VirtualCellSettings _conditions;
+    readonly VirtualSamples _samples;
+    readonly VirtualExchanges _exchanges;
+    readonly IDemoHeadset _headset;
+
+    VirtualStage(DemoSettings settings, bool hasScene, IMotion sampled, TimeSpan clockError)
+    {
+        _settings = settings;
+        _clock.Set(Start);
+        var control = new VirtualClock(Start, ControlAhead, ControlSkew);
+        _truth = new VirtualTruth(settings.Motion, control, Start, ControlSkew);
+        _conditions = new VirtualCellSettings(settings.SamplingMs, settings.Acquisition.Min, settings.Acquisition.Max, 0, 0, settings.Network);
+        _samples = new VirtualSamples(sampled ?? settings.Motion, control, settings.Seed * 100, Start);
+        _exchanges = new VirtualExchanges(new VirtualClock(Start, ControlAhead + clockError, ControlSkew), settings.Seed * 100 + 50, Start);
+        var session = DemoStage.SessionOf(settings, new ConnectionSettings("127.0.0.1", 1, 1));
+        var samples = (int)(settings.Seconds * 1000 / settings.SamplingMs) + 1000;
+        _headset = hasScene
+            ? new DemoHeadset(settings.Robot, session, _clock, samples) : new SessionHeadset(settings.Robot, session, _clock, samples);
+        _headset.Session.Described(settings.RobotText);
+    }
+
+    /// <param name="hasScene">
+    /// Whether the headset plays the sample scene; otherwise only its session. Only one scene can be played at a time in a process.
+    /// </param>
+    /// <param name="sampled">The motion that the cell samples; null for the true one.</param>
+    /// <param name="clockError">Error of the control clock that the exchanges read.</param>
+    public static DemoRun Play(DemoSettings settings, bool hasScene, IMotion sampled = null, TimeSpan clockError = default)
+    {
+        var stage = new VirtualStage(settings, hasScene, sampled, clockError);
+        using (stage._headset) return stage.Run();
+    }
+
+    DemoRun Run()
+    {
+        var loop = new DemoFrameLoop(_settings, _headset, _clock, _truth, GoOnTo);
+        loop.Run((_, _) => { }, CancellationToken.None);
+        return new DemoRun(
+            _settings, _truth, loop.Frames, _headset.Log.ApplicationLatencies, _headset.Session.Statistics(_clock.Read),
+            _headset.Session.Range?.Limit, _headset.Alarms) { Exchanges = _headset.Log.Exchanges() };
+    }
+
+    void GoOnTo(HeadsetTime time)
+    {
+        _clock.Set(time);
+        var from = time - MaxPause;
+        _exchanges.Run(from, time, _conditions, _headset.Session);
+        _samples.Run(from, time, _conditions, _headset.Session);
+    }
+}

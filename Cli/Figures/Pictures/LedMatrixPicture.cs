@@ -1,0 +1,123 @@
+using System.Text;
+using Nowpose.Latency;
+
+namespace Nowpose.Cli.Figures.Pictures;
+
+/// <summary>
+/// Draws the manual's picture of the LED matrix from <see cref="TimestampCode"/>: the front of the board with its dimensions and outputs,
+/// and one time as the control system and the headset show it.
+/// </summary>
+static class LedMatrixPicture
+{
+    public const string File = "led-matrix.svg";
+
+    /// <summary>The time that both codes show.</summary>
+    public const int ShownMs = 12_345;
+
+    const int Top = 66, Board = 34, BoardLeft = 62, Code = 24, ControlLeft = 490, HeadsetLeft = 750;
+    const int Width = HeadsetLeft + 10 * Code + 12, Height = Top + 10 * Board + 56;
+
+    /// <summary>Side of an LED's diffuser, in pitches. A headset's squares have no gaps.</summary>
+    const double Diffuser = 0.8;
+
+    const string Ink = "#16202c", Muted = "#55616f", Lit = "#fff", Pair = "#9ccbff", Dark = "#3a4653";
+    const string Font = "font-family=\"system-ui, sans-serif\"";
+
+    const string Label = "Front of the LED matrix: 18 pairs inside a lit ring, with pitch, margin, bytes and bits; the codes of 12345 ms of the "
+        + "control system and of the headset";
+
+    public static string Draw()
+    {
+        var svg = new StringBuilder();
+        Append(svg, $"<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{Width}\" height=\"{Height}\" viewBox=\"0 0 {Width} {Height}\" role=\"img\" ");
+        Append(svg, $"aria-label=\"{Label}\">\n<rect width=\"{Width}\" height=\"{Height}\" fill=\"#fff\"/>\n");
+        DrawBoard(svg);
+        Dimensions(svg);
+        DrawCode(svg, "control", CodeKind.Control, ControlLeft, Diffuser, "control system, 12 345 ms");
+        DrawCode(svg, "headset", CodeKind.Headset, HeadsetLeft, 1, "headset, 12 345 ms");
+        Captions(svg, ControlLeft, "two dark marks at the top", "of each pair one is lit: left for 1, right for 0");
+        Captions(svg, HeadsetLeft, "two more dark marks on the right", "no margin; a headset does not draw black");
+        return svg.Append("</svg>\n").ToString();
+    }
+
+    static void DrawBoard(StringBuilder svg)
+    {
+        Background(svg, BoardLeft, Board, "front of the board");
+        svg.Append("<g id=\"board\">\n");
+        for (var cell = 0; cell < TimestampCode.CellCount; cell++)
+            if (TimestampCode.IsRing(cell)) Cell(svg, cell, BoardLeft, Board, Diffuser, TimestampCode.IsLitRing(cell, CodeKind.Control) ? Lit : Dark);
+        for (var pair = 0; pair < TimestampCode.PairCount; pair++)
+        {
+            var cell = TimestampCode.CellOf(pair);
+            Cell(svg, cell, BoardLeft, Board, Diffuser, Pair);
+            Cell(svg, cell + 1, BoardLeft, Board, Diffuser, Pair);
+            Text(svg, Left(cell, BoardLeft, Board) + Board / 2.0, Up(cell, Board) + Board / 2.0 + 4, "middle", NameOf(pair), Ink, 11);
+        }
+        svg.Append("</g>\n");
+        for (var i = 0; i < TimestampCode.Side; i++)
+        {
+            Text(svg, Left(i, BoardLeft, Board) + Board / 2.0, Top - 6, "middle", FormattableString.Invariant($"{TimestampCode.Side - 1 - i}"));
+            Text(svg, BoardLeft - 6, Up(i * TimestampCode.Side, Board) + Board / 2.0 + 4, "end", FormattableString.Invariant($"byte {i}"));
+        }
+        Text(svg, BoardLeft - 6, Top - 6, "end", "bit");
+    }
+
+    static void Captions(StringBuilder svg, int left, params string[] lines)
+    {
+        for (var i = 0; i < lines.Length; i++) Text(svg, left + 5 * Code, Top + 10 * Code + 22 + 18 * i, "middle", lines[i]);
+    }
+
+    static string NameOf(int pair) => pair < TimestampCode.ValueBits
+        ? FormattableString.Invariant($"g{TimestampCode.ValueBits - 1 - pair}")
+        : pair == TimestampCode.ValueBits ? "even" : "odd";
+
+    /// <summary>Draws pitch, side and margin below the board.</summary>
+    static void Dimensions(StringBuilder svg)
+    {
+        const int Bottom = Top + 10 * Board;
+        double first = Left(0, BoardLeft, Board), middle = first + Board / 2.0, last = first + TimestampCode.Side * Board;
+        Dimension(svg, middle, middle + Board, Bottom + 12, "p");
+        Dimension(svg, last, last + Board, Bottom + 12, "margin p");
+        Dimension(svg, first, last, Bottom + 30, "8 p = 60 mm to 100 mm");
+    }
+
+    static void Dimension(StringBuilder svg, double from, double to, double y, string text)
+    {
+        Append(svg, $"<path d=\"M{from:0.#} {y - 5:0.#}v10M{to:0.#} {y - 5:0.#}v10M{from:0.#} {y:0.#}H{to:0.#}\" stroke=\"{Muted}\"/>\n");
+        var isWide = to - from > 4 * Board;
+        Text(svg, isWide ? (from + to) / 2 : to + 5, isWide ? y + 16 : y + 4, isWide ? "middle" : "start", text);
+    }
+
+    static void DrawCode(StringBuilder svg, string name, CodeKind kind, int left, double size, string title)
+    {
+        var cells = new bool[TimestampCode.CellCount];
+        TimestampCode.Draw(ShownMs, kind, cells);
+        Background(svg, left, Code, title);
+        Append(svg, $"<g id=\"{name}\">\n");
+        for (var cell = 0; cell < cells.Length; cell++)
+            if (cells[cell]) Cell(svg, cell, left, Code, size, Lit);
+        svg.Append("</g>\n");
+    }
+
+    static void Background(StringBuilder svg, int left, int pitch, string title)
+    {
+        Text(svg, left + 5 * pitch, 24, "middle", title, Ink, 14);
+        Append(svg, $"<rect x=\"{left}\" y=\"{Top}\" width=\"{10 * pitch}\" height=\"{10 * pitch}\" fill=\"{Ink}\"/>\n");
+    }
+
+    static void Cell(StringBuilder svg, int cell, int left, int pitch, double size, string colour)
+    {
+        double gap = (1 - size) / 2 * pitch, side = size * pitch;
+        Append(svg, $"<rect x=\"{Left(cell, left, pitch) + gap:0.#}\" y=\"{Up(cell, pitch) + gap:0.#}\" width=\"{side:0.#}\" height=\"{side:0.#}\" ");
+        Append(svg, $"fill=\"{colour}\"/>\n");
+    }
+
+    static int Left(int cell, int left, int pitch) => left + pitch + cell % TimestampCode.Side * pitch;
+
+    static int Up(int cell, int pitch) => Top + pitch + cell / TimestampCode.Side * pitch;
+
+    static void Text(StringBuilder svg, double x, double y, string anchor, string text, string colour = Muted, int size = 12) =>
+        Append(svg, $"<text x=\"{x:0.#}\" y=\"{y:0.#}\" text-anchor=\"{anchor}\" fill=\"{colour}\" {Font} font-size=\"{size}\">{text}</text>\n");
+
+    static void Append(StringBuilder svg, FormattableString text) => svg.Append(FormattableString.Invariant(text));
+}

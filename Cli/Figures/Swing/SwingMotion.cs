@@ -1,0 +1,13 @@
+using Nowpose.Motion;
+
+namespace Nowpose.Cli.Figures.Swing;
+
+/// <summary>The swing as the motion of all joints of a simulated robot, again and again.</summary>
+sealed class SwingMotion(YoubotSwing swing) : IMotion
+{
+    public IReadOnlyList<string> JointNames { get; } = [.. swing.Robot.MovingJoints.Select(joint => joint.Name)];
+
+    public double CycleSeconds => swing.Motion.Seconds;
+
+    public void At(double seconds, Span<double> positions) => swing.PositionsAt(Math.Max(seconds, 0) % CycleSeconds, positions);
+}

@@ -1,0 +1,54 @@
+using System.Globalization;
+using System.Xml.Linq;
+using Nowpose.Cli.Figures.Pictures;
+using Nowpose.Headless.Tests.ControlSystem;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Figures;
+
+/// <summary>The manual's drawing of the LED matrix, compared with the reference codes of another program.</summary>
+public class LedMatrixPictureTests
+{
+    static readonly XNamespace Svg = "http://www.w3.org/2000/svg";
+
+    [Test]
+    public void Picture_InTheManual_IsTheToolsOutput()
+    {
+        var path = $"{RepositoryFiles.Package}/Documentation~/images/{LedMatrixPicture.File}";
+
+        Assert.That(RepositoryFiles.Read(path), Is.EqualTo(LedMatrixPicture.Draw()), "draw it again: figures --pictures");
+    }
+
+    [TestCase("control")]
+    [TestCase("headset")]
+    public void Code_LitSquares_AreThoseOfTheReferenceFile(string kind)
+    {
+        var expected = CodeVectors.Read().Single(row => row.Kind == kind && row.ValueMs == LedMatrixPicture.ShownMs).Rows;
+
+        Assert.That(RowsOf(kind, "#fff"), Is.EqualTo(expected));
+    }
+
+    [Test]
+    public void Board_RingAndPairs_CoverTheMatrix()
+    {
+        byte[] ring = [0x9f, 0x81, 0x81, 0x81, 0x81, 0x81, 0x81, 0xff];
+
+        Assert.That(RowsOf("board", "#fff"), Is.EqualTo(ring));
+        Assert.That(RowsOf("board", "#9ccbff"), Is.EqualTo(new byte[] { 0, 0x7e, 0x7e, 0x7e, 0x7e, 0x7e, 0x7e, 0 }));
+    }
+
+    /// <summary>Returns the squares of one colour as rows, with the leftmost one as the highest bit.</summary>
+    static byte[] RowsOf(string group, string colour)
+    {
+        var all = XDocument.Parse(LedMatrixPicture.Draw()).Descendants(Svg + "g").Single(g => (string)g.Attribute("id") == group).Elements(Svg + "rect").ToList();
+        double left = all.Min(X), top = all.Min(Y), pitch = (all.Max(X) - left) / 7;
+        var rows = new byte[8];
+        foreach (var square in all.Where(square => (string)square.Attribute("fill") == colour))
+            rows[(int)Math.Round((Y(square) - top) / pitch)] |= (byte)(0x80 >> (int)Math.Round((X(square) - left) / pitch));
+        return rows;
+    }
+
+    static double X(XElement square) => double.Parse(square.Attribute("x")!.Value, CultureInfo.InvariantCulture);
+
+    static double Y(XElement square) => double.Parse(square.Attribute("y")!.Value, CultureInfo.InvariantCulture);
+}

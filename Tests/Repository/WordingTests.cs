@@ -1,0 +1,128 @@
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Repository;
+
+/// <summary>Texts and names use the field's terms and not the private words that CONTRIBUTING.md lists.</summary>
+/// <remarks>A wrong word is easy to find; an unclear sentence is not. The check does not replace a reader.</remarks>
+public sealed partial class WordingTests
+{
+    const string Contributing = "CONTRIBUTING.md";
+
+    static readonly string[] Exempt =
+    [
+        // They quote former names.
+        "CHANGELOG.md", "Packages/com.nowpose.mril/CHANGELOG.md", "THIRD-PARTY-NOTICES.md", Contributing, "Tests/Repository/WordingTests.cs",
+    ];
+
+    static IEnumerable<string> Sources => RepositoryFiles.All
+        .Where(file => Path.GetExtension(file) is ".cs" or ".ts" or ".mjs" or ".md" or ".yaml" && !Exempt.Contains(file));
+
+    [Test]
+    public void Names_All_UseTheTermsOfTheField()
+    {
+        var found = Lines(Sources.Where(file => file.EndsWith(".cs", StringComparison.Ordinal)))
+            .SelectMany(line => NameRules.SelectMany(rule => rule.In(line)));
+
+        Assert.That(found, Is.Empty);
+    }
+
+    [Test]
+    public void Texts_All_UseTheTermsOfTheField()
+    {
+        var found = Lines(Sources).SelectMany(line => TextRules.SelectMany(rule => rule.In(line with { Text = Prose(line) })));
+
+        Assert.That(found, Is.Empty);
+    }
+
+    [TestCase("bool _isDoubted;", "Doubt")]
+    [TestCase("const int MostRetries = 3;", "Most")]
+    [TestCase("const int MaxRetries = 3;", null)]
+    [TestCase("public void Run_PortClosed_SaysSo()", "_SaysSo")]
+    [TestCase("public void Run_PortClosed_ReportsIt()", null)]
+    public void NameRules_Sample_DetectThePrivateWord(string code, string word) =>
+        Assert.That(NameRules.SelectMany(rule => rule.In(new Line("a.cs", 1, code))), word == null ? Is.Empty : Has.One.Contains(word));
+
+    [TestCase("/// <summary>What the headset shows.</summary>", true)]
+    [TestCase("/// <summary>Gets what the headset shows.</summary>", false)]
+    [TestCase("// the predictor is told the horizon", true)]
+    [TestCase("// the predictor gets the horizon", false)]
+    [TestCase("var whoever = 1;", false)]
+    [TestCase("throw new InputException(\"whoever asks\");", true)]
+    public void TextRules_Sample_DetectThePrivateWord(string code, bool isFound)
+    {
+        var line = new Line("a.cs", 1, code);
+
+        Assert.That(TextRules.SelectMany(rule => rule.In(line with { Text = Prose(line) })), isFound ? Has.Exactly(1).Items : Is.Empty);
+    }
+
+    [Test]
+    public void Contributing_RulesOfTheCheck_AreListed()
+    {
+        var text = RepositoryFiles.Read(Contributing);
+
+        Assert.That(NameRules.Concat(TextRules).Select(rule => rule.Instead).Where(instead => !text.Contains(instead, StringComparison.Ordinal)), Is.Empty);
+    }
+
+    static readonly Rule[] NameRules =
+    [
+        new(PrivateNames(), "conflict, new, factor, display time, uncertainty, reported"),
+        new(ExtremeConstants(), "`Min…`, `Max…`"),
+        new(PrivateTestNames(), "`Method_Condition_Result` with `Is`, `Has`, `Returns`, `Reports`"),
+    ];
+
+    static readonly Rule[] TextRules =
+    [
+        new(SummaryStarts(), "a verb in the third person, or the name of the thing"),
+        new(PrivateWords(), "the field's term, see docs/glossary.md"),
+        new(Told(), "gets, is given, reports, states"),
+    ];
+
+    static IEnumerable<Line> Lines(IEnumerable<string> files) =>
+        files.SelectMany(file => RepositoryFiles.Read(file).Split('\n').Select((text, i) => new Line(file, i + 1, text)));
+
+    // Comments and string literals of code; the whole line of a page.
+    static string Prose(Line line)
+    {
+        if (line.File.EndsWith(".md", StringComparison.Ordinal)) return line.Text;
+        var comment = Comment().Match(line.Text).Value;
+        return comment + ' ' + string.Join(' ', Literals().Matches(line.Text[..^comment.Length]).Select(match => match.Value));
+    }
+
+    sealed record Line(string File, int Number, string Text);
+
+    sealed record Rule(Regex Pattern, string Instead)
+    {
+        public IEnumerable<string> In(Line line) =>
+            // An obsolete member forwards a former name.
+            Pattern.Matches(line.Text).Where(match => !Forwards.Contains(match.Value))
+                .Select(match => $"{line.File}:{line.Number}: '{match.Value}'; use {Instead}");
+    }
+
+    /// <summary>Former public names that stay for a release.</summary>
+    static readonly string[] Forwards = ["Quarrel", "IsDoubted", "LastTold", "IsDisplayTimeDoubted", "DisplayTimeDoubted", "const int MostT"];
+
+    [GeneratedRegex(@"\b\w*(?:Quarrel|Newcomer|Optimism|MomentOfLight|Unmet|Unheard|Doubt|Told)\w*\b")]
+    private static partial Regex PrivateNames();
+
+    [GeneratedRegex(@"\b(?:const|static readonly) \S+ _?(?:Least|Greatest|Most|Fewest|Longest|Shortest)[A-Z]")]
+    private static partial Regex ExtremeConstants();
+
+    [GeneratedRegex(@"(?<=public (?:async Task|void) \w*)(?:_Is(?:Said|Told|Heard)\w*|_Says\w*|SaysSo\w*|_Tells\w*|_Knows\w*|Nobody\w*|Whoever\w*)")]
+    private static partial Regex PrivateTestNames();
+
+    [GeneratedRegex(@"<summary>\s*(?:Of|What|Whoever|Whatever|So many|So long|It is|They are|One that|That|Such)\b")]
+    private static partial Regex SummaryStarts();
+
+    [GeneratedRegex(@"(?i)\b(?:whoever|whatever|somebody|quarrels?|newcomers?|unheard of|moment of light|anew|thereby|therein|thereof|forth and back)\b")]
+    private static partial Regex PrivateWords();
+
+    [GeneratedRegex(@"(?i)\b(?:is|are|was|were|be|been|as) told\b|\btold by\b|\b(?:is|are|was|were) said to\b")]
+    private static partial Regex Told();
+
+    [GeneratedRegex(@"(?<!:)//.*$|^\s*\*.*$|^\s*#.*$")]
+    private static partial Regex Comment();
+
+    [GeneratedRegex("\"(?:[^\"\\\\]|\\\\.)*\"|'[^']{12,}'|`[^`]*`")]
+    private static partial Regex Literals();
+}

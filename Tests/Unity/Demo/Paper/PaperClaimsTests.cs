@@ -1,0 +1,80 @@
+using Nowpose.Cli.Demo.Paper;
+using NUnit.Framework;
+
+namespace Nowpose.Unity.Tests.Demo.Paper;
+
+/// <summary>Every verdict of <c>demo --paper</c>, with numbers that make it hold and numbers that do not.</summary>
+public class PaperClaimsTests
+{
+    static readonly PaperMeasures Good = new(new PaperClock(0.3, 0.2, 0.2, 0.1), new PaperSwings(0.95, 0.4, [0.2, 0.2, 0.3], 0.8, 0.2), 1.5);
+
+    static IEnumerable<PaperMeasures> Bad()
+    {
+        var (clock, swings) = (Good.Clock, Good.Swings);
+        yield return Good with { Clock = clock with { FitErrorMs = 1.1 } };
+        yield return Good with { Clock = clock with { OffsetErrorMs = 8 } };
+        yield return Good with { Clock = clock with { SkewRatio = 0.6 } };
+        yield return Good with { Clock = clock with { RoundTripRatio = 0.7 } };
+        yield return Good with { Swings = swings with { NearerShare = 0.85 } };
+        yield return Good with { Swings = swings with { SteadyRatio = 0.9 } };
+        yield return Good with { Swings = swings with { GapRatios = [0.6, 0.2, 0.3] } };
+        yield return Good with { Swings = swings with { GapRatios = [0.2, 0.6, 0.3] } };
+        yield return Good with { Swings = swings with { GapRatios = [0.2, 0.2, 0.6] } };
+        yield return Good with { LightErrorMs = 4.1 };
+        yield return Good with { Swings = swings with { Reduction = 0.74 } };
+        yield return Good with { Swings = swings with { LatencyRatio = 0.4 } };
+    }
+
+    [Test]
+    public void Claims_GoodNumbers_AllHold()
+    {
+        var claims = PaperClaims.Of([Good]);
+
+        Assert.That(claims.Select(claim => claim.Holds), Is.All.True);
+        Assert.That(claims.Select(claim => claim.Figure).Distinct(), Is.EqualTo(new[] { "8", "16", "17", "18" }));
+        Assert.That(claims.Select(claim => claim.Uncertainty), Is.All.Null, "of a single repeat");
+    }
+
+    [Test]
+    public void Claims_OneBadNumber_OnlyItsClaimDoesNotHold()
+    {
+        var bad = Bad().ToList();
+        Assert.That(bad, Has.Count.EqualTo(PaperClaims.Of([Good]).Count), "one for each claim");
+
+        for (var i = 0; i < bad.Count; i++)
+        {
+            var claims = PaperClaims.Of([bad[i]]);
+            Assert.That(claims.Select(claim => claim.Holds), Is.EqualTo(bad.Select((_, c) => c != i)), claims[i].Claim);
+        }
+    }
+
+    [Test]
+    public void Claims_NotMeasured_DoNotHold()
+    {
+        var claims = PaperClaims.Of([Good, new PaperMeasures(null, null, null)]);
+
+        Assert.That(claims.Select(claim => claim.Holds), Is.All.False);
+        Assert.That(claims.Select(claim => claim.Measured), Is.All.Null);
+        Assert.That(claims[0].MeasuredText, Is.EqualTo("not measured"));
+    }
+
+    [Test]
+    public void Claims_NotFinite_IsNotMeasured()
+    {
+        var claims = PaperClaims.Of([Good with { Clock = Good.Clock with { SkewRatio = double.NaN } }]);
+
+        Assert.That((claims[2].Measured, claims[2].Holds), Is.EqualTo(((double?)null, false)));
+    }
+
+    [Test]
+    public void Claims_Repeats_HaveMeanAndItsConfidenceInterval()
+    {
+        var repeats = new[] { 1.0, 2.0, 3.0 }.Select(ms => Good with { LightErrorMs = ms }).ToList();
+
+        var claim = PaperClaims.Of(repeats).Single(each => each.Paper == 4);
+
+        Assert.That(claim.Measured, Is.EqualTo(2).Within(1e-12));
+        Assert.That(claim.Uncertainty, Is.EqualTo(4.3027 * 1 / Math.Sqrt(3)).Within(1e-3), "Student's t for two degrees of freedom");
+        Assert.That(claim.MeasuredText, Is.EqualTo("2 ms ± 2.48 ms"));
+    }
+}

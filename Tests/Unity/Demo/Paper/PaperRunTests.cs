@@ -1,0 +1,151 @@
+using System.Globalization;
+using Nowpose.Cli.Demo.Paper;
+using Nowpose.Cli.Figures.Model;
+using NUnit.Framework;
+
+namespace Nowpose.Unity.Tests.Demo.Paper;
+
+/// <summary>The paper's scenario through the complete chain in virtual time: claims that hold, claims that do not, and the numbers.</summary>
+public class PaperRunTests
+{
+    static string Text(IEnumerable<PaperClaim> claims) => string.Join(
+        "\n", claims.Select(claim => $"{claim.Holds} {claim.MeasuredText}: {claim.Claim}"));
+
+    static PaperClaim Claim(IEnumerable<PaperClaim> claims, string figure, string begin) =>
+        claims.Single(claim => claim.Figure == figure && claim.Claim.StartsWith(begin, StringComparison.Ordinal));
+
+    [Test]
+    public void Paper_CompleteChain_ReproducesTheNumbers([Values(1, 2, 3)] int seed)
+    {
+        var claims = PaperScene.Claims(PaperScene.Play(seed));
+
+        Assert.That(Claim(claims, "8", "The offset").Measured, Is.LessThan(1), Text(claims));
+        Assert.That(Claim(claims, "18", "The end-to-end").Measured, Is.LessThan(4), Text(claims));
+        Assert.That(Claim(claims, "18", "About 80").Measured, Is.InRange(0.75, 0.88), Text(claims));
+        Assert.That(claims.Where(claim => claim.Figure is "16" or "18").Select(claim => claim.Holds), Is.All.True, Text(claims));
+    }
+
+    [Test]
+    public void Paper_TenSeeds_StayWithinThePapersNumbers()
+    {
+        PaperMeasures[] repeats = [.. Enumerable.Range(1, 10).Select(seed => PaperMeasures.Of(PaperScene.Play(seed)))];
+
+        var claims = PaperClaims.Of(repeats);
+
+        TestContext.Out.WriteLine(Text(claims));
+        Assert.That(claims.Select(claim => claim.Holds), Is.All.True, Text(claims));
+        Assert.That(repeats.Max(each => each.Clock.OffsetErrorMs), Is.LessThan(1), "each seed");
+        Assert.That(repeats.Max(each => each.LightErrorMs), Is.LessThan(4), "each seed");
+    }
+
+    [Test]
+    public void Paper_ExchangesHaveAConstantInterval()
+    {
+        var run = PaperScene.Play(1);
+
+        var intervals = run.Run.Exchanges.Zip(run.Run.Exchanges.Skip(1), (a, b) => (b.T1 - a.T1).TotalMilliseconds).ToList();
+
+        Assert.That(intervals.Count(ms => Math.Abs(ms - 200) < 20), Is.GreaterThan(0.9 * intervals.Count), "200 ms but for late replies");
+        Assert.That(run.Run.Settings.Estimator, Is.EqualTo("ransac"));
+        Assert.That(run.Swings.Phases, Has.Count.InRange(3, 5), "whole swings from 10 s on");
+    }
+
+    [Test]
+    public void Paper_ClockOffByEightMilliseconds_DoesNotHold()
+    {
+        var claims = PaperScene.Claims(PaperScene.Play(1, clockErrorMs: 8));
+
+        Assert.That(Claim(claims, "8", "The offset").Holds, Is.False, Text(claims));
+        Assert.That(Claim(claims, "18", "The end-to-end").Holds, Is.False, Text(claims));
+        Assert.That(Claim(claims, "18", "The end-to-end").Measured, Is.EqualTo(8).Within(1.5), Text(claims));
+    }
+
+    [Test]
+    public void Paper_WrongStamps_DoesNotHold()
+    {
+        var claims = PaperScene.Claims(PaperScene.Play(1, stampErrorMs: 15));
+
+        Assert.That(Claim(claims, "18", "About 80").Holds, Is.False, Text(claims));
+        Assert.That(Claim(claims, "16", "Only the curved").Holds, Is.False, Text(claims));
+    }
+
+    [Test]
+    public void Paper_ProfileOfAnotherDisplay_DoesNotHold()
+    {
+        var claims = PaperScene.Claims(PaperScene.Play(1, profileMs: 65));
+
+        Assert.That(Claim(claims, "8", "The offset").Holds, Is.True, "the clock has nothing to do with it");
+        Assert.That(Claim(claims, "18", "The end-to-end").Holds, Is.False, Text(claims));
+        Assert.That(Claim(claims, "18", "The end-to-end").Measured, Is.EqualTo(25).Within(2), Text(claims));
+    }
+
+    [Test]
+    public void Paper_RunTooShort_MeasuresNoSwingAndDoesNotHold()
+    {
+        var run = PaperScene.Play(1, seconds: 11);
+        var claims = PaperScene.Claims(run);
+
+        Assert.That(run.Swings, Is.Null);
+        Assert.That(claims.Where(claim => claim.Figure is "16" or "17").Select(claim => claim.Holds), Is.All.False);
+        Assert.That(PaperFigures.Of([run], claims).Select(figure => figure.Number), Is.EqualTo(new[] { "8" }));
+    }
+
+    [Test]
+    public void Paper_Figures_HaveTheClaimsAsCriteria()
+    {
+        var run = PaperScene.Play(1);
+        var claims = PaperScene.Claims(run);
+
+        var figures = PaperFigures.Of([run], claims);
+
+        Assert.That(figures.Select(figure => figure.Number), Is.EqualTo(new[] { "8", "16", "17", "18" }));
+        Assert.That(figures.Sum(figure => figure.Criteria.Count), Is.EqualTo(claims.Count));
+        foreach (var figure in figures)
+            Assert.That(figure.Verdict == Verdict.Holds, Is.EqualTo(claims.Where(claim => claim.Figure == figure.Number).All(claim => claim.Holds)));
+    }
+
+    // Computed from the written frames alone, with positions instead of angles.
+    [Test]
+    public void Paper_Claims_AgreeWithAComputationFromTheWrittenFrames([Values(1, 4)] int seed)
+    {
+        var run = PaperScene.Play(seed);
+        var claims = PaperScene.Claims(run);
+        var frames = Frames(run).Where(frame => frame["elapsed_s"] >= 10).ToList();
+
+        var light = Percentile95(frames.Select(frame => Math.Abs(frame["assumed_light_s"] - frame["true_light_s"]) * 1000));
+        var offset = Percentile95(frames.Select(frame => Math.Abs(frame["offset_error_us"]) / 1000));
+        // A swing of 59.94 Hz frames is whole when no more than a few are missing.
+        var most = frames.GroupBy(frame => frame["swing"]).Max(swing => swing.Count());
+        var whole = frames.GroupBy(frame => frame["swing"]).Where(swing => swing.Count() > most - 6).SelectMany(swing => swing).ToList();
+        var early = whole.Where(frame => frame["swing_s"] is >= 0 and < 1.5).ToList();
+        var reduction = 1 - Math.Sqrt(early.Sum(frame => Square(frame, "shown"))) / Math.Sqrt(early.Sum(frame => Square(frame, "held")));
+
+        Assert.That(Claim(claims, "18", "The end-to-end").Measured, Is.EqualTo(light).Within(1).Percent);
+        Assert.That(Claim(claims, "8", "The offset").Measured, Is.EqualTo(offset).Within(1).Percent);
+        Assert.That(Claim(claims, "18", "About 80").Measured, Is.EqualTo(reduction).Within(1).Percent);
+    }
+
+    static List<Dictionary<string, double>> Frames(PaperRun run)
+    {
+        using var text = new StringWriter();
+        PaperOutput.WriteFrames(text, [run]);
+        var lines = text.ToString().TrimEnd().Split('\n');
+        var names = lines[0].Split(',');
+        // Relative to the first time, because a double has too few digits for the epoch.
+        var first = decimal.Parse(lines[1].Split(',')[2], CultureInfo.InvariantCulture);
+        double Value(string name, string cell) => name.EndsWith("light_s", StringComparison.Ordinal)
+            ? (double)(decimal.Parse(cell, CultureInfo.InvariantCulture) - first) : double.Parse(cell, CultureInfo.InvariantCulture);
+        return [.. lines.Skip(1).Select(line => names.Zip(line.Split(',')).ToDictionary(each => each.First, each => Value(each.First, each.Second)))];
+    }
+
+    static double Square(Dictionary<string, double> frame, string shown) =>
+        new[] { "x", "y", "z" }.Sum(axis => Math.Pow(frame[$"{shown}_{axis}_m"] - frame[$"true_{axis}_m"], 2));
+
+    static double Percentile95(IEnumerable<double> values)
+    {
+        var sorted = values.Order().ToArray();
+        var place = 0.95 * (sorted.Length - 1);
+        var low = (int)place;
+        return sorted[low] + (place - low) * (sorted[low + 1] - sorted[low]);
+    }
+}

@@ -1,0 +1,64 @@
+using System.Text.Json;
+using NUnit.Framework;
+
+namespace Nowpose.Unity.Tests.Demo.Paper;
+
+/// <summary><c>demo --paper</c> end to end, over real sockets and with pictures of its display: checks that the parts are connected.</summary>
+public class PaperVerbTests
+{
+    string _folder;
+
+    [SetUp]
+    public void MakeFolder() => _folder = Directory.CreateTempSubdirectory("nowpose-paper-").FullName;
+
+    [TearDown]
+    public void RemoveFolder() => Directory.Delete(_folder, recursive: true);
+
+    JsonElement Json(string file) => JsonDocument.Parse(File.ReadAllText(Path.Combine(_folder, file))).RootElement;
+
+    [Test]
+    public async Task Paper_AnotherTrueDisplayLatency_IsMeasuredAndUsed()
+    {
+        var run = await CliRun.OfAsync("demo", "--paper", "--seconds", "20", "--visu-ms", "55", "--out", _folder);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        var profile = Json("profile.json");
+        Assert.That(profile.GetProperty("visu_ms").GetDouble(), Is.EqualTo(55).Within(0.7), "measured in the pictures");
+        var claims = Json("result.json").GetProperty("claims").EnumerateArray().ToList();
+        Assert.That(claims.Select(claim => string.Join(' ', claim.EnumerateObject().Select(each => each.Name))), Is.All.EqualTo(
+            "figure claim paper measured uncertainty unit holds"));
+        // Whether a swing counts depends on the load of this machine, and so do the numbers.
+        Assert.That(claims[0].GetProperty("measured").ValueKind, Is.EqualTo(JsonValueKind.Number));
+        foreach (var file in new[] { "figure-8.csv", "frames.csv", "exchanges.csv", "calibration.html", "session.jsonl" })
+            Assert.That(new FileInfo(Path.Combine(_folder, file)), Has.Length.GreaterThan(100), file);
+        Assert.That(File.ReadAllText(Path.Combine(_folder, "report.html")), Does.Contain("About 80 % of the error is removed"));
+        Assert.That(run.Output, Does.Contain("About 80 %").And.Contain("holds"));
+    }
+
+    [TestCase(new[] { "--robot", "ur5", "--load", "100000" }, "--robot, --load: cannot be combined with --paper")]
+    [TestCase(new[] { "--predictor", "linear" }, "--predictor: cannot be combined with --paper")]
+    [TestCase(new[] { "--estimator", "default", "--sampling-ms", "20" }, "--estimator, --sampling-ms: cannot be combined with --paper")]
+    [TestCase(new[] { "--recording", "motion.csv" }, "--recording: cannot be combined with --paper")]
+    [TestCase(new[] { "--profile", "profile.json", "--trajectory" }, "--profile, --trajectory: cannot be combined with --paper")]
+    [TestCase(new[] { "--seconds", "10" }, "--seconds: 10 s is out of range; with --paper allowed are 20 to 3600 s")]
+    [TestCase(new[] { "--visu-ms", "10" }, "--visu-ms: 10 ms is out of range; with --paper, 17 to 400 ms are allowed")]
+    [TestCase(new[] { "--repeats", "0" }, "--repeats: 0 is out of range")]
+    public async Task Paper_ContradictingOption_IsOneLineAndExit2(string[] options, string named)
+    {
+        var run = await CliRun.OfAsync(["demo", "--paper", "--out", Path.Combine(_folder, "none"), .. options]);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors.TrimEnd().Split('\n'), Has.Length.EqualTo(1), run.Errors);
+        Assert.That(run.Errors, Does.Contain(named));
+        Assert.That(Directory.Exists(Path.Combine(_folder, "none")), Is.False);
+    }
+
+    [Test]
+    public async Task Repeats_WithoutPaper_IsRefused()
+    {
+        var run = await CliRun.OfAsync("demo", "--repeats", "2", "--out", Path.Combine(_folder, "none"));
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors, Does.Contain("--repeats: needs --paper"));
+    }
+}

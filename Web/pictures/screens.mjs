@@ -1,0 +1,59 @@
+// The screens of the manual: the stored data of each page, and the texts by which a test detects a change of the page.
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { gunzipSync } from 'node:zlib';
+
+/** Fixed time of the pictures, in UTC. */
+export const NOW = new Date('2026-01-15T10:00:00Z');
+
+export const path = relative => fileURLToPath(new URL(relative, import.meta.url));
+export const stored = name => JSON.parse(gunzipSync(readFileSync(path(`${name}.json.gz`))));
+
+const manual = '../../Packages/com.nowpose.mril/Documentation~/';
+
+/** Each picture with the pages of the manual that show it. */
+export const PICTURES = {
+  report: { file: '../../docs/report.png', shownBy: '../../docs/measurements.md' },
+  'virtual-cell': { file: `${manual}images/virtual-cell.png`, shownBy: `${manual}first-hour.md` },
+  calibration: { file: `${manual}images/calibration.png`, shownBy: `${manual}visualisation-latency.md` },
+  'operations-headsets': { file: `${manual}images/operations-headsets.png`, shownBy: `${manual}operations.md` },
+  operations: { file: `${manual}images/operations.png`, shownBy: `${manual}operations.md` },
+};
+
+/** Gives a fake gateway the fixed state of the picture: a fault, a lost headset and a fault that is over. */
+export function setState(gateway) {
+  // A tool error of 2 mm at 0.48 m from the rotation axis.
+  gateway.turned = 0.004;
+  const reason = 'refused: the router does not know this machine';
+  const since = seconds => new Date(NOW - 1000 * seconds).toISOString();
+  for (const joint of gateway.state.joints) joint.since_utc = since(3600);
+  gateway.state.status = { level: 'error', text: `adapter belt is not connected: ${reason} (and 1 more)` };
+  gateway.state.events = [
+    { id: 3, kind: 'headset', which: 'right door', what: 'is lost', reason: '', level: 'warning', since_utc: since(8) },
+    { id: 2, kind: 'adapter', which: 'belt', what: 'is not connected', reason, level: 'error', since_utc: since(95) },
+    {
+      id: 1, kind: 'joint', which: 'arm_joint_3 (press)', what: 'is stale', reason: 'samples stopped arriving', level: 'error',
+      since_utc: since(600), until_utc: since(590),
+    },
+  ];
+}
+
+/** Opens the operations page of a fake gateway at the fixed time and waits for its three answers: state, headsets and recordings. */
+export async function openOperations(browser, gateway, viewport) {
+  const context = await browser.newContext({ viewport, timezoneId: 'UTC', locale: 'en-GB' });
+  const page = await context.newPage();
+  await page.clock.setFixedTime(NOW);
+  await page.goto(gateway.address);
+  const [{ name: recording }] = gateway.recordings;
+  await page.waitForFunction(recording => document.querySelector('#clock').textContent !== '–'
+    && document.querySelector('#headsets').textContent.includes('right door')
+    && document.querySelector('#recordings').textContent.includes(recording), recording);
+  return page;
+}
+
+/** Returns the headings, table headers, legends and controls of a page, without its values. */
+export const textsOf = page => page.evaluate(() => {
+  const texts = [...document.querySelectorAll('h1, h2, h3, caption, th, dt, summary, label, button')]
+    .filter(element => element.checkVisibility()).map(element => element.textContent.replaceAll('\u00ad', '').replace(/\s+/g, ' ').trim());
+  return [...new Set(texts)].filter(text => text !== '');
+});

@@ -1,0 +1,104 @@
+// Writes the manual's pictures of the pages and the texts that the test compares: `npm run pictures`.
+// `npm run pictures -- --record` first runs `demo` and `calibrate` again and replaces their stored data.
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
+import { Browser, NO_WEBGL, WEBGL } from '../test/browser.mjs';
+import { FakeGateway } from '../test/fakeGateway.mjs';
+import { settled } from '../test/inks.mjs';
+import { picture } from '../test/pixels.mjs';
+import { openOperations, path, PICTURES, setState, stored, textsOf } from './screens.mjs';
+
+/** Replaces the data of `demo` and `calibrate vlc` by those of new runs. */
+function record() {
+  const folder = mkdtempSync(join(tmpdir(), 'nowpose-pictures-'));
+  const stdio = ['ignore', 'inherit', 'inherit'];
+  const run = (...words) => execFileSync('dotnet', ['run', '-c', 'Release', '--project', path('../../Cli'), '--', ...words], { stdio });
+  const store = (name, page, change) => {
+    const [, json] = /<script type="application\/json"[^>]*>([^]*?)<\/script>/.exec(readFileSync(join(folder, page), 'utf8'));
+    writeFileSync(path(`${name}.json.gz`), gzipSync(JSON.stringify(change(JSON.parse(json))), { level: 9 }));
+  };
+  try {
+    run('demo', '--seconds', '60', '--seed', '1', '--out', join(folder, 'demo'));
+    run('calibrate', 'simulate', '--pictures', '240', '--out', join(folder, 'simulated'));
+    run('calibrate', 'vlc', join(folder, 'simulated/pictures'), '--sweep', join(folder, 'simulated/sweep.csv'), '--out', join(folder, 'calibration'));
+    store('demo', 'demo/report.html', thinned);
+    // The picture has no date.
+    store('calibration', 'calibration/calibration.html', data => ({ ...data, facts: data.facts.filter(([label]) => label !== 'Evaluated') }));
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}
+
+/** Keeps the report's data small: every tenth instant of the playback and every fifth of the clock. */
+function thinned({ playback, clock, ...rest }) {
+  const every = (step, object) => Object.fromEntries(Object.entries(object).map(([key, value]) =>
+    [key, Array.isArray(value) && key !== 'names' ? value.filter((_, i) => i % step === 0) : value]));
+  return { ...rest, clock: every(5, clock), playback: every(10, playback) };
+}
+
+/** Returns a drawn instant of fast motion whose error with compensation is closest to the RMS of the run. */
+function typicalInstant({ error: { t, hold, compensated }, playback, summary: [rms] }) {
+  const nearest = at => t.reduce((best, time, i) => (Math.abs(time - at) < Math.abs(t[best] - at) ? i : best), 0);
+  const distance = i => Math.abs(compensated[i] - rms.compensated), max = Math.max(...hold);
+  const fast = playback.t.map(at => ({ at, i: nearest(at) })).filter(({ i }) => hold[i] > 0.6 * max);
+  return fast.reduce((best, one) => (distance(one.i) < distance(best.i) ? one : best)).at;
+}
+
+/** Writes the part of a page from the upper edge of one element to the lower edge of another. */
+async function shoot(page, [first, last], file) {
+  const margin = 12, { width } = page.viewportSize();
+  const [{ y }, end] = [await page.locator(first).boundingBox(), await page.locator(last).boundingBox()];
+  const top = Math.max(0, y - margin);
+  await page.screenshot({ path: path(file), fullPage: true, clip: { x: 0, y: top, width, height: end.y + end.height + margin - top } });
+}
+
+async function draw(graphics, write) {
+  const gateway = await FakeGateway.start();
+  setState(gateway);
+  const browser = await Browser.start('report', graphics);
+  try {
+    await write(browser, gateway);
+  } finally {
+    await browser.stop();
+    await gateway.stop();
+  }
+}
+
+async function drawPictures(browser, gateway) {
+  const data = stored('demo'), report = await browser.open(data, { viewport: { width: 1160, height: 640 } });
+  await shoot(report, ['header', '#error'], PICTURES.report.file);
+
+  const slider = report.locator('#playback input[type=range]');
+  await slider.fill(String(typicalInstant(data)));
+  await slider.blur();
+  await settled(report);
+  await report.locator('#playback').screenshot({ path: path(PICTURES['virtual-cell'].file) });
+
+  const calibration = await browser.open(stored('calibration'), { name: 'calibration', viewport: { width: 1160, height: 800 } });
+  await shoot(calibration, ['header', 'section:has(#section-1)'], PICTURES.calibration.file);
+
+  const operations = await openOperations(browser.browser, gateway, { width: 1280, height: 2560 });
+  await shoot(operations, ['h1', 'section:has(#clock)'], PICTURES.operations.file);
+  const seen = await picture(operations, operations.locator('#robot .stage'), ({ grey, orange }) => grey > 500 && orange > 200);
+  if (seen.orange <= 200) throw new Error('operations: the page draws no robot; Chromium needs WebGL');
+  // The robot moves fast now, so that the poses differ.
+  await operations.waitForFunction(() => /about 2\d/.test(document.querySelector('.apart').textContent));
+  await shoot(operations, ['section:has(> #headsets)', 'section:has(> #robot)'], PICTURES['operations-headsets'].file);
+}
+
+async function writeTexts(browser, gateway) {
+  const texts = {
+    report: await textsOf(await browser.open(stored('demo'))),
+    calibration: await textsOf(await browser.open(stored('calibration'), { name: 'calibration' })),
+    operations: await textsOf(await openOperations(browser.browser, gateway)),
+  };
+  writeFileSync(path('texts.json'), JSON.stringify(texts, null, 2) + '\n');
+}
+
+if (process.argv.includes('--record')) record();
+await draw(WEBGL, drawPictures);
+// As in the test: without a graphics card.
+await draw(NO_WEBGL, writeTexts);
