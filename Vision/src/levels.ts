@@ -55,9 +55,12 @@ const raisedTo = 0.5, brightest = 0.001, maxGain = 16;
 /** Brightens a dark picture, so that its codes are searched like those of a bright one. */
 export function brightened(light: Light): Light {
   const steps = 1024, counts = new Uint32Array(steps + 1);
-  for (const value of light.data) counts[Math.floor(value * steps)]++;
+  for (let i = 0; i < light.data.length; i++) counts[light.data[i] * steps | 0]++;
   let step = steps;
   for (let above = 0; step > 0 && above < brightest * light.data.length; step--) above += counts[step];
   const gain = Math.min(maxGain, raisedTo * steps / (step + 1));
-  return gain <= 1 ? light : { ...light, data: light.data.map(value => value * gain) };
+  if (gain <= 1) return light;
+  const data = new Float32Array(light.data.length);
+  for (let i = 0; i < data.length; i++) data[i] = gain * light.data[i];
+  return { ...light, data };
 }
