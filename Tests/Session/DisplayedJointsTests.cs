@@ -9,6 +9,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Session;
 
 /// <summary>The displayed joints that a headset reports.</summary>
+[NonParallelizable] // counts garbage
 public class DisplayedJointsTests
 {
     static readonly TimeSpan Visualisation = TimeSpan.FromMilliseconds(40);
@@ -84,16 +85,18 @@ public class DisplayedJointsTests
     // The runtime allocates a wait object when a thread first meets a held lock. This allocation must not count as a cost of a frame.
     void WaitOnceForTheSession(HeadsetTime now)
     {
-        var (waiting, isHeld) = (Thread.CurrentThread, new ManualResetEventSlim());
+        var (waiting, isHeld, isAtTheLock) = (Thread.CurrentThread, new ManualResetEventSlim(), new ManualResetEventSlim());
         void Hold(DisplayFrame frame)
         {
             isHeld.Set();
-            Assert.That(SpinWait.SpinUntil(() => waiting.ThreadState.HasFlag(ThreadState.WaitSleepJoin), Soon.Limit), Is.True);
+            Assert.That(SpinWait.SpinUntil(() => isAtTheLock.IsSet && waiting.ThreadState.HasFlag(ThreadState.WaitSleepJoin), Soon.Limit), Is.True);
         }
 
         _session.Ticked += Hold;
         var holding = Task.Factory.StartNew(() => _session.Tick(now), TaskCreationOptions.LongRunning);
         Assert.That(SpinWait.SpinUntil(() => isHeld.IsSet, Soon.Limit), Is.True);
+        // SpinUntil itself sleeps, which would look like waiting for the lock.
+        isAtTheLock.Set();
         _session.Displayed();
         _session.Ticked -= Hold;
         holding.Bounded().GetAwaiter().GetResult();
