@@ -24,21 +24,13 @@ sealed class CalibrationOutput
 
     /// <summary>Creates the folder.</summary>
     /// <exception cref="InputException">The folder is not writable. This is checked before the work, not after it.</exception>
-    public static CalibrationOutput At(string folder)
+    public static CalibrationOutput At(string folder) => OutputPath.InFolder("--out", folder, full =>
     {
-        try
-        {
-            var output = new CalibrationOutput(Directory.CreateDirectory(folder).FullName);
-            var trial = Path.Combine(output._folder, Path.GetRandomFileName());
-            File.WriteAllText(trial, "");
-            File.Delete(trial);
-            return output;
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
-        {
-            throw new InputException($"--out: {folder}: cannot be written to: {e.Message.ReplaceLineEndings(" ")}", e);
-        }
-    }
+        var trial = Path.Combine(full, Path.GetRandomFileName());
+        File.WriteAllText(trial, "");
+        File.Delete(trial);
+        return new CalibrationOutput(full);
+    });
 
     /// <summary>Writes the profile and the page. An existing profile that has a limit is not replaced by one without a limit.</summary>
     /// <param name="profile">The profile, or null for none.</param>

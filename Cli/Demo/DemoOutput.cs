@@ -24,23 +24,16 @@ sealed class DemoOutput
 
     /// <summary>Creates the folder and removes an earlier run's files, so that they cannot be mistaken for this run's.</summary>
     /// <exception cref="InputException">The folder is not writable. This is checked before the run, not after it.</exception>
-    public static DemoOutput At(string folder)
+    public static DemoOutput At(string folder) => OutputPath.InFolder("--out", folder, full =>
     {
-        try
-        {
-            var output = new DemoOutput(Directory.CreateDirectory(folder).FullName);
-            File.Delete(output.ReportPath);
-            File.Delete(output.SessionPath);
-            PaperOutput.RemoveEarlier(output.Folder);
-            File.WriteAllText(output.ResultPath, "");
-            File.Delete(output.ResultPath);
-            return output;
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
-        {
-            throw new InputException($"--out: {folder}: cannot be written to: {e.Message.ReplaceLineEndings(" ")}", e);
-        }
-    }
+        var output = new DemoOutput(full);
+        File.Delete(output.ReportPath);
+        File.Delete(output.SessionPath);
+        PaperOutput.RemoveEarlier(output.Folder);
+        File.WriteAllText(output.ResultPath, "");
+        File.Delete(output.ResultPath);
+        return output;
+    });
 
     /// <param name="figures">The paper's figures of this run; null without <c>--paper</c>.</param>
     public void Write(DemoScore score, DemoRun run, DemoResult result, IReadOnlyList<Figure> figures = null)

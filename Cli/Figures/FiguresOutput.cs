@@ -43,19 +43,11 @@ sealed class FiguresOutput
         if (_pictures != null) PicturePaths = DocumentPictures.Write(_pictures, figures);
     }
 
-    static string Writable(string option, string folder, string trial)
+    static string Writable(string option, string folder, string trial) => OutputPath.InFolder(option, folder, full =>
     {
-        try
-        {
-            var full = Directory.CreateDirectory(folder).FullName;
-            var path = Path.Combine(full, trial);
-            File.WriteAllText(path, "");
-            File.Delete(path);
-            return full;
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
-        {
-            throw new InputException($"{option}: {folder}: cannot be written to: {e.Message.ReplaceLineEndings(" ")}", e);
-        }
-    }
+        var path = Path.Combine(full, trial);
+        File.WriteAllText(path, "");
+        File.Delete(path);
+        return full;
+    });
 }

@@ -29,16 +29,12 @@ static class SyncPage
             ["Exchanges", FormattableString.Invariant($"{exchanges.Count} in {steps[^1].Seconds:0.0} s")],
             ["Estimator", estimator == ClockEstimators.Ransac ? "RANSAC, as in the paper" : estimator],
         ];
-        try
+        OutputPath.File("--page", path, () =>
         {
             File.WriteAllText(path, FiguresPage.Render(FiguresJson.Of(
                 "Clock synchronisation of your log", "Fig. 8 of the paper from recorded exchanges.", conditions, missing: [], [figure])));
             using var file = File.CreateText(data);
             figure.Table.WriteCsv(file);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
-        {
-            throw new InputException($"--page: {path}: cannot be written: {e.Message.ReplaceLineEndings(" ")}", e);
-        }
+        });
     }
 }

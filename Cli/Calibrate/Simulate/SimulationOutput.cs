@@ -60,15 +60,5 @@ static class SimulationOutput
         foreach (var picture in earlier) File.Delete(picture);
     }
 
-    static string Made(string folder)
-    {
-        try
-        {
-            return Directory.CreateDirectory(folder).FullName;
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
-        {
-            throw new InputException($"--out: {folder}: cannot be written to: {e.Message.ReplaceLineEndings(" ")}", e);
-        }
-    }
+    static string Made(string folder) => OutputPath.InFolder("--out", folder, full => full);
 }

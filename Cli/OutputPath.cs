@@ -1,0 +1,38 @@
+namespace Nowpose.Cli;
+
+/// <summary>Writes where an option says, and reports what prevents it in one line that names the option and the path.</summary>
+static class OutputPath
+{
+    /// <summary>Creates a folder and prepares it.</summary>
+    /// <param name="option">The option that names the folder, for example <c>--out</c>.</param>
+    /// <param name="prepare">Gets the full path of the folder.</param>
+    /// <exception cref="InputException">The folder is not writable.</exception>
+    public static T InFolder<T>(string option, string folder, Func<string, T> prepare)
+    {
+        try
+        {
+            return prepare(Directory.CreateDirectory(folder).FullName);
+        }
+        catch (Exception e) when (IsRefusal(e))
+        {
+            throw new InputException($"{option}: {folder}: cannot be written to: {e.Message.ReplaceLineEndings(" ")}", e);
+        }
+    }
+
+    /// <summary>Writes a file.</summary>
+    /// <param name="option">The option that names the file, for example <c>--page</c>.</param>
+    /// <exception cref="InputException">The file cannot be written.</exception>
+    public static void File(string option, string path, Action write)
+    {
+        try
+        {
+            write();
+        }
+        catch (Exception e) when (IsRefusal(e))
+        {
+            throw new InputException($"{option}: {path}: cannot be written: {e.Message.ReplaceLineEndings(" ")}", e);
+        }
+    }
+
+    static bool IsRefusal(Exception e) => e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException;
+}
