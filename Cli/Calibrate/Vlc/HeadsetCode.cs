@@ -46,10 +46,10 @@ static class HeadsetCode
         int alikes = 0, differents = 0;
         for (var pair = 0; pair < TimestampCode.PairCount; pair++)
         {
-            var said = contrasts[pair] * CodeWords.SignOf(first, pair);
-            squares += said * said;
-            if (CodeWords.SignOf(first, pair) == CodeWords.SignOf(second, pair)) (alike, alikes) = (alike + said, alikes + 1);
-            else (different, differents) = (different + said, differents + 1);
+            var signed = contrasts[pair] * CodeWords.SignOf(first, pair);
+            squares += signed * signed;
+            if (CodeWords.SignOf(first, pair) == CodeWords.SignOf(second, pair)) (alike, alikes) = (alike + signed, alikes + 1);
+            else (different, differents) = (different + signed, differents + 1);
         }
         var sum = alike / alikes;
         var difference = differents == 0 ? sum : different / differents;

@@ -9,5 +9,9 @@ sealed class SwingStudy(FigureSettings settings) : IFigureStudy
 
     public IReadOnlyList<Action> Work => _runs.Work;
 
-    public IEnumerable<Figure> Figures() => [Figure16.Of(_runs.Set), Figure17.Of(_runs.Set), Figure18.Of(_runs.Set)];
+    public IEnumerable<Figure> Figures()
+    {
+        var set = _runs.Set;
+        return [Figure16.Of(set), Figure17.Of(set), Figure18.Of(set)];
+    }
 }
