@@ -32,7 +32,7 @@ Environment.CurrentDirectory = Path.GetFullPath("../../..", AppContext.BaseDirec
 
 // Without arguments everything runs; BenchmarkDotNet's own arguments choose, such as --filter *Frame*.
 var summaries = BenchmarkSwitcher.FromTypes([typeof(FrameBenchmarks), typeof(SampleBenchmarks), typeof(PredictorBenchmarks), typeof(ExchangeBenchmarks),
-        typeof(SceneBenchmarks)])
+        typeof(SceneBenchmarks), typeof(BodyBenchmarks)])
     .Run(args.Length > 0 ? args : ["--filter", "*"], MeasurementSettings.Create())
     .ToList();
 if (summaries.Count == 0) return 1;

@@ -7,6 +7,9 @@ namespace Nowpose.Vision;
 /// <param name="Corners">Corners in px, y down: the top left corner of the code first, then clockwise.</param>
 sealed record FoundCode(CodeKind Kind, IReadOnlyList<double> Levels, IReadOnlyList<(double X, double Y)> Corners)
 {
+    /// <summary>Share of the cells that are white in their middle, 0 to 1.</summary>
+    public double WhiteShare { get; init; }
+
     /// <summary>Intersection of the diagonals, px: the centre of the code, also in perspective.</summary>
     public (double X, double Y) Center
     {

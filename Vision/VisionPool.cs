@@ -117,7 +117,10 @@ public sealed class VisionPool : IDisposable
     static FoundCode CodeOf(JsonElement code) => new(
         Enum.Parse<CodeKind>(code.GetProperty("kind").GetString()),
         [.. code.GetProperty("levels").EnumerateArray().Select(level => level.GetDouble())],
-        [.. code.GetProperty("corners").EnumerateArray().Select(corner => (corner[0].GetDouble(), corner[1].GetDouble()))]);
+        [.. code.GetProperty("corners").EnumerateArray().Select(corner => (corner[0].GetDouble(), corner[1].GetDouble()))])
+    {
+        WhiteShare = code.GetProperty("white").GetDouble(),
+    };
 
     public void Dispose()
     {

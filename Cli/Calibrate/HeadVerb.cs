@@ -48,7 +48,7 @@ static class HeadVerb
         var read = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay))).Run(files, isStill: false, cancel);
         VlcVerb.Tell(read);
         if (read.Read.Count == 0)
-            return cancel.IsCancellationRequested ? ExitStatus.Interrupted : throw VlcVerb.NothingRead(arguments, read);
+            return cancel.IsCancellationRequested ? ExitStatus.Interrupted : throw new InputException(read.NothingRead());
         var result = ResultOf(read, arguments[0]);
         var profile = earlier.With(new HeadMotionLatency(result.LatencyMs, result.UncertaintyMs));
         var page = earlier.WithWarnings(HeadPage.Of(result, profile, earlier.Conditions));

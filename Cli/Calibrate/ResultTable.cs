@@ -5,6 +5,9 @@ namespace Nowpose.Cli.Calibrate;
 /// <summary>Prints a calibration's result to stdout and its warnings to stderr.</summary>
 static class ResultTable
 {
+    /// <summary>Maximum length of a list in the table, in characters; the page has all of it.</summary>
+    const int MaxLength = 400;
+
     /// <param name="profilePath">Path of the profile, or null for none.</param>
     /// <param name="json">The JSON to print instead of the table, or null for the table.</param>
     public static void Print(CalibrationPageData page, string profilePath, string pagePath, string json)
@@ -23,8 +26,14 @@ static class ResultTable
     static void PrintTable(CalibrationPageData page)
     {
         var table = new Table().AddColumns("result", "");
-        foreach (var fact in page.Facts) table.AddRow(Markup.Escape(fact[0]), Markup.Escape(fact[1]));
+        foreach (var fact in page.Facts) table.AddRow(Markup.Escape(fact[0]), Markup.Escape(Shortened(fact[1])));
         ResultConsole.Create().Write(table);
         Console.Out.WriteLine(page.Result);
+    }
+
+    static string Shortened(string list)
+    {
+        var end = list.Length > MaxLength ? list.LastIndexOf(", ", MaxLength, StringComparison.Ordinal) : -1;
+        return end < 0 ? list : FormattableString.Invariant($"{list[..end]} and {list[end..].Split(", ").Length - 1} more, which the page and --json name");
     }
 }

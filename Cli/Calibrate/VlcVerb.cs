@@ -40,8 +40,7 @@ static class VlcVerb
 
     static int Run(ParseResult parsed, CancellationToken cancel)
     {
-        var arguments = parsed.GetValue(Pictures);
-        var files = PictureFiles.Of(arguments);
+        var files = PictureFiles.Of(parsed.GetValue(Pictures));
         DisplayConditions conditions = null;
         var sweep = parsed.GetValue(Sweep) is string path ? SweepTable.Read(path, out conditions) : null;
         var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Conditions(parsed), conditions);
@@ -50,12 +49,12 @@ static class VlcVerb
         var result = run.Run(files, isStill: true, cancel);
         Tell(result);
         var status = cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
-        if (result.Read.Count == 0) return status == ExitStatus.Done ? throw NothingRead(arguments, result) : status;
+        if (result.Pictures.Count == 0) return status;
         var evaluation = new VlcEvaluation(result, sweep, earlier);
         var written = output.Write(evaluation.Profile, evaluation.Page);
-        if (sweep != null) output.WritePairs(evaluation.Pictures);
+        if (sweep != null && result.Read.Count > 0) output.WritePairs(evaluation.Pictures);
         ResultTable.Print(evaluation.Page, written, output.PagePath, parsed.GetValue(Json) ? VlcJson.Of(result, evaluation.Profile) : null);
-        return status;
+        return status != ExitStatus.Done || evaluation.Profile != null ? status : result.Read.Count > 0 ? ExitStatus.Failed : ExitStatus.BadInput;
     }
 
     public static Option<double> ReadoutOption() => NumberOption.Create(
@@ -70,12 +69,5 @@ static class VlcVerb
         var rejected = result.Pictures.Where(picture => !picture.IsRead).ToList();
         foreach (var picture in rejected.Take(MaxListed)) Console.Error.WriteLine($"nowpose: {picture.File}: {picture.Fault}");
         if (rejected.Count > MaxListed) Console.Error.WriteLine($"nowpose: {rejected.Count - MaxListed} more were rejected");
-    }
-
-    public static InputException NothingRead(string[] arguments, VlcResult result)
-    {
-        if (result.Pictures.Count == 1) return new InputException($"{result.Pictures[0].File}: {result.Pictures[0].Fault}");
-        var (fault, files) = result.Faults().First();
-        return new InputException($"{arguments[0]}: none of {result.Pictures.Count} pictures could be read; {files.Count} of them: {fault}");
     }
 }

@@ -12,7 +12,8 @@ sealed class DemoRangeWords(DemoSettings settings, DemoResult result, DemoRange 
             if (result.Range is not { } seen) yield break;
             var load = new DemoLoad(settings.Load.Value, settings.Seconds);
             yield return ("render load", FormattableString.Invariant($"{load.Vertices} vertices, from {load.FromSeconds:0.0} to {load.ToSeconds:0.0} s"));
-            yield return ("constant-latency range", $"up to {Number(seen.LimitRenderMs, "0.0#")} ms; {Story(seen)}");
+            yield return ("constant-latency range", seen.LimitRenderMs == null ? "the profile has no limit, so there is no alarm"
+                : $"up to {Number(seen.LimitRenderMs, "0.0#")} ms; {Story(seen)}");
             if (seen.FramesOutside > 0) yield return ($"{seen.FramesOutside} frames outside", Against());
         }
     }

@@ -34,7 +34,7 @@ static class DemoReport
             Range = Range(run, start),
             Claims = result.Claims?.Select(claim => new
             {
-                claim.Figure, claim.Claim, Paper = claim.PaperText, Measured = claim.MeasuredText, claim.Holds,
+                claim.Figure, claim.Claim, Paper = claim.PaperText, Measured = claim.MeasuredText, claim.Verdict,
             }),
             Figures = figures?.Select(FiguresJson.Of),
             Playback = new DemoPlayback(score, run, start).Instants(),

@@ -30,13 +30,12 @@ sealed record DemoResult(
         double? Reduction, double? ReductionFirstCycle, double? ReductionRepeated);
 
     /// <summary>The runtime's own measurement, without the truth. The uncertainty is half of the 95 % confidence interval.</summary>
-    /// <param name="IsWithheld">Whether the runtime gives no numbers, because the render time has been outside the range.</param>
-    public sealed record Hindcasts(
-        double? Reduction, double? ReductionUncertainty, double? RmsMm, double? HoldRmsMm, [property: JsonIgnore] bool IsWithheld)
+    /// <param name="Withheld">Why the runtime gives no numbers; null if it gives them, or has none yet.</param>
+    public sealed record Hindcasts(double? Reduction, double? ReductionUncertainty, double? RmsMm, double? HoldRmsMm, string Withheld)
     {
         /// <summary>The runtime's own reduction, or why there is none.</summary>
         [JsonIgnore]
-        public string ReductionText => IsWithheld ? "withheld: the render time was outside the constant-latency range"
+        public string ReductionText => Withheld != null ? "withheld: " + Withheld
             : Reduction == null ? "–"
             : FormattableString.Invariant($"{100 * Reduction:0.0} ± {100 * ReductionUncertainty:0.0} %");
     }

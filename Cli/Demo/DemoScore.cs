@@ -117,7 +117,8 @@ sealed class DemoScore
     {
         var error = _run.Statistics.ToolErrorOfRun;
         return new DemoResult.Hindcasts(
-            error?.Reduction, error?.ReductionUncertainty, error?.Rms, error?.HoldRms, _run.Statistics.IsRunPartlyOutsideRange);
+            error?.Reduction, error?.ReductionUncertainty, error?.Rms, error?.HoldRms,
+            _run.Statistics.IsRunPartlyOutsideRange ? "the render time was beyond the calibrated range" : null);
     }
 
     static double? Reduction(IEnumerable<DemoError> errors)

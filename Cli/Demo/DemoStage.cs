@@ -64,6 +64,7 @@ static class DemoStage
         if (headset.EndRecording() is string problem) Console.Error.WriteLine("nowpose: " + problem);
         if (headset.Complaint is string complaint) throw new DemoFailedException("the scene logged an error: " + complaint);
         return new DemoRun(settings, truth, loop.Frames, headset.Log.ApplicationLatencies, headset.Session.Statistics(clock.Now),
-            session.Range?.Limit, headset.Alarms) { Exchanges = headset.Log.Exchanges() };
+            session.Range?.Limit, headset.Alarms)
+        { Exchanges = headset.Log.Exchanges() };
     }
 }

@@ -36,7 +36,7 @@ static class DemoTable
         var grid = new Grid().AddColumn().AddColumn();
         void Row(string label, string value) => grid.AddRow(Markup.Escape(label), Markup.Escape(value));
         var hindcast = result.Hindcast;
-        var errors = hindcast.IsWithheld ? "" : $", {Mm(hindcast.HoldRmsMm)} to {Mm(hindcast.RmsMm)} RMS";
+        var errors = hindcast.Withheld != null ? "" : $", {Mm(hindcast.HoldRmsMm)} to {Mm(hindcast.RmsMm)} RMS";
         Row("as the headset measured it", hindcast.ReductionText + errors);
         Row("application latency", $"{Ms(result.LatencyMs.AppP50)} median, {Ms(result.LatencyMs.AppP95)} P95");
         Row("visualisation latency", Ms(result.LatencyMs.Visu));

@@ -16,14 +16,15 @@ static class FiguresVerb
             DefaultValueFactory = _ => "nowpose-figures",
         };
         var quick = new Option<bool>("--quick") { Description = "A quarter of the runs: under a minute, with slightly less accurate numbers" };
+        var seed = NumberOption.Create("--seed", "Seed of the random numbers.", FigureSettings.Full.Seed, 0, 1_000_000, "");
         var pictures = new Option<string>("--pictures") { Description = "Folder for the pictures of the documentation, as SVG" };
         var verb = new Command("figures", "Recompute the paper's figures: data as CSV, and one HTML page with the paper's claims beside our results.")
         {
-            output, quick, pictures,
+            output, quick, seed, pictures,
         };
         // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
         verb.SetAction((parsed, cancel) => Task.Run(
-            () => Run(parsed.GetValue(quick) ? FigureSettings.Quick : FigureSettings.Full, parsed.GetValue(output), parsed.GetValue(pictures), cancel),
+            () => Run((parsed.GetValue(quick) ? FigureSettings.Quick : FigureSettings.Full) with { Seed = parsed.GetValue(seed) }, parsed.GetValue(output), parsed.GetValue(pictures), cancel),
             CancellationToken.None));
         return verb;
     }

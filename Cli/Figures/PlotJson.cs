@@ -13,7 +13,7 @@ static class PlotJson
         X = Of(plot.X),
         Y = Of(plot.Y),
         plot.FromZero,
-        plot.YExtent,
+        YRange = plot.YRange is var (from, to) ? new[] { from, to } : null,
         plot.IsoMm,
         Marks = plot.Marks.Select(m => new { m.Label, m.X }),
         Traces = plot.Traces.Select(t => new

@@ -53,6 +53,8 @@ static class RecommendVerb
     static (RecordingTraits Traits, ISubject[] Subjects) OfMotion(string path, (double SamplingMs, double LatencyMs)[] conditions)
     {
         var motion = MotionRecording.Read(path);
+        if (motion.IsBody)
+            throw new InputException($"{path}: is the recording of a rigid body; recommend reads joints only. Use `replay --predictor NAME` instead");
         var joints = motion.Names.Select((name, joint) => new JointSeries(name, motion.Times, motion.PositionsOf(joint)));
         return (new RecordingTraits([.. joints]), [.. conditions.Select(c => new MotionSubject(path, motion, c.SamplingMs, c.LatencyMs))]);
     }

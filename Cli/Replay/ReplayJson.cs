@@ -7,6 +7,31 @@ static class ReplayJson
 {
     public static string Of(ReplayResult result) => JsonText.Of(isIndented: true, json => Write(json, result));
 
+    /// <summary>The result of a rigid body; no totals, because millimetres and degrees have no sum.</summary>
+    public static string Of(BodyReplayResult result) => JsonText.Of(isIndented: true, json => Write(json, result));
+
+    static void Write(Utf8JsonWriter json, BodyReplayResult result)
+    {
+        json.WriteStartObject();
+        json.WriteString("file", result.File);
+        json.WriteString("predictor", result.Predictor);
+        json.WriteNumber("frames", result.Frames);
+        json.WriteStartObject("body");
+        Write(json, "error_mm", result.Position);
+        Write(json, "error_deg", result.Rotation);
+        json.WriteEndObject();
+        json.WriteEndObject();
+    }
+
+    static void Write(Utf8JsonWriter json, string name, BodyReplayResult.ErrorSize error)
+    {
+        json.WriteStartObject(name);
+        json.WriteNumber("rms_hold", error.RmsHold);
+        json.WriteNumber("rms", error.Rms);
+        json.WriteNumber("p95", error.P95);
+        json.WriteEndObject();
+    }
+
     static void Write(Utf8JsonWriter json, ReplayResult result)
     {
         json.WriteStartObject();

@@ -24,6 +24,19 @@ static class ReplayTable
         console.Write(table);
     }
 
+    public static void Write(IAnsiConsole console, BodyReplayResult result)
+    {
+        var title = $"{Path.GetFileName(result.File)}: {result.Predictor}, {result.Frames} frames";
+        var table = new Table().Title(Markup.Escape(title));
+        table.AddColumn("rigid body");
+        foreach (var heading in new[] { "uncompensated RMS", "compensated RMS", "P95", "max", "reduction" })
+            table.AddColumn(new TableColumn(heading).RightAligned());
+        foreach (var (name, error) in new[] { ("position, mm", result.Position), ("rotation, °", result.Rotation) })
+            table.AddRow(name, Number(error.RmsHold), Number(error.Rms), Number(error.P95), Number(error.Max), Percent(error.Reduction));
+        table.Caption("distance and angle between the displayed and the true pose");
+        console.Write(table);
+    }
+
     static string[] Of(ReplayResult.Deviation? deviation) => deviation is ReplayResult.Deviation value
         ? [Number(value.Mean), Percent(value.InsideOne), Percent(value.InsideTwo)] : ["–", "–", "–"];
 

@@ -14,7 +14,8 @@ static class ReplayVerb
     {
         var file = new Argument<string>("FILE")
         {
-            Description = "A motion (.csv or .csv.gz): header, time in seconds named t or t_s, then one column per joint. Or a session "
+            Description = "A motion (.csv or .csv.gz): header, time in seconds named t or t_s, then one column per joint, "
+                + "or a rigid body with the header t_s,x,y,z,qx,qy,qz,qw (m, unit quaternion). Or a session "
                 + "(.jsonl or .jsonl.gz), which contains sampling, latency and frames; cubics through its samples are then the true motion."
         };
         var sampling = NumberOption.Create("--sampling-ms", "Sampling interval T_s.", 50.0, 0.1, 10000, "ms");
@@ -59,12 +60,26 @@ static class ReplayVerb
 
     static int Run(string path, ReplaySettings settings, bool json, CancellationToken cancellation)
     {
-        var result = SessionFileReader.IsSession(path)
-            ? RunSession(path, settings, cancellation)
-            : new ReplayRun(path, MotionRecording.Read(path), settings).Run(cancellation);
+        if (SessionFileReader.IsSession(path)) Print(RunSession(path, settings, cancellation), json);
+        else
+        {
+            var recording = MotionRecording.Read(path);
+            if (recording.IsBody) Print(new BodyReplay(path, recording, settings).Run(cancellation), json);
+            else Print(new ReplayRun(path, recording, settings).Run(cancellation), json);
+        }
+        return cancellation.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
+    }
+
+    static void Print(ReplayResult result, bool json)
+    {
         if (json) Console.Out.WriteLine(ReplayJson.Of(result));
         else ReplayTable.Write(ResultConsole.Create(), result);
-        return cancellation.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
+    }
+
+    static void Print(BodyReplayResult result, bool json)
+    {
+        if (json) Console.Out.WriteLine(ReplayJson.Of(result));
+        else ReplayTable.Write(ResultConsole.Create(), result);
     }
 
     static ReplayResult RunSession(string path, ReplaySettings settings, CancellationToken cancellation)

@@ -1,5 +1,3 @@
-using Nowpose.Gateway.MotionRecordings;
-
 namespace Nowpose.Cli.Replay;
 
 /// <summary>Samples a recording every T_s and returns the samples in the order of their arrival.</summary>
@@ -9,7 +7,7 @@ sealed class SampleFlow
     /// <summary>Index of the sample whose arrival starts the scoring: the first with the longest history, h = 4, before it.</summary>
     const int FirstScoredSample = 4;
 
-    readonly MotionRecording _recording;
+    readonly Func<double, double[]> _positionsAt;
     readonly ReplaySettings _settings;
     readonly PriorityQueue<Sample, (long Arrival, long Index)> _underWay = new();
     readonly RandomStream _jitter;
@@ -19,17 +17,19 @@ sealed class SampleFlow
     long _next;
     long _scoringStart = long.MaxValue;
 
-    public SampleFlow(MotionRecording recording, ReplaySettings settings)
+    /// <param name="duration">Duration of the recording, s.</param>
+    /// <param name="positionsAt">Returns the values of a sample at a time since the recording's start, as a new array.</param>
+    public SampleFlow(double duration, Func<double, double[]> positionsAt, ReplaySettings settings)
     {
-        _recording = recording;
+        _positionsAt = positionsAt;
         _settings = settings;
-        _end = Ticks.Of(recording.Duration);
+        _end = Ticks.Of(duration);
         _jitter = new RandomStream(settings.Seed, 1);
         _loss = new RandomStream(settings.Seed, 2);
         _stamp = new RandomStream(settings.Seed, 3);
     }
 
-    /// <summary>t_k, the t_k given to the predictor, and the joints' positions.</summary>
+    /// <summary>t_k, the t_k given to the predictor, and the values of the recording's columns.</summary>
     public readonly record struct Sample(double Time, double Stamp, double[] Positions);
 
     /// <summary>Gets the next sample that has arrived by a frame's time, in order of arrival. Frame times must not decrease.</summary>
@@ -59,8 +59,6 @@ sealed class SampleFlow
         var lost = _loss.Next() < _settings.Loss;
         if (index == FirstScoredSample) _scoringStart = arrival;
         if (lost) return;
-        var positions = new double[_recording.Names.Count];
-        _recording.At(time, positions);
-        _underWay.Enqueue(new Sample(time, stamp, positions), (arrival, index));
+        _underWay.Enqueue(new Sample(time, stamp, _positionsAt(time)), (arrival, index));
     }
 }

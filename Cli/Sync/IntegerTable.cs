@@ -8,6 +8,9 @@ namespace Nowpose.Cli.Sync;
 /// <summary>Reads CSV files of whole numbers with a fixed header. Errors name file, line and field.</summary>
 static class IntegerTable
 {
+    /// <summary>Maximum number of characters of a wrong header that are shown.</summary>
+    const int MaxShown = 120;
+
     /// <exception cref="InputException">The file cannot be read or has another format.</exception>
     public static List<long[]> Read(string path, params string[] header)
     {
@@ -28,13 +31,16 @@ static class IntegerTable
     {
         if (!csv.Read() || !csv.Record.SequenceEqual(header))
             throw new InputException(
-                $"{path}:1: the header is '{(csv.Record == null ? "" : string.Join(',', csv.Record))}'; it must be {string.Join(',', header)}");
+                $"{path}:1: the header is '{Beginning(csv.Record == null ? "" : string.Join(',', csv.Record))}'; it must be {string.Join(',', header)}");
         var rows = new List<long[]>();
         while (csv.Read())
             rows.Add(Row(csv, path, header));
         if (rows.Count == 0) throw new InputException($"{path}: no rows below the header; at least one is needed");
         return rows;
     }
+
+    // The file may be something else, with a very long first line.
+    static string Beginning(string header) => header.Length <= MaxShown ? header : header[..MaxShown] + "…";
 
     static long[] Row(CsvParser csv, string path, string[] header)
     {

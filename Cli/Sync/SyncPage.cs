@@ -22,7 +22,8 @@ static class SyncPage
         var steps = SyncSteps.Of(exchanges, estimator);
         var figure = SyncFigure.Of(steps, SyncClaims.Of(steps), "t and the offsets count from the first exchange. Θ₂ is the offset at t = 0. "
             + "The true offset is unknown, so errors are relative to the fit. RTT includes the time at the server, as in the paper.")
-            with { FileName = Path.GetFileName(data) };
+            with
+        { FileName = Path.GetFileName(data) };
         string[][] conditions =
         [
             ["Log", Path.GetFileName(log)],

@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using System.Text;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Hub;
 
@@ -22,6 +23,18 @@ public sealed class HubMessage
 
     public string Topic { get; }
 
+    /// <summary>The topic without the namespace of a robot.</summary>
+    internal string Kind { get; private init; }
+
+    /// <summary>Namespace of the robot; empty for none.</summary>
+    internal string Robot { get; private init; } = "";
+
+    /// <summary>The joints of a joint state as named in the whole cell: <c>arm1/a</c> for the joint a of the robot arm1.</summary>
+    internal string[] Joints { get; private init; }
+
+    /// <summary>Number in the order of publication on a topic that is latched per name; 0 on other topics.</summary>
+    internal long Sequence { get; private set; }
+
     /// <summary>The source, or null if unknown.</summary>
     internal HubSource Source { get; }
 
@@ -31,27 +44,72 @@ public sealed class HubMessage
     /// <summary>Time at which its last byte was read, or at which it was created in this process; a count of <see cref="Stopwatch"/>.</summary>
     public long ReceivedAt { get; }
 
-    public static HubMessage Of(JointStateMessage message, long receivedAt, HubSource source = null) => new(
-        RosTopics.JointStates, message, receivedAt, form => RosbridgeWriter.PublishJointState(RosTopics.JointStates, message, form), source);
+    public static HubMessage Of(JointStateMessage message, long receivedAt, HubSource source = null) =>
+        Of("", message, message.Names, receivedAt, source);
 
-    internal static HubMessage Of(JointTrajectoryMessage message, long receivedAt) =>
-        new(RosTopics.JointTrajectory, message, receivedAt, form => RosbridgeWriter.PublishJointTrajectory(RosTopics.JointTrajectory, message, form));
+    /// <param name="robot">Namespace of the robot; empty for none.</param>
+    /// <param name="joints">See <see cref="Joints"/>.</param>
+    internal static HubMessage Of(string robot, JointStateMessage message, string[] joints, long receivedAt, HubSource source)
+    {
+        var topic = RobotTopic.NameOf(robot, RosTopics.JointStates);
+        return new HubMessage(topic, message, receivedAt, form => RosbridgeWriter.PublishJointState(topic, message, form), source)
+        {
+            Kind = RosTopics.JointStates, Robot = robot, Joints = joints,
+        };
+    }
+
+    internal static HubMessage Of(JointTrajectoryMessage message, long receivedAt, string robot = "")
+    {
+        var topic = RobotTopic.NameOf(robot, RosTopics.JointTrajectory);
+        return new HubMessage(topic, message, receivedAt, form => RosbridgeWriter.PublishJointTrajectory(topic, message, form))
+        {
+            Kind = RosTopics.JointTrajectory, Robot = robot,
+        };
+    }
 
     internal static HubMessage Of(DiagnosticsMessage message, HubSource source = null) => new(
         RosTopics.Diagnostics, message, Stopwatch.GetTimestamp(), form => RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, message, form),
         source);
+
+    /// <param name="topic">/tf or /tf_static.</param>
+    internal static HubMessage Of(string topic, TransformsMessage message, long receivedAt, HubSource source) => new(
+        topic, message, receivedAt, form => RosbridgeWriter.PublishTransforms(topic, message, form), source);
+
+    internal static HubMessage Of(SignalsMessage message, long receivedAt, HubSource source) => new(
+        RosTopics.Signals, message, receivedAt, form => RosbridgeWriter.PublishSignals(RosTopics.Signals, message, form), source);
 
     /// <summary>Creates a message with the joints that are not live, for headsets.</summary>
     internal static HubMessage JointStatus(DiagnosticsMessage message) => new(
         RosTopics.JointStatus, message, Stopwatch.GetTimestamp(),
         form => RosbridgeWriter.PublishDiagnostics(RosTopics.JointStatus, message, form));
 
+    /// <summary>Creates a message with the signals whose source has ended, for headsets.</summary>
+    internal static HubMessage SignalStatus(DiagnosticsMessage message) => new(
+        RosTopics.SignalStatus, message, Stopwatch.GetTimestamp(),
+        form => RosbridgeWriter.PublishDiagnostics(RosTopics.SignalStatus, message, form));
+
     /// <summary>Creates a message with the pose that a headset displays. It is not a sample of the robot.</summary>
     public static HubMessage Displayed(JointStateMessage message) => new(
         RosTopics.Displayed, message, Stopwatch.GetTimestamp(), form => RosbridgeWriter.PublishJointState(RosTopics.Displayed, message, form));
 
-    public static HubMessage Description(string urdf) => new(
-        RosTopics.RobotDescription, urdf, Stopwatch.GetTimestamp(), _ => RosbridgeWriter.PublishString(RosTopics.RobotDescription, urdf));
+    public static HubMessage Description(string urdf) => Description(urdf, "");
+
+    /// <param name="robot">Namespace of the robot; empty for none.</param>
+    internal static HubMessage Description(string urdf, string robot)
+    {
+        var topic = RobotTopic.NameOf(robot, RosTopics.RobotDescription);
+        return new HubMessage(topic, urdf, Stopwatch.GetTimestamp(), _ => RosbridgeWriter.PublishString(topic, urdf))
+        {
+            Kind = RosTopics.RobotDescription, Robot = robot,
+        };
+    }
+
+    /// <summary>Returns this message, with its number in the order of publication.</summary>
+    internal HubMessage With(long sequence)
+    {
+        Sequence = sequence;
+        return this;
+    }
 
     /// <summary>Gets the message as UTF-8; the same array for all callers.</summary>
     internal ReadOnlyMemory<byte> Utf8(RosTimeForm form) => form == RosTimeForm.Secs ? _secs.Value : _sec.Value;

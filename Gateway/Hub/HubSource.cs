@@ -1,9 +1,10 @@
 using System.Diagnostics;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Hub;
 
-/// <summary>One publisher on the hub: a plant in this process, or a client. Disposing it releases its joints.</summary>
+/// <summary>One publisher on the hub: a plant in this process, or a client. Disposing it releases its joints, frames and signals.</summary>
 public sealed class HubSource : IDisposable
 {
     static readonly string[] TheRobot = ["the robot"];
@@ -15,8 +16,8 @@ public sealed class HubSource : IDisposable
     internal const string Unnamed = "rosbridge";
 
     readonly MessageHub _hub;
-    // The names of the last claim: a source sends the same ones repeatedly.
-    string[] _claimed = [];
+    // The joint names of the last claim on each topic: a source sends the same ones repeatedly.
+    readonly Dictionary<string, (string[] Names, string[] InCell)> _claimed = [];
 
     internal HubSource(MessageHub hub) => _hub = hub;
 
@@ -32,35 +33,66 @@ public sealed class HubSource : IDisposable
     /// <summary>Publishes to all subscribers, unless a joint of the message belongs to another source.</summary>
     /// <param name="receivedAt">Time at which its last byte was read, a count of <see cref="Stopwatch"/>; null for now.</param>
     /// <returns>The name of that joint, or null if the message was published.</returns>
-    public string TryPublish(JointStateMessage message, long? receivedAt = null)
+    public string TryPublish(JointStateMessage message, long? receivedAt = null) => Publish(message, receivedAt)?.What;
+
+    /// <param name="robot">Namespace of the robot; empty for none.</param>
+    /// <returns>Null if the message was published.</returns>
+    /// <inheritdoc cref="TryPublish(JointStateMessage, long?)"/>
+    internal Refusal? Publish(JointStateMessage message, long? receivedAt = null, string robot = "")
     {
-        var taken = message.Names.AsSpan().SequenceEqual(_claimed) ? null : _hub.Claim(this, RosTopics.JointStates, message.Names);
-        if (taken != null)
-            return taken;
-        _claimed = message.Names;
-        _hub.Publish(HubMessage.Of(message, receivedAt ?? Stopwatch.GetTimestamp(), this));
+        if (!_claimed.TryGetValue(robot, out var claimed) || !message.Names.AsSpan().SequenceEqual(claimed.Names))
+        {
+            if (_hub.Claim(this, robot, RosTopics.JointStates, message.Names) is { } refusal) return refusal;
+            _claimed[robot] = claimed = (message.Names, InCell(robot, message.Names));
+        }
+
+        _hub.Publish(HubMessage.Of(robot, message, claimed.InCell, receivedAt ?? Stopwatch.GetTimestamp(), this));
         return null;
     }
 
     /// <summary>Publishes set-points. The newest of each source are kept for later subscribers, because they stay valid and are sent once.</summary>
     /// <inheritdoc cref="TryPublish(JointStateMessage, long?)"/>
-    internal string TryPublish(JointTrajectoryMessage message, long? receivedAt = null)
+    internal string TryPublish(JointTrajectoryMessage message, long? receivedAt = null) => Publish(message, receivedAt)?.What;
+
+    /// <inheritdoc cref="Publish(JointStateMessage, long?, string)"/>
+    internal Refusal? Publish(JointTrajectoryMessage message, long? receivedAt = null, string robot = "")
     {
-        var taken = _hub.Claim(this, RosTopics.JointTrajectory, message.Names);
-        if (taken == null)
-            _hub.PublishNewest(this, HubMessage.Of(message, receivedAt ?? Stopwatch.GetTimestamp()));
-        return taken;
+        var refusal = _hub.Claim(this, robot, RosTopics.JointTrajectory, message.Names);
+        if (refusal == null)
+            _hub.PublishNewest(this, HubMessage.Of(message, receivedAt ?? Stopwatch.GetTimestamp(), robot));
+        return refusal;
     }
 
     /// <summary>Publishes the robot description and keeps it for later subscribers, unless another source has published one.</summary>
     /// <returns>The reason for the refusal, or null if it was published.</returns>
-    public string TryDescribe(string urdf)
+    public string TryDescribe(string urdf) => Describe(urdf)?.What;
+
+    /// <inheritdoc cref="Publish(JointStateMessage, long?, string)"/>
+    internal Refusal? Describe(string urdf, string robot = "")
     {
-        var taken = _hub.Claim(this, RosTopics.RobotDescription, TheRobot);
-        if (taken == null)
-            _hub.PublishDescription(HubMessage.Description(urdf));
-        return taken;
+        var refusal = _hub.Claim(this, robot, RosTopics.RobotDescription, TheRobot);
+        if (refusal == null)
+            _hub.PublishDescription(HubMessage.Description(urdf, robot));
+        return refusal;
     }
+
+    /// <summary>Publishes poses of frames, unless a child frame belongs to another source. Stationary ones are kept for later subscribers.</summary>
+    /// <param name="message">The message, which must not change afterwards.</param>
+    /// <param name="leftOut">Gets the transforms that were not published, because they break a limit of the cell.</param>
+    /// <inheritdoc cref="Publish(JointStateMessage, long?, string)"/>
+    internal Refusal? Publish(TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long? receivedAt = null) =>
+        _hub.Publish(this, message, isStationary, leftOut, receivedAt ?? Stopwatch.GetTimestamp());
+
+    /// <summary>Publishes signals, unless one belongs to another source, and keeps them for later subscribers.</summary>
+    /// <param name="message">The message, which must not change afterwards.</param>
+    /// <param name="leftOut">Gets the signals that were not published, because there are too many.</param>
+    /// <inheritdoc cref="Publish(JointStateMessage, long?, string)"/>
+    internal Refusal? Publish(SignalsMessage message, List<LeftOut> leftOut, long? receivedAt = null) =>
+        _hub.Publish(this, message, leftOut, receivedAt ?? Stopwatch.GetTimestamp());
+
+    /// <summary>Reserves a robot's topic, so that its namespace counts as used until the topic is released.</summary>
+    /// <returns>Null if there is room for the robot.</returns>
+    internal Refusal? Use(RobotTopic topic) => _hub.Use(this, topic.Robot, topic.Kind);
 
     /// <summary>Publishes the pose that a headset displays. It is forwarded without owning the joints.</summary>
     public void PublishDisplayed(JointStateMessage message) => _hub.Publish(HubMessage.Displayed(message));
@@ -70,22 +102,36 @@ public sealed class HubSource : IDisposable
     /// <summary>Publishes the joints that are not live; the newest message is kept for later subscribers.</summary>
     internal void PublishJointStatus(DiagnosticsMessage message) => _hub.PublishNewest(this, HubMessage.JointStatus(message));
 
-    /// <summary>Whether none of the joints belongs to another source.</summary>
-    internal bool MayPublish(string[] names) => _hub.IsFree(this, names);
+    /// <summary>Publishes the signals whose source has ended; the newest message is kept for later subscribers.</summary>
+    internal void PublishSignalStatus(DiagnosticsMessage message) => _hub.PublishNewest(this, HubMessage.SignalStatus(message));
+
+    /// <summary>Whether none of the joints of a robot belongs to another source.</summary>
+    internal bool MayPublish(string robot, string[] names) => _hub.IsFree(this, robot, names);
+
+    /// <summary>Whether none of the frames belongs to another source.</summary>
+    internal bool MayPublish(TransformsMessage message) => _hub.IsFree(this, message);
+
+    /// <summary>Whether none of the signals belongs to another source.</summary>
+    internal bool MayPublish(SignalsMessage message) => _hub.IsFree(this, message);
 
     /// <summary>Reports a sample that was dropped for its content.</summary>
+    /// <param name="robot">Namespace of the robot; empty for none.</param>
     /// <param name="names">The joints that it names, as far as they can be read.</param>
-    internal void ReportDropped(string[] names, string reason) => _hub.ReportDropped(this, names, reason);
+    internal void ReportDropped(string robot, string[] names, string reason) => _hub.ReportDropped(this, robot, names, reason);
 
     /// <summary>Reports that the source ends normally, so that its missing joints are not reported for longer than usual.</summary>
     internal void Leave() => _hub.ReportLeft(this);
 
-    /// <summary>Releases the joints claimed on one topic.</summary>
+    /// <summary>Releases the joints, frames or signals claimed on one topic.</summary>
     public void Release(string topic)
     {
-        _claimed = [];
+        _claimed.Clear();
         _hub.Release(this, topic);
     }
 
     public void Dispose() => Release(null);
+
+    /// <summary>Gets the names of a robot's joints in the cell: the same array without a namespace.</summary>
+    internal static string[] InCell(string robot, string[] names) =>
+        robot.Length == 0 ? names : Array.ConvertAll(names, name => RobotTopic.Qualified(robot, name));
 }

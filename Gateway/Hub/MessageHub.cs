@@ -1,6 +1,7 @@
 using System.Collections.Immutable;
 using Nowpose.Gateway.Status;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Hub;
 
@@ -11,20 +12,33 @@ public sealed class MessageHub
     readonly Dictionary<(string Topic, string Name), HubSource> _owners = [];
     ImmutableDictionary<string, ImmutableArray<Action<HubMessage>>> _subscribers =
         ImmutableDictionary<string, ImmutableArray<Action<HubMessage>>>.Empty;
-    readonly Dictionary<HubSource, HubMessage> _newest = [];
-    HubMessage _description;
+    readonly Dictionary<(HubSource Source, string Topic), HubMessage> _newest = [];
+    // By topic, which has the robot's namespace.
+    readonly Dictionary<string, HubMessage> _descriptions = [];
+    readonly RobotRegistry _robots = new();
+    readonly CellFrames _frames;
+    readonly CellSignals _signals = new();
+    long _sequence;
+
+    public MessageHub() => _frames = new CellFrames(Links);
 
     /// <summary>Number of topics with at least one subscriber.</summary>
     internal int Topics => Volatile.Read(ref _subscribers).Count;
 
-    /// <summary>The robot description; null until a source has published one.</summary>
-    internal string Description
+    /// <summary>The description of the robot without a namespace; null until a source has published one.</summary>
+    internal string Description => DescriptionOf("");
+
+    /// <summary>The robots in namespaces.</summary>
+    internal IReadOnlyList<string> Robots
     {
         get
         {
-            lock (_lock) return (string)_description?.Content;
+            lock (_lock) return [.. _robots.Names];
         }
     }
+
+    /// <summary>The links of the described robots.</summary>
+    internal RobotLinks Links { get; } = new();
 
     /// <summary>Times from the receipt of joint states until they are written to the subscribers' sockets.</summary>
     public ForwardingTimes Forwarding { get; } = new();
@@ -43,31 +57,103 @@ public sealed class MessageHub
     /// <summary>Raised when a source ended normally: it closed its connection or unadvertised its joint states.</summary>
     internal event Action<HubSource> SourceLeft;
 
+    /// <summary>Gets the description of a robot; null until a source has published one.</summary>
+    /// <param name="robot">Namespace of the robot; empty for none.</param>
+    internal string DescriptionOf(string robot)
+    {
+        lock (_lock) return (string)_descriptions.GetValueOrDefault(RobotTopic.NameOf(robot, RosTopics.RobotDescription))?.Content;
+    }
+
+    /// <summary>Raised when signals without a source get one. Called under the hub's lock.</summary>
+    internal event Action<IReadOnlyCollection<string>> SignalsBegan;
+
+    /// <summary>Raised when the source of signals has ended or unadvertised them. Called under the hub's lock.</summary>
+    internal event Action<HubSource, IReadOnlyCollection<string>> SignalsEnded;
+
     /// <summary>Creates a publisher. A joint belongs to the first source that publishes it, until that source is disposed.</summary>
     public HubSource OpenSource() => new(this);
 
     /// <summary>Calls <paramref name="receive"/> for every message of a topic from now on, on the publisher's thread: it must not wait.</summary>
-    /// <remarks>A robot description that was published before is passed immediately, and so are each source's newest set-points.</remarks>
+    /// <remarks>
+    /// The kept messages are passed immediately: a robot description, each source's newest set-points, stationary frames and signals.
+    /// </remarks>
     public IDisposable Subscribe(string topic, Action<HubMessage> receive)
+    {
+        lock (_lock)
+        {
+            var subscriber = SubscribeToNew(topic, receive);
+            foreach (var message in Kept(topic)) receive(message);
+            return subscriber;
+        }
+    }
+
+    /// <summary>Like <see cref="Subscribe"/>, but without the kept messages, which the caller gets from <see cref="ReadLatched"/>.</summary>
+    internal IDisposable SubscribeToNew(string topic, Action<HubMessage> receive)
     {
         lock (_lock)
         {
             var present = _subscribers.GetValueOrDefault(topic, []);
             _subscribers = _subscribers.SetItem(topic, present.Add(receive));
-            if (topic == RosTopics.RobotDescription && _description != null)
-                receive(_description);
-            foreach (var message in _newest.Values.Where(message => message.Topic == topic))
-                receive(message);
+            return new Subscriber(this, topic, receive);
         }
+    }
 
-        return new Subscriber(this, topic, receive);
+    /// <summary>Subscribes to a topic of all robots in namespaces. Kept messages are not passed.</summary>
+    /// <param name="kind">/joint_states, /joint_trajectory or /robot_description.</param>
+    internal IDisposable SubscribeToRobots(string kind, Action<HubMessage> receive) => SubscribeToNew(OfAllRobots(kind), receive);
+
+    /// <summary>Whether a topic is latched per name: its newest values can be read at any time.</summary>
+    internal static bool IsLatched(string topic) => topic is RosTopics.TfStatic or RosTopics.Signals;
+
+    /// <summary>Gets the current values of a latched topic, in the order of publication. Nothing is published on it meanwhile.</summary>
+    /// <param name="since">Called first; returns the number of the first message to read.</param>
+    internal IEnumerable<HubMessage> ReadLatched(string topic, Func<long> since)
+    {
+        lock (_lock) return (topic == RosTopics.Signals ? _signals.Newest : _frames.Stationary).Since(since());
     }
 
     internal void Publish(HubMessage message)
     {
-        var subscribers = Volatile.Read(ref _subscribers).GetValueOrDefault(message.Topic, []);
-        foreach (var receive in subscribers)
+        var subscribers = Volatile.Read(ref _subscribers);
+        foreach (var receive in subscribers.GetValueOrDefault(message.Topic, []))
             receive(message);
+        if (message.Robot.Length == 0) return;
+        foreach (var receive in subscribers.GetValueOrDefault(OfAllRobots(message.Kind), []))
+            receive(message);
+    }
+
+    internal Refusal? Publish(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long receivedAt)
+    {
+        var topic = isStationary ? RosTopics.TfStatic : RosTopics.Tf;
+        // Under the lock, like the description, and so that the poses of a released frame are not published later.
+        lock (_lock)
+        {
+            if (_frames.FindTaken(source, message) is { } taken) return taken;
+            foreach (var part in MessageParts.Of(_frames.Accept(source, message, isStationary, leftOut)))
+            {
+                var published = HubMessage.Of(topic, part, receivedAt, source).With(++_sequence);
+                for (var i = 0; isStationary && i < part.Count; i++) _frames.Stationary.Set(part[i].Child, published);
+                Publish(published);
+            }
+        }
+
+        return null;
+    }
+
+    internal Refusal? Publish(HubSource source, SignalsMessage message, List<LeftOut> leftOut, long receivedAt)
+    {
+        lock (_lock)
+        {
+            if (_signals.FindTaken(source, message) is { } taken) return taken;
+            foreach (var part in MessageParts.Of(_signals.Accept(source, message, leftOut, SignalsBegan)))
+            {
+                var published = HubMessage.Of(part, receivedAt, source).With(++_sequence);
+                for (var i = 0; i < part.Count; i++) _signals.Newest.Set(part[i].Name, published);
+                Publish(published);
+            }
+        }
+
+        return null;
     }
 
     internal void PublishDescription(HubMessage message)
@@ -75,7 +161,8 @@ public sealed class MessageHub
         // Under the lock, so that a new subscriber gets it exactly once, as the kept or as the new message.
         lock (_lock)
         {
-            _description = message;
+            _descriptions[message.Topic] = message;
+            Links.Describe(message.Robot, (string)message.Content);
             Publish(message);
         }
     }
@@ -86,51 +173,84 @@ public sealed class MessageHub
         // Under the lock, like the description.
         lock (_lock)
         {
-            _newest[source] = message;
+            _newest[(source, message.Topic)] = message;
             Publish(message);
         }
     }
 
-    /// <summary>Claims all of the names or none.</summary>
-    /// <returns>The name that belongs to another source, or null if all were claimed.</returns>
-    internal string Claim(HubSource source, string topic, string[] names)
+    /// <summary>Records that a source publishes on a topic of a robot.</summary>
+    /// <param name="robot">Namespace of the robot; empty for none.</param>
+    /// <returns>Null if there is room for the robot.</returns>
+    internal Refusal? Use(HubSource source, string robot, string kind)
     {
         lock (_lock)
         {
-            if (FindTaken(source, topic, names) is { } taken)
+            var hasRoom = _robots.TryUse(robot, source, RobotTopic.NameOf(robot, kind), out var removed);
+            if (removed != null)
             {
-                if (topic == RosTopics.JointStates) JointRefused?.Invoke(source, taken, _owners[(topic, taken)]);
-                return taken;
+                _descriptions.Remove(RobotTopic.NameOf(removed, RosTopics.RobotDescription));
+                Links.Remove(removed);
             }
 
+            return hasRoom ? null : new Refusal(DropReason.TooManyRobots, $"robot {robot}");
+        }
+    }
+
+    /// <summary>Claims all of the names on a robot's topic or none.</summary>
+    /// <param name="robot">Namespace of the robot; empty for none.</param>
+    /// <returns>The name that belongs to another source, or null if all were claimed.</returns>
+    internal Refusal? Claim(HubSource source, string robot, string kind, string[] names)
+    {
+        lock (_lock)
+        {
+            var topic = RobotTopic.NameOf(robot, kind);
+            if (FindTaken(source, topic, names) is { } taken)
+            {
+                var owner = _owners[(topic, taken)];
+                if (kind == RosTopics.JointStates) JointRefused?.Invoke(source, RobotTopic.Qualified(robot, taken), owner);
+                return new Refusal(DropReason.JointTaken, taken, owner);
+            }
+
+            if (Use(source, robot, kind) is { } refusal) return refusal;
             foreach (var name in names)
                 _owners[(topic, name)] = source;
             return null;
         }
     }
 
-    internal bool IsFree(HubSource source, string[] names)
+    internal bool IsFree(HubSource source, string robot, string[] names)
     {
-        lock (_lock) return FindTaken(source, RosTopics.JointStates, names) == null;
+        lock (_lock) return FindTaken(source, RobotTopic.NameOf(robot, RosTopics.JointStates), names) == null;
+    }
+
+    internal bool IsFree(HubSource source, TransformsMessage message)
+    {
+        lock (_lock) return _frames.FindTaken(source, message) == null;
+    }
+
+    internal bool IsFree(HubSource source, SignalsMessage message)
+    {
+        lock (_lock) return _signals.FindTaken(source, message) == null;
     }
 
     internal void ReportLeft(string name) => Left?.Invoke(name);
 
     internal void ReportLeft(HubSource source) => SourceLeft?.Invoke(source);
 
-    internal void ReportDropped(HubSource source, string[] names, string reason)
+    internal void ReportDropped(HubSource source, string robot, string[] names, string reason)
     {
+        var topic = RobotTopic.NameOf(robot, RosTopics.JointStates);
         lock (_lock)
         {
             // A valid sample would have been refused, too, so the joints of the other source are not affected.
-            if (FindTaken(source, RosTopics.JointStates, names) is { } taken)
+            if (FindTaken(source, topic, names) is { } taken)
             {
-                JointRefused?.Invoke(source, taken, _owners[(RosTopics.JointStates, taken)]);
+                JointRefused?.Invoke(source, RobotTopic.Qualified(robot, taken), _owners[(topic, taken)]);
                 return;
             }
         }
 
-        SampleDropped?.Invoke(source, names, reason);
+        SampleDropped?.Invoke(source, HubSource.InCell(robot, names), reason);
     }
 
     internal void Release(HubSource source, string topic)
@@ -140,14 +260,27 @@ public sealed class MessageHub
             var owned = _owners.Where(entry => entry.Value == source && (topic == null || entry.Key.Topic == topic));
             foreach (var entry in owned.ToList())
                 _owners.Remove(entry.Key);
-            if (_newest.TryGetValue(source, out var newest) && (topic == null || newest.Topic == topic))
-                _newest.Remove(source);
+            foreach (var kept in _newest.Keys.Where(kept => kept.Source == source && (topic == null || kept.Topic == topic)).ToList())
+                _newest.Remove(kept);
+            if (topic is null or RosTopics.Tf or RosTopics.TfStatic) _frames.Release(source, topic);
+            if (topic is null or RosTopics.Signals && _signals.Release(source) is { Count: > 0 } ended) SignalsEnded?.Invoke(source, ended);
+            _robots.Release(source, topic, robot => _descriptions.ContainsKey(RobotTopic.NameOf(robot, RosTopics.RobotDescription)));
         }
     }
 
     // Gets the first name that belongs to another source; null if there is none. Called under the lock.
     string FindTaken(HubSource source, string topic, string[] names) =>
         Array.Find(names, name => _owners.TryGetValue((topic, name), out var owner) && owner != source);
+
+    static string OfAllRobots(string kind) => "/*" + kind;
+
+    // Called under the lock.
+    IEnumerable<HubMessage> Kept(string topic)
+    {
+        if (IsLatched(topic)) return ReadLatched(topic, () => 0);
+        return _descriptions.TryGetValue(topic, out var description)
+            ? [description] : [.. _newest.Values.Where(message => message.Topic == topic)];
+    }
 
     void Unsubscribe(string topic, Action<HubMessage> receive)
     {

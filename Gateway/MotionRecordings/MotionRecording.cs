@@ -22,6 +22,9 @@ public sealed class MotionRecording
     /// <summary>The joints, in the order of the file's columns and of <see cref="At"/>.</summary>
     public IReadOnlyList<string> Names => _names;
 
+    /// <summary>Whether the columns are the position (m) and the unit quaternion of a rigid body instead of joints.</summary>
+    public bool IsBody { get; internal init; }
+
     /// <summary>Time of the first row as given in the file, s.</summary>
     public double Start { get; }
 
@@ -76,7 +79,8 @@ public sealed class MotionRecording
         var times = _times[first..(last + 1)];
         return new MotionRecording(
             _names, Start + times[0], [.. times.Select(t => t - times[0])],
-            _positions[(first * _names.Length)..((last + 1) * _names.Length)]);
+            _positions[(first * _names.Length)..((last + 1) * _names.Length)])
+        { IsBody = IsBody };
     }
 
     int FirstRowAfter(double seconds)

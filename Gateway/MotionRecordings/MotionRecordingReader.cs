@@ -1,6 +1,7 @@
 using System.Globalization;
 using CsvHelper;
 using CsvHelper.Configuration;
+using Nowpose.Frames;
 
 namespace Nowpose.Gateway.MotionRecordings;
 
@@ -20,6 +21,7 @@ sealed class MotionRecordingReader : IDisposable
     double _start;
     decimal? _exactStart;
     int _row;
+    bool _isBody;
 
     public MotionRecordingReader(string path, TextReader text)
     {
@@ -46,7 +48,7 @@ sealed class MotionRecordingReader : IDisposable
             throw RecordingText.Unreadable(_path, e);
         }
         if (_times.Count < 2) throw new InputException($"{_path}: {_times.Count} rows of data; a motion needs at least 2");
-        return new MotionRecording(_header[1..], _start, [.. _times], [.. _positions]);
+        return new MotionRecording(_header[1..], _start, [.. _times], [.. _positions]) { IsBody = _isBody };
     }
 
     public void Dispose() => _csv.Dispose();
@@ -55,6 +57,9 @@ sealed class MotionRecordingReader : IDisposable
     {
         if (!NextRow()) throw new InputException($"{_path}: is empty; a header such as t,joint_1,joint_2 is needed");
         _header = (string[])_csv.Record.Clone();
+        _isBody = BodyColumns.Are(_header);
+        if (!_isBody && BodyColumns.Resemble(_header))
+            throw Wrong($"the header is {Shown(string.Join(',', _header))}; the header of a rigid body is exactly {BodyColumns.Header}");
         if (_header[0] is not ("t" or "t_s"))
             throw Wrong($"first column is {Shown(_header[0])}; a header is needed that begins with the time in seconds, "
                 + "t or t_s, columns separated by commas");
@@ -95,6 +100,15 @@ sealed class MotionRecordingReader : IDisposable
             throw Wrong($"field {_header[0]}: {Shown(_csv[0])} s is not later than the previous row; times must increase");
         _times.Add(elapsed);
         for (var i = 1; i < _header.Length; i++) _positions.Add(Number(i));
+        if (_isBody) RequireUnit(System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_positions)[^4..]);
+    }
+
+    void RequireUnit(ReadOnlySpan<double> quaternion)
+    {
+        if (UnitQuaternion.TryNormalise(quaternion[0], quaternion[1], quaternion[2], quaternion[3], out _)) return;
+        var length = UnitQuaternion.LengthOf(quaternion[0], quaternion[1], quaternion[2], quaternion[3]);
+        throw Wrong($"fields {BodyColumns.Quaternion}: the quaternion has length " + FormattableString.Invariant(
+            $"{length:G6}; allowed is {1 - UnitQuaternion.LengthTolerance:G6} to {1 + UnitQuaternion.LengthTolerance:G6}"));
     }
 
     /// <summary>Gets the exact time of the row; null if a decimal cannot hold it.</summary>

@@ -1,4 +1,6 @@
+using System.Globalization;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Rosbridge;
 
@@ -32,6 +34,17 @@ static class DropText
         DropReason.NotAllowed => "the role of this client does not allow it",
         DropReason.Unsynchronised => "the clock of its time stamp is not synchronised yet",
         DropReason.JointTaken => "belongs to another source",
+        DropReason.NotUnitQuaternion => $"the norm of a rotation differs from 1 by more than {FrameTransform.NormTolerance.ToString(CultureInfo.InvariantCulture)}",
+        DropReason.OwnParent => "a frame is its own parent",
+        DropReason.WorldAsChild => $"is not possible: {FrameParents.World} is the root of all frames, so it has no parent",
+        DropReason.FrameCycle => "is a cycle: its parent depends on the frame itself",
+        DropReason.FrameTooDeep => $"is deeper than {ProtocolLimits.FrameDepth} transforms below the root",
+        DropReason.TooManyFrames => $"exceeds the maximum of {ProtocolLimits.Frames} frames",
+        DropReason.TooManySignals => $"exceeds the maximum of {ProtocolLimits.Signals} signals",
+        DropReason.FrameTaken or DropReason.SignalTaken => "belongs to another source",
+        DropReason.InvalidNamespace =>
+            $"the namespace of a robot is a letter followed by letters, digits and underscores, with at most {ProtocolLimits.NamespaceLength} characters in all",
+        DropReason.TooManyRobots => $"exceeds the maximum of {ProtocolLimits.Robots} robots in namespaces",
         _ => reason.ToString(),
     };
 }

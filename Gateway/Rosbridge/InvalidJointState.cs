@@ -8,8 +8,6 @@ namespace Nowpose.Gateway.Rosbridge;
 /// <summary>Reads the joints of an invalid joint state, and finds the one that makes it invalid.</summary>
 static class InvalidJointState
 {
-    const int MaxValueLength = 32;
-
     // A velocity or an effort may be absent, null or NaN.
     const string Field = "position";
 
@@ -41,15 +39,10 @@ static class InvalidJointState
     {
         for (var i = 0; i < Math.Min(names.Count, values?.Count ?? 0); i++)
         {
-            if (IsFinite(values[i])) continue;
-            var name = InputException.OneLine(names[i].ToString(), ProtocolLimits.NameLength);
-            // NaN as it was sent, without the quotation marks that Newtonsoft.Json adds.
-            var value = values[i].Type == JTokenType.Float ? values[i].ToString() : values[i].ToString(Formatting.None);
-            return $"{Field} of joint {name} is {InputException.OneLine(value, MaxValueLength)}";
+            if (!ReceivedValue.IsFinite(values[i]))
+                return $"{Field} of joint {ReceivedValue.Name(names[i].ToString())} is {ReceivedValue.Text(values[i])}";
         }
 
         return null;
     }
-
-    static bool IsFinite(JToken value) => value.Type == JTokenType.Integer || (value.Type == JTokenType.Float && double.IsFinite((double)value));
 }

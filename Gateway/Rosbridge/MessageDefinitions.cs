@@ -20,6 +20,12 @@ sealed class MessageDefinitions(bool isRos2)
         ["diagnostic_msgs/DiagnosticStatus"] =
             ["byte level", "string name", "string message", "string hardware_id", "diagnostic_msgs/KeyValue[] values"],
         ["diagnostic_msgs/KeyValue"] = ["string key", "string value"],
+        ["tf2_msgs/TFMessage"] = ["geometry_msgs/TransformStamped[] transforms"],
+        ["geometry_msgs/TransformStamped"] = ["std_msgs/Header header", "string child_frame_id", "geometry_msgs/Transform transform"],
+        ["geometry_msgs/Transform"] = ["geometry_msgs/Vector3 translation", "geometry_msgs/Quaternion rotation"],
+        ["geometry_msgs/Vector3"] = ["float64 x", "float64 y", "float64 z"],
+        ["geometry_msgs/Quaternion"] = ["float64 x", "float64 y", "float64 z", "float64 w"],
+        ["nowpose_msgs/Signals"] = ["std_msgs/Header header", "string[] name", "float64[] value"],
         ["builtin_interfaces/Time"] = ["int32 sec", "uint32 nanosec"],
         ["builtin_interfaces/Duration"] = ["int32 sec", "uint32 nanosec"],
     };

@@ -13,7 +13,7 @@ static class Rosapi
 {
     const string Node = "/nowpose_gateway";
     const string Prefix = "/rosapi/";
-    const string Description = "/robot_description";
+    const string Description = RosTopics.RobotDescription;
 
     delegate JsonObject Answer(RosapiCall call);
 
@@ -21,11 +21,11 @@ static class Rosapi
     {
         ["topics_and_raw_types"] = ("TopicsAndRawTypes", call => new()
         {
-            ["topics"] = List(Topics), ["types"] = List(TypesOf(call)), ["typedefs_full_text"] = List(TypesOf(call).Select(call.Definitions.FullText)),
+            ["topics"] = List(TopicsOf(call)), ["types"] = List(TypesOf(call)), ["typedefs_full_text"] = List(TypesOf(call).Select(call.Definitions.FullText)),
         }),
         ["topics_for_type"] = ("TopicsForType", call => new()
         {
-            ["topics"] = List(Topics.Where(topic => Publications.HasType(topic, call.Argument("type") ?? "-"))),
+            ["topics"] = List(TopicsOf(call).Where(topic => Publications.HasType(RobotTopic.Parse(topic), call.Argument("type") ?? "-"))),
         }),
         ["topic_type"] = ("TopicType", call => new() { ["type"] = TypeOf(call, call.Argument("topic")) }),
         ["message_details"] = ("MessageDetails", call => new()
@@ -35,8 +35,8 @@ static class Rosapi
         ["services"] = ("Services", _ => new() { ["services"] = List(ServiceNames) }),
         ["service_type"] = ("ServiceType", call => new() { ["type"] = ServiceType(call) }),
         ["nodes"] = ("Nodes", _ => new() { ["nodes"] = List([Node]) }),
-        ["node_details"] = ("NodeDetails", call => NodeDetails(call.Argument("node") == Node)),
-        ["get_param_names"] = ("GetParamNames", call => new() { ["names"] = List(call.Description == null ? [] : [Description]) }),
+        ["node_details"] = ("NodeDetails", call => NodeDetails(call, call.Argument("node") == Node)),
+        ["get_param_names"] = ("GetParamNames", call => new() { ["names"] = List(call.DescribedRobots.Select(robot => RobotTopic.NameOf(robot, Description))) }),
         ["has_param"] = ("HasParam", call => new() { ["exists"] = Value(call) != null }),
         ["get_param"] = ("GetParam", call => new() { ["value"] = Value(call) ?? call.Argument("default") ?? "null" }),
         ["get_ros_version"] = ("GetROSVersion", call => new() { ["version"] = call.IsRos2 ? 2 : 1, ["distro"] = "" }),
@@ -44,7 +44,7 @@ static class Rosapi
 
     static readonly string[] ServiceNames = [.. Services.Keys.Select(name => Prefix + name), RosTopics.GetTopics, RosTopics.GetTime];
 
-    static IEnumerable<string> Topics => Publications.All.Select(topic => topic.Key);
+    static IEnumerable<string> TopicsOf(RosapiCall call) => call.Topics.Select(topic => topic.Key);
 
     /// <summary>Gets the values of a service's response; null for a service that is not in this class.</summary>
     /// <param name="service">Name of the service, with its slash.</param>
@@ -58,13 +58,13 @@ static class Rosapi
     }
 
     /// <summary>Gets every topic with its type.</summary>
-    public static IEnumerable<KeyValuePair<string, string>> Types(bool isRos2) =>
-        Publications.All.Select(topic => KeyValuePair.Create(topic.Key, new MessageDefinitions(isRos2).Spelled(topic.Value)));
+    public static IEnumerable<KeyValuePair<string, string>> Types(bool isRos2, MessageHub hub) =>
+        Publications.With(hub.Robots).Select(topic => KeyValuePair.Create(topic.Key, new MessageDefinitions(isRos2).Spelled(topic.Value)));
 
-    static IEnumerable<string> TypesOf(RosapiCall call) => Publications.All.Select(topic => call.Definitions.Spelled(topic.Value));
+    static IEnumerable<string> TypesOf(RosapiCall call) => call.Topics.Select(topic => call.Definitions.Spelled(topic.Value));
 
     static string TypeOf(RosapiCall call, string topic) =>
-        Publications.All.FirstOrDefault(one => one.Key == topic).Value is { } type ? call.Definitions.Spelled(type) : "";
+        call.Topics.FirstOrDefault(one => one.Key == topic).Value is { } type ? call.Definitions.Spelled(type) : "";
 
     static string ServiceType(RosapiCall call)
     {
@@ -75,15 +75,19 @@ static class Rosapi
             ? call.ServicePackage + known.Type : "";
     }
 
-    static JsonObject NodeDetails(bool isKnown) => new()
+    static JsonObject NodeDetails(RosapiCall call, bool isKnown) => new()
     {
-        ["subscribing"] = List(isKnown ? Topics.Where(Publications.IsOpen) : []), ["publishing"] = List(isKnown ? Topics : []),
+        ["subscribing"] = List(isKnown ? TopicsOf(call).Where(topic => Publications.IsOpen(RobotTopic.Parse(topic))) : []),
+        ["publishing"] = List(isKnown ? TopicsOf(call) : []),
         ["services"] = List(isKnown ? ServiceNames : []),
     };
 
     // Parameter values of rosapi are JSON texts.
-    static string Value(RosapiCall call) =>
-        call.Argument("name")?.Split(':')[^1].TrimStart('/') == Description[1..] && call.Description is { } urdf ? JsonSerializer.Serialize(urdf) : null;
+    static string Value(RosapiCall call)
+    {
+        var topic = RobotTopic.Parse("/" + call.Argument("name")?.Split(':')[^1].TrimStart('/'));
+        return topic.Kind == Description && call.DescriptionOf(topic.Robot) is { } urdf ? JsonSerializer.Serialize(urdf) : null;
+    }
 
     static JsonArray List(IEnumerable<string> items) => new([.. items.Select(item => JsonValue.Create(item))]);
 }

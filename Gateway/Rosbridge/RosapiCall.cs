@@ -11,7 +11,7 @@ sealed class RosapiCall : IDisposable
 
     public RosapiCall(ReadOnlyMemory<byte> text, bool isRos2, MessageHub hub)
     {
-        _text = JsonDocument.Parse(text);
+        _text = Parsed(text);
         _hub = hub;
         IsRos2 = isRos2 || Text(_text.RootElement, "type")?.Contains("/srv/", StringComparison.Ordinal) == true;
         Definitions = new MessageDefinitions(IsRos2);
@@ -23,15 +23,44 @@ sealed class RosapiCall : IDisposable
 
     public string ServicePackage => IsRos2 ? "rosapi_msgs/srv/" : "rosapi/";
 
-    /// <summary>The robot description; null if there is none.</summary>
-    public string Description => _hub.Description;
+    /// <summary>All topics with their types, in ROS 1 names.</summary>
+    public IEnumerable<KeyValuePair<string, string>> Topics => Publications.With(_hub.Robots);
+
+    /// <summary>Namespaces of the described robots; empty for the robot without one.</summary>
+    public IEnumerable<string> DescribedRobots => _hub.Robots.Prepend("").Where(robot => DescriptionOf(robot) != null);
+
+    /// <summary>Gets the description of a robot; null if there is none.</summary>
+    public string DescriptionOf(string robot) => _hub.DescriptionOf(robot);
 
     /// <summary>Gets a text argument; null if it is missing.</summary>
     public string Argument(string name) => _text.RootElement.TryGetProperty("args", out var args) ? Text(args, name) : null;
 
     public void Dispose() => _text.Dispose();
 
-    static string Text(JsonElement element, string name) =>
-        element.ValueKind == JsonValueKind.Object && element.TryGetProperty(name, out var value) && value.ValueKind == JsonValueKind.String
-            ? value.GetString() : null;
+    // A call with NaN, which the gateway's own reader accepts in a field that it does not read, has no arguments.
+    static JsonDocument Parsed(ReadOnlyMemory<byte> text)
+    {
+        try
+        {
+            return JsonDocument.Parse(text);
+        }
+        catch (JsonException)
+        {
+            return JsonDocument.Parse("{}");
+        }
+    }
+
+    static string Text(JsonElement element, string name)
+    {
+        try
+        {
+            return element.ValueKind == JsonValueKind.Object && element.TryGetProperty(name, out var value) && value.ValueKind == JsonValueKind.String
+                ? value.GetString() : null;
+        }
+        catch (InvalidOperationException)
+        {
+            // An unpaired surrogate.
+            return null;
+        }
+    }
 }

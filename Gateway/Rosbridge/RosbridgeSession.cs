@@ -4,21 +4,18 @@ using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status;
 using Nowpose.Protocol;
+using static Nowpose.Gateway.Rosbridge.RequestText;
 
 namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>Handles the requests of one client, without access to sockets. Called by one thread at a time.</summary>
 sealed class RosbridgeSession : IDisposable
 {
-    const string Operations = "subscribe, unsubscribe, advertise, unadvertise, publish, call_service, advertise_service, unadvertise_service, "
-        + "service_response, status, set_level";
-
-    static readonly string Topics = string.Join(", ", Publications.All.Select(topic => topic.Key));
-
     readonly MessageHub _hub;
     readonly HubSource _source;
     readonly ServedClock _clock;
     readonly PlantTimeOffers _offers;
+    readonly MessagePublisher _publisher;
     readonly NamesInUse _names;
     readonly Role _role;
     readonly DropCounters _drops;
@@ -47,6 +44,7 @@ sealed class RosbridgeSession : IDisposable
         _reply = reply;
         _subscriptions = new SubscriptionSet(hub, queueLength, drops, start);
         _offers = new PlantTimeOffers(plant, reply);
+        _publisher = new MessagePublisher(_source, clock, _offers);
     }
 
     /// <summary>Address of the client, for messages about a client without a name.</summary>
@@ -94,6 +92,12 @@ sealed class RosbridgeSession : IDisposable
             return;
         }
 
+        if (message.RobotTopic is { IsValid: false } && message.Op is RosbridgeOp.Subscribe or RosbridgeOp.Advertise or RosbridgeOp.Publish)
+        {
+            Drop(message, DropReason.InvalidNamespace);
+            return;
+        }
+
         switch (message.Op)
         {
             case RosbridgeOp.Subscribe: Subscribe(message); break;
@@ -113,7 +117,7 @@ sealed class RosbridgeSession : IDisposable
 
     void Subscribe(RosbridgeMessage message)
     {
-        if (Publications.IsKnown(message.Topic) && !Publications.HasType(message.Topic, message.Type))
+        if (Publications.IsKnown(message.RobotTopic) && !Publications.HasType(message.RobotTopic, message.Type))
         {
             Drop(message, DropReason.WrongType, rule: TypeRule(message));
             return;
@@ -122,7 +126,7 @@ sealed class RosbridgeSession : IDisposable
         if (!HasRoomFor(message))
             return;
         Warn(message);
-        if (!Publications.IsKnown(message.Topic))
+        if (!Publications.IsKnown(message.RobotTopic))
             Warn(message, $"receives no messages, because the gateway never publishes this topic. Its topics: {Topics}");
         Remember(message.Type);
         _subscriptions.Add(message.Topic, message.Id, SubscriptionTerms.Of(message));
@@ -130,24 +134,28 @@ sealed class RosbridgeSession : IDisposable
 
     void Advertise(RosbridgeMessage message)
     {
-        var reason = Allowance(message.Topic);
-        if (reason == DropReason.None && !Publications.HasType(message.Topic, message.Type))
+        var reason = Allowance(message.RobotTopic);
+        if (reason == DropReason.None && !Publications.HasType(message.RobotTopic, message.Type))
             reason = DropReason.WrongType;
         if (reason != DropReason.None)
             Drop(message, reason, rule: reason == DropReason.WrongType ? TypeRule(message) : null);
         else if (HasRoomFor(message))
-            _advertised.Add(message.Topic);
+            Reserve(message);
         Remember(message.Type);
     }
 
-    static string TypeRule(RosbridgeMessage message) =>
-        $"{message.Topic} has the type {Publications.TypeOf(message.Topic)}, not {Short(message.Type)}";
+    void Reserve(RosbridgeMessage message)
+    {
+        if (_source.Use(message.RobotTopic) is { } refusal) Drop(message, refusal);
+        else _advertised.Add(message.Topic);
+    }
 
     void Unadvertise(RosbridgeMessage message)
     {
         if (!_advertised.Remove(message.Topic)) return;
         _source.Release(message.Topic);
-        if (message.Topic == RosTopics.JointStates) _source.Leave();
+        if (message.RobotTopic.Kind == RosTopics.JointStates && !_advertised.Any(topic => RobotTopic.Parse(topic).Kind == RosTopics.JointStates))
+            _source.Leave();
     }
 
     void Offer(RosbridgeMessage message)
@@ -159,57 +167,28 @@ sealed class RosbridgeSession : IDisposable
 
     void Publish(RosbridgeMessage message)
     {
-        var reason = Allowance(message.Topic);
-        var stamp = Publications.StampOf(message) ?? default;
-        if (reason == DropReason.None && stamp != default)
-            reason = Judge(ref stamp);
+        var reason = Allowance(message.RobotTopic);
+        ControlTime stamp = default;
+        string rule = null;
+        if (reason == DropReason.None)
+            reason = _publisher.Judge(message, out stamp, out rule);
         var name = Publications.NameIn(message);
         if (reason == DropReason.None && name != null && !IsOwn(name))
             reason = DropReason.NotAllowed;
         if (reason != DropReason.None)
         {
-            Drop(message, reason);
-            if (reason == DropReason.StampInFuture) AddStamp(message, stamp, true);
+            Drop(message, reason, rule: rule);
+            if (reason == DropReason.StampInFuture) _publisher.AddStamp(message, stamp, true);
             return;
         }
 
-        var taken = name == null || _names.TryUse(name, this) ? Hand(message, stamp) : $"the name {Short(name)}";
-        if (taken != null)
-            Drop(message, DropReason.JointTaken, taken);
+        var refusal = name == null || _names.TryUse(name, this)
+            ? _publisher.Publish(message, stamp, _receivedAt) : new Refusal(DropReason.JointTaken, $"the name {Short(name)}");
+        if (refusal != null)
+            Drop(message, refusal.Value);
         else
-            AddStamp(message, stamp, false);
-    }
-
-    // A source whose joints belong to another one is not evidence about the stamps of this cell.
-    void AddStamp(RosbridgeMessage message, ControlTime stamp, bool isRefused)
-    {
-        if (message.JointState is not { } state || stamp == default || _offers.StampClock != null) return;
-        // For an accepted sample, the hub has already checked this.
-        if (!isRefused || _source.MayPublish(state.Names)) _clock.Stamps.Add(_source, stamp, isRefused);
-    }
-
-    // Maps stamps of another clock of the plant to C1.
-    DropReason Judge(ref ControlTime stamp)
-    {
-        if (!_clock.TryMap(_offers.StampClock, stamp, out stamp))
-            return DropReason.Unsynchronised;
-        return StampRule.IsInFuture(stamp, _clock.Now, _clock.ErrorBound) ? DropReason.StampInFuture : DropReason.None;
-    }
-
-    // Publishes the message. Returns null on success, otherwise the joint or topic that belongs to another source.
-    string Hand(RosbridgeMessage message, ControlTime stamp)
-    {
-        if (message.JointState is { } state)
-            return _source.TryPublish(state.Stamp == stamp ? state : state.At(stamp), _receivedAt);
-        if (message.JointTrajectory is { } plan)
-            return _source.TryPublish(plan.Stamp == stamp ? plan : plan.At(stamp), _receivedAt);
-        if (message.Data != null)
-            return _source.TryDescribe(message.Data);
-        if (message.Displayed != null)
-            _source.PublishDisplayed(message.Displayed);
-        else
-            _source.Publish(message.Diagnostics);
-        return null;
+            _publisher.AddStamp(message, stamp, false);
+        DropLeftOut(message);
     }
 
     // The first name that a client uses is its name. An observer must not use the name of a plant.
@@ -226,7 +205,7 @@ sealed class RosbridgeSession : IDisposable
         switch (Absolute(message.Service))
         {
             case RosTopics.GetTime: Reply(RosbridgeWriter.TimeResponse(message.Service, message.Id, _clock.Now, _form)); break;
-            case RosTopics.GetTopics: Reply(RosbridgeWriter.TopicsResponse(message.Service, message.Id, [.. Rosapi.Types(_isRos2)])); break;
+            case RosTopics.GetTopics: Reply(RosbridgeWriter.TopicsResponse(message.Service, message.Id, [.. Rosapi.Types(_isRos2, _hub)])); break;
             case var service when Rosapi.Call(service, _text, _isRos2, _hub) is { } values:
                 Reply(RosbridgeWriter.ServiceResponse(message.Service, message.Id, values));
                 break;
@@ -240,7 +219,7 @@ sealed class RosbridgeSession : IDisposable
     // A name without a slash is relative to the root, where rosbridge's own node is. roslib uses this form for rosapi services.
     static string Absolute(string name) => name.StartsWith('/') ? name : "/" + name;
 
-    DropReason Allowance(string topic)
+    DropReason Allowance(RobotTopic topic)
     {
         if (!Publications.IsOpen(topic))
             return _role == Role.Source ? DropReason.UnknownTopic : DropReason.NotAllowed;
@@ -275,32 +254,47 @@ sealed class RosbridgeSession : IDisposable
         if (_level is not ("none" or "error")) Reply(RosbridgeWriter.Status("warning", Subject(message) + text, Short(message.Id)));
     }
 
+    void Drop(RosbridgeMessage message, Refusal refusal)
+    {
+        var owner = refusal.Owner == null ? "" : $", {Short(refusal.Owner.Title)}";
+        Drop(message, refusal.Reason, rule: $"{Short(refusal.What)} {DropText.Of(refusal.Reason)}{owner}");
+    }
+
+    // Each transform or signal is counted; the client gets one message per reason.
+    void DropLeftOut(RosbridgeMessage message)
+    {
+        foreach (var same in _publisher.LeftOut.GroupBy(one => one.Reason))
+        {
+            var count = same.Count();
+            _drops.Count(same.Key, count - 1);
+            var others = count > 1 ? $"; {count - 1} more likewise" : "";
+            Drop(message, same.Key, rule: $"{same.First().What} {DropText.Of(same.Key)}{others}");
+        }
+
+        _publisher.LeftOut.Clear();
+    }
+
     void Drop(RosbridgeMessage message, DropReason reason, string what = null, string rule = null)
     {
         _drops.Count(reason);
+        if (message is { Op: RosbridgeOp.Publish, Topic: RosTopics.Tf or RosTopics.TfStatic or RosTopics.Signals, Transforms: null, Signals: null })
+            rule ??= InvalidCellMessage.Read(_text.Span, reason);
         rule ??= what == null ? DropText.Of(reason) : $"{what} {DropText.Of(reason)}";
         var text = reason == DropReason.UnknownOp
-            ? $"Unknown operation: {Short(message.OpName)}. Allowed operations: {Operations}"
+            ? $"Unknown operation: {Short(message.OpName)}. Allowed operations: {KnownOperations}"
             : $"{Subject(message)}dropped: {rule} ({reason})";
         if (_level != "none")
             Reply(RosbridgeWriter.Status("error", text, Short(message?.Id)));
         // The joint board handles joints of other sources itself.
-        if (message is { Op: RosbridgeOp.Publish, Topic: RosTopics.JointStates } && reason != DropReason.JointTaken)
-            ReportDropped(message.JointState, rule, reason);
+        if (message is { Op: RosbridgeOp.Publish, RobotTopic: { IsValid: true, Kind: RosTopics.JointStates } topic } && reason != DropReason.JointTaken)
+            ReportDropped(topic.Robot, message.JointState, rule, reason);
     }
 
-    void ReportDropped(JointStateMessage valid, string rule, DropReason reason)
+    void ReportDropped(string robot, JointStateMessage valid, string rule, DropReason reason)
     {
         var (names, trouble) = valid == null ? InvalidJointState.Read(_text.Span) : (valid.Names, null);
-        _source.ReportDropped(names, $"the gateway drops the samples of {_source.Title}: {trouble ?? rule} ({reason})");
+        _source.ReportDropped(robot, names, $"the gateway drops the samples of {_source.Title}: {trouble ?? rule} ({reason})");
     }
-
-    static string Subject(RosbridgeMessage message) =>
-        string.Concat(new[] { message?.OpName, message?.Topic ?? message?.Service }.Where(part => !string.IsNullOrEmpty(part)).Select(part => $"{Short(part)} "));
-
-    // Replies repeat at most the maximum length of a name.
-    static string Short(string text) =>
-        text?.Length > ProtocolLimits.NameLength ? string.Concat(text.AsSpan(0, ProtocolLimits.NameLength - 1), "…") : text;
 
     void Reply(string text) => _reply(Encoding.UTF8.GetBytes(text));
 }

@@ -3,6 +3,7 @@ using System.Threading.Channels;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Status;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Rosbridge;
 
@@ -19,6 +20,7 @@ sealed class Subscription : IDisposable
     readonly ForwardingTimes _times;
     readonly SubscriptionTerms _terms;
     readonly Action _lost;
+    readonly LatchedQueue _latched;
     readonly TaskCompletionSource _ended = new(TaskCreationOptions.RunContinuationsAsynchronously);
 
     public Subscription(MessageHub hub, string topic, SubscriptionTerms terms, int standardQueue, DropCounters drops)
@@ -28,9 +30,19 @@ sealed class Subscription : IDisposable
         // Messages skipped because of the client's throttle rate are not counted as drops.
         _lost = () => drops.Count(terms.ThrottleMs > 0 ? DropReason.None : DropReason.SlowReader);
         var bounds = new BoundedChannelOptions(QueueOf(terms, standardQueue)) { FullMode = BoundedChannelFullMode.DropOldest, SingleReader = true };
-        _queue = Channel.CreateBounded<HubMessage>(bounds, _ => _lost());
-        _times = topic == RosTopics.JointStates && terms.ThrottleMs == 0 ? hub.Forwarding : null;
-        _subscriber = hub.Subscribe(topic, message => _queue.Writer.TryWrite(message));
+        _times = RobotTopic.Parse(topic).Kind == RosTopics.JointStates && terms.ThrottleMs == 0 ? hub.Forwarding : null;
+        if (MessageHub.IsLatched(topic))
+        {
+            _queue = Channel.CreateBounded<HubMessage>(bounds, message => _latched.Lose(message));
+            _latched = new LatchedQueue(hub, topic, _queue, _lost);
+            _subscriber = hub.SubscribeToNew(topic, message => _queue.Writer.TryWrite(message));
+            _latched.Start();
+        }
+        else
+        {
+            _queue = Channel.CreateBounded<HubMessage>(bounds, _ => _lost());
+            _subscriber = hub.Subscribe(topic, message => _queue.Writer.TryWrite(message));
+        }
     }
 
     public string Topic { get; }
@@ -42,7 +54,7 @@ sealed class Subscription : IDisposable
     /// </param>
     public async Task PumpAsync(Func<Func<long, ReadOnlyMemory<byte>>, Task> send, CancellationToken stop)
     {
-        while (await _queue.Reader.WaitToReadAsync(stop))
+        while (HasMore || await _queue.Reader.WaitToReadAsync(stop))
         {
             var began = Stopwatch.GetTimestamp();
             HubMessage message = null;
@@ -50,7 +62,8 @@ sealed class Subscription : IDisposable
             if (message == null) continue;
             _times?.Add(message.ReceivedAt);
             var rest = TimeSpan.FromMilliseconds(_terms.ThrottleMs) - Stopwatch.GetElapsedTime(began);
-            if (rest > TimeSpan.Zero && await IsOverWithinAsync(rest, stop))
+            // The values that are sent at the start belong together.
+            if (rest > TimeSpan.Zero && !HasMore && await IsOverWithinAsync(rest, stop))
                 return;
         }
     }
@@ -58,24 +71,27 @@ sealed class Subscription : IDisposable
     /// <summary>Counts the messages that stay queued in a subscription without a sending loop as dropped.</summary>
     public void CountUnsent()
     {
-        while (_queue.Reader.TryRead(out _))
-            _lost();
+        while (_queue.Reader.TryRead(out var message))
+            if (message != LatchedQueue.Wake) _lost();
     }
+
+    bool HasMore => _latched?.HasMore == true && !_ended.Task.IsCompleted;
 
     // Null if the queue has been emptied.
     HubMessage Next(long waitedUntil)
     {
+        if (_latched != null) return _latched.Next(receivedAt => IsOld(receivedAt, waitedUntil));
         while (_queue.Reader.TryRead(out var message))
         {
             // A message that waited for another reason, such as a busy processor, is sent late instead of dropped.
-            var isOld = message.Content is JointStateMessage && message.ReceivedAt < waitedUntil
-                && Stopwatch.GetElapsedTime(message.ReceivedAt) > MaxSampleAge;
-            if (!isOld || !_queue.Reader.TryPeek(out _)) return message;
+            if (message.Content is not (JointStateMessage or TransformsMessage) || !IsOld(message.ReceivedAt, waitedUntil) || !_queue.Reader.TryPeek(out _)) return message;
             _lost();
         }
 
         return null;
     }
+
+    static bool IsOld(long receivedAt, long waitedUntil) => receivedAt < waitedUntil && Stopwatch.GetElapsedTime(receivedAt) > MaxSampleAge;
 
     // A throttle interval may be very long, for example a month. After an unsubscription, the wait must end.
     async Task<bool> IsOverWithinAsync(TimeSpan rest, CancellationToken stop)

@@ -17,7 +17,15 @@ sealed class GatewayStatus : IDisposable
     // Each page reads the state once per second; /operations/events has all events.
     const int EventsInState = 100;
 
-    static readonly string[] Topics = [RosTopics.JointStates, RosTopics.JointTrajectory, RosTopics.RobotDescription, RosTopics.Diagnostics];
+    static readonly string[] Topics =
+    [
+        RosTopics.JointStates, RosTopics.JointTrajectory, RosTopics.RobotDescription, RosTopics.Diagnostics, RosTopics.Tf, RosTopics.TfStatic,
+        RosTopics.Signals,
+    ];
+
+    // Counts the topics of all robots in namespaces together.
+    const string AnyRobot = "/*";
+    static readonly string[] Counted = [.. Topics, .. RobotTopic.OfRobots.Select(kind => AnyRobot + kind)];
 
     readonly GatewayOptions _options;
     readonly ServedClock _clock;
@@ -33,7 +41,8 @@ sealed class GatewayStatus : IDisposable
     readonly RecentRefusals _refusals;
     readonly Conditions _conditions;
     readonly StatusWatch _watch;
-    readonly long[] _messages = new long[Topics.Length];
+    readonly SignalStatusTopic _signals;
+    readonly long[] _messages = new long[Counted.Length];
     readonly DateTimeOffset _started;
     readonly long _startCount = Stopwatch.GetTimestamp();
     readonly IDisposable[] _subscriptions;
@@ -60,7 +69,13 @@ sealed class GatewayStatus : IDisposable
         hub.SampleDropped += _joints.Refuse;
         hub.SourceLeft += _joints.Leave;
         _started = options.Time.GetUtcNow();
-        _subscriptions = [.. Enumerable.Range(0, Topics.Length).Select(topic => hub.Subscribe(Topics[topic], message => Watch(topic, message)))];
+        _subscriptions =
+        [
+            .. Enumerable.Range(0, Topics.Length).Select(topic => hub.Subscribe(Topics[topic], message => Watch(topic, message))),
+            .. Enumerable.Range(0, RobotTopic.OfRobots.Length)
+                .Select(kind => hub.SubscribeToRobots(RobotTopic.OfRobots[kind], message => Watch(Topics.Length + kind, message))),
+        ];
+        _signals = new SignalStatusTopic(hub, clock);
         _watch = new StatusWatch(_conditions, events, _joints, new JointStatusTopic(hub, clock, options.Time), plant, options.Time, log);
     }
 
@@ -80,6 +95,7 @@ sealed class GatewayStatus : IDisposable
     public void Dispose()
     {
         _watch.Dispose();
+        _signals.Dispose();
         _hub.JointRefused -= Refuse;
         _hub.Left -= _said.Remove;
         _hub.SampleDropped -= _joints.Refuse;
@@ -106,7 +122,7 @@ sealed class GatewayStatus : IDisposable
             [.. said.Where(one => !IsAdapter(one)).Select(one => StatusObjects.Headset(one, hops))],
             OfForwarding(),
             _connections.ToDictionary(server => server.Name, server => Of(server.Counters)),
-            Enumerable.Range(0, Topics.Length).ToDictionary(topic => Topics[topic], topic => Interlocked.Read(ref _messages[topic])),
+            Enumerable.Range(0, Counted.Length).ToDictionary(topic => Counted[topic], topic => Interlocked.Read(ref _messages[topic])),
             _drops.Snapshot().ToDictionary(drop => drop.Key.ToString(), drop => drop.Value),
             _recorder.Status, _options.Headsets != null, !conditions.Any(condition => condition.Blocks),
             [.. Events.Read(EventsInState).Select(one => one.View)], CertificateExpiresUtc: _options.CertificateExpires);
@@ -120,8 +136,8 @@ sealed class GatewayStatus : IDisposable
         if (message.Content is JointStateMessage state)
         {
             var age = _clock.Now - Stopwatch.GetElapsedTime(message.ReceivedAt) - state.Stamp;
-            _sources.Add(state.Names, message.ReceivedAt, age);
-            _joints.Add(message.Source, state.Names, age);
+            _sources.Add(message.Joints, message.ReceivedAt, age);
+            _joints.Add(message.Source, message.Joints, age);
         }
         else if (message.Content is DiagnosticsMessage diagnostics)
         {

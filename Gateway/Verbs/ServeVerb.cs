@@ -56,7 +56,8 @@ static class ServeVerb
             var clock = server.Clock(parsed, parsed.GetValue(ownClock) == System);
             var options = server.Options(parsed) with
             {
-                ControlClock = parsed.GetValue(controlClock), ExpectsSources = files.Length > 0,
+                ControlClock = parsed.GetValue(controlClock),
+                ExpectsSources = files.Length > 0,
             };
             var read = await AdapterProcesses.CheckAsync(files, options, stop);
             foreach (var one in read) Announcement.Log(one.Summary);

@@ -19,8 +19,11 @@ static class CloseCases
             Case("7.1.2", "close:1000", s => { s.SendClose(1000); s.SendClose(1000); }),
             Case("7.1.3", "close:1000", s => { s.SendClose(1000); s.SendPing(); }),
             Case("7.1.4", "close:1000", s => { s.SendClose(1000); s.Send(); }),
-            Case("7.1.5", "close:1000", s => { s.Frame(Text, s.Message()[..5], isFinal: false); s.SendClose(1000); s.Frame(Continuation,
-                s.Message()[5..]); }),
+            Case("7.1.5", "close:1000", s =>
+            {
+                s.Frame(Text, s.Message()[..5], isFinal: false); s.SendClose(1000); s.Frame(Continuation,
+                s.Message()[5..]);
+            }),
             Case("7.1.6", AfterOne("close:1000"), s => { s.Send(length: 65536); s.SendClose(1000); s.SendPing(); }));
         yield return Section("7.3.1–7.3.6",
             "a close without a code, with half a code, with a code, with a reason, with the longest reason, with one byte more",

@@ -15,8 +15,11 @@ static class Utf8Cases
             "Empty text is not JSON: the message is refused and the connection stays open.",
             Case("6.1.1", "refused", s => s.Frame(Text)),
             Case("6.1.2", "refused", s => { s.Frame(Text, isFinal: false); s.Frame(Continuation, isFinal: false); s.Frame(Continuation); }),
-            Case("6.1.3", "accepted", s => { s.Frame(Text, isFinal: false); s.Frame(Continuation, s.Message(),
-                isFinal: false); s.Frame(Continuation); }));
+            Case("6.1.3", "accepted", s =>
+            {
+                s.Frame(Text, isFinal: false); s.Frame(Continuation, s.Message(),
+                isFinal: false); s.Frame(Continuation);
+            }));
         yield return Section("6.2.1–6.2.4", "characters of two and three bytes: whole, in two fragments, one fragment for each byte",
             "One fragment for each byte is more than the 64 of our protocol: the message is refused and the connection stays open.",
             Case("6.2.1", "accepted", s => s.Send("Hello-µ@ßöäüàá-UTF-8!!")), Case("6.2.2", "accepted",

@@ -47,7 +47,7 @@ sealed class FuzzRun
     void FeedPart<T>(Func<Func<Random, T>> newMaker, Func<Func<T, bool>> newReader, int first, int end)
     {
         var threads = Enumerable.Range(0, _doing.Length).Select(part => new Thread(() => FeedEvery(newMaker(), newReader(), part, first, end))
-            { IsBackground = true, Name = "fuzz" }).ToList();
+        { IsBackground = true, Name = "fuzz" }).ToList();
         foreach (var thread in threads) thread.Start();
         foreach (var thread in threads)
             while (!thread.Join(TimeSpan.FromSeconds(1)) && _failure == null) LookForHangs();

@@ -1,6 +1,7 @@
 using System.Text;
 using System.Text.Json;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
@@ -23,6 +24,8 @@ static class MessageRules
         var isTaken = IsTaken(message, reason);
         // Releases the message like a session, so that the next one is read into the same object.
         message.JointState?.Release();
+        message.Transforms?.Release();
+        message.Signals?.Release();
         return isTaken;
     }
 
@@ -31,7 +34,9 @@ static class MessageRules
         if (reason != DropReason.None) throw new FuzzException("taken with a reason: " + reason);
         if (message.JointState is { } state) Check(state);
         if (message.JointTrajectory is { } plan) Check(plan);
-        if (message.JointStatus is { } status) Check(status);
+        if ((message.JointStatus ?? message.SignalStatus) is { } status) Check(status);
+        if (message.Transforms is { } transforms) Check(transforms, isStatic: message.Topic == RosTopics.TfStatic);
+        if (message.Signals is { } signals) Check(signals);
         if (message.Time is { } time) Stamp(time);
         if (message.PlantTime is { } plant) Check(plant);
         if (message.Data?.Length > ProtocolLimits.DescriptionBytes) throw new FuzzException("a description that is too long");
@@ -65,6 +70,40 @@ static class MessageRules
         if (!RosbridgeReader.TryRead(text, out var again, out var reason)) throw new FuzzException($"not read again ({reason}): {text}");
         if (again.JointState.Stamp != state.Stamp || !again.JointState.Positions.AsSpan().SequenceEqual(state.Positions))
             throw new FuzzException("reads otherwise than written: " + text);
+    }
+
+    static void Check(TransformsMessage transforms, bool isStatic)
+    {
+        var all = Enumerable.Range(0, transforms.Count).Select(i => transforms[i]).ToArray();
+        Names([.. all.Select(one => one.Child)]);
+        foreach (var one in all)
+        {
+            if (!isStatic || one.Stamp != default) Stamp(one.Stamp);
+            Names([one.Parent]);
+            if (one.Parent == one.Child) throw new FuzzException("a frame is its own parent");
+            foreach (var number in new[] { one.X, one.Y, one.Z, one.Qx, one.Qy, one.Qz, one.Qw }) Finite(number);
+            var norm = (one.Qx * one.Qx) + (one.Qy * one.Qy) + (one.Qz * one.Qz) + (one.Qw * one.Qw);
+            if (Math.Abs(norm - 1) > 1e-14) throw new FuzzException("a quaternion with the squared norm " + norm);
+        }
+
+        var text = RosbridgeWriter.PublishTransforms(isStatic ? RosTopics.TfStatic : RosTopics.Tf, transforms, RosTimeForm.Secs);
+        if (!RosbridgeReader.TryRead(text, out var again, out var reason)) throw new FuzzException($"not read again ({reason}): {text}");
+        for (var i = 0; i < all.Length; i++)
+            if (again.Transforms[i].Stamp != all[i].Stamp || again.Transforms[i].Child != all[i].Child || again.Transforms[i].X != all[i].X)
+                throw new FuzzException("reads otherwise than written: " + text);
+    }
+
+    static void Check(SignalsMessage signals)
+    {
+        Stamp(signals.Stamp);
+        var all = Enumerable.Range(0, signals.Count).Select(i => signals[i]).ToArray();
+        Names([.. all.Select(one => one.Name)]);
+        foreach (var one in all) Finite(one.Value);
+        var text = RosbridgeWriter.PublishSignals(RosTopics.Signals, signals, RosTimeForm.Secs);
+        if (!RosbridgeReader.TryRead(text, out var again, out var reason)) throw new FuzzException($"not read again ({reason}): {text}");
+        for (var i = 0; i < all.Length; i++)
+            if (again.Signals.Stamp != signals.Stamp || again.Signals[i].Name != all[i].Name || again.Signals[i].Value != all[i].Value)
+                throw new FuzzException("reads otherwise than written: " + text);
     }
 
     static void Check(JointTrajectoryMessage plan)

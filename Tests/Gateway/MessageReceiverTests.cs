@@ -15,7 +15,9 @@ public class MessageReceiverTests
     {
         var time = new ManualTime();
         using var socket = new ScriptedWebSocket(
-            ("a ", false, () => { }), ("mess", false, () => { }), ("age", true, () => time.Advance(seconds)),
+            ("a ", false, () => { }
+        ), ("mess", false, () => { }
+        ), ("age", true, () => time.Advance(seconds)),
             ("the ", false, () => time.Advance(60)), ("next", true, () => time.Advance(4.9)));
         var receiver = new MessageReceiver(
             socket, new FragmentCounter(), new GatewayOptions(), ProtocolLimits.MessageBytes, new RequestRate(100), time);

@@ -75,7 +75,7 @@ public class RosapiTests
     [TestCase("get_param", """{"name":"/none","default":"5"}""", """{"value":"5"}""")]
     [TestCase("has_param", """{"name":"/robot_description"}""", """{"exists":true}""")]
     [TestCase("topic_type", """{"topic":"/nowpose/joint_status"}""", """{"type":"diagnostic_msgs/DiagnosticArray"}""")]
-    [TestCase("topics_for_type", """{"type":"diagnostic_msgs/DiagnosticArray"}""", """{"topics":["/nowpose/diagnostics","/nowpose/joint_status"]}""")]
+    [TestCase("topics_for_type", """{"type":"diagnostic_msgs/DiagnosticArray"}""", """{"topics":["/nowpose/diagnostics","/nowpose/joint_status","/nowpose/signal_status"]}""")]
     [TestCase("topic_type", """{"topic":"/none"}""", """{"type":""}""")]
     [TestCase("topic_type", "[]", """{"type":""}""")]
     [TestCase("service_type", """{"service":"/rosapi/get_time"}""", """{"type":"rosapi/GetTime"}""")]

@@ -110,7 +110,8 @@ public class RosbridgeReadersTests
     {
         var options = Gateways.Options() with
         {
-            PingInterval = TimeSpan.FromMilliseconds(100), PongTimeout = TimeSpan.FromSeconds(3),
+            PingInterval = TimeSpan.FromMilliseconds(100),
+            PongTimeout = TimeSpan.FromSeconds(3),
         };
         await using var gateway = await Gateways.StartAsync(options);
         using var raw = await RawWebSocket.OpenAsync(gateway);

@@ -17,8 +17,8 @@ public class SimulatedCellTests
     {
         var clock = new StopwatchControlClock(ControlTime.FromSeconds(50), 100e-6);
         await using var gateway = await Gateways.StartAsync(clock: clock);
-        var received = new ConcurrentQueue<ControlTime>();
-        using var listening = gateway.Hub.Subscribe(RosTopics.JointStates, _ => received.Enqueue(clock.Now));
+        var published = new ConcurrentDictionary<ControlTime, ControlTime>();
+        using var listening = gateway.Hub.Subscribe(RosTopics.JointStates, message => published[((JointStateMessage)message.Content).Stamp] = clock.Now);
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.SubscribeAsync(RosTopics.JointStates, null, 0, 100);
         var motion = new PickAndPlaceMotion(RobotFiles.Load("youbot"));
@@ -36,9 +36,12 @@ public class SimulatedCellTests
             Assert.That(samples[i].Positions, Is.EqualTo(truth));
         }
 
-        Assert.That(samples.Zip(samples.Skip(1), (a, b) => b.Stamp - a.Stamp), Has.All.EqualTo(Timing.SamplingInterval));
+        // A busy machine stalls longer than samples are kept, so some may be missing; the others keep their beat.
+        var intervals = samples.Zip(samples.Skip(1), (a, b) => b.Stamp - a.Stamp).ToList();
+        Assert.That(intervals, Has.All.GreaterThan(TimeSpan.Zero));
+        Assert.That(intervals.Select(interval => interval.Ticks % Timing.SamplingInterval.Ticks), Has.All.Zero);
         // Only the minimum is asserted: samples are never early, but a busy machine delays them.
-        Assert.That(samples.Zip(received, (sample, at) => (at - sample.Stamp).TotalMilliseconds), Has.All.GreaterThanOrEqualTo(20));
+        Assert.That(samples.Select(sample => (published[sample.Stamp] - sample.Stamp).TotalMilliseconds), Has.All.GreaterThanOrEqualTo(20));
     }
 
     [Test]

@@ -31,7 +31,7 @@ public sealed class NoticeTests
             .Select(p => p.Attribute("Include").Value + " " + p.Attribute("Version").Value);
     }
 
-    static IEnumerable<string> NpmPackages() => new[] { "Web/package.json", "Vision/package.json", "Gateway/Adapters/package.json" }
+    static IEnumerable<string> NpmPackages() => new[] { "Web/package.json", "Vision/package.json", "Gateway/Adapters/package.json", ".ci/lint/package.json" }
         .SelectMany(manifest => Dependencies(manifest, "dependencies", "devDependencies")).Distinct();
 
     static IEnumerable<string> UnityPackages()

@@ -32,10 +32,10 @@ public sealed partial class RoomTests
     public void Namespace_OfEachFile_MatchesItsFolder()
     {
         var wrong = from file in Sources
-            where !file.StartsWith(StandIn, StringComparison.Ordinal)
-            let declared = Declared().Match(RepositoryFiles.Read(file)).Groups[1].Value
-            where declared.Length > 0 && declared != ExpectedIn(FolderOf(file))
-            select $"{file}: {declared}, expected {ExpectedIn(FolderOf(file))}";
+                    where !file.StartsWith(StandIn, StringComparison.Ordinal)
+                    let declared = Declared().Match(RepositoryFiles.Read(file)).Groups[1].Value
+                    where declared.Length > 0 && declared != ExpectedIn(FolderOf(file))
+                    select $"{file}: {declared}, expected {ExpectedIn(FolderOf(file))}";
 
         Assert.That(wrong, Is.Empty);
     }

@@ -29,7 +29,7 @@ public class RosDirectTests
     void Start(RosFlavour flavour, TimeSpan resolution = default, TimeSpan before = default, TimeSpan after = default, bool hasRosapi = true)
     {
         _control = new StopwatchControlClock(ControlTime.FromSeconds(1_700_000_000), 20e-6)
-            { Resolution = resolution == default ? new TimeSpan(1) : resolution };
+        { Resolution = resolution == default ? new TimeSpan(1) : resolution };
         _graph = new RosGraph(flavour, _control) { HasRosapi = hasRosapi };
         _rosbridge = new RosbridgeDouble(_graph) { BeforeReading = before, AfterReading = after };
         _session = NewSession(_rosbridge.Port);

@@ -20,10 +20,14 @@ const edges = [6, 8, 10, 13, 16, 20, 26, 34];
  * removes none, so the hologram is found in front of structured scenes, too.
  */
 export function candidatesIn(light: Mat): Quad[] {
-  const steps = stepsIn(light), areas = new cv.Mat(), binary = new cv.Mat(), quads: Quad[] = [];
+  const steps = stepsIn(light);
+  const areas = new cv.Mat();
+  const binary = new cv.Mat();
+  const quads: Quad[] = [];
   for (const gap of gaps) {
     // Closing and opening commute with the threshold, so they are needed only once per gap.
-    const within = square(gap), across = square(Math.round(narrow * gap));
+    const within = square(gap);
+    const across = square(Math.round(narrow * gap));
     cv.morphologyEx(steps, areas, cv.MORPH_CLOSE, within);
     cv.morphologyEx(areas, areas, cv.MORPH_OPEN, across);
     for (const edge of edges) {
@@ -38,7 +42,9 @@ export function candidatesIn(light: Mat): Quad[] {
 
 /** Returns the mean change of light between adjacent pixels in each block; 255 is white. It does not depend on the background. */
 function stepsIn(light: Mat): Mat {
-  const bytes = new cv.Mat(), small = new cv.Mat(), near = square(3);
+  const bytes = new cv.Mat();
+  const small = new cv.Mat();
+  const near = square(3);
   light.convertTo(bytes, cv.CV_8U, 255);
   cv.morphologyEx(bytes, bytes, cv.MORPH_GRADIENT, near);
   cv.resize(bytes, small, new cv.Size(Math.floor(light.cols / block), Math.floor(light.rows / block)), 0, 0, cv.INTER_AREA);
@@ -49,7 +55,9 @@ function stepsIn(light: Mat): Mat {
 const square = (size: number) => cv.getStructuringElement(cv.MORPH_RECT, new cv.Size(size, size));
 
 function quadsIn(binary: Mat): Quad[] {
-  const contours = new cv.MatVector(), hierarchy = new cv.Mat(), quads: Quad[] = [];
+  const contours = new cv.MatVector();
+  const hierarchy = new cv.Mat();
+  const quads: Quad[] = [];
   cv.findContours(binary, contours, hierarchy, cv.RETR_LIST, cv.CHAIN_APPROX_SIMPLE);
   for (let i = 0; i < contours.size(); i++) {
     const contour = contours.get(i);
@@ -62,9 +70,11 @@ function quadsIn(binary: Mat): Quad[] {
 }
 
 function quadsOf(contour: Mat): Quad[] {
-  const { width, height } = cv.boundingRect(contour), size = Math.max(width, height);
+  const { width, height } = cv.boundingRect(contour);
+  const size = Math.max(width, height);
   if (size * block < 0.8 * minSide || Math.min(width, height) < 0.4 * size) return [];
-  const hull = new cv.Mat(), corners = new cv.Mat();
+  const hull = new cv.Mat();
+  const corners = new cv.Mat();
   try {
     cv.convexHull(contour, hull, false, true);
     const around = cv.arcLength(hull, true);
@@ -87,6 +97,9 @@ const inPicture = (x: number, y: number): Point => [(x + 0.5) * block, (y + 0.5)
 
 function clockwise(points: Point[]): Quad {
   let area = 0;
-  points.forEach((p, i) => { const q = points[(i + 1) & 3]; area += p[0] * q[1] - q[0] * p[1]; });
+  points.forEach((p, i) => {
+    const q = points[(i + 1) & 3];
+    area += p[0] * q[1] - q[0] * p[1];
+  });
   return (area > 0 ? points : points.reverse()) as Quad;
 }

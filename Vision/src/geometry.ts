@@ -17,13 +17,24 @@ export interface Homography {
 
 /** Returns the perspective map of the unit square to a quad (Heckbert 1989). u runs along the code's top edge, v along its left edge. */
 export function homography([p0, p1, p2, p3]: Quad): Homography {
-  const sx = p0[0] - p1[0] + p2[0] - p3[0], sy = p0[1] - p1[1] + p2[1] - p3[1];
-  const dx1 = p1[0] - p2[0], dy1 = p1[1] - p2[1], dx2 = p3[0] - p2[0], dy2 = p3[1] - p2[1];
+  const sx = p0[0] - p1[0] + p2[0] - p3[0];
+  const sy = p0[1] - p1[1] + p2[1] - p3[1];
+  const dx1 = p1[0] - p2[0];
+  const dy1 = p1[1] - p2[1];
+  const dx2 = p3[0] - p2[0];
+  const dy2 = p3[1] - p2[1];
   const area = dx1 * dy2 - dx2 * dy1;
-  const g = (sx * dy2 - dx2 * sy) / area, h = (dx1 * sy - sx * dy1) / area;
+  const g = (sx * dy2 - dx2 * sy) / area;
+  const h = (dx1 * sy - sx * dy1) / area;
   return {
-    a: p1[0] - p0[0] + g * p1[0], b: p3[0] - p0[0] + h * p3[0], c: p0[0],
-    d: p1[1] - p0[1] + g * p1[1], e: p3[1] - p0[1] + h * p3[1], f: p0[1], g, h,
+    a: p1[0] - p0[0] + g * p1[0],
+    b: p3[0] - p0[0] + h * p3[0],
+    c: p0[0],
+    d: p1[1] - p0[1] + g * p1[1],
+    e: p3[1] - p0[1] + h * p3[1],
+    f: p0[1],
+    g,
+    h,
   };
 }
 
@@ -52,8 +63,22 @@ export function isPlausible(q: Quad, minSide: number): boolean {
   const sides = q.map((p, i) => distance(p, q[(i + 1) & 3]));
   if (Math.min(...sides) < minSide || Math.max(...sides) > 2.5 * Math.min(...sides)) return false;
   return q.every((p, i) => {
-    const a = q[(i + 1) & 3], b = q[(i + 2) & 3];
+    const a = q[(i + 1) & 3];
+    const b = q[(i + 2) & 3];
     const turn = (a[0] - p[0]) * (b[1] - a[1]) - (a[1] - p[1]) * (b[0] - a[0]);
     return turn > 0.4 * sides[i] * sides[(i + 1) & 3];
   });
 }
+
+/** Moves a side of a quad, which starts at the corner of its index, so that the sides next to it become longer by a factor. */
+export function extendedBy(q: Quad, side: number, factor: number): Quad {
+  const moved = (corner: number, fixed: number): Point => [
+    q[fixed][0] + factor * (q[corner][0] - q[fixed][0]),
+    q[fixed][1] + factor * (q[corner][1] - q[fixed][1]),
+  ];
+  const next = (side + 1) & 3;
+  return q.map((p, i) => (i === side ? moved(i, (side + 3) & 3) : i === next ? moved(i, (side + 2) & 3) : p)) as Quad;
+}
+
+/** Whether the centres of two quads are so close that both cannot be codes. */
+export const isWithin = (quad: Quad, other: Quad) => distance(centreOf(quad), centreOf(other)) < 0.55 * Math.max(sizeOf(quad), sizeOf(other));

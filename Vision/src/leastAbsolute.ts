@@ -17,7 +17,9 @@ export class Equations {
   readonly #unknowns: number[] = [];
   readonly #factors: number[] = [];
 
-  get count(): number { return this.#measured.length; }
+  get count(): number {
+    return this.#measured.length;
+  }
 
   /** Adds a term to the equation that the next call of `end` completes. */
   term(unknown: number, factor: number): void {
@@ -47,7 +49,8 @@ export class Equations {
     for (let i = 0; i < count; i++) squares[i * count + i] = held;
     for (let i = 0; i < weights.length; i++)
       for (let at = this.#starts[i]; at < this.#starts[i + 1]; at++) {
-        const unknown = this.#unknowns[at], weight = weights[i] * this.#factors[at];
+        const unknown = this.#unknowns[at];
+        const weight = weights[i] * this.#factors[at];
         products[unknown] += weight * this.#measured[i];
         for (let by = this.#starts[i]; by < this.#starts[i + 1]; by++) squares[unknown * count + this.#unknowns[by]] += weight * this.#factors[by];
       }
@@ -57,7 +60,8 @@ export class Equations {
 /** Finds the unknowns with the minimum sum of absolute residuals, by iteratively reweighted least squares. */
 export function leastAbsolute(equations: Equations, count: number): Float64Array {
   const [normal, right, found] = [count, 1, 1].map(columns => new cv.Mat(count, columns, cv.CV_64FC1)) as [Mat, Mat, Mat];
-  const weights = new Float64Array(equations.count).fill(1), residuals = new Float64Array(equations.count);
+  const weights = new Float64Array(equations.count).fill(1);
+  const residuals = new Float64Array(equations.count);
   try {
     for (let round = 0; round < rounds; round++) {
       equations.setNormal(weights, normal.data64F, right.data64F);

@@ -10,7 +10,14 @@ export interface Grey {
 /** Swaps left and right. */
 export function mirrored({ width, height, data }: Grey): Grey {
   const swapped = new Uint8Array(data.length);
-  for (let row = 0; row < height; row++) swapped.set(data.subarray(row * width, (row + 1) * width).slice().reverse(), row * width);
+  for (let row = 0; row < height; row++)
+    swapped.set(
+      data
+        .subarray(row * width, (row + 1) * width)
+        .slice()
+        .reverse(),
+      row * width,
+    );
   return { width, height, data: swapped };
 }
 
@@ -35,9 +42,12 @@ export function lightOf({ width, height, data }: Grey): Light {
 
 /** Light at a point, interpolated between the centres of pixels; NaN outside of the picture. */
 function lightAt({ width, height, data }: Light, x: number, y: number): number {
-  const column = Math.floor(x - 0.5), row = Math.floor(y - 0.5);
+  const column = Math.floor(x - 0.5);
+  const row = Math.floor(y - 0.5);
   if (!(column >= 0 && row >= 0 && column < width - 1 && row < height - 1)) return NaN;
-  const right = x - 0.5 - column, down = y - 0.5 - row, at = row * width + column;
+  const right = x - 0.5 - column;
+  const down = y - 0.5 - row;
+  const at = row * width + column;
   const above = data[at] * (1 - right) + data[at + 1] * right;
   const below = data[at + width] * (1 - right) + data[at + width + 1] * right;
   return above * (1 - down) + below * down;
@@ -50,15 +60,18 @@ export function lightThrough(picture: Light, { a, b, c, d, e, f, g, h }: Homogra
 }
 
 /** Light to which the brightest parts of a dark picture are raised, the share of the pixels that count as these, and the maximum factor. */
-const raisedTo = 0.5, brightest = 0.001, maxGain = 16;
+const raisedTo = 0.5;
+const brightest = 0.001;
+const maxGain = 16;
 
 /** Brightens a dark picture, so that its codes are searched like those of a bright one. */
 export function brightened(light: Light): Light {
-  const steps = 1024, counts = new Uint32Array(steps + 1);
-  for (let i = 0; i < light.data.length; i++) counts[light.data[i] * steps | 0]++;
+  const steps = 1024;
+  const counts = new Uint32Array(steps + 1);
+  for (let i = 0; i < light.data.length; i++) counts[(light.data[i] * steps) | 0]++;
   let step = steps;
   for (let above = 0; step > 0 && above < brightest * light.data.length; step--) above += counts[step];
-  const gain = Math.min(maxGain, raisedTo * steps / (step + 1));
+  const gain = Math.min(maxGain, (raisedTo * steps) / (step + 1));
   if (gain <= 1) return light;
   const data = new Float32Array(light.data.length);
   for (let i = 0; i < data.length; i++) data[i] = gain * light.data[i];

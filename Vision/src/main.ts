@@ -21,7 +21,8 @@ interface Request {
   track?: { boxes?: Box[] };
 }
 
-type Answer = { width: number; height: number; codes: Found[]; isMirrored: boolean } | { places: Place[] } | { error: string } | Record<string, never>;
+type Answer =
+  { width: number; height: number; codes: Found[]; isMirrored: boolean } | { places: Place[] } | { error: string } | Record<string, never>;
 
 let finder: Finder;
 let tracker: Tracker | undefined;
@@ -38,7 +39,8 @@ async function answer(request: Request): Promise<Answer> {
     return {};
   }
   if (request.track) return { places: follow(picture, request.track.boxes) };
-  const codes = finder.find(picture), isMirrored = isFitBetter(codes, () => finder.find(mirrored(picture)));
+  const codes = finder.find(picture);
+  const isMirrored = isFitBetter(codes, () => finder.find(mirrored(picture)));
   return { width: picture.width, height: picture.height, codes: isMirrored ? [] : codes, isMirrored };
 }
 

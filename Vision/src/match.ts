@@ -1,7 +1,7 @@
 import { homography, type Quad } from './geometry';
 import { lightThrough, type Light } from './levels';
 import { medianOf } from './median';
-import { Expected, outer, stepsOf, type Pattern } from './pattern';
+import { Band, Expected, isWithinBand, outer, stepsOf, type Pattern, type Step } from './pattern';
 
 /** Agreement of a quad with a kind of code whose top left corner is the quad's first. */
 export interface Agreement {
@@ -21,8 +21,9 @@ const outerReach = 0.5;
 export class Matcher {
   readonly kinds: string[];
   readonly side: number;
-  readonly #kinds: { points: Float64Array; expected: Uint8Array; most: number }[];
-  readonly #outer: Float64Array;
+  /** For each kind, the steps of the whole code and of the code without each band. */
+  readonly #kinds: { whole: Steps; parts: Steps[] }[];
+  readonly #outer: { whole: Float64Array; parts: Float64Array[] };
   readonly #steps: Float64Array;
   readonly #rises: Float64Array;
 
@@ -31,23 +32,26 @@ export class Matcher {
     this.kinds = Object.keys(pattern.kinds);
     this.#kinds = Object.values(pattern.kinds).map(kind => {
       const steps = stepsOf(pattern, kind);
-      return {
-        points: Float64Array.from(steps.flatMap(({ x, y, dx, dy }) => [x, y, dx, dy])),
-        expected: Uint8Array.from(steps, step => step.expected),
-        most: steps.filter(step => step.expected !== Expected.Level).length,
-      };
+      return { whole: stepsIn(steps), parts: bands.map(band => stepsIn(steps.filter(({ x, y }) => !isWithinBand(band, x, y)))) };
     });
-    this.#outer = outerOf(pattern.side);
-    this.#steps = new Float64Array(Math.max(...this.#kinds.map(kind => kind.expected.length)));
+    const edges = outerOf(pattern.side);
+    this.#outer = {
+      whole: Float64Array.from(edges.flat()),
+      parts: bands.map(band => Float64Array.from(edges.filter(([x, y]) => !isWithinBand(band, x, y)).flat())),
+    };
+    this.#steps = new Float64Array(Math.max(...this.#kinds.map(({ whole }) => whole.expected.length)));
     this.#rises = new Float64Array(this.#steps.length);
   }
 
   /**
    * @param reach Distance from a cell's edge at which its light is sampled, in cells: 0.5 is its middle.
+   * @param hidden Band of the code that is ignored.
    * @param given Light of the code where it is known, so that kinds and orientations of the same quad can be compared.
    */
-  agreement(picture: Light, quad: Quad, kind: number, reach: number, given?: number): Agreement {
-    const { points, expected, most } = this.#kinds[kind], steps = this.#steps;
+  agreement(picture: Light, quad: Quad, kind: number, reach: number, hidden?: Band, given?: number): Agreement {
+    const { whole, parts } = this.#kinds[kind];
+    const { points, expected, most } = hidden === undefined ? whole : parts[hidden];
+    const steps = this.#steps;
     this.#sample(picture, quad, points, reach);
     let count = 0;
     for (let i = 0; i < expected.length; i++) if (expected[i] === Expected.Rise) this.#rises[count++] = steps[i];
@@ -63,9 +67,10 @@ export class Matcher {
   }
 
   /** Gets the agreement of the code's outer edge alone, independent of its kind and orientation. */
-  outerAgreement(picture: Light, quad: Quad): Agreement {
-    const count = this.#outer.length / 4;
-    this.#sample(picture, quad, this.#outer, outerReach);
+  outerAgreement(picture: Light, quad: Quad, hidden?: Band): Agreement {
+    const points = hidden === undefined ? this.#outer.whole : this.#outer.parts[hidden];
+    const count = points.length / 4;
+    this.#sample(picture, quad, points, outerReach);
     this.#rises.set(this.#steps.subarray(0, count));
     const light = medianOf(this.#rises, count);
     if (!(light > 0)) return { light: 0, share: 0 };
@@ -76,17 +81,41 @@ export class Matcher {
 
   /** Sets the steps of light; 0 where a sample lies outside of the picture. */
   #sample(picture: Light, quad: Quad, points: Float64Array, reach: number): void {
-    const seen = homography(quad), steps = this.#steps;
+    const seen = homography(quad);
+    const steps = this.#steps;
     for (let i = 0, at = 0; at < points.length; i++, at += 4) {
-      const x = points[at], y = points[at + 1], dx = reach * points[at + 2], dy = reach * points[at + 3];
+      const x = points[at];
+      const y = points[at + 1];
+      const dx = reach * points[at + 2];
+      const dy = reach * points[at + 3];
       steps[i] = lightThrough(picture, seen, x + dx, y + dy) - lightThrough(picture, seen, x - dx, y - dy) || 0;
     }
   }
 }
 
+/** Points and directions of steps in flat arrays, and the number of steps that are not level. */
+interface Steps {
+  points: Float64Array;
+  expected: Uint8Array;
+  most: number;
+}
+
+const bands = [Band.Top, Band.Right, Band.Bottom, Band.Left, Band.Columns, Band.Rows];
+
+const stepsIn = (steps: Step[]): Steps => ({
+  points: Float64Array.from(steps.flatMap(({ x, y, dx, dy }) => [x, y, dx, dy])),
+  expected: Uint8Array.from(steps, step => step.expected),
+  most: steps.filter(step => step.expected !== Expected.Level).length,
+});
+
 /** Returns points and directions of the steps across the outer edge, inwards. */
-function outerOf(side: number): Float64Array {
-  const edge = outer.inwards / side, step = outer.length / side;
-  return Float64Array.from(Array.from({ length: side }, (_, i) => (i + 0.5) / side).flatMap(along =>
-    [[edge, along, step, 0], [1 - edge, along, -step, 0], [along, edge, 0, step], [along, 1 - edge, 0, -step]].flat()));
+function outerOf(side: number): number[][] {
+  const edge = outer.inwards / side;
+  const step = outer.length / side;
+  return Array.from({ length: side }, (_, i) => (i + 0.5) / side).flatMap(along => [
+    [edge, along, step, 0],
+    [1 - edge, along, -step, 0],
+    [along, edge, 0, step],
+    [along, 1 - edge, 0, -step],
+  ]);
 }

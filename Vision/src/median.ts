@@ -3,7 +3,8 @@ export function medianOf(values: Float64Array, count: number): number {
   const middle = count >> 1;
   for (let first = 0, last = count - 1; first < last;) {
     const pivot = values[middle];
-    let low = first, high = last;
+    let low = first;
+    let high = last;
     while (low <= high) {
       while (values[low] < pivot) low++;
       while (values[high] > pivot) high--;

@@ -9,6 +9,9 @@ export let cv: OpenCv;
 export const loaded: Promise<void> = (async () => {
   // Awaiting the module itself would never end: it has a `then` that yields itself.
   const given = library instanceof Promise ? ((await library) as OpenCv) : library;
-  if (!given.Mat) await new Promise<void>(resolve => { given.onRuntimeInitialized = () => resolve(); });
+  if (!given.Mat)
+    await new Promise<void>(resolve => {
+      given.onRuntimeInitialized = () => resolve();
+    });
   cv = given;
 })();

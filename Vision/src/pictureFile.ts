@@ -5,14 +5,19 @@ import decoder from '@jsquash/jpeg/codec/dec/mozjpeg_dec.wasm';
 import encoder from '@jsquash/jpeg/codec/enc/mozjpeg_enc.wasm';
 import { PNG } from 'pngjs';
 import type { Grey } from './levels';
-import { checkSize, isJpeg, isPng } from './pictureSize';
+import { checkSize, isHeic, isJpeg, isPng } from './pictureSize';
 
 // The codecs need a class of browsers that Node lacks.
 (globalThis as { ImageData?: unknown }).ImageData ??= class {
-  constructor(readonly data: Uint8ClampedArray, readonly width: number, readonly height: number) { }
+  constructor(
+    readonly data: Uint8ClampedArray,
+    readonly width: number,
+    readonly height: number,
+  ) {}
 };
 
-let isDecoding = false, isEncoding = false;
+let isDecoding = false;
+let isEncoding = false;
 
 /**
  * Reads a PNG or JPEG file as grey levels. Throws an error that names the defect. Ignores the orientation that the file states, so that
@@ -21,6 +26,8 @@ let isDecoding = false, isEncoding = false;
 export async function readPicture(path: string): Promise<Grey> {
   const bytes = readFileSync(path);
   if (bytes.length === 0) throw new Error('the file is empty');
+  if (isHeic(bytes))
+    throw new Error('it is a HEIC or AVIF picture: set the camera to JPEG, or convert it, for example with ImageMagick: magick IN.heic OUT.jpg');
   if (!isPng(bytes) && !isJpeg(bytes)) throw new Error('it is neither a PNG nor a JPEG picture: set the camera to JPEG, or convert it');
   checkSize(bytes);
   try {

@@ -11,6 +11,9 @@ export const isPng = (bytes: Buffer) => bytes.subarray(0, 4).equals(Buffer.from(
 
 export const isJpeg = (bytes: Buffer) => bytes[0] === 0xff && bytes[1] === 0xd8;
 
+/** Whether the file has the container of HEIC and AVIF pictures; the file type follows the length of the first box. */
+export const isHeic = (bytes: Buffer) => bytes.subarray(4, 8).equals(Buffer.from('ftyp'));
+
 function pngSize(bytes: Buffer): [number, number] {
   // The size follows the signature and the length and name of the first chunk.
   if (bytes.length < 24) throw cutOff();
@@ -19,7 +22,8 @@ function pngSize(bytes: Buffer): [number, number] {
 
 /** Returns the size that the frame states. Also requires the end of the image, because decoders invent missing data. */
 function jpegSize(bytes: Buffer): [number, number] {
-  const frame = segment(bytes, isFrame), scan = segment(bytes, marker => marker === startOfScan);
+  const frame = segment(bytes, isFrame);
+  const scan = segment(bytes, marker => marker === startOfScan);
   if (bytes.indexOf(endOfImage, scan) < 0) throw cutOff();
   return [bytes.readUInt16BE(frame + 7), bytes.readUInt16BE(frame + 5)];
 }
@@ -37,8 +41,9 @@ function segment(bytes: Buffer, isWanted: (marker: number) => boolean): number {
 }
 
 /** C4, C8 and CC are in the range of frame markers but do not mark frames. */
-const isFrame = (marker: number) => marker >= 0xc0 && marker <= 0xcf && marker % 4 !== 0 || marker === 0xc0;
+const isFrame = (marker: number) => (marker >= 0xc0 && marker <= 0xcf && marker % 4 !== 0) || marker === 0xc0;
 
-const startOfScan = 0xda, endOfImage = Buffer.from([0xff, 0xd9]);
+const startOfScan = 0xda;
+const endOfImage = Buffer.from([0xff, 0xd9]);
 
 const cutOff = () => new Error('the file is incomplete');

@@ -1,20 +1,23 @@
 import { centreOf, distance, grownBy, isPlausible, shiftedBy, sizeOf, turned, type Quad } from './geometry';
 import type { Light } from './levels';
 import type { Agreement, Matcher } from './match';
-
-/** A quad that is assumed to be a code. Its first corner is the code's top left one. */
-export interface Fit extends Agreement {
-  quad: Quad;
-  kind: number;
-}
+import { turnedBand, type Band } from './pattern';
 
 /** A quad with the agreement of its outer edge. */
 export interface Start extends Agreement {
   quad: Quad;
+  /** Band of the quad that is ignored because it may be covered or outside the picture. */
+  hidden?: Band;
+}
+
+/** A quad that is assumed to be a code. Its first corner is the code's top left one. */
+export interface Fit extends Start {
+  kind: number;
 }
 
 /** Starting points around a candidate: factors of its size, and shifts in cells. */
-const sizes = [0.8, 0.9, 1, 1.1, 1.2], shifts = [-1, 0, 1];
+const sizes = [0.8, 0.9, 1, 1.1, 1.2];
+const shifts = [-1, 0, 1];
 /** Number of the best starting points that are refined. */
 const followed = 2;
 
@@ -24,7 +27,13 @@ const outerSteps = [0.5, 0.25];
  * Step sizes of the corners for the fit by all steps of light, from one row down to a negligible size, each with the distance from the
  * cells' edges at which light is sampled. All in cells.
  */
-const steps = [[1, 0.4], [0.5, 0.35], [0.25, 0.3], [0.12, 0.25], [0.06, 0.2]];
+const steps = [
+  [1, 0.4],
+  [0.5, 0.35],
+  [0.25, 0.3],
+  [0.12, 0.25],
+  [0.06, 0.2],
+];
 
 /** The middle of cells. A larger distance finds codes from farther off, but structured scenes disturb it more often. */
 const middle = 0.5;
@@ -54,25 +63,33 @@ export class Refiner {
   }
 
   /** Returns the starting points around a candidate that agree best by their outer edge, the best first. */
-  startsAt(candidate: Quad): Start[] {
+  startsAt(candidate: Quad, hidden?: Band): Start[] {
     const cell = sizeOf(candidate) / this.#matcher.side;
-    return sizes.flatMap(size => shifts.flatMap(x => shifts.map(y => this.#outer(shiftedBy(grownBy(candidate, size), x * cell, y * cell)))))
-      .sort(byScore).slice(0, followed);
+    return sizes
+      .flatMap(size => shifts.flatMap(x => shifts.map(y => this.#outer(shiftedBy(grownBy(candidate, size), x * cell, y * cell), hidden))))
+      .sort(byScore)
+      .slice(0, followed);
   }
 
   /** Moves the starting points to the best fit of their outer edge. Returns the best first. */
   guesses(starts: Start[]): Fit[] {
-    return starts.map(start => {
-      const cell = sizeOf(start.quad) / this.#matcher.side;
-      return outerSteps.reduce((best, step) => climb(best, step * cell, 2, quad => this.#outer(quad)), start);
-    }).map(({ quad }) => this.#alternatives(quad, middle)[0]).sort(byScore);
+    return starts
+      .map(start => {
+        const cell = sizeOf(start.quad) / this.#matcher.side;
+        return outerSteps.reduce((best, step) => climb(best, step * cell, 2, quad => this.#outer(quad, start.hidden)), start);
+      })
+      .map(({ quad, hidden }) => this.#alternatives(quad, middle, hidden)[0])
+      .sort(byScore);
   }
 
-  #outer(quad: Quad): Start { return { quad, ...this.#matcher.outerAgreement(this.#picture, quad) }; }
+  #outer(quad: Quad, hidden?: Band): Start {
+    return { quad, hidden, ...this.#matcher.outerAgreement(this.#picture, quad, hidden) };
+  }
 
   /** @param fit The assumed code. Its kind and orientation change only if another one agrees better at the refined position. */
   refine(fit: Fit): Fit {
-    const found = this.#refined(fit, steps), best = this.#alternatives(found.quad, middle)[0];
+    const found = this.#refined(fit, steps);
+    const best = this.#alternatives(found.quad, middle, found.hidden)[0];
     const isSame = best.kind === found.kind && best.quad[0] === found.quad[0];
     return isSame ? found : this.#refined(best, steps.slice(-3));
   }
@@ -83,11 +100,22 @@ export class Refiner {
     return first.kind === fit.kind && first.quad[0] === fit.quad[0] && first.share - second.share > minLead;
   }
 
+  /** Returns the fit again, with its agreement without a band. */
+  without(fit: Fit, hidden: Band): Fit {
+    return { ...fit, hidden, ...this.#matcher.agreement(this.#picture, fit.quad, fit.kind, this.#reach(fit.kind, inPlace), hidden) };
+  }
+
+  /** Moves a fit whose kind and orientation are known by small steps. */
+  refineLast(fit: Fit): Fit {
+    return this.#refined(fit, steps.slice(-3));
+  }
+
   #refined(fit: Fit, stepsToTake: number[][]): Fit {
-    const { kind } = fit, cell = sizeOf(fit.quad) / this.#matcher.side;
+    const { kind, hidden } = fit;
+    const cell = sizeOf(fit.quad) / this.#matcher.side;
     let best = fit;
     for (const [step, reach] of stepsToTake) {
-      const at = (quad: Quad) => ({ quad, kind, ...this.#matcher.agreement(this.#picture, quad, kind, this.#reach(kind, reach)) });
+      const at = (quad: Quad) => ({ quad, kind, hidden, ...this.#matcher.agreement(this.#picture, quad, kind, this.#reach(kind, reach), hidden) });
       best = climb(at(best.quad), step * cell, 3, at, quad => quad.every((p, i) => distance(p, fit.quad[i]) <= maxDistance * cell));
       if (best.share < minShareOnTheWay) break;
     }
@@ -95,15 +123,22 @@ export class Refiner {
   }
 
   /** Returns the quad as each kind in each orientation, the best first. */
-  #alternatives(quad: Quad, reach: number): Fit[] {
-    const { light } = this.#matcher.outerAgreement(this.#picture, quad);
-    return [0, 1, 2, 3].flatMap(turns => this.#isFilled.map((_, kind) => {
-      const seen = turned(quad, turns);
-      return { quad: seen, kind, ...this.#matcher.agreement(this.#picture, seen, kind, reach, light) };
-    })).sort(byScore);
+  #alternatives(quad: Quad, reach: number, hidden?: Band): Fit[] {
+    const { light } = this.#matcher.outerAgreement(this.#picture, quad, hidden);
+    return [0, 1, 2, 3]
+      .flatMap(turns =>
+        this.#isFilled.map((_, kind) => {
+          const seen = turned(quad, turns);
+          const band = hidden === undefined ? undefined : turnedBand(hidden, turns);
+          return { quad: seen, kind, hidden: band, ...this.#matcher.agreement(this.#picture, seen, kind, reach, band, light) };
+        }),
+      )
+      .sort(byScore);
   }
 
-  #reach(kind: number, reach: number): number { return this.#isFilled[kind] ? reach : middle; }
+  #reach(kind: number, reach: number): number {
+    return this.#isFilled[kind] ? reach : middle;
+  }
 }
 
 const score = ({ light, share }: Agreement) => light * share;
@@ -111,7 +146,12 @@ const byScore = (a: Agreement, b: Agreement) => score(b) - score(a);
 
 /** Continues while a move by a distance in px improves the result, up to a maximum number of rounds. */
 function climb<T extends Agreement & { quad: Quad }>(
-  start: T, by: number, rounds: number, at: (quad: Quad) => T, isAllowed: (quad: Quad) => boolean = () => true): T {
+  start: T,
+  by: number,
+  rounds: number,
+  at: (quad: Quad) => T,
+  isAllowed: (quad: Quad) => boolean = () => true,
+): T {
   let best = start;
   for (let round = 0; round < rounds; round++) {
     const before = best;
@@ -128,30 +168,54 @@ function climb<T extends Agreement & { quad: Quad }>(
 
 type Move = (quad: Quad, by: number) => Quad;
 
-const directions = [[1, 0], [-1, 0], [0, 1], [0, -1]];
-const shifted = (dx: number, dy: number): Move => (quad, by) => shiftedBy(quad, dx * by, dy * by);
-const cornered = (corner: number, dx: number, dy: number): Move =>
-  (quad, by) => quad.map((p, i) => i === corner ? [p[0] + dx * by, p[1] + dy * by] : p) as Quad;
-const grown = (sign: number): Move => (quad, by) => grownBy(quad, 1 + sign * 1.4 * by / sizeOf(quad));
-const rotated = (sign: number): Move => (quad, by) => {
-  const [x, y] = centreOf(quad), angle = sign * 1.4 * by / sizeOf(quad);
-  const c = Math.cos(angle), s = Math.sin(angle);
-  return quad.map(p => [x + (p[0] - x) * c - (p[1] - y) * s, y + (p[0] - x) * s + (p[1] - y) * c]) as Quad;
-};
+const directions = [
+  [1, 0],
+  [-1, 0],
+  [0, 1],
+  [0, -1],
+];
+const shifted =
+  (dx: number, dy: number): Move =>
+  (quad, by) =>
+    shiftedBy(quad, dx * by, dy * by);
+const cornered =
+  (corner: number, dx: number, dy: number): Move =>
+  (quad, by) =>
+    quad.map((p, i) => (i === corner ? [p[0] + dx * by, p[1] + dy * by] : p)) as Quad;
+const grown =
+  (sign: number): Move =>
+  (quad, by) =>
+    grownBy(quad, 1 + (sign * 1.4 * by) / sizeOf(quad));
+const rotated =
+  (sign: number): Move =>
+  (quad, by) => {
+    const [x, y] = centreOf(quad);
+    const angle = (sign * 1.4 * by) / sizeOf(quad);
+    const c = Math.cos(angle);
+    const s = Math.sin(angle);
+    return quad.map(p => [x + (p[0] - x) * c - (p[1] - y) * s, y + (p[0] - x) * s + (p[1] - y) * c]) as Quad;
+  };
 
-const edged = (side: number, sign: number): Move => (quad, by) => {
-  // Moves both corners of a side away from the opposite side or towards it.
-  const next = (side + 1) & 3, across = [(side + 3) & 3, (side + 2) & 3];
-  return quad.map((p, i) => {
-    if (i !== side && i !== next) return p;
-    const q = quad[across[i === side ? 0 : 1]], length = distance(p, q);
-    return [p[0] + sign * by * (p[0] - q[0]) / length, p[1] + sign * by * (p[1] - q[1]) / length];
-  }) as Quad;
-};
+const edged =
+  (side: number, sign: number): Move =>
+  (quad, by) => {
+    // Moves both corners of a side away from the opposite side or towards it.
+    const next = (side + 1) & 3;
+    const across = [(side + 3) & 3, (side + 2) & 3];
+    return quad.map((p, i) => {
+      if (i !== side && i !== next) return p;
+      const q = quad[across[i === side ? 0 : 1]];
+      const length = distance(p, q);
+      return [p[0] + (sign * by * (p[0] - q[0])) / length, p[1] + (sign * by * (p[1] - q[1])) / length];
+    }) as Quad;
+  };
 
 const moves: Move[] = [
   ...directions.map(([dx, dy]) => shifted(dx, dy)),
-  grown(1), grown(-1), rotated(1), rotated(-1),
+  grown(1),
+  grown(-1),
+  rotated(1),
+  rotated(-1),
   ...[0, 1, 2, 3].flatMap(side => [edged(side, 1), edged(side, -1)]),
   ...[0, 1, 2, 3].flatMap(corner => directions.map(([dx, dy]) => cornered(corner, dx, dy))),
 ];

@@ -18,7 +18,8 @@ export interface Place {
 }
 
 /** Search range around the last position, as a share of the patch's size, and its minimum in px. */
-const REACH = 0.75, MIN_REACH = 24;
+const REACH = 0.75;
+const MIN_REACH = 24;
 
 /**
  * Follows patches of the first picture through the next ones by normalised cross-correlation, with a resolution below a pixel. The
@@ -39,13 +40,17 @@ export class Tracker {
   }
 
   follow(grey: Grey): Place[] {
-    const picture = matOf(grey), scores = new cv.Mat();
+    const picture = matOf(grey);
+    const scores = new cv.Mat();
     try {
       return this.patches.map(patch => {
         const { cols: width, rows: height } = patch.template;
-        const reachX = Math.max(MIN_REACH, Math.round(REACH * width)), reachY = Math.max(MIN_REACH, Math.round(REACH * height));
-        const left = Math.max(0, Math.round(patch.left) - reachX), top = Math.max(0, Math.round(patch.top) - reachY);
-        const right = Math.min(grey.width, Math.round(patch.left) + width + reachX), bottom = Math.min(grey.height, Math.round(patch.top) + height + reachY);
+        const reachX = Math.max(MIN_REACH, Math.round(REACH * width));
+        const reachY = Math.max(MIN_REACH, Math.round(REACH * height));
+        const left = Math.max(0, Math.round(patch.left) - reachX);
+        const top = Math.max(0, Math.round(patch.top) - reachY);
+        const right = Math.min(grey.width, Math.round(patch.left) + width + reachX);
+        const bottom = Math.min(grey.height, Math.round(patch.top) + height + reachY);
         const around = picture.roi(new cv.Rect(left, top, right - left, bottom - top));
         cv.matchTemplate(around, patch.template, scores, cv.TM_CCOEFF_NORMED);
         around.delete();
@@ -76,7 +81,8 @@ function peak(scores: Mat): { best: number; x: number; y: number } {
   const { cols, rows, data32F: data } = scores;
   let at = 0;
   for (let i = 1; i < data.length; i++) if (data[i] > data[at]) at = i;
-  const x = at % cols, y = Math.floor(at / cols);
+  const x = at % cols;
+  const y = Math.floor(at / cols);
   return {
     best: data[at],
     x: x + (x > 0 && x < cols - 1 ? crest(data[at - 1], data[at], data[at + 1]) : 0),

@@ -1,6 +1,8 @@
 // Runs the bundled worker like the command line: sends a pattern, then pictures that the worker renders and reads.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { test } from 'node:test';
@@ -61,6 +63,49 @@ test('finds all codes of a kind', async () => {
   const [{ codes }] = await ask({ shot: shot([control, headset, second]) });
 
   assert.deepEqual(codes.map(code => code.kind).sort(), ['Control', 'Control', 'Headset']);
+});
+
+test('finds a second code of which a part is covered or outside the picture', async () => {
+  const side = 130;
+  const hidden = [0.1, 0.2, 0.3].flatMap(share => {
+    const width = share * side;
+    const at = (x, y) => [x, y, width + 10, 1.2 * side];
+    const whole = { y: 110, x: 640 };
+    return [
+      { ...whole, box: at(640 + side / 2 - width, 110 - 0.6 * side) },
+      { ...whole, box: at(640 - side / 2 - 10, 110 - 0.6 * side) },
+      { ...whole, box: at(640 - width / 2 - 5, 110 - 0.6 * side) },
+      { y: 600, x: 1280 - side / 2 + width },
+      { y: side / 2 - width, x: 640 },
+    ];
+  });
+  const shots = [control, headset].flatMap(code => hidden.map(({ x, y, box }) => ({
+    ...shot([control, headset, { ...code, corners: square(x, y, side, 0.02) }]), covers: box ? [{ box, light: 0.1 }] : [],
+  })));
+
+  const answers = await ask(...shots.map(each => ({ shot: each })));
+
+  assert.deepEqual(answers.map(({ codes }) => codes.length), shots.map(() => 3));
+});
+
+test('finds no second code in structured scenes', async () => {
+  const answers = await ask(...Array.from({ length: 20 }, (_, scene) => ({ shot: { ...shot([control, headset]), scene: 100 + scene, sceneLight: 0.8 } })));
+
+  for (const { codes } of answers) assert.ok(codes.length <= 2);
+});
+
+test('names the format of a HEIC picture', async () => {
+  const folder = mkdtempSync(join(tmpdir(), 'nowpose-'));
+  try {
+    const file = join(folder, 'a.jpg');
+    writeFileSync(file, Buffer.concat([Buffer.from([0, 0, 0, 24]), Buffer.from('ftypheic')]));
+
+    const [{ error }] = await ask({ file });
+
+    assert.match(error, /HEIC.*convert/);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 });
 
 test('recognises mirrored codes and reports none', async () => {

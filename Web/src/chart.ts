@@ -30,7 +30,10 @@ export class Chart {
 
   constructor(private readonly options: ChartOptions) {
     this.element = el('div', {
-      class: 'plot', tabindex: 0, role: 'group', 'aria-roledescription': 'plot',
+      class: 'plot',
+      tabindex: 0,
+      role: 'group',
+      'aria-roledescription': 'plot',
       'aria-label': `${options.description} ${KEYS}`,
     });
     this.plot = new uPlot(this.uplotOptions(), options.data, this.element);
@@ -46,7 +49,8 @@ export class Chart {
 
   /** Moves the cursor to a position of the horizontal axis. Removes it if the position is not shown. */
   pointAt(x: number): void {
-    const left = this.plot.valToPos(x, 'x'), isShown = left >= 0 && left <= this.plot.over.clientWidth;
+    const left = this.plot.valToPos(x, 'x');
+    const isShown = left >= 0 && left <= this.plot.over.clientWidth;
     this.plot.setCursor(isShown ? { left, top: this.plot.over.clientHeight / 2 } : { left: -10, top: -10 });
   }
 
@@ -127,11 +131,20 @@ export class Chart {
       bands: options.bands,
       cursor: {
         drag: { x: true, y: options.zoomY ?? false, uni: options.zoomY ? 30 : undefined },
-        bind: { dblclick: () => () => { this.reset(); return null; } },
+        bind: {
+          dblclick: () => () => {
+            this.reset();
+            return null;
+          },
+        },
       },
       hooks: {
         // uPlot ranges its scales after the constructor has returned.
-        ready: [() => { this.full = { x: this.range('x'), y: this.range('y') }; }],
+        ready: [
+          () => {
+            this.full = { x: this.range('x'), y: this.range('y') };
+          },
+        ],
         draw: options.draw ? [options.draw] : [],
         setCursor: [u => options.onCursor?.(u, (u.cursor.left ?? -1) >= 0)],
       },
@@ -141,7 +154,10 @@ export class Chart {
 
 function axis(label: string, size: number): uPlot.Axis {
   return {
-    label, size, labelSize: 22, labelGap: 2,
+    label,
+    size,
+    labelSize: 22,
+    labelGap: 2,
     font: '12px system-ui, sans-serif',
     labelFont: '12px system-ui, sans-serif',
     stroke: () => colour('--muted'),

@@ -1,4 +1,4 @@
-import type { FigureData } from './paper/data';
+import type { FigureData, Verdict } from './paper/data';
 
 /** The report's data, as `ReportPage.Render` receives it. A null or absent section was not measured. */
 export interface Report {
@@ -36,7 +36,7 @@ export interface ClaimData {
   /** Empty where the paper gives no number. */
   paper: string;
   measured: string;
-  holds: boolean;
+  verdict: Verdict;
 }
 
 /** Seconds since start, millimetres. */

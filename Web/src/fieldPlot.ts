@@ -28,7 +28,10 @@ export function operatingPlot(paths: Path[], isoMm: number[], description: strin
     ...paths.map(path => ({
       label: path.label,
       look: path.look,
-      toggle: (shown: boolean) => { path.shown = shown; chart.plot.redraw(false); },
+      toggle: (shown: boolean) => {
+        path.shown = shown;
+        chart.plot.redraw(false);
+      },
     })),
     { label: 'equal error', look: LOOKS.bound },
   ]);
@@ -39,7 +42,10 @@ export function operatingPlot(paths: Path[], isoMm: number[], description: strin
     yLabel: 'speed (mm/s)',
     // The points are painted here, because uPlot allows one value per x and two samples may have the same latency.
     series: [{}, { show: false }],
-    data: [[0, latency], [0, speed]],
+    data: [
+      [0, latency],
+      [0, speed],
+    ],
     scales: { x: { time: false, min: 0, max: latency }, y: { auto: false, min: 0, max: speed } },
     zoomY: true,
     draw: u => paint(u, paths, isoMm),
@@ -71,14 +77,15 @@ function quantile(values: number[], share: number): number {
 
 /** Returns the number of points outside the initial extents. */
 export function beyond(field: FieldData): number {
-  const paths = pathsOf(field), { latency, speed } = extents(paths);
-  return paths.reduce((sum, { points }) =>
-    sum + points.latency_ms.filter((l, i) => l > latency || points.speed[i] > speed).length, 0);
+  const paths = pathsOf(field);
+  const { latency, speed } = extents(paths);
+  return paths.reduce((sum, { points }) => sum + points.latency_ms.filter((l, i) => l > latency || points.speed[i] > speed).length, 0);
 }
 
 function readout(u: uPlot): string {
-  const latency = u.posToVal(u.cursor.left!, 'x'), speed = u.posToVal(u.cursor.top!, 'y');
-  return `${format(latency, 'ms')} × ${format(speed, 'mm/s')} = ${format(latency * speed / 1000, 'mm')}`;
+  const latency = u.posToVal(u.cursor.left!, 'x');
+  const speed = u.posToVal(u.cursor.top!, 'y');
+  return `${format(latency, 'ms')} × ${format(speed, 'mm/s')} = ${format((latency * speed) / 1000, 'mm')}`;
 }
 
 function paint(u: uPlot, paths: Path[], errors: number[]): void {
@@ -98,7 +105,7 @@ function paintCurve(u: uPlot, error: number): void {
   ctx.beginPath();
   for (let x = bbox.left; x <= bbox.left + bbox.width; x += 2) {
     const latency = u.posToVal(x - bbox.left, 'x', true);
-    if (latency > 0) ctx.lineTo(x, u.valToPos(1000 * error / latency, 'y', true));
+    if (latency > 0) ctx.lineTo(x, u.valToPos((1000 * error) / latency, 'y', true));
   }
   ctx.strokeStyle = colour(LOOKS.bound.ink);
   ctx.lineWidth = devicePixelRatio;
@@ -112,10 +119,12 @@ function paintPoints(u: uPlot, path: Path): void {
   const { ctx, bbox } = u;
   const { latency_ms, speed } = path.points;
   // Few points are drawn larger.
-  const isFew = latency_ms.length < FEW, size = (isFew ? 7 : 4) * devicePixelRatio;
+  const isFew = latency_ms.length < FEW;
+  const size = (isFew ? 7 : 4) * devicePixelRatio;
   const squares = new Path2D();
   // At most one square per pixel, because thousands of an hour's points coincide.
-  const stride = Math.ceil(bbox.width) + 1, taken = new Uint8Array(stride * (Math.ceil(bbox.height) + 1));
+  const stride = Math.ceil(bbox.width) + 1;
+  const taken = new Uint8Array(stride * (Math.ceil(bbox.height) + 1));
   for (let i = 0; i < latency_ms.length; i++) {
     const x = Math.round(u.valToPos(latency_ms[i], 'x', true) - bbox.left);
     const y = Math.round(u.valToPos(speed[i], 'y', true) - bbox.top);
@@ -137,16 +146,20 @@ function paintPoints(u: uPlot, path: Path): void {
 
 /** Paints the label of a curve of equal error where it crosses the plot's diagonal. Each curve crosses it once, at a different point. */
 function paintLabel(u: uPlot, error: number): void {
-  const { ctx, bbox } = u, ratio = devicePixelRatio;
+  const { ctx, bbox } = u;
+  const ratio = devicePixelRatio;
   const on = (scale: 'x' | 'y', t: number) => u.scales[scale].min! + t * (u.scales[scale].max! - u.scales[scale].min!);
-  const errorAt = (t: number) => on('x', t) * on('y', t) / 1000;
+  const errorAt = (t: number) => (on('x', t) * on('y', t)) / 1000;
   if (errorAt(0) >= error || errorAt(1) <= error) return;
-  let low = 0, high = 1;
+  let low = 0;
+  let high = 1;
   for (let i = 0; i < 30; i++) {
     const middle = (low + high) / 2;
-    if (errorAt(middle) < error) low = middle; else high = middle;
+    if (errorAt(middle) < error) low = middle;
+    else high = middle;
   }
-  const x = bbox.left + low * bbox.width, y = bbox.top + (1 - low) * bbox.height;
+  const x = bbox.left + low * bbox.width;
+  const y = bbox.top + (1 - low) * bbox.height;
   ctx.font = `600 ${11 * ratio}px system-ui, sans-serif`;
   ctx.textAlign = 'center';
   ctx.textBaseline = 'middle';

@@ -29,10 +29,13 @@ export function notMeasured(options: FigureOptions): HTMLElement {
 
 function section(options: FigureOptions, ...content: HTMLElement[]): HTMLElement {
   const heading = `${options.id}-heading`;
-  return el('section', { id: options.id, class: 'figure', 'aria-labelledby': heading },
+  return el(
+    'section',
+    { id: options.id, class: 'figure', 'aria-labelledby': heading },
     el('h2', { id: heading }, options.title),
     el('p', { class: 'claim' }, options.claim, ' ', citation(options.source)),
-    ...content);
+    ...content,
+  );
 }
 
 function citation(source: string): HTMLElement {

@@ -9,7 +9,8 @@ import { colour } from './theme';
 export function histogram(latency: LatencyData, description: string): { chart: Chart; legend: Legend } {
   const { bin_ms: bins } = latency;
   const counts = bins.map((_, i) => latency.count[i] ?? 0);
-  const width = binWidth(bins), total = counts.reduce((a, b) => a + b, 0) || 1;
+  const width = binWidth(bins);
+  const total = counts.reduce((a, b) => a + b, 0) || 1;
 
   const legend = new Legend([]);
   const chart = new Chart({
@@ -17,22 +18,25 @@ export function histogram(latency: LatencyData, description: string): { chart: C
     height: 260,
     xLabel: 'application latency (ms)',
     yLabel: 'samples',
-    series: [{}, {
-      stroke: () => colour('--compensated'),
-      fill: () => colour('--compensated'),
-      width: 0,
-      paths: uPlot.paths.bars!({ align: 1, size: [0.92, 120], radius: 0 }),
-      points: { show: false },
-    }],
+    series: [
+      {},
+      {
+        stroke: () => colour('--compensated'),
+        fill: () => colour('--compensated'),
+        width: 0,
+        paths: uPlot.paths.bars!({ align: 1, size: [0.92, 120], radius: 0 }),
+        points: { show: false },
+      },
+    ],
     data: [bins, counts],
-    scales: {
-      x: { time: false, min: bins[0], max: bins[bins.length - 1] + width },
-      y: { range: (_, _min, max) => [0, 1.08 * (max || 1)] },
-    },
+    scales: { x: { time: false, min: bins[0], max: bins[bins.length - 1] + width }, y: { range: (_, _min, max) => [0, 1.08 * (max || 1)] } },
     onCursor: (u, inside) => {
       const i = inside ? Math.floor((u.posToVal(u.cursor.left!, 'x') - bins[0]) / width) : -1;
-      legend.show(i < 0 || i >= bins.length ? '' :
-        `${format(bins[i])} to ${format(bins[i] + width, 'ms')}: ${counts[i]} samples (${format(100 * counts[i] / total, '%')})`);
+      legend.show(
+        i < 0 || i >= bins.length
+          ? ''
+          : `${format(bins[i])} to ${format(bins[i] + width, 'ms')}: ${counts[i]} samples (${format((100 * counts[i]) / total, '%')})`,
+      );
     },
   });
   return { chart, legend };

@@ -22,7 +22,9 @@ export class Legend {
 
   show(position: string, values: string[] = []): void {
     this.position.textContent = position;
-    this.values.forEach((element, i) => { element.textContent = values[i] ?? ''; });
+    this.values.forEach((element, i) => {
+      element.textContent = values[i] ?? '';
+    });
   }
 }
 
@@ -49,7 +51,10 @@ function square(look: Look): SVGElement {
 
 function line(look: Look): SVGElement {
   return svg('line', {
-    x1: 1, y1: 6, x2: 27, y2: 6,
+    x1: 1,
+    y1: 6,
+    x2: 27,
+    y2: 6,
     style: `stroke: var(${look.ink}); stroke-width: ${look.width}; stroke-dasharray: ${look.dash.join(' ') || 'none'}`,
   });
 }

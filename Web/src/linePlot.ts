@@ -38,8 +38,8 @@ export interface LinePlotOptions {
   fromZero?: boolean;
   /** Playhead shared with other plots over the same time. */
   playhead?: Playhead;
-  /** Length of the vertical axis in each direction, even if data exceed it. */
-  yExtent?: number;
+  /** Range of the vertical axis, even if data exceed it. */
+  yRange?: [from: number, to: number];
 }
 
 /** Plots signals over time or another quantity. Each signal has its own points; the cursor shows the value of each. */
@@ -48,21 +48,25 @@ export function linePlot(options: LinePlotOptions): { chart: Chart; legend: Lege
   const data = uPlot.join(traces.map(t => [t.t, t.v] as uPlot.AlignedData));
   const entries = traces.map((trace, i) => ({ trace, i })).filter(e => !e.trace.mirror);
 
-  const legend = new Legend(entries.map(({ trace, i }) => ({
-    label: trace.label,
-    look: trace.look,
-    toggle: show => togglers(traces, i).forEach(s => chart.plot.setSeries(s, { show })),
-  })));
+  const legend = new Legend(
+    entries.map(({ trace, i }) => ({
+      label: trace.label,
+      look: trace.look,
+      toggle: show => togglers(traces, i).forEach(s => chart.plot.setSeries(s, { show })),
+    })),
+  );
   const chart = new Chart({
     ...options,
     xLabel: labelOf(options.x ?? { name: 'time', unit: 's' }),
     data,
     series: [{}, ...traces.map(series)],
     bands: options.band ? bandsOf(traces, options.band) : undefined,
-    scales: { y: { range: yRange(options) } },
+    scales: { y: { range: scaleOf(options) } },
     draw: u => {
       paintSpans(u, options.spans ?? []);
-      traces.forEach((trace, i) => { if (trace.deviation && u.series[i + 1].show) paintDeviations(u, trace); });
+      traces.forEach((trace, i) => {
+        if (trace.deviation && u.series[i + 1].show) paintDeviations(u, trace);
+      });
       if (options.marks?.length) paintMarks(u, options.marks);
     },
     onCursor: (u, inside) => {
@@ -70,26 +74,35 @@ export function linePlot(options: LinePlotOptions): { chart: Chart; legend: Lege
       const time = u.posToVal(u.cursor.left!, 'x');
       options.playhead?.move(time, chart);
       const { x } = options;
-      legend.show(x ? `${x.name} ${format(time, x.unit)}` : `t = ${time.toFixed(3)} s`, entries.map(e => format(valueAt(e.trace, time), unit)));
+      legend.show(
+        x ? `${x.name} ${format(time, x.unit)}` : `t = ${time.toFixed(3)} s`,
+        entries.map(e => format(valueAt(e.trace, time), unit)),
+      );
     },
   });
-  options.playhead?.follow((time, mover) => { if (mover !== chart) chart.pointAt(time); });
+  options.playhead?.follow((time, mover) => {
+    if (mover !== chart) chart.pointAt(time);
+  });
   return { chart, legend };
 }
 
-function yRange({ fromZero, yExtent, traces }: LinePlotOptions): uPlot.Scale.Range {
-  if (yExtent) return [-yExtent, yExtent];
+function scaleOf({ fromZero, yRange, traces }: LinePlotOptions): uPlot.Scale.Range {
+  if (yRange) return yRange;
   // uPlot considers only the points, so error bars would be cut off.
   if (traces.some(t => t.deviation)) return barRange(traces, fromZero ?? false);
   return { min: { pad: 0.08, soft: 0, mode: fromZero ? 1 : 0 }, max: { pad: 0.08 } };
 }
 
 function barRange(traces: Trace[], fromZero: boolean): [number, number] {
-  const ends = traces.flatMap(({ v, deviation }) => v.flatMap((value, i) => {
-    const half = deviation?.[i] ?? 0;
-    return value == null ? [] : [value - half, value + half];
-  }));
-  const min = Math.min(...ends, ...(fromZero ? [0] : [])), max = Math.max(...ends), pad = 0.08 * (max - min || 1);
+  const ends = traces.flatMap(({ v, deviation }) =>
+    v.flatMap((value, i) => {
+      const half = deviation?.[i] ?? 0;
+      return value == null ? [] : [value - half, value + half];
+    }),
+  );
+  const min = Math.min(...ends, ...(fromZero ? [0] : []));
+  const max = Math.max(...ends);
+  const pad = 0.08 * (max - min || 1);
   return [fromZero && min >= 0 ? 0 : min - pad, max + pad];
 }
 
@@ -109,7 +122,8 @@ function paintSpans(u: uPlot, spans: Span[]): void {
 }
 
 function paintMarks(u: uPlot, marks: Mark[]): void {
-  const { ctx, bbox } = u, ratio = devicePixelRatio;
+  const { ctx, bbox } = u;
+  const ratio = devicePixelRatio;
   ctx.save();
   ctx.strokeStyle = ctx.fillStyle = colour('--muted');
   ctx.lineWidth = ratio;
@@ -124,7 +138,8 @@ function paintMarks(u: uPlot, marks: Mark[]): void {
     ctx.lineTo(at, bbox.top + bbox.height);
     ctx.stroke();
     // The label is left of its line if there is space, because the interesting data are on the right of a limit.
-    const gap = 5 * ratio, fits = at - gap - ctx.measureText(label).width >= bbox.left;
+    const gap = 5 * ratio;
+    const fits = at - gap - ctx.measureText(label).width >= bbox.left;
     ctx.textAlign = fits ? 'right' : 'left';
     ctx.fillText(label, fits ? at - gap : at + gap, bbox.top + 14 * ratio);
   }
@@ -132,7 +147,9 @@ function paintMarks(u: uPlot, marks: Mark[]): void {
 }
 
 function paintDeviations(u: uPlot, { look, t, v, deviation }: Trace): void {
-  const { ctx, bbox } = u, ratio = devicePixelRatio, cap = 4 * ratio;
+  const { ctx, bbox } = u;
+  const ratio = devicePixelRatio;
+  const cap = 4 * ratio;
   ctx.save();
   ctx.beginPath();
   ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
@@ -141,9 +158,12 @@ function paintDeviations(u: uPlot, { look, t, v, deviation }: Trace): void {
   ctx.lineWidth = ratio;
   ctx.beginPath();
   t.forEach((time, i) => {
-    const value = v[i], half = deviation![i];
+    const value = v[i];
+    const half = deviation![i];
     if (value == null || half == null) return;
-    const at = u.valToPos(time, 'x', true), top = u.valToPos(value + half, 'y', true), bottom = u.valToPos(value - half, 'y', true);
+    const at = u.valToPos(time, 'x', true);
+    const top = u.valToPos(value + half, 'y', true);
+    const bottom = u.valToPos(value - half, 'y', true);
     ctx.moveTo(at, top);
     ctx.lineTo(at, bottom);
     for (const y of [top, bottom]) {
@@ -192,10 +212,12 @@ function bandsOf(traces: Trace[], ink: Ink): uPlot.Band[] {
 /** Returns a trace's value at a time: for a stepped trace the newest at or before it, otherwise the nearest. */
 function valueAt(trace: Trace, time: number): number | null {
   const { t, v } = trace;
-  let low = 0, high = t.length - 1;
+  let low = 0;
+  let high = t.length - 1;
   while (low < high) {
     const middle = (low + high + 1) >> 1;
-    if (t[middle] <= time) low = middle; else high = middle - 1;
+    if (t[middle] <= time) low = middle;
+    else high = middle - 1;
   }
   if (trace.stepped) return t[low] <= time ? v[low] : null;
   const next = Math.min(low + 1, t.length - 1);

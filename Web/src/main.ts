@@ -18,54 +18,79 @@ function headline(rows: SummaryRow[]): HTMLElement {
   const row = rows.find(r => reductionOf(r) != null);
   if (!row) return el('p', { class: 'missing' }, 'Tool error not measured in this run.');
   const reduction = reductionOf(row)!;
-  return el('p', { class: 'headline' },
+  return el(
+    'p',
+    { class: 'headline' },
     el('strong', {}, format(Math.abs(100 * reduction), '%')),
     el('span', {}, `${reduction >= 0 ? 'less' : 'more'} tool error with compensation`),
-    el('small', {}, `${row.label}: ${format(row.uncompensated, row.unit)} → ${format(row.compensated, row.unit)}`));
+    el('small', {}, `${row.label}: ${format(row.uncompensated, row.unit)} → ${format(row.compensated, row.unit)}`),
+  );
 }
 
 function overview(report: Report): HTMLElement {
   const rows = report.summary ?? [];
-  return el('section', { class: 'overview', 'aria-labelledby': 'result-heading' },
+  return el(
+    'section',
+    { class: 'overview', 'aria-labelledby': 'result-heading' },
     el('h2', { id: 'result-heading' }, 'Result'),
     headline(rows),
     hasPoints(rows) ? summaryTable(rows) : el('p', { class: 'missing' }, 'Comparison not measured in this run.'),
-    el('p', { class: 'claim' }, 'Uncompensated: the tool is drawn at the newest position that has arrived. Compensated: it is drawn '
-      + 'at the position predicted for the moment at which the light of the picture reaches the eye.'));
+    el(
+      'p',
+      { class: 'claim' },
+      'Uncompensated: the tool is drawn at the newest position that has arrived. Compensated: it is drawn '
+        + 'at the position predicted for the moment at which the light of the picture reaches the eye.',
+    ),
+  );
 }
 
 function facts(report: Report): HTMLElement {
   const table = (caption: string, rows: Report['facts']) =>
     hasPoints(rows) ? factTable(caption, rows!) : el('p', { class: 'missing' }, `${caption}: not measured in this run.`);
-  return el('section', { id: 'facts', 'aria-labelledby': 'facts-heading' },
+  return el(
+    'section',
+    { id: 'facts', 'aria-labelledby': 'facts-heading' },
     el('h2', { id: 'facts-heading' }, 'Conditions and figures'),
-    el('div', { class: 'columns' }, table('Settings', report.settings), table('Measured', report.facts)));
+    el('div', { class: 'columns' }, table('Settings', report.settings), table('Measured', report.facts)),
+  );
 }
 
 /** Returns the paper's figures of this run, or the demo's own sections in their place. */
 function ofPaper(report: Report, playhead?: Playhead): HTMLElement[] {
-  if (!hasPoints(report.figures))
-    return [jointSection(report.joint, playhead), fieldSection(report.field), clockSection(report.clock, playhead)];
-  return [...hasPoints(report.claims) ? [claimsSection(report.claims!)] : [], ...report.figures!.map(figureSection)];
+  if (!hasPoints(report.figures)) return [jointSection(report.joint, playhead), fieldSection(report.field), clockSection(report.clock, playhead)];
+  return [...(hasPoints(report.claims) ? [claimsSection(report.claims!)] : []), ...report.figures!.map(figureSection)];
 }
 
 function page(report: Report): Node[] {
-  const hint = 'Drag across a plot to zoom, double-click to reset, point at it to read values; '
+  const hint =
+    'Drag across a plot to zoom, double-click to reset, point at it to read values; '
     + 'with the keyboard: arrow keys, plus, minus and 0. Names in a legend switch signals on and off.';
   const playhead = hasPoints(report.playback?.t) ? new Playhead() : undefined;
   return [
     el('header', {}, el('h1', {}, report.title || 'Nowpose report'), report.subtitle ? el('p', {}, report.subtitle) : null),
-    el('main', {},
+    el(
+      'main',
+      {},
       el('div', { class: 'first' }, overview(report), errorSection(report.error, playhead)),
       el('p', { class: 'hint' }, hint),
       playhead ? new Playback(report.playback!, playhead).element : null,
       ...ofPaper(report, playhead),
       latencySection(report.latency),
       report.range ? rangeSection(report.range, playhead) : null,
-      facts(report)),
-    el('footer', {}, el('p', {}, 'Method: M. Schnierle, S. Röck, “Latency and sampling compensation in mixed-reality-in-the-loop '
-      + 'simulations of production systems”, Production Engineering (2022), ',
-      el('a', { href: PAPER }, PAPER), '. Made by Nowpose.')),
+      facts(report),
+    ),
+    el(
+      'footer',
+      {},
+      el(
+        'p',
+        {},
+        'Method: M. Schnierle, S. Röck, “Latency and sampling compensation in mixed-reality-in-the-loop '
+          + 'simulations of production systems”, Production Engineering (2022), ',
+        el('a', { href: PAPER }, PAPER),
+        '. Made by Nowpose.',
+      ),
+    ),
   ];
 }
 

@@ -25,7 +25,9 @@ export function statistics(values: ArrayLike<Value>): Statistics | null {
   const numbers = Array.from(values).filter((v): v is number => v != null && Number.isFinite(v));
   if (numbers.length === 0) return null;
   const sizes = Float64Array.from(numbers, Math.abs).sort();
-  let min = Infinity, max = -Infinity, squares = 0;
+  let min = Infinity;
+  let max = -Infinity;
+  let squares = 0;
   for (const v of numbers) {
     min = Math.min(min, v);
     max = Math.max(max, v);

@@ -28,16 +28,24 @@ export class Playback {
   private time: number;
   private playedAt: number | null = null;
 
-  constructor(private readonly data: PlaybackData, private readonly playhead: Playhead) {
+  constructor(
+    private readonly data: PlaybackData,
+    private readonly playhead: Playhead,
+  ) {
     const { t } = data;
     this.time = t[0];
     this.slider = el('input', { type: 'range', min: t[0], max: t[t.length - 1], step: 0.02, value: t[0], 'aria-label': 'moment of the session' });
     const legend = new Legend((Object.keys(LEGEND) as Part[]).map(part => ({ ...LEGEND[part], toggle: shown => this.toggle(part, shown) })));
-    this.element = el('section', { id: 'playback', 'aria-labelledby': 'playback-heading' },
+    this.element = el(
+      'section',
+      { id: 'playback', 'aria-labelledby': 'playback-heading' },
       el('h2', { id: 'playback-heading' }, 'Playback'),
       el('p', { class: 'claim' }, 'The robot at one moment of the session; plots and playback move together.'),
-      legend.element, this.words, this.view.element,
-      el('div', { class: 'player' }, this.button, this.slider, this.clock, el('label', {}, 'Speed ', this.speed)));
+      legend.element,
+      this.words,
+      this.view.element,
+      el('div', { class: 'player' }, this.button, this.slider, this.clock, el('label', {}, 'Speed ', this.speed)),
+    );
     this.button.addEventListener('click', () => this.toggleRun());
     this.slider.addEventListener('input', () => {
       this.stop();
@@ -62,7 +70,8 @@ export class Playback {
 
   private step(): void {
     if (this.playedAt === null) return;
-    const now = performance.now(), end = this.data.t[this.data.t.length - 1];
+    const now = performance.now();
+    const end = this.data.t[this.data.t.length - 1];
     const time = Math.min(end, this.time + ((now - this.playedAt) / 1000) * Number(this.speed.value));
     this.playedAt = now;
     this.playhead.move(time, this);
@@ -76,7 +85,8 @@ export class Playback {
   }
 
   private toggle(part: Part, shown: boolean): void {
-    if (shown) this.hidden.delete(part); else this.hidden.add(part);
+    if (shown) this.hidden.delete(part);
+    else this.hidden.add(part);
     this.show(this.time);
   }
 
@@ -89,7 +99,8 @@ export class Playback {
     this.slider.setAttribute('aria-valuetext', words);
     const { bodies } = this.view;
     if (!bodies) return;
-    const i = indexAt(t, this.time), poses = { truth, displayed, hold };
+    const i = indexAt(t, this.time);
+    const poses = { truth, displayed, hold };
     for (const part of Object.keys(poses) as Part[]) bodies.pose(part, names, poses[part][i]);
     const [compensated, held] = [bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth')];
     for (const part of this.hidden) bodies.pose(part, names, null);
@@ -100,10 +111,12 @@ export class Playback {
 
 /** Returns the index of the newest instant at or before a time, or 0 if there is none. */
 function indexAt(t: number[], time: number): number {
-  let low = 0, high = t.length - 1;
+  let low = 0;
+  let high = t.length - 1;
   while (low < high) {
     const middle = (low + high + 1) >> 1;
-    if (t[middle] <= time) low = middle; else high = middle - 1;
+    if (t[middle] <= time) low = middle;
+    else high = middle - 1;
   }
   return low;
 }

@@ -11,7 +11,8 @@ export function rangeSection(range: RangeData, playhead?: Playhead): HTMLElement
   const options: FigureOptions = {
     id: 'range',
     title: 'Constant-latency range',
-    claim: 'While frames are rendered within the limit, the visualisation latency stays as calibrated. Beyond it, frames miss the display’s '
+    claim:
+      'While frames are rendered within the limit, the visualisation latency stays as calibrated. Beyond it, frames miss the display’s '
       + 'refresh, which the headset reports (shaded).',
     source: 'Fig. 10',
   };
@@ -21,12 +22,21 @@ export function rangeSection(range: RangeData, playhead?: Playhead): HTMLElement
   const ends = [range.t[0], range.t[range.t.length - 1]];
   const limit = range.limit_ms == null ? [] : trace('limit', LOOKS.hold, ends, [range.limit_ms, range.limit_ms]);
   const spans = range.alarms ?? [];
-  const alarms = spans.length === 0 ? 'No alarm.'
-    : spans.map(([from, to]) => `Alarm from ${format(from)} to ${format(to, 's')}.`).join(' ');
-  const plot = (what: string, yLabel: string, traces: typeof render) => linePlot({
-    description: `${what} of each frame over time. ${inWords(traces, 'ms')} ${alarms}`,
-    height: 220, yLabel, unit: 'ms', traces, spans, playhead, fromZero: true });
-  return figure(options,
+  const alarms = spans.length === 0 ? 'No alarm.' : spans.map(([from, to]) => `Alarm from ${format(from)} to ${format(to, 's')}.`).join(' ');
+  const plot = (what: string, yLabel: string, traces: typeof render) =>
+    linePlot({
+      description: `${what} of each frame over time. ${inWords(traces, 'ms')} ${alarms}`,
+      height: 220,
+      yLabel,
+      unit: 'ms',
+      traces,
+      spans,
+      playhead,
+      fromZero: true,
+    });
+  return figure(
+    options,
     [plot('Render time', 'render time (ms)', [...render, ...limit]), plot('Visualisation latency', 'L_visu (ms)', visu)],
-    numbersOf('Display', 'ms', [...render, ...visu]));
+    numbersOf('Display', 'ms', [...render, ...visu]),
+  );
 }

@@ -1,5 +1,4 @@
-import { type ClockData, type ErrorData, type FieldData, hasPoints, type JointData, type LatencyData, type Signal,
-  type Value } from './data';
+import { type ClockData, type ErrorData, type FieldData, hasPoints, type JointData, type LatencyData, type Signal, type Value } from './data';
 import { beyond, fieldPlot, pathsOf } from './fieldPlot';
 import { figure, type FigureOptions, notMeasured } from './figures';
 import { histogram } from './histogram';
@@ -22,8 +21,11 @@ export function errorSection(error: ErrorData | null | undefined, playhead?: Pla
   ].flat();
   if (traces.length === 0) return notMeasured(options);
   const description = `Distance between the drawn and the true tool over time. ${inWords(traces, 'mm')}`;
-  return figure(options, [linePlot({ description, height: 300, yLabel: 'tool error (mm)', unit: 'mm', traces, playhead, fromZero: true })],
-    numbersOf('Tool error', 'mm', traces));
+  return figure(
+    options,
+    [linePlot({ description, height: 300, yLabel: 'tool error (mm)', unit: 'mm', traces, playhead, fromZero: true })],
+    numbersOf('Tool error', 'mm', traces),
+  );
 }
 
 export function jointSection(joint: JointData | null | undefined, playhead?: Playhead): HTMLElement {
@@ -42,15 +44,19 @@ export function jointSection(joint: JointData | null | undefined, playhead?: Pla
   if (traces.length === 0) return notMeasured(options);
   const unit = joint!.unit;
   const description = `Position of joint ${joint!.name} over control time. ${inWords(traces, unit)}`;
-  return figure(options, [linePlot({ description, height: 300, yLabel: `position (${unit})`, unit, traces, playhead })],
-    numbersOf('Joint position', unit, traces));
+  return figure(
+    options,
+    [linePlot({ description, height: 300, yLabel: `position (${unit})`, unit, traces, playhead })],
+    numbersOf('Joint position', unit, traces),
+  );
 }
 
 export function fieldSection(field: FieldData | null | undefined): HTMLElement {
   const options: FigureOptions = {
     id: 'field',
     title: 'Error field',
-    claim: 'Error is speed times latency: compensation takes the operating points towards zero latency, across the curves of equal error, at the same speed.',
+    claim:
+      'Error is speed times latency: compensation takes the operating points towards zero latency, across the curves of equal error, at the same speed.',
     source: 'Fig. 18',
   };
   const paths = field ? pathsOf(field) : [];
@@ -60,15 +66,23 @@ export function fieldSection(field: FieldData | null | undefined): HTMLElement {
   const outside = beyond(field!);
   const note = outside > 0 ? ` ${outside} of the points lie beyond the plot.` : '';
   const description = `Operating points by latency and speed with curves of equal error. ${words}${note}`;
-  return figure({ ...options, claim: options.claim + note }, [fieldPlot(field!, description)],
-    statisticsTable('Latency of the operating points', 'ms', rows.map(([label, s]) => [label, s])));
+  return figure(
+    { ...options, claim: options.claim + note },
+    [fieldPlot(field!, description)],
+    statisticsTable(
+      'Latency of the operating points',
+      'ms',
+      rows.map(([label, s]) => [label, s]),
+    ),
+  );
 }
 
 export function clockSection(clock: ClockData | null | undefined, playhead?: Playhead): HTMLElement {
   const options: FigureOptions = {
     id: 'clock',
     title: 'Clock synchronisation',
-    claim: 'The headset estimates the offset between its clock and the control clock over the network, with an error bound; '
+    claim:
+      'The headset estimates the offset between its clock and the control clock over the network, with an error bound; '
       + 'the paper reports less than 1 ms.',
     source: 'Fig. 8',
   };
@@ -84,13 +98,30 @@ export function clockSection(clock: ClockData | null | undefined, playhead?: Pla
   const widest = maxMagnitude(error.flatMap(t => t.v));
   const note = widest > extent ? ` The error is shown up to ${format(extent, 'µs')}; it or its bound reaches ${format(widest, 'µs')}.` : '';
   const plots = [];
-  if (offset.length > 0) plots.push(linePlot({
-    description: `Clock offset relative to the first estimate, over time. ${inWords(offset, 'µs')}`,
-    height: 200, yLabel: 'offset (µs)', unit: 'µs', traces: offset, playhead }));
-  if (error.length > 0) plots.push(linePlot({
-    description: `Error of the clock offset with its bound, over time. ${inWords(error, 'µs')}${note}`,
-    height: 260, yLabel: 'offset error (µs)', unit: 'µs', traces: error, playhead, yExtent: extent,
-    band: error.some(t => t.mirror) ? '--band' : undefined }));
+  if (offset.length > 0)
+    plots.push(
+      linePlot({
+        description: `Clock offset relative to the first estimate, over time. ${inWords(offset, 'µs')}`,
+        height: 200,
+        yLabel: 'offset (µs)',
+        unit: 'µs',
+        traces: offset,
+        playhead,
+      }),
+    );
+  if (error.length > 0)
+    plots.push(
+      linePlot({
+        description: `Error of the clock offset with its bound, over time. ${inWords(error, 'µs')}${note}`,
+        height: 260,
+        yLabel: 'offset error (µs)',
+        unit: 'µs',
+        traces: error,
+        playhead,
+        yRange: [-extent, extent],
+        band: error.some(t => t.mirror) ? '--band' : undefined,
+      }),
+    );
   return figure({ ...options, claim: options.claim + note }, plots, numbersOf('Clock', 'µs', [...offset, ...error]));
 }
 
@@ -118,10 +149,18 @@ export function latencySection(latency: LatencyData | null | undefined): HTMLEle
   const { bin_ms: bins, count } = latency!;
   const top = count.indexOf(count.reduce((a, b) => Math.max(a, b), 0));
   const total = count.reduce((a, b) => a + b, 0);
-  const description = `Histogram of the application latency of ${format(total)} samples from ${format(bins[0])} `
+  const description =
+    `Histogram of the application latency of ${format(total)} samples from ${format(bins[0])} `
     + `to ${format(bins[bins.length - 1], 'ms')}, most at ${format(bins[top], 'ms')}.`;
-  return figure(options, [histogram(latency!, description)],
-    factTable('Samples by latency', bins.map((b, i) => [`from ${format(b)}`, count[i] ?? 0]), ['Latency (ms)', 'Samples']));
+  return figure(
+    options,
+    [histogram(latency!, description)],
+    factTable(
+      'Samples by latency',
+      bins.map((b, i) => [`from ${format(b)}`, count[i] ?? 0]),
+      ['Latency (ms)', 'Samples'],
+    ),
+  );
 }
 
 export function trace(label: string, look: Trace['look'], t?: number[] | null, v?: (number | null)[] | null): Trace[] {
@@ -129,12 +168,19 @@ export function trace(label: string, look: Trace['look'], t?: number[] | null, v
 }
 
 export function inWords(traces: Trace[], unit: string): string {
-  return traces.filter(t => !t.mirror).map(t => {
-    const s = statistics(t.v);
-    return s ? `${t.label}: ${format(s.min)} to ${format(s.max, unit)}, RMS ${format(s.rms, unit)}.` : `${t.label}: none.`;
-  }).join(' ');
+  return traces
+    .filter(t => !t.mirror)
+    .map(t => {
+      const s = statistics(t.v);
+      return s ? `${t.label}: ${format(s.min)} to ${format(s.max, unit)}, RMS ${format(s.rms, unit)}.` : `${t.label}: none.`;
+    })
+    .join(' ');
 }
 
 export function numbersOf(caption: string, unit: string, traces: Trace[]): HTMLElement {
-  return statisticsTable(caption, unit, traces.filter(t => !t.mirror).map(t => [t.label, statistics(t.v)]));
+  return statisticsTable(
+    caption,
+    unit,
+    traces.filter(t => !t.mirror).map(t => [t.label, statistics(t.v)]),
+  );
 }

@@ -17,12 +17,17 @@ export function row(label: string, ...cells: string[]): HTMLElement {
 
 export function summaryTable(rows: SummaryRow[]): HTMLElement {
   const caption = 'Uncompensated against compensated';
-  const body = rows.map(r => row(
-    r.unit ? `${r.label} (${r.unit})` : r.label, format(r.uncompensated), format(r.compensated), change(r)));
-  return scrollable(caption, el('table', { class: 'numbers' },
-    el('caption', {}, caption),
-    header('Quantity', 'Uncom\u00adpensated', 'Compen\u00adsated', 'Change'),
-    el('tbody', {}, ...body)));
+  const body = rows.map(r => row(r.unit ? `${r.label} (${r.unit})` : r.label, format(r.uncompensated), format(r.compensated), change(r)));
+  return scrollable(
+    caption,
+    el(
+      'table',
+      { class: 'numbers' },
+      el('caption', {}, caption),
+      header('Quantity', 'Uncom\u00adpensated', 'Compen\u00adsated', 'Change'),
+      el('tbody', {}, ...body),
+    ),
+  );
 }
 
 function change(row: SummaryRow): string {
@@ -38,16 +43,20 @@ export function reductionOf(row: SummaryRow): number | null {
 
 export function factTable(caption: string, facts: Fact[], labels = ['Name', 'Value']): HTMLElement {
   const body = facts.map(([label, value]) => row(String(label), value == null ? '–' : String(value)));
-  return scrollable(caption, el('table', { class: 'facts' },
-    el('caption', {}, caption), header(...labels), el('tbody', {}, ...body)));
+  return scrollable(caption, el('table', { class: 'facts' }, el('caption', {}, caption), header(...labels), el('tbody', {}, ...body)));
 }
 
 export function statisticsTable(name: string, unit: string, rows: [string, Statistics | null][]): HTMLElement {
   const caption = `${name} (${unit})`;
-  const body = rows.map(([label, s]) => row(
-    label, format(s?.count ?? 0), format(s?.min), format(s?.max), format(s?.rms), format(s?.p95)));
-  return scrollable(caption, el('table', { class: 'numbers' },
-    el('caption', {}, caption),
-    header('Signal', 'Points', 'Minimum', 'Maximum', 'RMS', '95 % within'),
-    el('tbody', {}, ...body)));
+  const body = rows.map(([label, s]) => row(label, format(s?.count ?? 0), format(s?.min), format(s?.max), format(s?.rms), format(s?.p95)));
+  return scrollable(
+    caption,
+    el(
+      'table',
+      { class: 'numbers' },
+      el('caption', {}, caption),
+      header('Signal', 'Points', 'Minimum', 'Maximum', 'RMS', '95 % within'),
+      el('tbody', {}, ...body),
+    ),
+  );
 }

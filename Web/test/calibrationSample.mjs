@@ -4,7 +4,7 @@ const range = (count, f) => Array.from({ length: count }, (_, i) => f(i));
 
 const trace = (label, look, x, y, more = {}) => ({ label, look, x, y, stepped: false, marked: false, scattered: false, deviation: null, ...more });
 
-const plot = (title, x, y, traces, more = {}) => ({ title, x, y, from_zero: true, y_extent: null, iso_mm: null, marks: [], traces, ...more });
+const plot = (title, x, y, traces, more = {}) => ({ title, x, y, from_zero: true, y_range: null, iso_mm: null, marks: [], traces, ...more });
 
 export function calibration(more = {}) {
   const render = range(60, i => 5 + 0.2 * i);

@@ -4,7 +4,7 @@ const range = (count, f) => Array.from({ length: count }, (_, i) => f(i));
 
 const trace = (label, look, x, y, more = {}) => ({ label, look, x, y, stepped: false, marked: false, scattered: false, deviation: null, ...more });
 
-const plot = (title, x, y, traces, more = {}) => ({ title, x, y, from_zero: false, y_extent: null, iso_mm: null, marks: [], traces, ...more });
+const plot = (title, x, y, traces, more = {}) => ({ title, x, y, from_zero: false, y_range: null, iso_mm: null, marks: [], traces, ...more });
 
 const SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 320 264"><line x1="10" y1="10" x2="200" y2="200" '
   + 'style="stroke:var(--hold);stroke-width:4"/><text x="46" y="238" style="fill:var(--ink)">uncompensated: 78 mm off</text></svg>';
@@ -44,7 +44,7 @@ export function figures() {
         plots: [
           plot('Error of the offset', { name: 'time', unit: 's' }, { name: 'offset error', unit: 'µs' },
             [trace('ransac', 'quadratic', range(100, i => i), range(100, i => (i < 2 ? null : 200 * Math.sin(i / 9)))),
-              trace('default', 'adaptive', range(100, i => i), range(100, i => 30 * Math.sin(i / 5)))], { y_extent: 600 }),
+              trace('default', 'adaptive', range(100, i => i), range(100, i => 30 * Math.sin(i / 5)))], { y_range: [-600, 600] }),
           plot('Round-trip time', { name: 'time', unit: 's' }, { name: 'round trip', unit: 'ms' },
             [trace('exchange', 'samples', range(100, i => i), range(100, i => 4 + (i % 17 === 0 ? 20 : i % 3)))], { from_zero: true }),
         ],

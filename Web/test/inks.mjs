@@ -24,3 +24,42 @@ export const luminance = (page, inks) => page.evaluate(inks => inks.map(ink => {
   return 0.2126 * r + 0.7152 * g + 0.0722 * b;
 }), inks);
 export const contrast = (a, b) => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+
+/** Number of painted pixels and of colours in the canvas of each plot. */
+export const painted = page => page.evaluate(() => [...document.querySelectorAll('.plot canvas')].map(canvas => {
+  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  const colours = new Set();
+  let pixels = 0;
+  for (let i = 0; i < data.length; i += 4) {
+    if (data[i + 3] < 128) continue;
+    pixels++;
+    colours.add(`${data[i] >> 5},${data[i + 1] >> 5},${data[i + 2] >> 5}`);
+  }
+  return { pixels, colours: colours.size };
+}));
+
+/** Median height of a plot's signal, from 0 at the bottom of the plot area to 1 at its top. */
+export const heightOf = (page, index, ink) => page.evaluate(([index, ink]) => {
+  const plot = document.querySelectorAll('.plot')[index], canvas = plot.querySelector('canvas');
+  const over = plot.querySelector('.u-over').getBoundingClientRect(), top = over.top - canvas.getBoundingClientRect().top;
+  const want = getComputedStyle(document.documentElement).getPropertyValue(ink).trim().match(/\w\w/g).map(h => parseInt(h, 16));
+  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  const rows = [];
+  for (let i = 0; i < data.length; i += 4) {
+    if (data[i + 3] < 200 || !want.every((w, c) => Math.abs(data[i + c] - w) < 12)) continue;
+    rows.push(Math.floor(i / 4 / canvas.width) + 0.5 - top);
+  }
+  return 1 - rows[rows.length >> 1] / over.height;
+}, [index, ink]);
+
+/** Share of the render time plot's column, at a time within the 10 s shown, that has the alarm's shade. */
+export const shadedShare = (page, time) => page.evaluate(time => {
+  const plot = document.querySelector('#range .plot'), canvas = plot.querySelector('canvas');
+  const over = plot.querySelector('.u-over').getBoundingClientRect(), left = over.left - canvas.getBoundingClientRect().left;
+  const { data } = canvas.getContext('2d').getImageData(Math.round((left + (over.width * time) / 10) * devicePixelRatio), 0, 1, canvas.height);
+  let shaded = 0;
+  for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 20 && data[i] > data[i + 2] + 80) shaded++;
+  return shaded / canvas.height;
+}, time);
+
+export const shot = (page, index) => page.evaluate(i => document.querySelectorAll('.plot canvas')[i].toDataURL(), index);

@@ -1,18 +1,16 @@
 // The page with the control clock's code, served by the real gateway if it has been built, and by a stand-in with a known clock.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
-import { once } from 'node:events';
 import { existsSync, readFileSync } from 'node:fs';
-import { createServer } from 'node:http';
 import { createInterface } from 'node:readline';
 import { after, afterEach, before, describe, it } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 import { Browser } from './browser.mjs';
+import { ClockGateway } from './clockGateway.mjs';
 import { drawn } from './drawn.mjs';
 
 const path = relative => fileURLToPath(new URL(relative, import.meta.url));
-const html = readFileSync(path('../dist/vlc.html'));
 const gateways = ['Debug', 'Release'].map(kind => path(`../../Gateway/bin/${kind}/net10.0/Nowpose.Gateway.dll`)).filter(existsSync);
 const PERIOD = 65536;
 
@@ -24,42 +22,6 @@ async function load(name) {
 const { controlCells } = await load('code');
 const { ControlClock } = await load('controlClock');
 const { grainOf } = await load('grain');
-
-/** A gateway whose control clock is this process's counter with a large offset. */
-class StandIn {
-  aheadNs = 1_700_000_000_000_000_000n;
-  isSynchronised = true;
-  token = null;
-  refused = 0;
-
-  now = () => process.hrtime.bigint() + this.aheadNs;
-
-  async start(port = 0) {
-    this.server = createServer((request, response) => this.answer(request, response));
-    this.server.listen(port, '127.0.0.1');
-    await once(this.server, 'listening');
-    this.port = this.server.address().port;
-    return `http://127.0.0.1:${this.port}/vlc`;
-  }
-
-  answer(request, response) {
-    const t2 = this.now();
-    if (request.url === '/vlc') return response.setHeader('Content-Type', 'text/html').end(html);
-    if (request.method !== 'POST' || request.url !== '/vlc/time') return response.writeHead(404).end();
-    if (this.token && request.headers.authorization !== `Bearer ${this.token}`) {
-      this.refused++;
-      return response.writeHead(401).end();
-    }
-    const facts = { resolution_ns: 1, is_synchronised: this.isSynchronised };
-    response.end(JSON.stringify({ ...facts, t2_ns: `${t2}`, t3_ns: `${this.now()}` }));
-  }
-
-  stop() {
-    this.server?.close();
-    this.server?.closeAllConnections();
-    this.server = null;
-  }
-}
 
 /** Reads the canvas like a camera, directly after the page has drawn a frame, and requests the time like the page. */
 const sight = page => page.evaluate(async () => {
@@ -218,7 +180,7 @@ describe('the page of the control clock\'s code', () => {
   }
 
   it('shows the control time of each frame', async () => {
-    const page = await open(await (gateway = new StandIn()).start());
+    const page = await open(await (gateway = new ClockGateway()).start());
     await synchronised(page);
 
     for (let i = 0; i < 3; i++) assertRight(await sight(page));
@@ -230,7 +192,7 @@ describe('the page of the control clock\'s code', () => {
   });
 
   it('shows no code while the gateway is down, and the new time after its restart', async () => {
-    const page = await open(await (gateway = new StandIn()).start());
+    const page = await open(await (gateway = new ClockGateway()).start());
     await synchronised(page);
 
     gateway.stop();
@@ -243,14 +205,14 @@ describe('the page of the control clock\'s code', () => {
   });
 
   it('shows no code while the control clock is not synchronised', async () => {
-    gateway = Object.assign(new StandIn(), { isSynchronised: false });
+    gateway = Object.assign(new ClockGateway(), { isSynchronised: false });
     const page = await open(await gateway.start());
 
     await unsynchronised(page, 'the control clock itself');
   });
 
   it('asks for the gateway\'s token and does not keep it in address or storage', async () => {
-    gateway = Object.assign(new StandIn(), { token: 'sesame' });
+    gateway = Object.assign(new ClockGateway(), { token: 'sesame' });
     const page = await open(await gateway.start());
     await unsynchronised(page, 'requires a token');
 
@@ -272,7 +234,7 @@ describe('the page of the control clock\'s code', () => {
   });
 
   it('fills the screen on F with a readable code in any window', async () => {
-    const page = await open(await (gateway = new StandIn()).start(), { viewport: { width: 500, height: 900 } });
+    const page = await open(await (gateway = new ClockGateway()).start(), { viewport: { width: 500, height: 900 } });
     await synchronised(page);
 
     await page.keyboard.press('f');

@@ -20,7 +20,8 @@ static class RangePlots
         [
             new("render time", Looks.Hold, x, [.. pictures.Select(each => each.RenderMs)]),
             new("L_visu", Looks.Adaptive, x, [.. pictures.Select(each => (double?)each.VisuMs)]),
-        ]) { FromZero = true, Marks = [.. LoadMarks(pictures)] };
+        ])
+        { FromZero = true, Marks = [.. LoadMarks(pictures)] };
     }
 
     /// <summary>Fig. 11a: medians and middle 68 % over the load, for the pictures whose load is known.</summary>
@@ -35,7 +36,8 @@ static class RangePlots
         }
         PlotTrace Middles(string label, string look, int column) => table.Trace(label, look, 0, column) with
         {
-            Marked = true, Deviation = [.. table.Rows.Select(row => row[column + 1])],
+            Marked = true,
+            Deviation = [.. table.Rows.Select(row => row[column + 1])],
         };
         var traces = new[] { Middles("render time", Looks.Hold, 1), Middles("L_visu", Looks.Adaptive, 3) };
         return (new FigurePlot("Over the load", Load, Time, traces) { FromZero = true }, table);

@@ -7,8 +7,11 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// <remarks>The ring shows how bright a lit cell is. The two cells of a pair together have that brightness for every code.</remarks>
 sealed class CodeContrasts
 {
-    /// <summary>Maximum deviation of a pair's mean, relative to the light. A darker pair is covered, a brighter one overexposed.</summary>
+    /// <summary>Maximum deviation of a pair's mean, relative to the light. A darker pair is covered, a brighter one is disturbed by other light.</summary>
     const double MaxDeviation = 0.45;
+
+    /// <summary>Minimum share of white cells of an overexposed code, or of one with a bright reflection.</summary>
+    const double MinWhiteShare = 0.05;
 
     readonly double[] _contrasts = new double[TimestampCode.PairCount];
 
@@ -16,7 +19,7 @@ sealed class CodeContrasts
     {
         Light = Enumerable.Range(0, TimestampCode.CellCount).Where(cell => TimestampCode.IsRing(cell) && TimestampCode.IsLitRing(cell, code.Kind))
             .Average(cell => code.Levels[cell]);
-        int covered = 0, overexposed = 0;
+        int covered = 0, brighter = 0;
         for (var pair = 0; pair < TimestampCode.PairCount; pair++)
         {
             var cell = TimestampCode.CellOf(pair);
@@ -24,9 +27,12 @@ sealed class CodeContrasts
             _contrasts[pair] = (left - right) / Light;
             var deviation = (left + right - Light) / 2;
             if (deviation < -MaxDeviation * Light) covered++;
-            if (deviation > MaxDeviation * Light) overexposed++;
+            if (deviation > MaxDeviation * Light) brighter++;
         }
-        if (covered + overexposed > 0) Fault = covered >= overexposed ? "partly covered" : "overexposed, or with a reflection on it";
+        if (covered + brighter > 0)
+            Fault = covered >= brighter ? "partly covered"
+                : code.WhiteShare >= MinWhiteShare ? "overexposed, or with a reflection on it"
+                : "disturbed by a bright background or a reflection";
     }
 
     /// <summary>Brightness of a lit cell; 1 is white.</summary>

@@ -3,8 +3,8 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// <summary>Rejects pictures that were taken while the headset moved. L_visu is measured with a still headset.</summary>
 /// <remarks>
 /// A display corrects its frames for head motion, so both codes shift and smear in such a picture. A picture counts as moving when the
-/// control's code moves both from the picture before and to the picture after. A camera that was relocated moves only once, and one that
-/// shakes moves back.
+/// control's code moves with nearly the same velocity from the previous picture and to the next one, in the order of control time. A camera
+/// that was relocated moves only once, and one that shakes moves back.
 /// </remarks>
 static class MovingPictures
 {
@@ -13,36 +13,46 @@ static class MovingPictures
     /// <summary>Speed range of a motion, in sides of the control's code per second. A hand-held camera is slower, a relocated one faster.</summary>
     const double MinSpeed = 0.5, MaxSpeed = 20;
 
-    /// <summary>Maximum interval between pictures for a valid speed, ms.</summary>
+    /// <summary>Maximum difference of the velocities before and after a picture, relative to the larger one.</summary>
+    const double MaxDifference = 0.7;
+
+    /// <summary>Maximum interval between pictures for a valid velocity, ms.</summary>
     const double MaxIntervalMs = 500;
 
     /// <summary>Maximum share of the read pictures that may be moving. Above it, the series was not taken with a still headset.</summary>
     const double MaxShare = 0.5;
 
-    /// <summary>Returns the same pictures in the same order, with those taken in motion rejected.</summary>
-    /// <exception cref="InputException">Most of the pictures were taken in motion.</exception>
-    public static IReadOnlyList<PictureResult> Rejected(IReadOnlyList<PictureResult> pictures)
+    /// <summary>Returns the same pictures in the same order, with those taken in motion rejected: all of them if most were.</summary>
+    /// <param name="refusal">The reason why all are rejected; null if they are not.</param>
+    public static IReadOnlyList<PictureResult> Rejected(IReadOnlyList<PictureResult> pictures, out string refusal)
     {
-        PictureResult[] read = [.. pictures.Where(picture => picture.IsRead && picture.Places != null)];
-        var moving = Enumerable.Range(1, Math.Max(0, read.Length - 2))
-            .Where(i => IsMoving(VelocityOf(read[i - 1], read[i]), VelocityOf(read[i], read[i + 1]))).Select(i => read[i]).ToHashSet();
-        if (moving.Count > MaxShare * read.Length)
-            throw new InputException($"{moving.Count} of {read.Length} pictures were taken while the headset or the camera moved; "
-                + "L_visu is measured with a still head: put headset and camera on a stand. Pictures of a moving headset are for 'calibrate head'");
-        return [.. pictures.Select(picture => moving.Contains(picture) ? PictureResult.Not(picture.File, Fault) : picture)];
+        var read = TimeOrder.Of(pictures.Where(picture => picture.Places != null)).Pictures;
+        var moving = Enumerable.Range(1, Math.Max(0, read.Count - 2))
+            .Where(i => IsMoving(VelocityOf(read[i - 1], read[i]), VelocityOf(read[i], read[i + 1]))).Select(i => read[i].Picture).ToHashSet();
+        refusal = moving.Count > MaxShare * read.Count
+            ? $"{moving.Count} of {read.Count} pictures were taken while the headset or the camera moved; "
+                + "L_visu is measured with a still head: put headset and camera on a stand. Pictures of a moving headset are for 'calibrate head'"
+            : null;
+        var areAll = refusal != null;
+        return [.. pictures.Select(picture => moving.Contains(picture) || areAll && picture.IsRead ? PictureResult.Not(picture.File, Fault) : picture)];
     }
 
     static bool IsMoving((double X, double Y) before, (double X, double Y) after) =>
-        IsMotion(before) && IsMotion(after) && before.X * after.X + before.Y * after.Y > 0;
+        IsMotion(before) && IsMotion(after)
+        && Length((after.X - before.X, after.Y - before.Y)) <= MaxDifference * Math.Max(Length(before), Length(after));
 
-    static bool IsMotion((double X, double Y) velocity) => Math.Sqrt(velocity.X * velocity.X + velocity.Y * velocity.Y) is > MinSpeed and < MaxSpeed;
+    static bool IsMotion((double X, double Y) velocity) => Length(velocity) is > MinSpeed and < MaxSpeed;
+
+    static double Length((double X, double Y) velocity) => Math.Sqrt(velocity.X * velocity.X + velocity.Y * velocity.Y);
 
     /// <returns>Sides per second; 0 if unknown.</returns>
-    static (double X, double Y) VelocityOf(PictureResult from, PictureResult to)
+    static (double X, double Y) VelocityOf((PictureResult Picture, double Ms) from, (PictureResult Picture, double Ms) to)
     {
-        var ms = PictureResult.IntervalMs(from, to);
+        var ms = to.Ms - from.Ms;
         if (ms <= 0 || ms > MaxIntervalMs) return default;
-        var scale = 1000 / (ms * from.Places.ControlSide);
-        return (scale * (to.Places.Control.X - from.Places.Control.X), scale * (to.Places.Control.Y - from.Places.Control.Y));
+        CodePlaces before = from.Picture.Places, after = to.Picture.Places;
+        // The same scale in both directions of time.
+        var scale = 2000 / (ms * (before.ControlSide + after.ControlSide));
+        return (scale * (after.Control.X - before.Control.X), scale * (after.Control.Y - before.Control.Y));
     }
 }

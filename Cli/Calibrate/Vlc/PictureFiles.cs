@@ -5,13 +5,13 @@ static class PictureFiles
 {
     static readonly string[] Pictures = [".png", ".jpg", ".jpeg"];
 
-    /// <summary>Formats of cameras that are not read. In a folder, they are rejected one by one instead of being left out silently.</summary>
+    /// <summary>Formats of cameras that are not read. They are rejected one by one, with the reason.</summary>
     static readonly string[] OtherPictures = [".heic", ".heif", ".avif", ".webp", ".tif", ".tiff", ".bmp", ".dng", ".cr2", ".cr3", ".nef", ".arw"];
     static readonly string[] Videos = [".mp4", ".mov", ".mkv", ".avi", ".webm", ".m4v"];
 
     public static bool IsVideo(string path) => Has(path, Videos);
 
-    /// <exception cref="InputException">A file or folder is missing, or a folder has no pictures.</exception>
+    /// <exception cref="InputException">A file or folder is missing, a folder has no pictures, or a file is neither a picture nor a video.</exception>
     public static IReadOnlyList<string> Of(IReadOnlyList<string> arguments)
     {
         var files = arguments.SelectMany(Of).ToList();
@@ -23,7 +23,7 @@ static class PictureFiles
     {
         if (Directory.Exists(path)) return Within(path);
         if (!File.Exists(path)) throw new InputException($"{path}: file or folder not found");
-        return IsPicture(path) || IsVideo(path)
+        return IsPicture(path) || Has(path, OtherPictures) || IsVideo(path)
             ? [path]
             : throw new InputException($"{path}: is neither a picture ({string.Join(", ", Pictures)}) nor a video ({string.Join(", ", Videos)})");
     }
@@ -31,7 +31,7 @@ static class PictureFiles
     static List<string> Within(string folder)
     {
         var files = Directory.GetFiles(folder).Where(path => IsPicture(path) || Has(path, OtherPictures)).Order(new NumberedNames()).ToList();
-        return files.Any(IsPicture) ? files : throw new InputException($"{folder}: contains no pictures ({string.Join(", ", Pictures)})");
+        return files.Count > 0 ? files : throw new InputException($"{folder}: contains no pictures ({string.Join(", ", Pictures)})");
     }
 
     static bool IsPicture(string path) => Has(path, Pictures);

@@ -5,9 +5,10 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>Finds the frame of a sweep that a picture's headset code belongs to.</summary>
 /// <remarks>
-/// Codes repeat after 65.5 s, and sweeps last longer, so a code may match several frames. Pictures come in the order in which they were
-/// taken. Of all assignments whose frames never go back, the one with the most assigned pictures is used. A picture that was misread, or
-/// whose frame is not in the log, stays unassigned and does not affect the others. The camera may start at any time.
+/// Codes repeat after 65.5 s. In a shorter sweep, a code matches one frame, and the pictures may have any order. In a longer one, a code may
+/// match several frames, and the pictures' order tells which: that in which they were taken, or the reverse. Of all assignments whose
+/// frames never go back, the one with the most assigned pictures is used. A picture that was misread, or whose frame is not in the log,
+/// stays unassigned and does not affect the others. The camera may start at any time.
 /// </remarks>
 sealed class SweepJoin
 {
@@ -23,11 +24,22 @@ sealed class SweepJoin
         _rowsOfCode = Enumerable.Range(0, rows.Count).ToLookup(row => TimestampCode.ValueOf(rows[row].FrameStart));
     }
 
-    /// <param name="pictures">In the camera's order; pictures that were not read are skipped.</param>
-    /// <returns>One entry for each picture whose frame is in the log.</returns>
+    /// <summary>Whether the sweep is longer than the code's period, so that the pictures need an order.</summary>
+    public bool NeedsOrder => _rows.Count > 0 && (_rows[^1].FrameStart - _rows[0].FrameStart).TotalMilliseconds >= TimestampCode.PeriodMs - 1;
+
+    /// <param name="pictures">Pictures that were not read are skipped.</param>
+    /// <returns>One entry for each picture whose frame is in the log, in the order of the frames.</returns>
     public IReadOnlyList<MeasuredPicture> Join(IEnumerable<PictureResult> pictures) =>
-        [.. LongestRun([.. pictures.Where(picture => picture.IsRead)]).Select(
+        [.. Orders([.. pictures.Where(picture => picture.IsRead)]).Select(LongestRun).MaxBy(run => run.Count).Select(
             place => new MeasuredPicture(place.Picture.File, _rows[place.Row].Vertices, RenderMsOf(_rows[place.Row]), place.Picture.VisuMs))];
+
+    /// <summary>Gets the orders in which the pictures may have been taken.</summary>
+    IEnumerable<IReadOnlyList<PictureResult>> Orders(IReadOnlyList<PictureResult> read)
+    {
+        if (NeedsOrder) return [read, [.. read.Reverse()], [.. TimeOrder.Of(read).Pictures.Select(each => each.Picture)]];
+        var first = _rows.Count > 0 ? TimestampCode.ValueOf(_rows[0].FrameStart) : 0;
+        return [[.. read.OrderBy(picture => ((int)picture.HeadsetMs - first) & (TimestampCode.PeriodMs - 1)).ThenBy(picture => picture.File, StringComparer.Ordinal)]];
+    }
 
     double? RenderMsOf(in SweepRow row) => row.Source == _source ? row.RenderMs : null;
 

@@ -19,9 +19,6 @@ sealed class VlcEvaluation
     /// <summary>Fewer pictures do not show how much L_visu scatters, and therefore not how accurate its mean is.</summary>
     const int FewPictures = 10;
 
-    /// <summary>Maximum number of rejected pictures that are named per reason; the JSON names all.</summary>
-    const int MaxNamed = 20;
-
     readonly VlcResult _result;
     readonly List<string> _warnings = [];
 
@@ -31,6 +28,8 @@ sealed class VlcEvaluation
     public VlcEvaluation(VlcResult result, IReadOnlyList<SweepRow> sweep, EarlierProfile earlier)
     {
         _result = result;
+        // Without a picture, the sweep says nothing.
+        if (result.Read.Count == 0) sweep = null;
         var sensitivity = sweep == null ? null : LoadSensitivity.Judge(sweep);
         if (sweep != null) Pictures = Joined(sweep, sensitivity.Source);
         var fit = sensitivity == null ? null : FitOf(sensitivity);
@@ -50,9 +49,10 @@ sealed class VlcEvaluation
 
     IReadOnlyList<MeasuredPicture> Joined(IReadOnlyList<SweepRow> sweep, RenderTimeSourceKind source)
     {
-        var joined = new SweepJoin(sweep, source).Join(_result.Pictures);
+        var join = new SweepJoin(sweep, source);
+        var joined = join.Join(_result.Pictures);
         if (joined.Count < MinShareJoined * _result.Read.Count)
-            throw new InputException($"--sweep: the log has the frames of only {joined.Count} of {_result.Read.Count} pictures; use the log of the sweep that the pictures show");
+            throw new InputException($"--sweep: the log has the frames of only {joined.Count} of {_result.Read.Count} pictures; {ReasonOf(join)}");
         if (joined.Count < _result.Read.Count)
             _warnings.Add($"{_result.Read.Count - joined.Count} of {_result.Read.Count} pictures show a frame that is not in the sweep log");
         var (measured, others) = (sweep.Count(row => row.RenderMs.HasValue), sweep.Count(row => row.RenderMs.HasValue && row.Source != source));
@@ -61,6 +61,11 @@ sealed class VlcEvaluation
                 + $"{RenderTimeSourceNames.NameOf(source)} and are not used");
         return joined;
     }
+
+    string ReasonOf(SweepJoin join) => join.NeedsOrder && !TimeOrder.Of(_result.Pictures).IsGivenOrder
+        ? FormattableString.Invariant($"codes repeat after {TimestampCode.PeriodMs / 1000.0:0.0} s, the sweep is longer, and the pictures are not in the order in which ")
+            + "they were taken: name the files so that they sort in that order"
+        : "use the log of the sweep that the pictures show";
 
     // Null if no range can be determined; the reason is added to the warnings.
     RangeFitResult FitOf(LoadSensitivity sensitivity)
@@ -85,6 +90,11 @@ sealed class VlcEvaluation
     // Null if there are too few pictures; the reason is added to the warnings.
     LatencyProfile WithoutRange(bool hasSweep, EarlierProfile earlier)
     {
+        if (_result.Read.Count == 0)
+        {
+            _warnings.Add(_result.NothingRead());
+            return null;
+        }
         var plateau = hasSweep && Pictures.Any(each => each.Vertices != Pictures[0].Vertices)
             ? Plateau.OfSweep(Pictures)
             : Plateau.OfOneLoad([.. _result.Read.Select(picture => picture.VisuMs)]);
@@ -114,13 +124,10 @@ sealed class VlcEvaluation
         Sections = [VlcPage.OverPictures(_result), .. RangePage.Sections(Pictures, null)],
     };
 
-    static string ListOf(IReadOnlyList<string> files) => string.Join(", ", files.Take(MaxNamed).Select(Path.GetFileName))
-        + (files.Count > MaxNamed ? FormattableString.Invariant($" and {files.Count - MaxNamed} more") : "");
-
     IEnumerable<string[]> Facts()
     {
         yield return ["Pictures", _result.Pictures.Count.ToString(CultureInfo.InvariantCulture)];
         yield return ["Rejected", _result.Rejected.ToString(CultureInfo.InvariantCulture)];
-        foreach (var (fault, files) in _result.Faults()) yield return [$"– {fault}", string.Create(CultureInfo.InvariantCulture, $"{files.Count}: {ListOf(files)}")];
+        foreach (var (fault, files) in _result.Faults()) yield return [$"– {fault}", string.Create(CultureInfo.InvariantCulture, $"{files.Count}: {string.Join(", ", files.Select(Path.GetFileName))}")];
     }
 }

@@ -9,6 +9,9 @@ sealed class VlcResult(IReadOnlyList<PictureResult> pictures)
 
     public IReadOnlyList<PictureResult> Read { get; } = [.. pictures.Where(picture => picture.IsRead)];
 
+    /// <summary>Reason why all pictures of the series are rejected; null if they are not.</summary>
+    public string Refusal { get; init; }
+
     public int Rejected => Pictures.Count - Read.Count;
 
     /// <summary>Mean L_visu, ms; null when no picture was read.</summary>
@@ -20,5 +23,15 @@ sealed class VlcResult(IReadOnlyList<PictureResult> pictures)
     /// <summary>Gets the reasons for rejections with their pictures, the most frequent first.</summary>
     public IEnumerable<(string Fault, IReadOnlyList<string> Files)> Faults() => Pictures.Where(picture => !picture.IsRead)
         .GroupBy(picture => picture.Fault, picture => picture.File)
-        .Select(group => (group.Key, (IReadOnlyList<string>)[.. group])).OrderByDescending(fault => fault.Item2.Count);
+        .Select(group => (group.Key, (IReadOnlyList<string>)[.. group])).OrderByDescending(fault => fault.Item2.Count).ThenBy(fault => fault.Key, StringComparer.Ordinal);
+
+    /// <summary>Gets the message for a series of which no picture was read.</summary>
+    public string NothingRead()
+    {
+        if (Refusal != null) return Refusal;
+        if (Pictures.Count == 0) return "no picture was evaluated";
+        if (Pictures.Count == 1) return $"{Pictures[0].File}: {Pictures[0].Fault}";
+        var (fault, files) = Faults().First();
+        return $"none of {Pictures.Count} pictures could be read; {files.Count} of them: {fault}";
+    }
 }

@@ -5,13 +5,10 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// <summary>Finds and reads the codes of all pictures.</summary>
 sealed class VlcRun(PictureReader reader)
 {
-    readonly SortedDictionary<int, PictureResult> _results = [];
-    SeenPicture _first;
-    string _firstName;
+    readonly SortedDictionary<int, (PictureResult Picture, (int Width, int Height) Size)> _results = [];
 
     /// <summary>Evaluates the pictures. Returns the results so far when the user cancels.</summary>
     /// <param name="isStill">Whether the headset must be still. Pictures taken in motion are then rejected.</param>
-    /// <exception cref="InputException">The pictures have several sizes, so they come from several cameras or series.</exception>
     public VlcResult Run(IReadOnlyList<string> files, bool isStill, CancellationToken cancellation)
     {
         var isVideo = PictureFiles.IsVideo(files[0]);
@@ -32,21 +29,27 @@ sealed class VlcRun(PictureReader reader)
             requests,
             (place, seen) =>
             {
-                RequireSameSize(seen, nameOf(place));
-                _results[place] = reader.Read(nameOf(place), seen);
+                _results[place] = (reader.Read(nameOf(place), seen), (seen.Width, seen.Height));
                 report(_results.Count);
             },
             cancellation));
-        var pictures = Strays.Rejected([.. _results.Values]);
-        return new VlcResult(isStill ? MovingPictures.Rejected(pictures) : pictures);
+        var pictures = Strays.Rejected(OfOneSize());
+        if (!isStill) return new VlcResult(pictures);
+        pictures = MovingPictures.Rejected(pictures, out var refusal);
+        return new VlcResult(pictures) { Refusal = refusal };
     }
 
-    void RequireSameSize(SeenPicture seen, string name)
+    /// <summary>Rejects pictures whose size is not the most frequent one: they come from another camera or series.</summary>
+    IReadOnlyList<PictureResult> OfOneSize()
     {
-        if (seen.Fault != null) return;
-        if (_first == null) (_first, _firstName) = (seen, name);
-        if (seen.Width != _first.Width || seen.Height != _first.Height)
-            throw new InputException(
-                $"{name}: {seen.Width}x{seen.Height} px, but {_firstName} has {_first.Width}x{_first.Height} px; evaluate the pictures of each camera separately");
+        // Of equally frequent sizes, the largest is kept, so that the order of the pictures has no effect.
+        var kept = _results.Values.Select(result => result.Size).Where(size => size.Width > 0).GroupBy(size => size)
+            .OrderByDescending(group => group.Count()).ThenByDescending(group => group.Key.Width * (long)group.Key.Height).ThenByDescending(group => group.Key.Width)
+            .Select(group => group.Key).FirstOrDefault();
+        return [.. _results.Values.Select(result => result.Size.Width == 0 || result.Size == kept
+            ? result.Picture
+            : PictureResult.Not(
+                result.Picture.File,
+                $"{result.Size.Width}x{result.Size.Height} px, but most pictures have {kept.Width}x{kept.Height} px: evaluate each camera's pictures separately"))];
     }
 }

@@ -11,10 +11,17 @@ namespace Nowpose.Cli.Demo.Paper;
 /// <param name="Unit">Unit of the numbers: <c>ms</c>, or <c>share</c> for a ratio.</param>
 sealed record PaperClaim(string Figure, string Claim, double? Paper, double? Measured, double? Uncertainty, string Unit, bool Holds)
 {
+    /// <summary>Why all or some of the repeats did not measure the number; null if all did.</summary>
+    public string NotMeasured { get; init; }
+
     /// <summary>The measured number with unit and uncertainty, for readers.</summary>
     [JsonIgnore]
-    public string MeasuredText => Measured is not double value ? "not measured" : Uncertainty is double half
-        ? $"{Text(value)} ± {Text(half)}" : Text(value);
+    public string MeasuredText => Measured is not double value ? NotMeasured
+        : (Uncertainty is double half ? $"{Text(value)} ± {Text(half)}" : Text(value)) + (NotMeasured == null ? "" : $" ({NotMeasured})");
+
+    /// <summary>The verdict for readers.</summary>
+    [JsonIgnore]
+    public string Verdict => Measured == null ? "not measured" : Holds ? "holds" : "does not hold";
 
     /// <summary>The paper's number with its unit; empty where it gives none.</summary>
     [JsonIgnore]

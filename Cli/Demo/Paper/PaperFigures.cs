@@ -40,13 +40,16 @@ static class PaperFigures
     static string FirstOffset(PaperRun run) => run.Run.Exchanges.Count == 0 ? "unknown" : FormattableString.Invariant(
         $"{run.Run.Exchanges[0].Offset.HeadsetMinusControl.TotalSeconds:0.000} s: the clocks started at different times");
 
+    static string AddedError(DemoSettings settings) => settings.VisualisationErrorMs == 0 ? ""
+        : $", to which --visu-error-ms added {Numbers.Text(settings.VisualisationErrorMs)} ms";
+
     static string MotionConditions(PaperRun run)
     {
         var (swing, settings) = (run.Swings.Swing, run.Run.Settings);
         return "youBot, first axis forward and back by a quarter turn, arm out: the tool moves on a circle of "
             + $"{Numbers.Text(1000 * swing.Radius)} mm radius at up to {Numbers.Text(swing.FullSpeed)} mm/s. Stroke and limits are ours, "
             + $"the paper gives none. T_s {Numbers.Text(settings.SamplingMs)} ms, "
-            + $"acquisition {settings.Acquisition} ms, L_visu {Numbers.Text(settings.VisualisationMs)} ms, of which the run measured "
-            + $"{Numbers.Text(settings.GivenVisualisationMs)} ms. ";
+            + $"acquisition {settings.Acquisition} ms, L_visu {Numbers.Text(settings.VisualisationMs)} ms; the run measured "
+            + $"{Numbers.Text(settings.GivenVisualisationMs - settings.VisualisationErrorMs)} ms{AddedError(settings)}. ";
     }
 }

@@ -60,6 +60,12 @@ sealed class PaperRun
     /// <summary>Gets the true position of the tool when a frame is seen.</summary>
     public ToolPosition TruthOf(in DemoFrames.Row row) => _kinematics.TrueAt(Run.Truth, row.TrueLight);
 
+    /// <summary>Why the run has no whole swing; null if it has one.</summary>
+    public string Problem => Swings != null ? null : FormattableString.Invariant(
+        $"no swing after {SettledAfter.TotalSeconds:0} s has all its frames; the longest pause between frames was {LongestPause():0.00} s ({MaxStall} s are allowed)");
+
+    double LongestPause() => Scored.Zip(Scored.Skip(1)).Select(pair => (pair.Second.Elapsed - pair.First.Elapsed).TotalSeconds).DefaultIfEmpty(0).Max();
+
     SwingFrames SwingsOf()
     {
         StudyFrame[][] whole = [.. Scored.Select(row => (TimeOf(row).Swing, Frame: FrameOf(row)))

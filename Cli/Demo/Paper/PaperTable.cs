@@ -11,7 +11,7 @@ static class PaperTable
         foreach (var claim in claims)
             table.AddRow(
                 claim.Figure, Markup.Escape(claim.Claim), Markup.Escape(claim.PaperText), Markup.Escape(claim.MeasuredText),
-                claim.Holds ? "holds" : "does not hold");
+                claim.Verdict);
         ResultConsole.Create().Write(table);
     }
 }

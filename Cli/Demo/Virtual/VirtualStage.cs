@@ -57,7 +57,8 @@ sealed class VirtualStage
         loop.Run((_, _) => { }, CancellationToken.None);
         return new DemoRun(
             _settings, _truth, loop.Frames, _headset.Log.ApplicationLatencies, _headset.Session.Statistics(_clock.Read),
-            _headset.Session.Range?.Limit, _headset.Alarms) { Exchanges = _headset.Log.Exchanges() };
+            _headset.Session.Range?.Limit, _headset.Alarms)
+        { Exchanges = _headset.Log.Exchanges() };
     }
 
     void GoOnTo(HeadsetTime time)

@@ -10,9 +10,6 @@ static class Figure08
     const double ShownUs = 600;
     const double ShownPpm = 150;
 
-    /// <summary>Rows of the table per second: one exchange each.</summary>
-    const double RowsPerSecond = 5;
-
     public static Figure Of(ClockRuns runs)
     {
         var errors = ClockMethod.All.Select((method, m) => (method.Name, Errors: runs.Errors(m))).ToArray();
@@ -47,17 +44,18 @@ static class Figure08
             2 * trips.ShortUs < trips.LongUs, $"{Text(trips.ShortUs / 1000)} ms against {Text(trips.LongUs / 1000)} ms"),
     ];
 
+    // The paper's quantities by its estimator after each exchange, and beside them the truth and the errors of all estimators.
     static FigureTable TableOfFirstRun(ClockRuns runs)
     {
-        var table = new FigureTable([new FigureColumn("time", "s"), new FigureColumn("round trip", "ms"), new FigureColumn("true skew", "ppm"),
+        var table = new FigureTable([.. SyncFigure.Columns, new FigureColumn("true skew", "ppm"),
             .. ClockMethod.All.SelectMany(m => new[] { new FigureColumn($"{m.Name} offset error", "µs"), new FigureColumn($"{m.Name} skew", "ppm") })]);
         var log = runs.Logs[0];
-        var exchange = -1;
-        for (var i = 0; i < runs.First(0).Count; i += (int)(ClockRun.InstantsPerSecond / RowsPerSecond))
+        var steps = SyncSteps.Of(log.All, ClockMethod.All[0].Name);
+        for (var e = 0; e < steps.Count; e++)
         {
-            var s = runs.First(0)[i].Seconds;
-            while (exchange + 1 < log.All.Count && log.All[exchange + 1].T4 <= HeadsetTime.FromSeconds(s)) exchange++;
-            table.Add([s, exchange < 0 ? null : log.All[exchange].RoundTripTime.TotalMilliseconds, log.SkewPpmAt(s),
+            var s = (log.All[e].T4 - HeadsetTime.FromSeconds(0)).TotalSeconds;
+            var i = Math.Min((int)Math.Ceiling(s * ClockRun.InstantsPerSecond), runs.First(0).Count - 1);
+            table.Add([.. SyncFigure.ValuesOf(steps[e]), log.SkewPpmAt(s),
                 .. ClockMethod.All.SelectMany((_, m) => new[] { runs.First(m)[i].OffsetErrorUs, runs.First(m)[i].SkewPpm })]);
         }
         return table;
@@ -66,12 +64,12 @@ static class Figure08
     static IEnumerable<FigurePlot> PlotsOf(FigureTable table)
     {
         PlotTrace Trace(string label, string look, int column) => table.Trace(label, look, 0, column);
-        IEnumerable<PlotTrace> OfMethods(int first) => ClockMethod.All.Select((m, i) => Trace(m.Name, Looks.Of(m.Name), first + 2 * i));
-        yield return new FigurePlot("Error of the offset", table.Columns[0], new FigureColumn("offset error", "µs"), [.. OfMethods(3)])
-            { YExtent = ShownUs };
-        yield return new FigurePlot("Skew", table.Columns[0], new FigureColumn("skew", "ppm"), [Trace("truth", Looks.Truth, 2), .. OfMethods(4)])
-            { YExtent = ShownPpm };
-        yield return new FigurePlot("Round-trip time", table.Columns[0], table.Columns[1], [Trace("exchange", Looks.Samples, 1)])
-            { FromZero = true };
+        var truth = SyncFigure.Columns.Count;
+        IEnumerable<PlotTrace> OfMethods(int first) => ClockMethod.All.Select((m, i) => Trace(m.Name, Looks.Of(m.Name), truth + first + 2 * i));
+        yield return new FigurePlot("Error of the offset", table.Columns[0], new FigureColumn("offset error", "µs"), [.. OfMethods(1)])
+        { YRange = (-ShownUs, ShownUs) };
+        yield return new FigurePlot("Skew of all estimators", table.Columns[0], new FigureColumn("skew", "ppm"), [Trace("truth", Looks.Truth, truth), .. OfMethods(2)])
+        { YRange = (-ShownPpm, ShownPpm) };
+        foreach (var plot in SyncFigure.PlotsOf(table)) yield return plot;
     }
 }

@@ -11,7 +11,7 @@ static class SyncClaims
     /// <summary>Minimum number of exchanges after the clock has settled.</summary>
     const int MinExchanges = 20;
 
-    const string FitError = "From 10 s on, the median of the fitting error |ε| is below 1 ms.";
+    const string FitError = "From 10 s on, the fitting error |ε| of at least half of the exchanges is below 1 ms (median).";
     const string Skew = "In the last quarter, the skew varies less than half as much as from 2 to 10 s (RMS about the mean of the last quarter).";
     const string RoundTrip = "|ε| of the quarter with the shortest round trips is less than half of that of the quarter with the longest (P95).";
 

@@ -71,6 +71,7 @@ static class Figure04
             At("hold, a sample in every frame", Looks.Linear, p => p.FreshMm),
             .. ClockMethod.All.Select((m, i) => new PlotTrace($"predicted, {m.Name} clock", Looks.Of(m.Name),
                 [.. speeds.Select(_ => clocks.Errors(i).P95Us / 1000)], [.. speeds.Select(v => (double?)v)])),
-        ]) { IsoMm = IsoErrorsMm };
+        ])
+        { IsoMm = IsoErrorsMm };
     }
 }

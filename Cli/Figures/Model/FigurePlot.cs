@@ -9,8 +9,8 @@ sealed record FigurePlot(string Title, FigureColumn X, FigureColumn Y, IReadOnly
     /// <summary>Whether the vertical axis begins at 0.</summary>
     public bool FromZero { get; init; }
 
-    /// <summary>Length of the vertical axis in each direction, even if data exceed it; null to fit the data.</summary>
-    public double? YExtent { get; init; }
+    /// <summary>Range of the vertical axis, even if data exceed it; null to fit the data.</summary>
+    public (double From, double To)? YRange { get; init; }
 
     /// <summary>Curves of equal product x·y/1000, labelled with their values in mm. Makes this a plot of operating points. Null for lines.</summary>
     public IReadOnlyList<double> IsoMm { get; init; }

@@ -19,8 +19,8 @@ sealed class SvgPlot(FigurePlot plot, int width)
     readonly StringBuilder _svg = new();
     readonly double _x0 = plot.Traces.Min(t => t.X[0]);
     readonly double _x1 = plot.Traces.Max(t => t.X[^1]);
-    readonly double _y0 = -plot.YExtent ?? (plot.FromZero ? 0 : Ticks.Floor(plot.Traces.Min(t => t.Y.Min()!.Value), Span(plot)));
-    readonly double _y1 = plot.YExtent ?? Ticks.Ceiling(plot.Traces.Max(t => t.Y.Max()!.Value), Span(plot));
+    readonly double _y0 = plot.YRange?.From ?? (plot.FromZero ? 0 : Ticks.Floor(plot.Traces.Min(t => t.Y.Min()!.Value), Span(plot)));
+    readonly double _y1 = plot.YRange?.To ?? Ticks.Ceiling(plot.Traces.Max(t => t.Y.Max()!.Value), Span(plot));
 
     public string Draw()
     {

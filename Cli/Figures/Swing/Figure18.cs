@@ -74,5 +74,6 @@ static class Figure18
     [
         table.Trace("uncompensated", Looks.Hold, 3, 1),
         .. runs.Predicted.Select((name, p) => table.Trace(name, Looks.Of(name), 5 + 2 * p, 1)),
-    ]) { IsoMm = IsoErrorsMm };
+    ])
+    { IsoMm = IsoErrorsMm };
 }

@@ -15,16 +15,8 @@ sealed record SwingFrames(string Predictor, SwingScenario Scenario, YoubotSwing 
     /// <inheritdoc cref="RmsMm"/>
     public double HoldRmsMm(Func<double, bool> when) => Rms(when, f => f.Held);
 
-    /// <summary>Minimum distance at which the compensated and the uncompensated tool differ, mm.</summary>
-    const double Differs = 0.05;
-
-    /// <summary>
-    /// Share of the frames whose error is smaller with compensation, among the frames in motion in which the two differ. They are equal
-    /// until the first sample of a move has arrived.
-    /// </summary>
-    public double NearerShare => Phases.SelectMany(p => p)
-        .Where(f => Swing.ToolSpeedAt(f.Time) > 0 && Swing.GapMm(f.Held, f.Predicted) > Differs)
-        .Average(f => Math.Abs(f.Predicted - f.Truth) < Math.Abs(f.Held - f.Truth) ? 1.0 : 0);
+    /// <summary>RMS error with compensation divided by that without, over all frames: also after a stop, where predictions overshoot.</summary>
+    public double ErrorRatio => RmsMm(_ => true) / HoldRmsMm(_ => true);
 
     /// <summary>RMS error where the velocity has been constant for the time span of a prediction, mm.</summary>
     public double SteadyRmsMm => RmsMm(Swing.IsSteadyAt);

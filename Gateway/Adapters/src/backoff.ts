@@ -1,4 +1,6 @@
-const FIRST_MS = 200, MAX_MS = 1500, VARIATION = 0.2;
+const FIRST_MS = 200;
+const MAX_MS = 1500;
+const VARIATION = 0.2;
 
 /** Delays between connection attempts: 0.2 s doubling to 1.5 s, ±20 % so that many clients do not connect at the same time. */
 export class Backoff {

@@ -10,6 +10,6 @@ export const kinds: Record<string, Kind> = { ads, broker, opcua, ros, rtde };
 
 /** Loads a kind. Each is a separate bundle next to this one, so that none waits for another's libraries. */
 export async function load(kind: string): Promise<RunAdapter> {
-  const bundle = await import(new URL(`./${kind}.mjs`, import.meta.url).href) as { run: RunAdapter };
+  const bundle = (await import(new URL(`./${kind}.mjs`, import.meta.url).href)) as { run: RunAdapter };
   return bundle.run;
 }

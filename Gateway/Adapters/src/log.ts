@@ -1,5 +1,6 @@
 /** Rate limit per subject, whose state may change as often as its values arrive. */
-const MAX_LINES = 10, PERIOD_MS = 60_000;
+const MAX_LINES = 10;
+const PERIOD_MS = 60_000;
 
 /** Logs to standard error, one line per change of state, without secrets. */
 export class Log {
@@ -9,7 +10,9 @@ export class Log {
 
   /** @param later Schedules a function, which is not run if the process ends before. */
   constructor(
-    readonly name: string, secrets: string[], readonly write: (line: string) => void = line => void process.stderr.write(line),
+    readonly name: string,
+    secrets: string[],
+    readonly write: (line: string) => void = line => void process.stderr.write(line),
     readonly later: (ms: number, then: () => void) => void = (ms, then) => void setTimeout(then, ms).unref(),
   ) {
     this.#secrets = secrets.filter(secret => secret.length > 0);
@@ -52,6 +55,9 @@ export class Log {
   /** Returns one line of printable characters without secrets, for any text of a peer. */
   clean(text: string): string {
     const bare = this.#secrets.reduce((rest, secret) => rest.replaceAll(secret, '***'), text);
-    return bare.replace(/[\u0000-\u001f\u007f-\u009f]+/g, ' ').replace(/(\w+:\/\/)[^/@\s]+@/g, '$1***@').slice(0, 1000);
+    return bare
+      .replace(/\p{Cc}+/gu, ' ')
+      .replace(/(\w+:\/\/)[^/@\s]+@/g, '$1***@')
+      .slice(0, 1000);
   }
 }

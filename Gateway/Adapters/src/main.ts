@@ -6,7 +6,8 @@ import { kinds } from './kinds';
 import { runPlant } from './plant';
 
 const USAGE = 'usage: node plant.mjs CONFIG.yaml [--check]';
-const BAD_INPUT = 2, FAILED = 1;
+const BAD_INPUT = 2;
+const FAILED = 1;
 
 const isCheck = process.argv.includes('--check');
 const others = process.argv.slice(2).filter(argument => argument !== '--check');
@@ -19,7 +20,8 @@ async function main(): Promise<number> {
   const checks = Object.fromEntries(Object.entries(kinds).map(([name, kind]) => [name, kind.check]));
   const configuration = readConfiguration(others[0], process.env, checks);
   if (!isCheck) return runPlant(configuration);
-  const kind = kinds[configuration.plant.kind], obstacle = kind.obstacle?.(configuration) ?? null;
+  const kind = kinds[configuration.plant.kind];
+  const obstacle = kind.obstacle?.(configuration) ?? null;
   if (obstacle === null) process.stdout.write(`${others[0]} is valid: ${kind.summary(configuration)}\n`);
   if (obstacle === null && configuration.isSupervised) await written(`${JSON.stringify(contentOf(kind, configuration))}\n`);
   if (obstacle !== null) process.stderr.write(`${obstacle}\n`);
@@ -27,7 +29,10 @@ async function main(): Promise<number> {
 }
 
 /** Writes a text that may be longer than the buffer of a pipe, which the end of the process would cut. */
-const written = (text: string): Promise<unknown> => new Promise(done => { process.stdout.write(text, done); });
+const written = (text: string): Promise<unknown> =>
+  new Promise(done => {
+    process.stdout.write(text, done);
+  });
 
 /** Gets the data that the gateway needs before it starts the adapter. */
 function contentOf(kind: Kind, configuration: Configuration): object {
@@ -39,7 +44,10 @@ function contentOf(kind: Kind, configuration: Configuration): object {
   };
 }
 
-main().then(status => process.exit(status), error => {
-  process.stderr.write(`${error instanceof ConfigurationError ? error.message : `plant.mjs: ${error instanceof Error ? error.message : error}`}\n`);
-  process.exit(error instanceof ConfigurationError ? BAD_INPUT : FAILED);
-});
+main().then(
+  status => process.exit(status),
+  error => {
+    process.stderr.write(`${error instanceof ConfigurationError ? error.message : `plant.mjs: ${error instanceof Error ? error.message : error}`}\n`);
+    process.exit(error instanceof ConfigurationError ? BAD_INPUT : FAILED);
+  },
+);

@@ -8,11 +8,13 @@ import { Log } from './log';
 import { JointOutput } from './samples/jointOutput';
 import { type Nanoseconds, ofMilliseconds, toMilliseconds } from './times';
 
-const DIAGNOSTICS_MS = 1000, SILENCE_CHECK_MS = 250;
+const DIAGNOSTICS_MS = 1000;
+const SILENCE_CHECK_MS = 250;
 
 /** Delay of the report of a change, to include immediately following ones. */
 const CHANGE_MS = 100;
-const GROUP_MS = 0.5, OLDEST_MS = 10_000;
+const GROUP_MS = 0.5;
+const OLDEST_MS = 10_000;
 
 /** Runs one adapter until a signal, or the end of the gateway that started it, stops it. Returns the exit status. */
 export async function runPlant(configuration: Configuration): Promise<number> {
@@ -20,7 +22,9 @@ export async function runPlant(configuration: Configuration): Promise<number> {
   const log = new Log(`plant/${plant.name}`, configuration.secrets);
   const ending = new Ending();
   let changed: NodeJS.Timeout | null = null;
-  const status = new AdapterStatus(plant.kind, log, () => { changed ??= setTimeout(tell, CHANGE_MS); });
+  const status = new AdapterStatus(plant.kind, log, () => {
+    changed ??= setTimeout(tell, CHANGE_MS);
+  });
   const gateway = new GatewayLink(configuration.gateway, log, 'gateway', {
     malformed: (topic, problem) => status.refuse('malformed', topic, problem),
   });
@@ -38,7 +42,8 @@ export async function runPlant(configuration: Configuration): Promise<number> {
   if (robot !== null) gateway.publishKept(ROBOT_DESCRIPTION, description(robot));
 
   const link = gateway.run(ending.signal);
-  const reports = setInterval(tell, DIAGNOSTICS_MS), checks = setInterval(() => output.checkSilence(), SILENCE_CHECK_MS);
+  const reports = setInterval(tell, DIAGNOSTICS_MS);
+  const checks = setInterval(() => output.checkSilence(), SILENCE_CHECK_MS);
   try {
     await run({ configuration, gateway, clock, output, status, log, stopping: ending.signal });
   } finally {
@@ -81,11 +86,19 @@ class Ending {
       this.#status = 130;
       this.now();
     });
-    if (process.env.NOWPOSE_SUPERVISED === '1') process.stdin.on('close', () => this.now()).on('error', () => this.now()).resume();
+    if (process.env.NOWPOSE_SUPERVISED === '1')
+      process.stdin
+        .on('close', () => this.now())
+        .on('error', () => this.now())
+        .resume();
   }
 
-  get signal(): AbortSignal { return this.#abort.signal; }
-  get status(): number { return this.#status; }
+  get signal(): AbortSignal {
+    return this.#abort.signal;
+  }
+  get status(): number {
+    return this.#status;
+  }
 
   now(): void {
     this.#abort.abort();

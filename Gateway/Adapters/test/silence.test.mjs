@@ -1,29 +1,10 @@
 // Meaning of missing samples and its report in the diagnostics, in virtual time.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
+import { MS, T, plant } from './outputInVirtualTime.mjs';
 import { parts } from './parts.mjs';
 
-const { AdapterStatus, Log, JointOutput, diagnostics } =
-  await parts('gateway/status', 'log', 'samples/jointOutput', 'gateway/messages');
-
-const MS = 1_000_000n, S = 1000n * MS;
-const T = 1_700_000_000n * S;
-
-/** An adapter's output whose clocks read `ms` after their start. */
-function plant(joints = [{ joint: 'a' }, { joint: 'b' }], options = {}) {
-  const lines = [], sent = [], time = { ms: 0 };
-  const status = new AdapterStatus('opcua', new Log('plant/test', [], line => lines.push(line), () => {}));
-  const clock = { get now() { return T + BigInt(time.ms) * MS; }, isSettled: true };
-  const output = new JointOutput(joints.map(joint => ({ scale: 1, offset: 0, ...joint })), { tolerance: MS, oldest: 10n * S, ...options },
-    clock, { publish: (topic, msg) => sent.push(msg) }, status, () => time.ms);
-  for (const { joint } of joints) status.joints.expect(joint);
-  status.enter('connected');
-  const value = (joint, position) => output.publish([{ joint, value: position, stamp: clock.now }]);
-  const stateOf = joint => /^\w+/.exec(status.values()[`joint/${joint}`])[0];
-  const cell = { output, status, clock, lines, sent, time, value, stateOf, faultMs: null };
-  status.joints.changed = () => { if (status.values()[`joint/${joints[0]?.joint}`]?.startsWith('fault')) cell.faultMs ??= time.ms; };
-  return cell;
-}
+const { AdapterStatus, Log, diagnostics } = await parts('gateway/status', 'log', 'gateway/messages');
 
 /** Moves joint a at 1 rad/s for half a second, then sends nothing for it; joint b keeps moving. */
 function moveAndStop(cell, seconds, hold = true) {
@@ -272,78 +253,5 @@ describe('silence', () => {
     const keys = Object.keys(status.values()).filter(key => key.startsWith('joint/'));
 
     assert.deepEqual(keys, ['joint/b', 'joint/a', 'joint/c']);
-  });
-
-  /** A source that sends joint states and confirms none. `x` and `y` map a time in s to a position, or to null to leave the joint out. */
-  async function passive(position, seconds, faultAfterMs = null) {
-    const { JointStates, JointNames } = await parts('ros/jointStates', 'ros/jointNames');
-    const cell = plant([], { faultAfterMs }), { status, clock, time, output } = cell;
-    const states = new JointStates(new JointNames([]), 10n * S, clock, { publish: () => {} }, status, output.silence);
-    for (; time.ms < 1000 * seconds; time.ms += 50) {
-      for (const [name, at] of Object.entries(position)) {
-        const value = at(time.ms / 1000), stamp = clock.now;
-        if (value !== null) states.pass({ header: { stamp: { sec: Number(stamp / S), nanosec: Number(stamp % S) } }, name: [name], position: [value] });
-      }
-      output.checkSilence();
-    }
-    return cell;
-  }
-  /** Stops gently at 1 s and sends nothing at rest. */
-  const stops = s => (s > 1 ? null : 0.1 * Math.sin(s * Math.PI / 2)), swings = s => 0.1 * Math.sin(2 * s);
-
-  it('Source_CannotConfirm_SilentJointIsAtUncertainRest', async () => {
-    const { status, stateOf } = await passive({ x: stops, y: swings }, 3);
-
-    assert.deepEqual([stateOf('x'), stateOf('y'), status.level], ['rest', 'live', 1]);
-    assert.match(status.values()['uncertain/x'], /^nothing confirms its last value, .*; set silence: \{ fault_after_s: N \}/);
-    assert.match(status.message, /^x may not be at rest: nothing confirms/);
-  });
-
-  it('Source_CannotConfirmAndIsCompletelySilent_IsReported', async () => {
-    const { status, stateOf } = await passive({ x: stops, y: stops }, 3);
-
-    assert.deepEqual([stateOf('x'), stateOf('y'), status.level], ['rest', 'rest', 1]);
-    for (const joint of ['x', 'y']) assert.match(status.values()[`uncertain/${joint}`], /^no joint of its source sends anything, .*; set silence/);
-  });
-
-  it('Source_CannotConfirm_MotionAfterRestIsLiveAndCertain', async () => {
-    const { status, stateOf } = await passive({ x: s => (s > 1 && s < 4 ? null : 0.1 * Math.sin(Math.min(s, 1) * Math.PI / 2)) }, 4.5);
-
-    assert.deepEqual([stateOf('x'), status.level, status.values()['uncertain/x']], ['live', 0, undefined]);
-  });
-
-  it('Source_CannotConfirm_InterruptedMotionIsFault', async () => {
-    const { status, stateOf } = await passive({ x: s => (s > 1 ? null : s * s), y: swings }, 3);
-
-    assert.deepEqual([stateOf('x'), stateOf('y'), status.level], ['fault', 'live', 2]);
-    assert.match(status.values()['joint/x'], /its data ended in mid-motion/);
-  });
-
-  it('Source_CannotConfirm_LaterMotionOfAnotherJointDoesNotTurnAnEarlierStopIntoAFault', async () => {
-    // Both joints brake from 0.5 rad/s within one interval, after an earlier gentle stop.
-    const hard = s => (s < 2 ? 0.1 * Math.sin(s * Math.PI / 2) ** 2 : s < 3 ? 0.5 * (s - 2) : null);
-    const { stateOf } = await passive({ x: hard, y: s => (s < 3 ? hard(s) : s < 10 ? null : 0.5 * (s - 10)) }, 14);
-
-    assert.deepEqual([stateOf('x'), stateOf('y')], ['rest', 'live']);
-  });
-
-  it('Source_WithALimitOfSilence_RestIsCertainUntilTheLimit', async () => {
-    const { status, stateOf } = await passive({ x: stops, y: swings }, 4, 5000);
-
-    assert.deepEqual([stateOf('x'), status.level, status.values()['uncertain/x']], ['rest', 0, undefined]);
-  });
-
-  it('Source_SendsEachJointPeriodically_SilenceIsFault', () => {
-    const { output, stateOf, time } = plant([], { faultAfterMs: 1000 });
-    output.silence.unconfirmedMs = null;
-    output.silence.heard('x');
-
-    time.ms = 900;
-    output.checkSilence();
-    const before = stateOf('x');
-    time.ms = 1100;
-    output.checkSilence();
-
-    assert.deepEqual([before, stateOf('x')], ['live', 'fault']);
   });
 });

@@ -26,7 +26,8 @@ public class SerializedObject : IDisposable
     {
         var field = SerializedFields.Of(targetObject.GetType()).FirstOrDefault(f => f.Name == propertyPath);
         return field == null ? null : new SerializedProperty(
-            this, propertyPath, field.FieldType, o => field.GetValue(o), (o, value) => field.SetValue(o, value)) { Drawer = PropertyDrawer.For(field) };
+            this, propertyPath, field.FieldType, o => field.GetValue(o), (o, value) => field.SetValue(o, value))
+        { Drawer = PropertyDrawer.For(field) };
     }
 
     public void Update() => _changes.Clear();

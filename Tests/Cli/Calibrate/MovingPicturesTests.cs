@@ -1,4 +1,5 @@
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Latency;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
@@ -15,13 +16,13 @@ public sealed class MovingPicturesTests
     [Test]
     public void Rejected_StillHeadset_KeepsAll()
     {
-        Assert.That(MovingPictures.Rejected(Still(100)), Has.All.Matches<PictureResult>(picture => picture.IsRead));
+        Assert.That(MovingPictures.Rejected(Still(100), out _), Has.All.Matches<PictureResult>(picture => picture.IsRead));
     }
 
     [Test]
     public void Rejected_SomeTakenInMotion_AreRejectedWithAReasonAndStillOnesKept()
     {
-        var rejected = MovingPictures.Rejected([.. Still(100), .. Moving(40)]);
+        var rejected = MovingPictures.Rejected([.. Still(100), .. Moving(40)], out _);
 
         Assert.That(rejected.Take(100), Has.All.Matches<PictureResult>(picture => picture.IsRead));
         Assert.That(
@@ -33,16 +34,63 @@ public sealed class MovingPicturesTests
     {
         PictureResult Elsewhere(PictureResult picture) => picture with { Places = picture.Places with { Control = (300, 200) } };
 
-        var rejected = MovingPictures.Rejected([.. Still(100).Select((picture, i) => i < 50 ? picture : Elsewhere(picture))]);
+        var rejected = MovingPictures.Rejected([.. Still(100).Select((picture, i) => i < 50 ? picture : Elsewhere(picture))], out _);
 
         Assert.That(rejected, Has.All.Matches<PictureResult>(picture => picture.IsRead));
     }
 
     [Test]
-    public void Rejected_MostTakenInMotion_ThrowsAndNamesTheSuitableVerb()
+    public void Rejected_ReversedOrShuffled_RejectsTheSamePictures()
     {
-        Assert.That(() => MovingPictures.Rejected([.. Still(40), .. Moving(100)]),
-            Throws.TypeOf<InputException>().With.Message.Contains("of 140 pictures were taken while the headset or the camera moved")
-                .And.Message.Contains("'calibrate head'"));
+        PictureResult[] pictures = [.. Still(100), .. Moving(40)];
+        string[] Moved(IEnumerable<PictureResult> given) =>
+            [.. MovingPictures.Rejected([.. given], out _).Where(picture => !picture.IsRead).Select(picture => picture.File).Order(StringComparer.Ordinal)];
+        pictures = [.. pictures.Select((picture, i) => picture with { File = $"{i}" })];
+
+        var expected = Moved(pictures);
+
+        Assert.That(expected, Has.Length.InRange(30, 40));
+        Assert.That(Moved(pictures.Reverse()), Is.EqualTo(expected));
+        for (var seed = 1; seed <= 5; seed++)
+        {
+            var shuffled = pictures.ToArray();
+            new Random(seed).Shuffle(shuffled);
+            Assert.That(Moved(shuffled), Is.EqualTo(expected), "seed " + seed);
+        }
+    }
+
+    // A hand-held camera drifts, and pictures of all periods of the codes have the same times within the period.
+    [Test]
+    public void Rejected_SeveralPeriodsOfTheCodes_KeepsAll()
+    {
+        PictureResult At(int i) => Still(1)[0] with
+        {
+            File = $"{i}",
+            LedMs = i * 260 % TimestampCode.PeriodMs,
+            Places = Still(1)[0].Places with { Control = (640 + 0.1 * i, 360) },
+        };
+
+        Assert.That(MovingPictures.Rejected([.. Enumerable.Range(0, 800).Select(At)], out _), Has.All.Matches<PictureResult>(picture => picture.IsRead));
+    }
+
+    [Test]
+    public void Rejected_MostTakenInMotion_RejectsAllAndNamesTheSuitableVerb()
+    {
+        var rejected = MovingPictures.Rejected([.. Still(40), .. Moving(100)], out var refusal);
+
+        Assert.That(rejected, Has.All.Matches<PictureResult>(picture => picture.Fault == MovingPictures.Fault));
+        Assert.That(refusal, Does.Contain("of 140 pictures were taken while the headset or the camera moved").And.Contain("'calibrate head'"));
+    }
+
+    // The camera shakes by a few pixels after it was relocated.
+    [Test]
+    public void Rejected_RelocatedCameraThatShakes_KeepsAll()
+    {
+        (double X, double Y)[] places = [(400, 300), (402, 300), (700, 320), (704, 321), (703, 320)];
+        var still = Still(places.Length);
+
+        var rejected = MovingPictures.Rejected([.. still.Zip(places, (picture, place) => picture with { Places = picture.Places with { Control = place } })], out _);
+
+        Assert.That(rejected, Has.All.Matches<PictureResult>(picture => picture.IsRead));
     }
 }

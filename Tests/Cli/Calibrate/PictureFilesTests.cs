@@ -16,6 +16,15 @@ public sealed class PictureFilesTests : CalibrationFolder
     }
 
     [Test]
+    public void Arguments_OfAnotherPictureFormat_AreListed()
+    {
+        var heic = Write("a.HEIC", []);
+
+        Assert.That(PictureFiles.Of([heic]), Is.EqualTo(new[] { heic }));
+        Assert.That(PictureFiles.Of([Folder]), Is.EqualTo(new[] { heic }));
+    }
+
+    [Test]
     public void Names_LeadingZerosOrManyDigits_AreOrdered()
     {
         var order = new NumberedNames();

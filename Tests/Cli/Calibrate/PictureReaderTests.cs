@@ -59,7 +59,7 @@ public sealed class PictureReaderTests
     }
 
     [TestCase(0, "headset code partly covered")]
-    [TestCase(1, "headset code overexposed, or with a reflection on it")]
+    [TestCase(1, "headset code disturbed by a bright background or a reflection")]
     public void Picture_OfAPairWithBothCellsAlike_NamesTheCause(double light, string fault)
     {
         var headset = CodeLevels.Of(CodeKind.Headset, 10_000);

@@ -18,7 +18,13 @@ public sealed class SweepJoinTests
 
     static bool HasARow(PictureResult picture) => Rows.Any(row => TimestampCode.ValueOf(row.FrameStart) == (int)picture.HeadsetMs);
 
-    static PictureResult PictureOf(int row) => new("p" + row, 0, TimestampCode.ValueOf(Rows[row].FrameStart), 40, null);
+    static PictureResult PictureOf(int row) => PictureAt("p" + row, Rows[row].FrameStart);
+
+    static PictureResult PictureAt(string name, ControlTime start)
+    {
+        var value = TimestampCode.ValueOf(start);
+        return new(name, (value + 40) % TimestampCode.PeriodMs, value, 40, null);
+    }
 
     [Test]
     public void Join_SweepOfSeveralPeriods_AssignsThePictures()
@@ -42,12 +48,34 @@ public sealed class SweepJoinTests
     [Test]
     public void Join_PictureUnreadOrNotOfTheSweep_IsExcluded()
     {
-        var before = new PictureResult("before", 0, TimestampCode.ValueOf(Rows[0].FrameStart - TimeSpan.FromMilliseconds(5)), 40, null);
+        var before = PictureAt("before", Rows[0].FrameStart - TimeSpan.FromMilliseconds(5));
 
         var joined = new SweepJoin(Rows.Take(100).ToList(), RenderTimeSourceKind.DisplayGpuTime)
             .Join([PictureResult.Not("blurred", "no code found"), before, PictureOf(50)]);
 
         Assert.That(joined.Select(picture => picture.File), Is.EqualTo(new[] { "p50" }));
+    }
+
+    [Test]
+    public void Join_SweepShorterThanAPeriodInAnyOrder_AssignsAllPictures()
+    {
+        var rows = Rows.Take(3_900).ToList();
+        var shuffled = Enumerable.Range(0, 70).Select(i => PictureOf(55 * i)).ToArray();
+        new Random(1).Shuffle(shuffled);
+
+        var joined = new SweepJoin(rows, RenderTimeSourceKind.DisplayGpuTime).Join(shuffled);
+
+        Assert.That(joined.Select(picture => picture.Vertices), Is.EqualTo(Enumerable.Range(0, 70).Select(i => 55 * i)));
+    }
+
+    [Test]
+    public void Join_LongSweepReversed_AssignsAllPictures()
+    {
+        int[] rows = [.. Enumerable.Range(0, 200).Select(i => 90 * i)];
+
+        var joined = new SweepJoin(Rows, RenderTimeSourceKind.DisplayGpuTime).Join(rows.Reverse().Select(PictureOf));
+
+        Assert.That(joined.Select(picture => picture.Vertices), Is.EqualTo(rows));
     }
 
     [Test]
@@ -67,7 +95,7 @@ public sealed class SweepJoinTests
         {
             var random = new Random(seed);
             var early = Enumerable.Range(1, 20).Select(i => StartNs - 10_000_000_000 + i * 490_000_000L + random.Next(-8_000_000, 8_000_000))
-                .Select(ns => new PictureResult("early", 0, TimestampCode.ValueOf(ControlTime.FromNanoseconds(ns)), 40, null)).ToList();
+                .Select(ns => PictureAt("early", ControlTime.FromNanoseconds(ns))).ToList();
             int[] rows = [.. Enumerable.Range(0, 600).Select(i => 5 + 30 * i)];
             Assert.That(early.Any(HasARow), "seed " + seed + ": nothing could go astray");
 

@@ -139,22 +139,75 @@ public sealed class VlcVerbTests
     }
 
     [Test]
-    public async Task Pictures_OfSeveralSizes_AreRefusedAndTheFormerProfileKept()
+    public async Task Picture_OfAnotherSize_IsRejectedWithBothSizes()
     {
-        Directory.CreateDirectory(In("out"));
-        File.WriteAllText(In("out/profile.json"), "good");
-        var mixed = Directory.CreateDirectory(In("mixed")).FullName;
-        File.Copy(Directory.GetFiles(In("pictures"), "*.jpg").Order(StringComparer.Ordinal).First(), Path.Combine(mixed, "a.jpg"));
-        // A grey PNG of one pixel.
-        File.WriteAllBytes(Path.Combine(mixed, "b.png"), Convert.FromBase64String(
+        // A grey PNG of one pixel, before the others.
+        File.WriteAllBytes(In("a.png"), Convert.FromBase64String(
             "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNgAAAAAgABSK+kcQAAAABJRU5ErkJggg=="));
+        string[] good = [.. Directory.GetFiles(In("pictures")).Order(StringComparer.Ordinal).Take(5)];
 
-        var run = await Run(mixed);
+        var run = await Run([In("a.png"), .. good]);
 
-        Assert.That(run.ExitStatus, Is.EqualTo(2), run.Errors);
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        Assert.That(run.Errors, Does.Contain("a.png: 1x1 px, but most pictures have 1280x720 px"));
+    }
+
+    // The whole result: means and reasons, with pictures that are rejected alone, by their neighbours and by their size.
+    [Test]
+    public async Task Json_OfShuffledOrReversedPictures_IsTheSame()
+    {
+        string[] files = [.. Directory.GetFiles(In("pictures")).Order(StringComparer.Ordinal).Take(26), In("none.jpg")];
+        File.WriteAllBytes(In("none.jpg"), []);
+        async Task<string> ResultOf(string[] given)
+        {
+            var run = await Run([.. given, "--sweep", In("sweep.csv"), "--json"]);
+            using var json = JsonDocument.Parse(run.Output);
+            var sorted = json.RootElement.EnumerateObject().SelectMany<JsonProperty, string>(field => field.Value.ValueKind == JsonValueKind.Array
+                ? field.Value.EnumerateArray().Select(each => each.GetRawText()).Order(StringComparer.Ordinal)
+                : [$"{field.Name} {(field.Value.ValueKind == JsonValueKind.Number ? Math.Round(field.Value.GetDouble(), 9) : field.Value)}"]);
+            return run.ExitStatus + "\n" + string.Join("\n", sorted);
+        }
+        var shuffled = files.ToArray();
+        new Random(5).Shuffle(shuffled);
+
+        var expected = await ResultOf(files);
+
+        Assert.That(expected, Does.Contain("none.jpg"));
+        Assert.That(await ResultOf([.. files.Reverse()]), Is.EqualTo(expected));
+        Assert.That(await ResultOf(shuffled), Is.EqualTo(expected));
+    }
+
+    [Test]
+    public async Task Json_OfPicturesOfWhichNoneIsRead_HasTheReasonsAndThePageNamesAll()
+    {
+        var folder = Directory.CreateDirectory(In("heic")).FullName;
+        for (var i = 0; i < 30; i++) File.WriteAllText(Path.Combine(folder, $"a-rather-long-name-{i}.HEIC"), "0000ftypheic");
+
+        var table = await Run(folder);
+        var run = await Run(folder, "--json");
+
+        Assert.That((run.ExitStatus, table.ExitStatus), Is.EqualTo((2, 2)), run.Errors);
         Assert.That(run.Complaints, Has.Length.EqualTo(1), run.Errors);
-        Assert.That(run.Errors, Does.Contain("1x1 px").And.Contain("1280x720 px"));
-        Assert.That(File.ReadAllText(In("out/profile.json")), Is.EqualTo("good"));
+        Assert.That(run.Errors, Does.Contain("none of 30 pictures could be read").And.Contain("HEIC").And.Contain("convert it"));
+        using var json = JsonDocument.Parse(run.Output);
+        Assert.That(json.RootElement.GetProperty("rejected_pictures").GetArrayLength(), Is.EqualTo(30));
+        Assert.That(json.RootElement.GetProperty("visu_ms_mean").ValueKind, Is.EqualTo(JsonValueKind.Null));
+        var page = await File.ReadAllTextAsync(In("out/calibration.html"));
+        for (var i = 0; i < 30; i++) Assert.That(page, Does.Contain($"a-rather-long-name-{i}.HEIC"));
+        Assert.That(table.Output, Does.Contain("a-rather-long-name-1.HEIC").And.Contain("more"));
+    }
+
+    [Test]
+    public async Task Picture_Alone_FailsBecauseNoProfileIsWritten()
+    {
+        var one = Directory.GetFiles(In("pictures")).Order(StringComparer.Ordinal).First();
+
+        var run = await Run(one, "--json");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(1), run.Errors);
+        Assert.That(run.Errors, Does.Contain("one picture is not enough"));
+        using var json = JsonDocument.Parse(run.Output);
+        Assert.That(json.RootElement.GetProperty("decoded").GetInt32(), Is.EqualTo(1));
     }
 
     [TestCase("nowhere", "file or folder not found")]

@@ -63,6 +63,20 @@ public class ClockFigureTests
         Assert.That(steps.Min(step => step.RoundTripMs), Is.GreaterThan(3), "two ways of 1.5 ms");
     }
 
+    [TestCase(0, false)]
+    [TestCase(700, true)]
+    public void SyncFigure_SlowFirstExchange_DoesNotSetTheScale(double firstMs, bool isLimited)
+    {
+        SyncStep[] steps = [.. Steps(0.05, 0.8, 3, 0.5).Select((step, i) => i == 0 ? step with { OffsetMs = firstMs } : step)];
+
+        var plot = SyncFigure.Of(steps, SyncClaims.Of(steps), "").Plots[0];
+
+        Assert.That(plot.YRange.HasValue, Is.EqualTo(isLimited));
+        Assert.That(plot.Title.EndsWith("(1 of 600 values beyond the axis)", StringComparison.Ordinal), Is.EqualTo(isLimited), plot.Title);
+        if (plot.YRange is var (from, to))
+            Assert.That(new[] { from, to }, Is.EqualTo(new[] { -2.4, 2.4 }).Within(1e-9), "three times the range of the settled values");
+    }
+
     static double P95(Figure figure, string estimator) => double.Parse(
         figure.Summary.Rows.Single(row => row[0] == estimator)[2], System.Globalization.CultureInfo.InvariantCulture);
 

@@ -38,7 +38,8 @@ public class SweepClaimsTests
         Assert.That(criteria[2].Measured, Is.EqualTo("cubic × 5, quadratic × 1.8"));
     }
 
-    [TestCase(new double[] { 8, 8, 8 }, "holds")]
+    [TestCase(new double[] { 8, 8, 10 }, "holds")]
+    [TestCase(new double[] { 8, 8, 8 }, "holds partly")]
     [TestCase(new double[] { 8, 8, 4 }, "does not hold")]
     public void Figure13b_LineBestSomewhere_ChangesTheVerdict(double[] linear, string verdict)
     {
@@ -48,14 +49,14 @@ public class SweepClaimsTests
     }
 
     [TestCase(new double[] { 8, 8, 10 }, "it is")]
-    [TestCase(new double[] { 8, 8, 8 }, "it is; the cubic is worse than the line at 250 ms")]
-    [TestCase(new double[] { 8, 5.5, 8 }, "it is; the cubic is worse than the line at 100 and 250 ms")]
-    [TestCase(new double[] { 8, 8, 4 }, "the line is better than both at 250 ms; the cubic is worse than the line at 250 ms")]
+    [TestCase(new double[] { 8, 8, 8 }, "worse at 250 ms")]
+    [TestCase(new double[] { 8, 5.5, 8 }, "worse at 100 and 250 ms")]
+    [TestCase(new double[] { 8, 8, 4 }, "worse at 250 ms")]
     public void Figure13b_CubicWorseThanTheLine_IsStated(double[] linear, string measured)
     {
         var criteria = Figure13.B.Criteria(Polynomials([0, 100, 250], linear, [5, 5, 5], [4, 6, 9]));
 
-        Assert.That(criteria[0].Measured, Is.EqualTo(measured));
+        Assert.That(criteria[1].Measured, Is.EqualTo(measured));
     }
 
     [TestCase(new double[] { 9, 9, 9, 9, 9 }, "holds")]

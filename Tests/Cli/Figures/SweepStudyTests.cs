@@ -61,7 +61,7 @@ public class SweepStudyTests
     }
 
     [TestCase("13a", "holds partly")]
-    [TestCase("13b", "holds")]
+    [TestCase("13b", "holds partly")]
     [TestCase("13c", "holds partly")]
     [TestCase("13d", "holds")]
     [TestCase("14a", "holds")]

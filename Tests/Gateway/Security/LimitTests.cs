@@ -19,7 +19,9 @@ public class LimitTests
     // Clients that never answer a ping or end their message must stay connected while their memory is measured, which may take long.
     static readonly GatewayOptions Patient = WithTokens with
     {
-        MaxPendingConnections = Clients, PongTimeout = TimeSpan.FromMinutes(2), MessageTimeout = TimeSpan.FromMinutes(2),
+        MaxPendingConnections = Clients,
+        PongTimeout = TimeSpan.FromMinutes(2),
+        MessageTimeout = TimeSpan.FromMinutes(2),
     };
 
     [Test]

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Mono.Aot
 {
@@ -29,6 +30,14 @@ namespace Nowpose.Mono.Aot
                 var diagnostics = Read(RosbridgeWriter.PublishDiagnostics(
                     RosTopics.Diagnostics, new DiagnosticsMessage(Stamp, "headset", values), form)).Diagnostics;
                 Program.Require(diagnostics.Values.Count == 1 && diagnostics.Values[0].Value == "value", "diagnostics");
+
+                var box = new FrameTransform(Stamp, "world", "box", 1.5, 0, -2, 0, 0, 0.6, 0.8);
+                var transforms = Read(RosbridgeWriter.PublishTransforms(RosTopics.Tf, new TransformsMessage(box), form)).Transforms;
+                Program.Require(transforms.Count == 1 && transforms[0].Child == "box" && transforms[0].Stamp == Stamp, "transforms");
+
+                var signals = Read(RosbridgeWriter.PublishSignals(
+                    RosTopics.Signals, new SignalsMessage(Stamp, new SignalValue("grip", 1)), form)).Signals;
+                Program.Require(signals.Count == 1 && signals[0].Value == 1 && signals.Stamp == Stamp, "signals");
 
                 Program.Require(Read(RosbridgeWriter.TimeResponse(RosTopics.GetTime, "1", Stamp, form)).Time == Stamp, "time response");
             }

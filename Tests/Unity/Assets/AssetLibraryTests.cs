@@ -1,66 +1,25 @@
-using Nowpose.UnityPlayer.Assets;
 using NUnit.Framework;
 using UnityEngine;
+using static Nowpose.Unity.Tests.Assets.ProbedProject;
 using static Nowpose.Unity.Tests.Assets.TemporaryProject;
 
 namespace Nowpose.Unity.Tests.Assets;
 
+/// <summary>Prefabs, assets and materials are loaded with the values in their files.</summary>
 public sealed class AssetLibraryTests
 {
-    const string Arm = """
-        --- !u!1 &1
-        GameObject:
-          m_Component:
-          - component: {fileID: 2}
-          - component: {fileID: 3}
-          m_Layer: 5
-          m_Name: Arm
-          m_TagString: Player
-          m_IsActive: 1
-        --- !u!4 &2
-        Transform:
-          m_GameObject: {fileID: 1}
-          m_LocalRotation: {x: 0, y: 0.6, z: 0, w: 0.8}
-          m_LocalPosition: {x: 1, y: -2, z: 0.25}
-          m_LocalScale: {x: 2, y: 2, z: 2}
-          m_Children:
-          - {fileID: 12}
-          m_Father: {fileID: 0}
-        --- !u!114 &3
-        MonoBehaviour:
-          m_GameObject: {fileID: 1}
-          m_Enabled: 0
-          m_Script: {fileID: 11500000, guid: 00000000000000000000000000000001, type: 3}
-        PROBE
-        --- !u!1 &11
-        GameObject:
-          m_Component:
-          - component: {fileID: 12}
-          m_Name: Hand
-          m_IsActive: 0
-        --- !u!4 &12
-        Transform:
-          m_GameObject: {fileID: 11}
-          m_Children: []
-          m_Father: {fileID: 2}
-
-        """;
-
-    TemporaryProject _project;
+    ProbedProject _probed;
 
     [SetUp]
-    public void SetUp()
-    {
-        _project = new TemporaryProject().AddScript<LoaderProbe>(1).AddScript<LoaderProbeAsset>(2);
-    }
+    public void SetUp() => _probed = new ProbedProject();
 
     [TearDown]
-    public void TearDown() => _project.Dispose();
+    public void TearDown() => _probed.Dispose();
 
     [Test]
     public void Load_Prefab_HasHierarchyNamesAndTransforms()
     {
-        var arm = Load("");
+        var arm = _probed.Load("");
 
         Assert.That((arm.name, arm.layer, arm.tag, arm.activeSelf), Is.EqualTo(("Arm", 5, "Player", true)));
         Assert.That(arm.transform.localPosition, Is.EqualTo(new Vector3(1, -2, 0.25f)));
@@ -75,7 +34,7 @@ public sealed class AssetLibraryTests
     {
         using var player = new Nowpose.UnityPlayer.Player();
         var before = player.ObjectCount;
-        var arm = Load("");
+        var arm = _probed.Load("");
 
         UnityEngine.Object.Destroy(arm);
         UnityEngine.Object.DestroyImmediate(arm.transform.GetChild(0).gameObject);
@@ -90,9 +49,9 @@ public sealed class AssetLibraryTests
     [Test]
     public void Load_Fields_OfEveryKind_AreSet()
     {
-        _project.AddYaml("Assets/Data.asset", 4, Scriptable("Data", "  _text: hello\n"));
+        _probed.Project.AddYaml("Assets/Data.asset", 4, Scriptable("Data", "  _text: hello\n"));
 
-        var probe = Probe("""
+        var probe = _probed.Probe("""
               _inherited: 2.5
               _flag: 1
               number: -7
@@ -145,7 +104,7 @@ public sealed class AssetLibraryTests
     [Test]
     public void Load_FieldsOmitted_KeepTheirDefaults()
     {
-        var probe = Probe("");
+        var probe = _probed.Probe("");
 
         Assert.That((probe.number, probe.text, probe.words.Single(), probe.Inherited), Is.EqualTo((1, "default", "kept unless told otherwise", 1f)));
     }
@@ -154,7 +113,7 @@ public sealed class AssetLibraryTests
     [TestCase("olderName")]
     public void Load_FormerName_SetsTheRenamedField(string name)
     {
-        Assert.That(Probe("  " + name + ": 4").renamed, Is.EqualTo(4));
+        Assert.That(_probed.Probe("  " + name + ": 4").renamed, Is.EqualTo(4));
     }
 
     [Test]
@@ -176,7 +135,7 @@ public sealed class AssetLibraryTests
 
             """;
         var calls = Call.Replace("NAME", "Call").Replace("MODE", "1") + Call.Replace("NAME", "CallWith").Replace("MODE", "3");
-        var probe = Probe("  called:\n    m_PersistentCalls:\n      m_Calls:\n" + calls);
+        var probe = _probed.Probe("  called:\n    m_PersistentCalls:\n      m_Calls:\n" + calls);
 
         Assert.That(probe.called.GetPersistentEventCount(), Is.EqualTo(2));
         Assert.That(probe.called.GetPersistentTarget(0), Is.SameAs(probe));
@@ -188,9 +147,9 @@ public sealed class AssetLibraryTests
     [Test]
     public void Load_AssetsReferringToEachOther_AreTheSameObjects()
     {
-        _project.AddYaml("Assets/A.asset", 4, Scriptable("A", "  _next: {fileID: 11400000, guid: " + GuidOf(5) + ", type: 2}\n"))
+        _probed.Project.AddYaml("Assets/A.asset", 4, Scriptable("A", "  _next: {fileID: 11400000, guid: " + GuidOf(5) + ", type: 2}\n"))
             .AddYaml("Assets/B.asset", 5, Scriptable("B", "  _next: {fileID: 11400000, guid: " + GuidOf(4) + ", type: 2}\n"));
-        var library = _project.Library();
+        var library = _probed.Project.Library();
 
         var a = library.Load<LoaderProbeAsset>("Assets/A.asset");
 
@@ -201,9 +160,9 @@ public sealed class AssetLibraryTests
     [Test]
     public void Load_TextAsset_HasTheText()
     {
-        _project.Add("Assets/Words.txt", 4, "some words\n");
+        _probed.Project.Add("Assets/Words.txt", 4, "some words\n");
 
-        Assert.That(_project.Library().Load<TextAsset>("Assets/Words.txt").text, Is.EqualTo("some words\n"));
+        Assert.That(_probed.Project.Library().Load<TextAsset>("Assets/Words.txt").text, Is.EqualTo("some words\n"));
     }
 
     [Test]
@@ -228,133 +187,14 @@ public sealed class AssetLibraryTests
                 m_Colors: []
 
             """;
-        _project.Add("Assets/One.shader", 4, Shader, "ShaderImporter").AddYaml("Assets/Red.mat", 5, Material);
+        _probed.Project.Add("Assets/One.shader", 4, Shader, "ShaderImporter").AddYaml("Assets/Red.mat", 5, Material);
 
-        var red = _project.Library().Load<Material>("Assets/Red.mat");
+        var red = _probed.Project.Library().Load<Material>("Assets/Red.mat");
 
         Assert.That((red.name, red.shader.name, red.renderQueue), Is.EqualTo(("Red", "Test/One", 2900)));
         Assert.That((red.GetFloat("_Size"), red.GetFloat("_Fade"), red.color), Is.EqualTo((7f, 0.25f, new Color(1, 0.5f, 0, 1))));
         Assert.That(red.HasProperty("_No"), Is.False);
-        Assert.That(() => _project.AddYaml("Assets/Red.mat", 5, Material.Replace("_Size", "_Sise")).Library().Load<Material>("Assets/Red.mat"),
+        Assert.That(() => _probed.Project.AddYaml("Assets/Red.mat", 5, Material.Replace("_Size", "_Sise")).Library().Load<Material>("Assets/Red.mat"),
             Refused("Assets/Red.mat &2100000 Material.m_SavedProperties.m_Floats._Sise: the shader declares no such property"));
-    }
-
-    [TestCase("  number: two", "Assets/Arm.prefab &3 LoaderProbe.number: \"two\" is no Int32")]
-    [TestCase("  number: 1e3", "LoaderProbe.number")]
-    [TestCase("  number: 3000000000", "LoaderProbe.number")]
-    [TestCase("  exact: .nan", "LoaderProbe.exact")]
-    [TestCase("  _flag: true", "LoaderProbe._flag")]
-    [TestCase("  shape: 77", "LoaderProbe.shape: 77 is not a member of PrimitiveType")]
-    [TestCase("  nonsense: 1", "LoaderProbe: LoaderProbe has no serialised field nonsense")]
-    [TestCase("  _private: 1", "has no serialised field _private")]
-    [TestCase("  unserialised: 1", "has no serialised field unserialised")]
-    [TestCase("  unwritable: 1", "has no serialised field unwritable")]
-    [TestCase("  unknown: 1", "has no serialised field unknown")]
-    [TestCase("  Property: 1", "has no serialised field Property")]
-    [TestCase("  place: {x: 1, q: 2}", "LoaderProbe.place: Vector3 has no q")]
-    [TestCase("  place: 1", "LoaderProbe.place: has to be named values")]
-    [TestCase("  words: one", "LoaderProbe.words: has to be a list")]
-    [TestCase("  parts:\n  - nmae: a", "LoaderProbe.parts[0]: LoaderProbePart has no serialised field nmae")]
-    [TestCase("  other: 5", "LoaderProbe.other: has to be a reference")]
-    [TestCase("  other: {fileID: 99}", "&3 MonoBehaviour.other: the file has no object 99")]
-    [TestCase("  other: {fileID: 11}", "LoaderProbe.other: {fileID: 11} is a GameObject, the field takes a Transform")]
-    [TestCase("  transforms:\n  - {fileID: 98}", "&3 MonoBehaviour.transforms: the file has no object 98")]
-    [TestCase("  asset: {fileID: 11400000, guid: 000000000000000000000000000000ff, type: 2}", "LoaderProbe.asset: no asset has the GUID")]
-    [TestCase("  asset: {fileID: 11400000, guid: 00000000000000000000000000000001, type: 2}",
-        "LoaderProbe.asset: refers into Assets/Scripts/LoaderProbe.cs")]
-    [TestCase("  asset: {fileID: 11400000, guid: 00000000000000000000000000000003, type: 2}",
-        "LoaderProbe.asset: a reference to Assets/Arm.prefab has type: 3")]
-    [TestCase("  thing: {fileID: 77, guid: 00000000000000000000000000000003, type: 3}", "LoaderProbe.thing: Assets/Arm.prefab has no object 77")]
-    [TestCase("  material: {fileID: 99, guid: 0000000000000000f000000000000000, type: 0}", "LoaderProbe.material: the stand-in has no built-in object")]
-    [TestCase("  m_Name: x", "LoaderProbe.m_Name: the stand-in supports only")]
-    public void Load_InvalidField_IsRefusedWithFileIdAndField(string fields, string expected)
-    {
-        Assert.That(() => Probe(fields), Refused(expected));
-    }
-
-    [TestCase("guid: 00000000000000000000000000000001, type: 3", "guid: 00000000000000000000000000000077, type: 3",
-        "&3 MonoBehaviour.m_Script: no script has the GUID")]
-    [TestCase("guid: 00000000000000000000000000000001, type: 3", "guid: 00000000000000000000000000000002, type: 3",
-        "&3 MonoBehaviour.m_Script: Assets/Scripts/LoaderProbeAsset.cs holds no MonoBehaviour")]
-    [TestCase("fileID: 11500000", "fileID: 11400000", "&3 MonoBehaviour.m_Script: has to be")]
-    [TestCase("  - {fileID: 12}\n", "  - {fileID: 13}\n", "&2 Transform.m_Children: the file has no object 13")]
-    [TestCase("  - {fileID: 12}\n", "  - {fileID: 12}\n  - {fileID: 12}\n", "&2 Transform.m_Children: lists a child twice")]
-    [TestCase("m_Children:\n  - {fileID: 12}", "m_Children: []", "&12 Transform.m_Father: &2 does not list it in m_Children")]
-    [TestCase("m_Father: {fileID: 2}", "m_Father: {fileID: 0}", "&12 Transform.m_Father: is not &2, which lists it in m_Children")]
-    [TestCase("m_Father: {fileID: 2}", "m_Father: {fileID: 1}", "&12 Transform.m_Father: is not &2, which lists it")]
-    [TestCase("m_GameObject: {fileID: 11}", "m_GameObject: {fileID: 1}",
-        "&12 Transform.m_GameObject: differs from the object that lists this component")]
-    [TestCase("  - component: {fileID: 3}\n", "", "&3 MonoBehaviour: is a component that no GameObject lists")]
-    [TestCase("  - component: {fileID: 3}\n", "  - component: {fileID: 4}\n", "&1 GameObject.m_Component: the file has no object 4")]
-    [TestCase("  - component: {fileID: 2}\n", "", "a GameObject has one Transform, its first component")]
-    [TestCase("!u!4 &12\nTransform", "!u!33 &12\nMeshFilter", "a GameObject has one Transform, its first component")]
-    [TestCase("!u!114 &3\nMonoBehaviour", "!u!999 &3\nWobble", "&3 Wobble: the stand-in does not support class Wobble")]
-    [TestCase("m_Layer: 5", "m_Lair: 5", "&1 GameObject: GameObject has no serialised field m_Lair")]
-    public void Load_InvalidHierarchy_IsRefused(string good, string bad, string expected)
-    {
-        var text = Arm.Replace("PROBE\n", "", StringComparison.Ordinal);
-        Assert.That(text, Does.Contain(good), "the test breaks nothing");
-
-        _project.AddYaml("Assets/Arm.prefab", 3, text.Replace(good, bad, StringComparison.Ordinal));
-
-        Assert.That(() => _project.Library().Load<GameObject>("Assets/Arm.prefab"),
-            Refused(expected));
-    }
-
-    [Test]
-    public void Load_AncestorOfItself_IsRefused()
-    {
-        _project.AddYaml("Assets/Arm.prefab", 3, Arm.Replace("PROBE\n", "", StringComparison.Ordinal)
-            .Replace("m_Children: []", "m_Children:\n  - {fileID: 2}").Replace("m_Father: {fileID: 0}", "m_Father: {fileID: 12}"));
-
-        Assert.That(() => _project.Library().Load<GameObject>("Assets/Arm.prefab"),
-            Refused("Assets/Arm.prefab: some objects are their own ancestors"));
-    }
-
-    [Test]
-    public void Load_MissingThings_AreNamed()
-    {
-        _project.Add("Assets/Gone.txt", 4, null).AddYaml("Assets/Misnamed.asset", 5, Scriptable("Other", ""));
-        var library = _project.Library();
-
-        Assert.That(() => library.Load<TextAsset>("Assets/Gone.txt"), Refused("Assets/Gone.txt: there is a .meta but no such file"));
-        Assert.That(() => library.Load<TextAsset>("Assets/Never.txt"), Refused("Assets/Never.txt: there is no such asset"));
-        Assert.That(() => library.Load<LoaderProbeAsset>("Assets/Misnamed.asset"),
-            Refused("Misnamed.asset &11400000 MonoBehaviour.m_Name: \"Other\" is not"));
-    }
-
-    [Test]
-    public void Load_ScriptableObjectOfAnImportedUrdf_IsRefused()
-    {
-        _project.Add("Assets/arm.urdf", 4, "<robot/>", "ScriptedImporter");
-
-        Assert.That(() => Probe("  material: {fileID: 4900000, guid: " + GuidOf(4) + ", type: 3}"), Refused("refers into Assets/arm.urdf"));
-    }
-
-    [Test]
-    public void Library_TwoMetasWithOneGuid_AreRefused()
-    {
-        _project.Add("Assets/One.txt", 4, "1").Add("Assets/Two.txt", 4, "2");
-
-        Assert.That(() => _project.Library(), Refused("Assets/Two.txt.meta: guid 00000000000000000000000000000004 is also that of Assets/One.txt"));
-    }
-
-    static string Scriptable(string name, string fields)
-    {
-        return "--- !u!114 &11400000\nMonoBehaviour:\n  m_Script: {fileID: 11500000, guid: " + GuidOf(2)
-            + ", type: 3}\n  m_Name: " + name + "\n" + fields;
-    }
-
-    GameObject Load(string probeFields)
-    {
-        _project.AddYaml("Assets/Arm.prefab", 3, Arm.Replace("PROBE\n", probeFields.Length == 0 ? "" : probeFields + "\n", StringComparison.Ordinal));
-        return _project.Library().Load<GameObject>("Assets/Arm.prefab");
-    }
-
-    LoaderProbe Probe(string fields) => Load(fields).GetComponent<LoaderProbe>();
-
-    static NUnit.Framework.Constraints.Constraint Refused(string message)
-    {
-        return Throws.TypeOf<AssetException>().With.Message.Contains(message);
     }
 }

@@ -3,6 +3,7 @@ using Nowpose.UnityPlayer;
 using Nowpose.UnityPlayer.Assets;
 using NUnit.Framework;
 using UnityEngine;
+using static Nowpose.Unity.Tests.Assets.PrefabParts;
 using static Nowpose.Unity.Tests.Assets.TemporaryProject;
 using Object = UnityEngine.Object;
 
@@ -261,19 +262,6 @@ public sealed class PrefabInstanceTests
         Assert.That(() => Load(ArmPath), Throws.TypeOf<AssetException>().With.Message.Contains(expected));
     }
 
-    static GameObject NewHand()
-    {
-        var hand = new GameObject("Hand");
-        var probe = hand.AddComponent<LoaderProbe>();
-        probe.number = 7;
-        probe.text = "of the prefab";
-        probe.parts.Add(new LoaderProbePart { name = "first", size = 1 });
-        probe.parts.Add(new LoaderProbePart { name = "second", size = 2 });
-        probe.other = NewChild("Finger", hand.transform);
-        NewChild("Finger", hand.transform).localPosition = new Vector3(0.1f, 0, 0);
-        return hand;
-    }
-
     GameObject NewArm(out GameObject hand)
     {
         var library = _project.Library();
@@ -282,20 +270,6 @@ public sealed class PrefabInstanceTests
         hand = Below(arm, library.InstantiatePrefab(library.Load<GameObject>(HandPath)), "Left Hand");
         hand.transform.localPosition = Vector3.up;
         return arm;
-    }
-
-    static GameObject Below(GameObject parent, GameObject child, string name)
-    {
-        child.name = name;
-        child.transform.SetParent(parent.transform, false);
-        return child;
-    }
-
-    static Transform NewChild(string name, Transform parent)
-    {
-        var child = new GameObject(name).transform;
-        child.SetParent(parent, false);
-        return child;
     }
 
     void Save(string path, int guid, GameObject root) => _project.Add(path, guid, Write(root), "PrefabImporter");

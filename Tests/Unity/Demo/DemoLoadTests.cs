@@ -43,6 +43,19 @@ public class DemoLoadTests
     }
 
     [Test]
+    public void Demo_LoadBeyondAProfileWithoutLimit_WithholdsTheHeadsetsNumber()
+    {
+        var profile = new LatencyProfile(
+            40, 1, "another headset", DemoDisplay.FramesPerSecond, DateTime.UtcNow, CalibrationMethod.VisibleLight, 10, null,
+            RenderTimeSourceKind.DisplayGpuTime, 10);
+
+        var result = new DemoScore(LoadedDemo.Play(1_500_000, 1, 12, profile)).Result();
+
+        Assert.That(result.Range.Alarms, Is.Zero, "without a limit there is no alarm");
+        Assert.That((result.Hindcast.Reduction, result.Hindcast.Withheld), Is.EqualTo(((double?)null, "the render time was beyond the calibrated range")));
+    }
+
+    [Test]
     public void Demo_LoadWithinTheLimit_RaisesNeither([Values(1, 2, 3)] int seed)
     {
         var run = LoadedDemo.Play(300_000, seed);

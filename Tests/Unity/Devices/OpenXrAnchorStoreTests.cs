@@ -1,85 +1,50 @@
 using Microsoft.MixedReality.OpenXR;
 using Nowpose.Anchoring;
-using Nowpose.ArFoundation;
-using Nowpose.Kinematics;
-using Nowpose.OpenXR;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.XR.ARSubsystems;
-using Object = UnityEngine.Object;
+using static Nowpose.Unity.Tests.Devices.PlayedAnchorStore;
 
 namespace Nowpose.Unity.Tests.Devices;
 
+/// <summary>Anchors that are kept, found again and forgotten.</summary>
 public sealed class OpenXrAnchorStoreTests
 {
-    static readonly RigidTransform Place = RigidTransform.FromXyzRpy(1.5, -0.4, 0.8, 0.1, 0.2, 0.3);
-    static readonly TrackableId Earlier = new(7, 7);
-
-    PlayedCell _cell;
-    PlayedOrigin _origin;
-    XRAnchorSubsystem _device;
-    XRAnchorStore _kept;
-    OpenXrAnchorStore _store;
-    ArSpatialAnchors _anchors;
+    PlayedAnchorStore _played;
 
     [SetUp]
-    public void SetUp()
-    {
-        _cell = new PlayedCell();
-        _origin = new PlayedOrigin();
-        _device = _origin.Device.Offer<XRAnchorSubsystem>();
-        _kept = new XRAnchorStore();
-        XRAnchorStore.Loading = _ => Task.FromResult(_kept);
-        // The store adds the anchors component.
-        _store = new GameObject("Anchors").AddComponent<OpenXrAnchorStore>();
-        _anchors = _store.GetComponent<ArSpatialAnchors>();
-    }
+    public void SetUp() => _played = new PlayedAnchorStore();
 
     [TearDown]
-    public void TearDown()
-    {
-        _cell.Dispose();
-        _origin.Dispose();
-        XRAnchorStore.Loading = _ => Task.FromResult<XRAnchorStore>(null);
-    }
-
-    void Run(double seconds) => _cell.Run(seconds, null);
-
-    ISpatialAnchor Kept(string name)
-    {
-        var anchor = _anchors.Hold(Place);
-        anchor.Keep(name);
-        Run(0.2);
-        return anchor;
-    }
+    public void TearDown() => _played.Dispose();
 
     [Test]
     public void IsReady_SlowStore_IsTrueOnceLoaded()
     {
         var loading = new TaskCompletionSource<XRAnchorStore>();
         XRAnchorStore.Loading = _ => loading.Task;
-        Run(3);
-        var before = _anchors.IsReady;
+        _played.Run(3);
+        var before = _played.Anchors.IsReady;
 
-        loading.SetResult(_kept);
-        Run(0.1);
+        loading.SetResult(_played.Storage);
+        _played.Run(0.1);
 
         Assert.That(before, Is.False);
-        Assert.That(_anchors.IsReady);
-        Assert.That(_anchors.Problem, Is.Null);
+        Assert.That(_played.Anchors.IsReady);
+        Assert.That(_played.Anchors.Problem, Is.Null);
     }
 
     [Test]
     public void Keep_HeldAnchor_IsStoredUnderTheUnchangedName()
     {
-        Run(0.1);
+        _played.Run(0.1);
 
-        var anchor = Kept("Halle 3 / Zelle Ü");
+        var anchor = _played.Kept("Halle 3 / Zelle Ü");
 
         Assert.That(anchor.KeptAs, Is.EqualTo("Halle 3 / Zelle Ü"));
         Assert.That(anchor.Problem, Is.Null);
-        Assert.That(_kept.KeptAs("Halle 3 / Zelle Ü"), Is.Not.EqualTo(TrackableId.invalidId));
+        Assert.That(_played.Storage.KeptAs("Halle 3 / Zelle Ü"), Is.Not.EqualTo(TrackableId.invalidId));
     }
 
     [Test]
@@ -87,11 +52,11 @@ public sealed class OpenXrAnchorStoreTests
     {
         var loading = new TaskCompletionSource<XRAnchorStore>();
         XRAnchorStore.Loading = _ => loading.Task;
-        var anchor = Kept("cell");
+        var anchor = _played.Kept("cell");
         var before = anchor.KeptAs;
 
-        loading.SetResult(_kept);
-        Run(0.2);
+        loading.SetResult(_played.Storage);
+        _played.Run(0.2);
 
         Assert.That(before, Is.Null);
         Assert.That(anchor.KeptAs, Is.EqualTo("cell"));
@@ -100,73 +65,30 @@ public sealed class OpenXrAnchorStoreTests
     [Test]
     public void Keep_ExistingName_ReplacesTheStoredAnchor()
     {
-        Run(0.1);
-        var first = Kept("cell");
-        var id = _kept.KeptAs("cell");
+        _played.Run(0.1);
+        var first = _played.Kept("cell");
+        var id = _played.Storage.KeptAs("cell");
 
-        var second = Kept("cell");
+        var second = _played.Kept("cell");
 
-        Assert.That(_kept.KeptAs("cell"), Is.Not.EqualTo(id));
+        Assert.That(_played.Storage.KeptAs("cell"), Is.Not.EqualTo(id));
         Assert.That(first.KeptAs, Is.Null);
         Assert.That(first.State, Is.EqualTo(SpatialAnchorState.Tracking), "still held");
         Assert.That(second.KeptAs, Is.EqualTo("cell"));
     }
 
     [Test]
-    public void Keep_StoreRefusesAtFirst_IsRetried()
-    {
-        Run(0.1);
-        _kept.Accepts = false;
-        var anchor = Kept("cell");
-        var meanwhile = anchor.Problem;
-
-        _kept.Accepts = true;
-        Run(1.1);
-
-        Assert.That(meanwhile, Does.Contain("has not stored it yet"));
-        Assert.That(anchor.KeptAs, Is.EqualTo("cell"));
-        Assert.That(anchor.Problem, Is.Null);
-    }
-
-    [Test]
-    public void Keep_StoreAlwaysRefuses_ReportsItAndStaysHeld()
-    {
-        Run(0.1);
-        _kept.Accepts = false;
-
-        var anchor = Kept("cell");
-        Run(15);
-
-        Assert.That(anchor.Problem, Is.EqualTo("the device could not store it as 'cell'; it is lost at the next start"));
-        Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Tracking));
-    }
-
-    [TestCase("", "without a name")]
-    [TestCase("  ", "without a name")]
-    [TestCase(null, "without a name")]
-    [TestCase("129", "has 129 characters; the maximum is 128")]
-    public void Keep_InvalidName_IsReported(string name, string expected)
-    {
-        Run(0.1);
-
-        var anchor = Kept(name == "129" ? new string('x', 129) : name);
-
-        Assert.That(anchor.Problem, Does.Contain(expected));
-        Assert.That(_kept.PersistedAnchorNames, Is.Empty);
-    }
-
-    [Test]
     public void Find_AnchorOfAnEarlierRun_IsPendingThenAtTheDevicesPose()
     {
-        _kept.Put("cell", Earlier);
-        Run(0.1);
+        _played.Storage.Put("cell", Earlier);
+        _played.Run(0.1);
 
-        var anchor = _anchors.Find("cell");
-        Run(20);
+        var anchor = _played.Anchors.Find("cell");
+        _played.Run(20);
         var (waiting, pose) = (anchor.State, anchor.Pose);
         var world = UnityPoses.ToWorld(Place);
-        _device.Place(Earlier, _origin.InSession(world.position, world.rotation), TrackingState.Tracking);
-        Run(0.1);
+        _played.Device.Place(Earlier, _played.Origin.InSession(world.position, world.rotation), TrackingState.Tracking);
+        _played.Run(0.1);
 
         Assert.That(waiting, Is.EqualTo(SpatialAnchorState.Pending), "it may be another room");
         Assert.That(pose, Is.Null);
@@ -178,12 +100,12 @@ public sealed class OpenXrAnchorStoreTests
     [Test]
     public void Find_DeviceNotLocalisedYet_IsLost()
     {
-        _kept.Put("cell", Earlier);
-        Run(0.1);
-        var anchor = _anchors.Find("cell");
+        _played.Storage.Put("cell", Earlier);
+        _played.Run(0.1);
+        var anchor = _played.Anchors.Find("cell");
 
-        _device.Place(Earlier, new Pose(Vector3.zero, Quaternion.identity), TrackingState.None);
-        Run(0.1);
+        _played.Device.Place(Earlier, new Pose(Vector3.zero, Quaternion.identity), TrackingState.None);
+        _played.Run(0.1);
 
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Lost));
         Assert.That(anchor.Pose, Is.Null);
@@ -192,44 +114,44 @@ public sealed class OpenXrAnchorStoreTests
     [Test]
     public void Find_NothingStoredOrNotLoaded_IsNull()
     {
-        _kept.Put("other", Earlier);
+        _played.Storage.Put("other", Earlier);
 
-        Assert.That(_anchors.Find("other"), Is.Null, "not known yet");
-        Run(0.1);
+        Assert.That(_played.Anchors.Find("other"), Is.Null, "not known yet");
+        _played.Run(0.1);
 
-        Assert.That(_anchors.Find("cell"), Is.Null);
-        Assert.That(_anchors.Find(null), Is.Null);
-        Assert.That(_anchors.Find("other"), Is.Not.Null);
+        Assert.That(_played.Anchors.Find("cell"), Is.Null);
+        Assert.That(_played.Anchors.Find(null), Is.Null);
+        Assert.That(_played.Anchors.Find("other"), Is.Not.Null);
     }
 
     [Test]
     public void Find_SameAnchorTwice_StaysValidAfterTheFirstIsReleased()
     {
-        _kept.Put("cell", Earlier);
-        Run(0.1);
-        var first = _anchors.Find("cell");
-        var second = _anchors.Find("cell");
-        _device.Place(Earlier, new Pose(Vector3.forward, Quaternion.identity), TrackingState.Tracking);
-        Run(0.1);
+        _played.Storage.Put("cell", Earlier);
+        _played.Run(0.1);
+        var first = _played.Anchors.Find("cell");
+        var second = _played.Anchors.Find("cell");
+        _played.Device.Place(Earlier, new Pose(Vector3.forward, Quaternion.identity), TrackingState.Tracking);
+        _played.Run(0.1);
 
         first.Dispose();
-        Run(0.1);
+        _played.Run(0.1);
 
         Assert.That(second.State, Is.EqualTo(SpatialAnchorState.Tracking));
-        Assert.That(_device.Count, Is.EqualTo(1));
-        Assert.That(_kept.PersistedAnchorNames, Does.Contain("cell"), "letting go forgets nothing");
+        Assert.That(_played.Device.Count, Is.EqualTo(1));
+        Assert.That(_played.Storage.PersistedAnchorNames, Does.Contain("cell"), "letting go forgets nothing");
     }
 
     [Test]
     public void Forget_StoredAnchor_IsRemovedFromTheStoreAndStaysHeld()
     {
-        Run(0.1);
-        var anchor = Kept("cell");
+        _played.Run(0.1);
+        var anchor = _played.Kept("cell");
 
-        _anchors.Forget("cell");
-        _anchors.Forget("never kept");
+        _played.Anchors.Forget("cell");
+        _played.Anchors.Forget("never kept");
 
-        Assert.That(_kept.PersistedAnchorNames, Is.Empty);
+        Assert.That(_played.Storage.PersistedAnchorNames, Is.Empty);
         Assert.That(anchor.KeptAs, Is.Null);
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Tracking));
     }
@@ -237,76 +159,12 @@ public sealed class OpenXrAnchorStoreTests
     [Test]
     public void Forget_BeforeTheStoreIsLoaded_IsRemovedOnceLoaded()
     {
-        _kept.Put("cell", Earlier);
+        _played.Storage.Put("cell", Earlier);
 
-        _anchors.Forget("cell");
-        Run(0.2);
+        _played.Anchors.Forget("cell");
+        _played.Run(0.2);
 
-        Assert.That(_anchors.IsReady);
-        Assert.That(_kept.PersistedAnchorNames, Is.Empty);
-    }
-
-    [Test]
-    public void Problem_RuntimeWithoutAStore_IsLoggedOnceAndRetried()
-    {
-        XRAnchorStore.Loading = _ => Task.FromResult<XRAnchorStore>(null);
-        Run(10);
-        var problem = _anchors.Problem;
-
-        XRAnchorStore.Loading = _ => Task.FromResult(_kept);
-        Run(2);
-
-        Assert.That(problem, Is.EqualTo("the runtime has no anchor store; anchors are lost at the next start"));
-        Assert.That(_cell.Messages.Count(m => m.Contains("anchor store 'Anchors'")), Is.EqualTo(1));
-        Assert.That(_anchors.IsReady);
-        Assert.That(_anchors.Problem, Is.Null);
-    }
-
-    [TestCase(false)]
-    [TestCase(true)]
-    public void Problem_LoadingFails_IsReportedWithoutException(bool isAtOnce)
-    {
-        XRAnchorStore.Loading = _ => isAtOnce
-            ? throw new DllNotFoundException("no such library")
-            : Task.FromException<XRAnchorStore>(new DllNotFoundException("no such library"));
-
-        Run(3);
-
-        Assert.That(_anchors.Problem, Is.EqualTo("cannot load what was kept: no such library"));
-        Assert.That(_cell.Messages.Count(m => m.Contains("no such library")), Is.EqualTo(1));
-        Assert.That(_cell.Player.Logs.Where(log => log.Type == LogType.Exception), Is.Empty);
-        Assert.That(_anchors.Find("cell"), Is.Null);
-    }
-
-    [Test]
-    public void Problem_StoreThrows_IsReportedWithoutException()
-    {
-        Run(0.1);
-        _kept.Fault = new InvalidOperationException("the store is gone");
-
-        var anchor = Kept("cell");
-        var found = _anchors.Find("cell");
-        _anchors.Forget("cell");
-
-        Assert.That(found, Is.Null);
-        Assert.That(anchor.KeptAs, Is.Null);
-        Assert.That(_anchors.Problem, Does.Contain("the store is gone"));
-        Assert.That(_cell.Player.Logs.Where(log => log.Type == LogType.Exception), Is.Empty);
-    }
-
-    [Test]
-    public void Update_DestroyedWhileLoading_DoesNotThrow()
-    {
-        var loading = new TaskCompletionSource<XRAnchorStore>();
-        XRAnchorStore.Loading = _ => loading.Task;
-        Run(0.1);
-
-        Object.Destroy(_store);
-        Run(0.1);
-        loading.SetException(new InvalidOperationException("too late"));
-        Run(0.1);
-
-        Assert.That(_anchors.IsReady, Is.False);
-        Assert.That(_cell.Player.Logs.Where(log => log.Type == LogType.Exception), Is.Empty);
+        Assert.That(_played.Anchors.IsReady);
+        Assert.That(_played.Storage.PersistedAnchorNames, Is.Empty);
     }
 }

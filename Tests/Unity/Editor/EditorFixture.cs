@@ -39,7 +39,8 @@ public abstract class EditorFixture
         Project.Open(null);
     }
 
-    protected T Keep<T>(T made) where T : Object
+    /// <summary>Destroys the object after the test.</summary>
+    public T Keep<T>(T made) where T : Object
     {
         Made.Add(made);
         return made;

@@ -71,9 +71,12 @@ function keptScene({ scene, width, height }: Shot): Mat {
 }
 
 function addGlare(light: Mat, { x, y, radius, light: amount }: Shot['glares'][number]): void {
-  const data = light.data32F, width = light.cols;
-  const top = Math.max(0, Math.floor(y - radius)), bottom = Math.min(light.rows, Math.ceil(y + radius));
-  const left = Math.max(0, Math.floor(x - radius)), right = Math.min(width, Math.ceil(x + radius));
+  const data = light.data32F;
+  const width = light.cols;
+  const top = Math.max(0, Math.floor(y - radius));
+  const bottom = Math.min(light.rows, Math.ceil(y + radius));
+  const left = Math.max(0, Math.floor(x - radius));
+  const right = Math.min(width, Math.ceil(x + radius));
   for (let j = top; j < bottom; j++)
     for (let i = left; i < right; i++) {
       const r = ((i - x) ** 2 + (j - y) ** 2) / radius ** 2;
@@ -84,7 +87,8 @@ function addGlare(light: Mat, { x, y, radius, light: amount }: Shot['glares'][nu
 function smear(light: Mat, [dx, dy]: [number, number]): void {
   const length = Math.hypot(dx, dy);
   if (length < 1) return;
-  const half = Math.ceil(length / 2), size = 2 * half + 1;
+  const half = Math.ceil(length / 2);
+  const size = 2 * half + 1;
   const kernel = new cv.Mat(size, size, cv.CV_32FC1, new cv.Scalar(0));
   cv.line(kernel, new cv.Point(half - dx / 2, half - dy / 2), new cv.Point(half + dx / 2, half + dy / 2), new cv.Scalar(1), 1);
   kernel.convertTo(kernel, -1, 1 / kernel.data32F.reduce((a, b) => a + b, 0));
@@ -94,12 +98,14 @@ function smear(light: Mat, [dx, dy]: [number, number]): void {
 
 /** Converts light to bytes and adds the sensor's noise. */
 function developed(light: Float32Array, { noise, noiseSeed, width }: Shot): Uint8Array {
-  const bytes = new Uint8ClampedArray(light.length), random = randomOf(noiseSeed), last = noiseTable.length - 1;
+  const bytes = new Uint8ClampedArray(light.length);
+  const random = randomOf(noiseSeed);
+  const last = noiseTable.length - 1;
   for (let at = 0; at < light.length; at += width) {
-    let n = random() * noiseTable.length | 0;
+    let n = (random() * noiseTable.length) | 0;
     for (let i = at; i < at + width; i++) {
       const v = light[i];
-      bytes[i] = byteOfLight[v >= 1 ? steps : v <= 0 ? 0 : v * steps | 0] + noise * noiseTable[n++ & last];
+      bytes[i] = byteOfLight[v >= 1 ? steps : v <= 0 ? 0 : (v * steps) | 0] + noise * noiseTable[n++ & last];
     }
   }
   return new Uint8Array(bytes.buffer);

@@ -2,7 +2,7 @@
 export function randomOf(seed: number): () => number {
   let state = seed >>> 0;
   return () => {
-    state = (state + 0x6D2B79F5) >>> 0;
+    state = (state + 0x6d2b79f5) >>> 0;
     let t = state;
     t = Math.imul(t ^ (t >>> 15), t | 1);
     t ^= t + Math.imul(t ^ (t >>> 7), t | 61);
@@ -12,9 +12,11 @@ export function randomOf(seed: number): () => number {
 
 /** Returns standard normal numbers, by the Box–Muller method. */
 export function normals(count: number, seed: number): Float32Array {
-  const random = randomOf(seed), values = new Float32Array(count);
+  const random = randomOf(seed);
+  const values = new Float32Array(count);
   for (let i = 0; i < count; i += 2) {
-    const radius = Math.sqrt(-2 * Math.log(1 - random())), angle = 2 * Math.PI * random();
+    const radius = Math.sqrt(-2 * Math.log(1 - random()));
+    const angle = 2 * Math.PI * random();
     values[i] = radius * Math.cos(angle);
     if (i + 1 < count) values[i + 1] = radius * Math.sin(angle);
   }

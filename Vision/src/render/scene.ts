@@ -6,14 +6,19 @@ type Mat = InstanceType<typeof cv.Mat>;
 
 /** Renders the scene behind the codes, like a plant hall: patches, edges, boxes, discs and cables, in linear light (32 bit). */
 export function sceneOf(seed: number, width: number, height: number): Mat {
-  const random = randomOf(seed), between = (a: number, b: number) => a + (b - a) * random();
-  const coarse = new cv.Mat(4, 6, cv.CV_8UC1), bytes = new cv.Mat(), grain = new cv.Mat(height / 3 | 0, width / 3 | 0, cv.CV_8UC1), texture = new cv.Mat();
+  const random = randomOf(seed);
+  const between = (a: number, b: number) => a + (b - a) * random();
+  const coarse = new cv.Mat(4, 6, cv.CV_8UC1);
+  const bytes = new cv.Mat();
+  const grain = new cv.Mat((height / 3) | 0, (width / 3) | 0, cv.CV_8UC1);
+  const texture = new cv.Mat();
   for (let i = 0; i < coarse.data.length; i++) coarse.data[i] = between(25, 190);
   cv.resize(coarse, bytes, new cv.Size(width, height), 0, 0, cv.INTER_CUBIC);
   const grey = () => new cv.Scalar(between(30, 200));
   const point = () => new cv.Point(between(0, width), between(0, height));
   for (let i = 0; i < 9; i++) {
-    const at = point(), size = new cv.Point(at.x + between(80, 420), at.y + between(80, 400));
+    const at = point();
+    const size = new cv.Point(at.x + between(80, 420), at.y + between(80, 400));
     cv.rectangle(bytes, at, size, grey(), cv.FILLED);
   }
   for (let i = 0; i < 4; i++) cv.circle(bytes, point(), between(20, 120), grey(), cv.FILLED);
@@ -23,7 +28,9 @@ export function sceneOf(seed: number, width: number, height: number): Mat {
   cv.resize(grain, texture, bytes.size(), 0, 0, cv.INTER_LINEAR);
   cv.add(bytes, texture, bytes);
   cv.GaussianBlur(bytes, bytes, new cv.Size(3, 3), 0);
-  const light = new cv.Mat(height, width, cv.CV_32FC1), out = light.data32F, source = bytes.data;
+  const light = new cv.Mat(height, width, cv.CV_32FC1);
+  const out = light.data32F;
+  const source = bytes.data;
   for (let i = 0; i < out.length; i++) out[i] = lightOfByte[source[i]];
   for (const made of [coarse, bytes, grain, texture]) made.delete();
   return light;

@@ -4,8 +4,12 @@ import { type Column, LiveTable } from './liveTable';
 import { type Headset, type Hop, HOPS } from './state';
 
 const MEANING: Record<Hop, string> = {
-  plant: 'from the sample to its arrival at the gateway', gateway: 'within the gateway', network: 'half the round trip',
-  queue: 'time in queues', render: 'the render job', display: 'from the rendered frame until its light reaches the eye',
+  plant: 'from the sample to its arrival at the gateway',
+  gateway: 'within the gateway',
+  network: 'half the round trip',
+  queue: 'time in queues',
+  render: 'the render job',
+  display: 'from the rendered frame until its light reaches the eye',
 };
 
 /** Latency of each headset by hop, as numbers and as a bar. */
@@ -16,8 +20,14 @@ export class Budget {
 
   constructor() {
     const columns: Column<Headset>[] = HOPS.map(hop => ({ label: `${hop} (ms)`, isNumber: true, cell: h => format(h.budget_ms?.[hop]) }));
-    this.table = new LiveTable<Headset>('Latency by hop', [...columns, { label: 'together (ms)', isNumber: true, cell: h => format(totalOf(h)) }],
-      headset => headset.name, 'No headset has reported its latency yet.', name => this.barOf(name), 'Headset');
+    this.table = new LiveTable<Headset>(
+      'Latency by hop',
+      [...columns, { label: 'together (ms)', isNumber: true, cell: h => format(totalOf(h)) }],
+      headset => headset.name,
+      'No headset has reported its latency yet.',
+      name => this.barOf(name),
+      'Headset',
+    );
     const legend = HOPS.map(hop => el('li', {}, el('span', { class: `hop ${hop}`, 'aria-hidden': 'true' }), `${hop}: ${MEANING[hop]}`));
     this.element = el('div', {}, el('ul', { class: 'hops' }, ...legend), this.table.element);
   }
@@ -28,7 +38,9 @@ export class Budget {
     const longest = Math.max(1, ...known.map(h => totalOf(h)!));
     for (const headset of known) {
       const spans = this.bars.get(headset.name)!.children as HTMLCollectionOf<HTMLElement>;
-      HOPS.forEach((hop, i) => { spans[i].style.width = `${(100 * (headset.budget_ms?.[hop] ?? 0)) / longest}%`; });
+      HOPS.forEach((hop, i) => {
+        spans[i].style.width = `${(100 * (headset.budget_ms?.[hop] ?? 0)) / longest}%`;
+      });
     }
     for (const name of this.bars.keys()) if (!known.some(h => h.name === name)) this.bars.delete(name);
   }

@@ -7,17 +7,30 @@ import { lengthWords, localTime } from './times';
 /** Table of the faults with start and end, active ones first. */
 export class Events {
   readonly element: HTMLElement;
-  private readonly table = new LiveTable<StatusEvent>('Events', [
-    { label: 'State', cell: e => (e.until_utc ? 'over' : 'lasts'), level: e => (e.until_utc ? 'over' : e.level) },
-    { label: 'Since', cell: e => localTime(e.since_utc) },
-    { label: 'Until', cell: e => (e.until_utc ? localTime(e.until_utc) : '–') },
-    { label: 'For', cell: e => (e.until_utc ? lengthWords((Date.parse(e.until_utc) - Date.parse(e.since_utc)) / 1000) : '–') },
-    { label: 'Event', cell: e => eventWords(e), isLong: true },
-  ], e => String(e.id), 'Nothing has gone wrong since the gateway was started.', undefined, 'No.');
+  private readonly table = new LiveTable<StatusEvent>(
+    'Events',
+    [
+      { label: 'State', cell: e => (e.until_utc ? 'over' : 'lasts'), level: e => (e.until_utc ? 'over' : e.level) },
+      { label: 'Since', cell: e => localTime(e.since_utc) },
+      { label: 'Until', cell: e => (e.until_utc ? localTime(e.until_utc) : '–') },
+      { label: 'For', cell: e => (e.until_utc ? lengthWords((Date.parse(e.until_utc) - Date.parse(e.since_utc)) / 1000) : '–') },
+      { label: 'Event', cell: e => eventWords(e), isLong: true },
+    ],
+    e => String(e.id),
+    'Nothing has gone wrong since the gateway was started.',
+    undefined,
+    'No.',
+  );
 
   constructor() {
-    const link = (format: string) => el('a', { href: `/operations/events?format=${format}`, download: `nowpose-events.${format}` }, format.toUpperCase());
-    this.element = el('div', {}, this.table.element, el('p', { class: 'downloads' }, 'Download all events as ', link('csv'), ' or ', link('json'), '.'));
+    const link = (format: string) =>
+      el('a', { href: `/operations/events?format=${format}`, download: `nowpose-events.${format}` }, format.toUpperCase());
+    this.element = el(
+      'div',
+      {},
+      this.table.element,
+      el('p', { class: 'downloads' }, 'Download all events as ', link('csv'), ' or ', link('json'), '.'),
+    );
   }
 
   show(events: StatusEvent[]): void {

@@ -8,7 +8,12 @@ import { stateWords } from './terms';
 const SILENT_S = 3;
 
 const number = (label: string, key: string, digits = (v: number) => v) => ({
-  label, isNumber: true, cell: (headset: Headset) => { const v = numberOf(headset, key); return format(v == null ? null : digits(v)); },
+  label,
+  isNumber: true,
+  cell: (headset: Headset) => {
+    const v = numberOf(headset, key);
+    return format(v == null ? null : digits(v));
+  },
 });
 
 /** Table of the headsets' diagnostics. One headset is selected for the plots and the view of the robot. */
@@ -18,25 +23,35 @@ export class Headsets {
   private readonly table: LiveTable<Headset>;
 
   constructor(private readonly chosenChanged: (name: string | null) => void) {
-    this.table = new LiveTable<Headset>('Headsets', [
-      { label: 'Clock', cell: headset => stateOf(headset) },
-      { label: 'Pose', cell: poseOf, level: poseLevel },
-      number('Current (%)', 'current_share', v => 100 * v),
-      number('Error (mm)', 'error_mm'),
-      number('Held (mm)', 'error_mm_hold'),
-      number('Error reduction (%)', 'reduction', v => 100 * v),
-      number('Clock within (µs)', 'error_bound_us'),
-      number('RTT (ms)', 'rtt_ms'),
-      number('L_app (ms)', 'l_app_ms'),
-      number('L_visu (ms)', 'l_visu_ms'),
-      { label: 'Render time', cell: headset => rangeOf(headset) },
-      number('Samples', 'samples'),
-      number('Dropped', 'dropped'),
-    ], headset => headset.name, 'No headset is connected.', name => this.choiceOf(name), 'Shown', noteOf);
+    this.table = new LiveTable<Headset>(
+      'Headsets',
+      [
+        { label: 'Clock', cell: headset => stateOf(headset) },
+        { label: 'Pose', cell: poseOf, level: poseLevel },
+        number('Current (%)', 'current_share', v => 100 * v),
+        number('Error (mm)', 'error_mm'),
+        number('Held (mm)', 'error_mm_hold'),
+        number('Error reduction (%)', 'reduction', v => 100 * v),
+        number('Clock within (µs)', 'error_bound_us'),
+        number('RTT (ms)', 'rtt_ms'),
+        number('L_app (ms)', 'l_app_ms'),
+        number('L_visu (ms)', 'l_visu_ms'),
+        { label: 'Render time', cell: headset => rangeOf(headset) },
+        number('Samples', 'samples'),
+        number('Dropped', 'dropped'),
+      ],
+      headset => headset.name,
+      'No headset is connected.',
+      name => this.choiceOf(name),
+      'Shown',
+      noteOf,
+    );
     this.element = this.table.element;
   }
 
-  get chosen(): string | null { return this.chosenName; }
+  get chosen(): string | null {
+    return this.chosenName;
+  }
 
   show(headsets: Headset[]): void {
     this.table.show(headsets);
@@ -77,8 +92,11 @@ function poseLevel(headset: Headset): string {
 }
 
 function noteOf(headset: Headset): string {
-  const missing = textOf(headset, 'missing_joints').split(',').filter(Boolean).join(', '), mismatch = textOf(headset, 'profile_mismatch');
-  return [missing && `missing joints: ${missing}`, mismatch && `the latency profile does not match this headset: ${mismatch}`].filter(Boolean).join('; ');
+  const missing = textOf(headset, 'missing_joints').split(',').filter(Boolean).join(', ');
+  const mismatch = textOf(headset, 'profile_mismatch');
+  return [missing && `missing joints: ${missing}`, mismatch && `the latency profile does not match this headset: ${mismatch}`]
+    .filter(Boolean)
+    .join('; ');
 }
 
 function rangeOf(headset: Headset): string {

@@ -23,17 +23,35 @@ export class LivePlot {
   private values: (number | null)[][];
 
   /** @param description Description of the plot for screen readers. */
-  constructor(description: string, yLabel: string, private readonly unit: string, private readonly traces: LiveTrace[]) {
+  constructor(
+    description: string,
+    yLabel: string,
+    private readonly unit: string,
+    private readonly traces: LiveTrace[],
+  ) {
     this.values = traces.map(() => []);
     this.legend = new Legend(traces.map(({ label, look }, i) => ({ label, look, toggle: show => this.chart.plot.setSeries(i + 1, { show }) })));
     this.chart = new Chart({
-      description, height: 200, xLabel: 'time (s), 0 is now', yLabel,
+      description,
+      height: 200,
+      xLabel: 'time (s), 0 is now',
+      yLabel,
       data: this.data(),
-      series: [{}, ...traces.map(({ label, look }): uPlot.Series => ({
-        label, width: look.width, dash: look.dash, stroke: () => colour(look.ink), points: { show: u => u.data[0].length < 3 },
-      }))],
-      scales: { x: { range: (_u, min, max) => [min ?? -WINDOW_S, max ?? 0] }, y: { range: { min: { pad: 0.1, soft: 0, mode: 1 }, max: { pad: 0.1, soft: 0.1, mode: 2 } } } },
-      onCursor: (u, inside) => this.showValues(inside ? u.cursor.idx ?? null : null),
+      series: [
+        {},
+        ...traces.map(({ label, look }): uPlot.Series => ({
+          label,
+          width: look.width,
+          dash: look.dash,
+          stroke: () => colour(look.ink),
+          points: { show: u => u.data[0].length < 3 },
+        })),
+      ],
+      scales: {
+        x: { range: (_u, min, max) => [min ?? -WINDOW_S, max ?? 0] },
+        y: { range: { min: { pad: 0.1, soft: 0, mode: 1 }, max: { pad: 0.1, soft: 0.1, mode: 2 } } },
+      },
+      onCursor: (u, inside) => this.showValues(inside ? (u.cursor.idx ?? null) : null),
     });
     this.element = plotBlock({ chart: this.chart, legend: this.legend });
     this.chart.show(this.data(), [-WINDOW_S, 0]);
@@ -64,6 +82,9 @@ export class LivePlot {
   private showValues(at: number | null): void {
     const i = at ?? this.times.length - 1;
     const { plot } = this.chart;
-    this.legend.show(at == null ? '' : `${format(plot.data[0][at], 's')}`, this.values.map(v => format(v[i], this.unit)));
+    this.legend.show(
+      at == null ? '' : `${format(plot.data[0][at], 's')}`,
+      this.values.map(v => format(v[i], this.unit)),
+    );
   }
 }

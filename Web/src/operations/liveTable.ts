@@ -27,11 +27,19 @@ export class LiveTable<T> {
    * @param noteOf Returns text too long for a column, shown as a line below the row unless it is empty.
    */
   constructor(
-    private readonly caption: string, private readonly columns: Column<T>[], private readonly key: (item: T) => string,
-    none: string, private readonly head: (key: string) => Node | string = name => name, first = 'Name',
-    private readonly noteOf: (item: T) => string = () => '') {
+    private readonly caption: string,
+    private readonly columns: Column<T>[],
+    private readonly key: (item: T) => string,
+    none: string,
+    private readonly head: (key: string) => Node | string = name => name,
+    first = 'Name',
+    private readonly noteOf: (item: T) => string = () => '',
+  ) {
     this.none = el('p', { class: 'missing' }, none);
-    const labels = [el('th', { scope: 'col' }, term(first)), ...columns.map(c => el('th', { scope: 'col', class: c.isNumber ? 'n' : null }, term(c.label)))];
+    const labels = [
+      el('th', { scope: 'col' }, term(first)),
+      ...columns.map(c => el('th', { scope: 'col', class: c.isNumber ? 'n' : null }, term(c.label))),
+    ];
     this.table = el('table', {}, el('caption', {}, caption), el('thead', {}, el('tr', {}, ...labels)));
     this.element = el('div', { class: 'live' }, scrollable(this.caption, this.table), this.none);
   }
@@ -51,8 +59,9 @@ export class LiveTable<T> {
   private fill(item: T, place: number): void {
     const key = this.key(item);
     let entry = this.rows.get(key);
-    if (!entry) this.rows.set(key, entry = this.entryOf(key));
-    const { body, cells, note } = entry, present = this.table.tBodies[place];
+    if (!entry) this.rows.set(key, (entry = this.entryOf(key)));
+    const { body, cells, note } = entry;
+    const present = this.table.tBodies[place];
     if (present !== body) this.table.insertBefore(body, present ?? null);
     this.columns.forEach((column, i) => {
       const level = column.level?.(item) ?? '';

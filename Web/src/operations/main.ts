@@ -84,9 +84,22 @@ function show(state: State): void {
   setText(byId('trouble'), '');
   overall.show(state);
   setText(byId('clock'), clockWords(state));
-  setText(byId('forwarding'), state.forward_ms ? `${state.forward_ms.p50.toFixed(2)} ms, P99 ${state.forward_ms.p99.toFixed(2)} ms` : 'nothing forwarded');
-  setText(byId('connections'), Object.entries(state.connections ?? {}).map(([name, { open }]) => `${open} ${name}`).join(', ') || 'none');
-  setText(byId('drops'), Object.entries(state.drops ?? {}).map(([why, count]) => `${why} ${count}`).join(', ') || 'none');
+  setText(
+    byId('forwarding'),
+    state.forward_ms ? `${state.forward_ms.p50.toFixed(2)} ms, P99 ${state.forward_ms.p99.toFixed(2)} ms` : 'nothing forwarded',
+  );
+  setText(
+    byId('connections'),
+    Object.entries(state.connections ?? {})
+      .map(([name, { open }]) => `${open} ${name}`)
+      .join(', ') || 'none',
+  );
+  setText(
+    byId('drops'),
+    Object.entries(state.drops ?? {})
+      .map(([why, count]) => `${why} ${count}`)
+      .join(', ') || 'none',
+  );
   setText(byId('role'), state.role ?? '–');
   byId('pairing').hidden = !state.pairs_headsets;
   headsets.show(state.headsets ?? []);

@@ -35,7 +35,9 @@ export class Overall {
 
   private showAlarms(active: StatusEvent[]): void {
     const worst = [...active].sort((a, b) => Number(b.level === 'error') - Number(a.level === 'error'));
-    const lines = worst.slice(0, MOST_ALARMS).map(event => ({ level: event.level, text: `${eventWords(event)} – since ${localTime(event.since_utc)}` }));
+    const lines = worst
+      .slice(0, MOST_ALARMS)
+      .map(event => ({ level: event.level, text: `${eventWords(event)} – since ${localTime(event.since_utc)}` }));
     if (worst.length > MOST_ALARMS) lines.push({ level: 'warning', text: `and ${worst.length - MOST_ALARMS} more, in the list of events` });
     this.alarms.hidden = lines.length === 0;
     while (this.alarms.children.length > lines.length) this.alarms.lastElementChild!.remove();

@@ -15,49 +15,87 @@ const JOINT_WORDS: Record<string, string> = { rest: 'assumed at rest' };
 
 const word = (label: string, key: string) => ({ label, cell: (words: Words) => textOf(words, key) || '–' });
 const count = (label: string, key: string) => ({
-  label, isNumber: true, cell: (words: Words) => format(typeof words[key] === 'number' ? (words[key] as number) : null),
+  label,
+  isNumber: true,
+  cell: (words: Words) => format(typeof words[key] === 'number' ? (words[key] as number) : null),
 });
 
 /** Tables of the plants: adapters, joints, sources and clocks. */
 export class Plants {
   readonly element: HTMLElement;
-  private readonly adapters = new LiveTable<Words>('Plant connections', [
-    word('Kind', 'kind'),
-    {
-      label: 'State', cell: a => (a.seen_s_ago > SILENT_S ? `silent for ${lengthWords(a.seen_s_ago)}` : textOf(a, 'state') || 'not known'),
-      level: a => (a.seen_s_ago <= SILENT_S && textOf(a, 'state') === 'connected' ? 'ok' : 'error'),
-    },
-    word('Endpoint', 'endpoint'), word('Security', 'security'),
-    count('Samples', 'samples'), count('Refused', 'refused'), count('Reconnects', 'reconnects'), count('Sampling (ms)', 'sampling_ms'),
-  ], a => a.name, 'No adapter runs: joint positions come from the gateway itself, or from other rosbridge clients.', undefined, undefined,
-  adapterNote);
-  private readonly joints = new LiveTable<Joint>('Joints', [
-    { label: 'Source', cell: j => j.source },
-    {
-      label: 'State', cell: j => (j.uncertain ? 'may not be at rest' : JOINT_WORDS[j.state] ?? j.state),
-      level: j => (j.uncertain ? 'warning' : JOINT_LEVELS[j.state] ?? 'error'),
-    },
-    { label: 'Since', cell: j => localTime(j.since_utc) },
-    { label: 'Rate (Hz)', isNumber: true, cell: j => format(j.rate_hz) },
-    { label: 'Age', isNumber: true, cell: j => (j.age_s == null ? '–' : lengthWords(j.age_s)) },
-  ], j => j.name + KEY + j.source, 'No joint is configured, and no joint positions have arrived.', key => key.split(KEY)[0], 'Joint', jointNote);
-  private readonly sources = new LiveTable<Source>('Sources of joint positions', [
-    { label: 'Rate (Hz)', isNumber: true, cell: s => format(s.rate_hz) },
-    { label: 'Age at the gateway, median (ms)', isNumber: true, cell: s => format(s.age_ms?.p50) },
-    { label: 'P95 (ms)', isNumber: true, cell: s => format(s.age_ms?.p95) },
-  ], s => s.joints.join(', '), 'No joint positions arrive.', undefined, 'Joints', limitWords);
-  private readonly clocks = new LiveTable<PlantClock>('Clocks of the plant', [
-    { label: 'Use', cell: c => (c.is_control_clock ? 'control clock' : 'compared with it') },
-    { label: 'State', cell: c => (c.connected ? stateWords(c.state, c.estimated_error_us, c.error_bound_us) : 'not connected') },
-    { label: 'Ahead of the control clock (ms)', isNumber: true, cell: c => format(c.offset_to_control_ms) },
-    { label: 'Drift against it (ppm)', isNumber: true, cell: c => format(c.drift_ppm) },
-    { label: 'RTT (ms)', isNumber: true, cell: c => format(c.rtt_ms) },
-    { label: '± (µs)', isNumber: true, cell: c => format(c.estimated_error_us) },
-    { label: 'Within (µs)', isNumber: true, cell: c => format(c.error_bound_us) },
-    { label: 'Steps of (µs)', isNumber: true, cell: c => format(c.resolution_us) },
-    { label: 'Failures', isNumber: true, cell: c => format(c.failures) },
-  ], c => c.name, 'No plant offers its clock: the gateway serves its own.', undefined, undefined,
-  c => (c.last_failure ? `last failure: ${c.last_failure}` : ''));
+  private readonly adapters = new LiveTable<Words>(
+    'Plant connections',
+    [
+      word('Kind', 'kind'),
+      {
+        label: 'State',
+        cell: a => (a.seen_s_ago > SILENT_S ? `silent for ${lengthWords(a.seen_s_ago)}` : textOf(a, 'state') || 'not known'),
+        level: a => (a.seen_s_ago <= SILENT_S && textOf(a, 'state') === 'connected' ? 'ok' : 'error'),
+      },
+      word('Endpoint', 'endpoint'),
+      word('Security', 'security'),
+      count('Samples', 'samples'),
+      count('Refused', 'refused'),
+      count('Reconnects', 'reconnects'),
+      count('Sampling (ms)', 'sampling_ms'),
+    ],
+    a => a.name,
+    'No adapter runs: joint positions come from the gateway itself, or from other rosbridge clients.',
+    undefined,
+    undefined,
+    adapterNote,
+  );
+  private readonly joints = new LiveTable<Joint>(
+    'Joints',
+    [
+      { label: 'Source', cell: j => j.source },
+      {
+        label: 'State',
+        cell: j => (j.uncertain ? 'may not be at rest' : (JOINT_WORDS[j.state] ?? j.state)),
+        level: j => (j.uncertain ? 'warning' : (JOINT_LEVELS[j.state] ?? 'error')),
+      },
+      { label: 'Since', cell: j => localTime(j.since_utc) },
+      { label: 'Rate (Hz)', isNumber: true, cell: j => format(j.rate_hz) },
+      { label: 'Age', isNumber: true, cell: j => (j.age_s == null ? '–' : lengthWords(j.age_s)) },
+    ],
+    j => j.name + KEY + j.source,
+    'No joint is configured, and no joint positions have arrived.',
+    key => key.split(KEY)[0],
+    'Joint',
+    jointNote,
+  );
+  private readonly sources = new LiveTable<Source>(
+    'Sources of joint positions',
+    [
+      { label: 'Rate (Hz)', isNumber: true, cell: s => format(s.rate_hz) },
+      { label: 'Age at the gateway, median (ms)', isNumber: true, cell: s => format(s.age_ms?.p50) },
+      { label: 'P95 (ms)', isNumber: true, cell: s => format(s.age_ms?.p95) },
+    ],
+    s => s.joints.join(', '),
+    'No joint positions arrive.',
+    undefined,
+    'Joints',
+    limitWords,
+  );
+  private readonly clocks = new LiveTable<PlantClock>(
+    'Clocks of the plant',
+    [
+      { label: 'Use', cell: c => (c.is_control_clock ? 'control clock' : 'compared with it') },
+      { label: 'State', cell: c => (c.connected ? stateWords(c.state, c.estimated_error_us, c.error_bound_us) : 'not connected') },
+      { label: 'Ahead of the control clock (ms)', isNumber: true, cell: c => format(c.offset_to_control_ms) },
+      { label: 'Drift against it (ppm)', isNumber: true, cell: c => format(c.drift_ppm) },
+      { label: 'RTT (ms)', isNumber: true, cell: c => format(c.rtt_ms) },
+      { label: '± (µs)', isNumber: true, cell: c => format(c.estimated_error_us) },
+      { label: 'Within (µs)', isNumber: true, cell: c => format(c.error_bound_us) },
+      { label: 'Steps of (µs)', isNumber: true, cell: c => format(c.resolution_us) },
+      { label: 'Failures', isNumber: true, cell: c => format(c.failures) },
+    ],
+    c => c.name,
+    'No plant offers its clock: the gateway serves its own.',
+    undefined,
+    undefined,
+    c => (c.last_failure ? `last failure: ${c.last_failure}` : ''),
+  );
 
   constructor() {
     this.element = el('div', {}, this.joints.element, this.adapters.element, this.sources.element, this.clocks.element);
@@ -85,8 +123,10 @@ function adapterNote(adapter: Words): string {
 
 function limitWords({ beyond_limits: joints }: Source): string {
   if (!joints?.length) return '';
-  return `outside the limits of the robot described, and drawn at the limit: ${joints.join(', ')}. `
-    + 'Is the description this robot’s, and does the source send rad and m, not degrees and mm?';
+  return (
+    `outside the limits of the robot described, and drawn at the limit: ${joints.join(', ')}. `
+    + 'Is the description this robot’s, and does the source send rad and m, not degrees and mm?'
+  );
 }
 
 /** Returns the state of the control clock in one line. */

@@ -15,7 +15,8 @@ export class Recorder {
 
   show({ recording, role }: State): void {
     this.isOn = recording?.on ?? false;
-    const may = role === 'operator', can = recording?.can ?? false;
+    const may = role === 'operator';
+    const can = recording?.can ?? false;
     this.button.hidden = !can;
     this.button.disabled = !may || !can;
     this.button.classList.toggle('on', this.isOn);
@@ -36,6 +37,10 @@ function wordsOf(recording: Recording | null | undefined, can: boolean): string 
   if (!recording || !can) return 'This gateway has no folder for recordings: start it with --recordings FOLDER.';
   const size = `${format(recording.lines ?? 0)} lines, ${format((recording.bytes ?? 0) / 1e6, 'MB')}`;
   const lost = recording.lost ? `, ${format(recording.lost)} lines are missing` : '';
-  const state = recording.on ? `recording ${recording.file ?? ''}: ${size}${lost}` : recording.file ? `stopped; last ${recording.file}: ${recording.deleted ? 'the file was deleted' : `${size}${lost}`}` : 'off';
+  const state = recording.on
+    ? `recording ${recording.file ?? ''}: ${size}${lost}`
+    : recording.file
+      ? `stopped; last ${recording.file}: ${recording.deleted ? 'the file was deleted' : `${size}${lost}`}`
+      : 'off';
   return recording.problem ? `${state}. Problem: ${recording.problem}` : state;
 }

@@ -10,10 +10,17 @@ const POLL_MS = 5000;
 /** List of the recordings in the gateway's folder with sizes and downloads, for operators. */
 export class Recordings {
   private readonly note = byId('recordings-note');
-  private readonly table = new LiveTable<StoredRecording>('Recordings', [
-    { label: 'Size (MB)', isNumber: true, cell: file => format(file.bytes / 1e6) },
-    { label: 'Last written', cell: file => localTime(file.changed_utc) },
-  ], file => file.name, 'There are no recordings in the folder.', linkTo, 'File');
+  private readonly table = new LiveTable<StoredRecording>(
+    'Recordings',
+    [
+      { label: 'Size (MB)', isNumber: true, cell: file => format(file.bytes / 1e6) },
+      { label: 'Last written', cell: file => localTime(file.changed_utc) },
+    ],
+    file => file.name,
+    'There are no recordings in the folder.',
+    linkTo,
+    'File',
+  );
   private listed = new Set<string>();
   private asked = -Infinity;
   private file = '';
@@ -23,7 +30,8 @@ export class Recordings {
   }
 
   show({ recording, role }: State): void {
-    const can = recording?.can ?? false, may = role === 'operator';
+    const can = recording?.can ?? false;
+    const may = role === 'operator';
     byId('recordings-section').hidden = !can;
     this.table.element.hidden = !may;
     if (!can) return;

@@ -88,7 +88,8 @@ export class RobotPanel {
 
   private draw(): void {
     this.drawn = performance.now();
-    const { bodies } = this.view, now = this.clock.at(seconds());
+    const { bodies } = this.view;
+    const now = this.clock.at(seconds());
     if (!bodies || now === null) return;
     const time = now - BEHIND_S;
     const poses = { truth: this.truth.at(time), displayed: this.recent(time), hold: this.held(time) };
@@ -108,7 +109,8 @@ export class RobotPanel {
 
   // Names the joints without a current position: a joint at 0 or at its last position must not be mistaken for the truth.
   private showUnknown(all: string[], received: Set<string>): void {
-    const words = all.filter(joint => !received.has(joint) || this.faults.has(joint))
+    const words = all
+      .filter(joint => !received.has(joint) || this.faults.has(joint))
       .map(joint => (received.has(joint) ? `${joint} is ${this.faults.get(joint)}` : `${joint} has not been received`));
     this.unknown.hidden = words.length === 0;
     setText(this.unknown, words.length === 0 ? '' : `${words.join(', ')}: the links below are not drawn.`);

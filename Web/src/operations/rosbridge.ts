@@ -46,14 +46,16 @@ export class Rosbridge {
 
   private connect(): void {
     if (this.socket) return;
-    const socket = this.socket = new WebSocket(location.origin.replace(/^http/, 'ws') + '/');
+    const socket = (this.socket = new WebSocket(location.origin.replace(/^http/, 'ws') + '/'));
     socket.addEventListener('open', () => {
       this.wait = FIRST_WAIT_MS;
       for (const [topic, { type, throttleMs, queue }] of this.topics) {
         socket.send(JSON.stringify({ op: 'subscribe', topic, type, throttle_rate: throttleMs, queue_length: queue }));
       }
     });
-    socket.addEventListener('message', ({ data }) => { if (typeof data === 'string') this.take(data); });
+    socket.addEventListener('message', ({ data }) => {
+      if (typeof data === 'string') this.take(data);
+    });
     socket.addEventListener('close', () => {
       this.socket = null;
       if (!this.isWanted) return;

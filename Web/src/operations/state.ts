@@ -120,7 +120,8 @@ export async function ask<T>(path: string, fields?: Record<string, string>): Pro
   const timer = setTimeout(() => patience.abort(), PATIENCE_MS);
   try {
     const response = await fetch(`/operations/${path}`, {
-      cache: 'no-store', signal: patience.signal,
+      cache: 'no-store',
+      signal: patience.signal,
       ...(fields ? { method: 'POST', body: JSON.stringify(fields), headers: { 'Content-Type': 'application/json' } } : {}),
     });
     if (response.ok) return { value: (await response.json()) as T };

@@ -2,7 +2,9 @@
 export function localTime(utc: string): string {
   const time = new Date(utc);
   const clock = time.toLocaleTimeString('en-GB');
-  return time.toDateString() === new Date().toDateString() ? clock : `${time.toLocaleDateString('en-GB', { day: 'numeric', month: 'short' })} ${clock}`;
+  return time.toDateString() === new Date().toDateString()
+    ? clock
+    : `${time.toLocaleDateString('en-GB', { day: 'numeric', month: 'short' })} ${clock}`;
 }
 
 /** Returns a length of time in a suitable unit. */

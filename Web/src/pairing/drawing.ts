@@ -17,12 +17,14 @@ export function draw(text: string): Drawing {
   const modules = code.getModuleCount();
   let path = '';
   for (let row = 0; row < modules; row++)
-    for (let column = 0; column < modules; column++)
-      if (code.isDark(row, column)) path += `M${column + MARGIN} ${row + MARGIN}h1v1h-1z`;
+    for (let column = 0; column < modules; column++) if (code.isDark(row, column)) path += `M${column + MARGIN} ${row + MARGIN}h1v1h-1z`;
   const edge = modules + 2 * MARGIN;
   const element = svg(
-    'svg', { viewBox: `0 0 ${edge} ${edge}`, 'shape-rendering': 'crispEdges' },
-    svg('rect', { width: edge, height: edge, fill: '#fff' }), svg('path', { d: path, fill: '#000' }));
+    'svg',
+    { viewBox: `0 0 ${edge} ${edge}`, 'shape-rendering': 'crispEdges' },
+    svg('rect', { width: edge, height: edge, fill: '#fff' }),
+    svg('path', { d: path, fill: '#000' }),
+  );
   return { element, modules };
 }
 

@@ -23,7 +23,10 @@ export interface Marker {
 export async function ask<T>(what: 'code' | 'cell', fields: Record<string, string>): Promise<Answer<T>> {
   try {
     const response = await fetch(`/pair/${what}`, {
-      method: 'POST', body: JSON.stringify(fields), headers: { 'Content-Type': 'application/json' }, cache: 'no-store',
+      method: 'POST',
+      body: JSON.stringify(fields),
+      headers: { 'Content-Type': 'application/json' },
+      cache: 'no-store',
     });
     return response.ok ? { value: (await response.json()) as T } : { trouble: (await response.text()).trim() };
   } catch {

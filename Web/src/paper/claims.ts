@@ -8,15 +8,30 @@ import { badge } from './verdict';
 /** Lists the paper's claims with its numbers, this run's numbers and the verdicts. */
 export function claimsSection(claims: ClaimData[]): HTMLElement {
   const caption = 'The paper’s claims and this run';
-  const rows = claims.map(c => el('tr', {},
-    el('th', { scope: 'row' }, el('a', { href: `#${anchorOf(c.figure)}` }, `Fig. ${c.figure}`)),
-    el('td', {}, ...text(c.claim)),
-    el('td', {}, c.paper || '–'),
-    el('td', {}, c.measured),
-    el('td', {}, badge(c.holds ? 'holds' : 'does not hold'))));
-  return el('section', { id: 'claims', 'aria-labelledby': 'claims-heading' },
+  const rows = claims.map(c =>
+    el(
+      'tr',
+      {},
+      el('th', { scope: 'row' }, el('a', { href: `#${anchorOf(c.figure)}` }, `Fig. ${c.figure}`)),
+      el('td', {}, ...text(c.claim)),
+      el('td', {}, c.paper || '–'),
+      el('td', {}, c.measured),
+      el('td', {}, badge(c.verdict)),
+    ),
+  );
+  return el(
+    'section',
+    { id: 'claims', 'aria-labelledby': 'claims-heading' },
     el('h2', { id: 'claims-heading' }, caption),
-    scrollable(caption, el('table', { class: 'contents' },
-      el('caption', {}, 'Claims of the paper and whether they hold in this run'),
-      header('Figure', 'Claim', 'Paper', 'Measured', 'Verdict'), el('tbody', {}, ...rows))));
+    scrollable(
+      caption,
+      el(
+        'table',
+        { class: 'contents' },
+        el('caption', {}, 'Claims of the paper and whether they hold in this run'),
+        header('Figure', 'Claim', 'Paper', 'Measured', 'Verdict'),
+        el('tbody', {}, ...rows),
+      ),
+    ),
+  );
 }

@@ -7,10 +7,18 @@ import { badge } from './verdict';
 /** Lists the figures with their verdicts and links to their sections. */
 export function contents(figures: FigureData[]): HTMLElement {
   const caption = 'Figures of the paper and whether their claims hold';
-  const rows = figures.map(f => el('tr', {},
-    el('th', { scope: 'row' }, el('a', { href: `#${anchorOf(f.number)}` }, `Fig. ${f.number}`)),
-    el('td', {}, f.title),
-    el('td', {}, badge(f.verdict))));
-  return el('nav', { 'aria-label': 'Contents' }, scrollable(caption, el('table', { class: 'contents' },
-    el('caption', {}, caption), header('Figure', 'Shows', 'Claim'), el('tbody', {}, ...rows))));
+  const rows = figures.map(f =>
+    el(
+      'tr',
+      {},
+      el('th', { scope: 'row' }, el('a', { href: `#${anchorOf(f.number)}` }, `Fig. ${f.number}`)),
+      el('td', {}, f.title),
+      el('td', {}, badge(f.verdict)),
+    ),
+  );
+  return el(
+    'nav',
+    { 'aria-label': 'Contents' },
+    scrollable(caption, el('table', { class: 'contents' }, el('caption', {}, caption), header('Figure', 'Shows', 'Claim'), el('tbody', {}, ...rows))),
+  );
 }

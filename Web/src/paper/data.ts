@@ -11,7 +11,7 @@ export interface FiguresData {
   figures: FigureData[];
 }
 
-export type Verdict = 'holds' | 'holds partly' | 'does not hold';
+export type Verdict = 'holds' | 'holds partly' | 'does not hold' | 'not measured';
 
 export interface FigureData {
   /** Number in the paper, for example "13a". */
@@ -54,8 +54,8 @@ export interface PlotData {
   x: Quantity;
   y: Quantity;
   from_zero: boolean;
-  /** Extent of the vertical axis in each direction; null to follow the data. */
-  y_extent: number | null;
+  /** Range of the vertical axis; null to follow the data. */
+  y_range: [from: number, to: number] | null;
   /** Curves of equal error for a plot of operating points; null for a line plot. */
   iso_mm: number[] | null;
   marks: Mark[];

@@ -9,21 +9,45 @@ import { type FiguresData, readFigures } from './data';
 import { figureSection } from './section';
 
 function page(data: FiguresData): Node[] {
-  const hint = 'Drag across a plot to zoom, double-click to reset, point at it to read values; '
+  const hint =
+    'Drag across a plot to zoom, double-click to reset, point at it to read values; '
     + 'with the keyboard: arrow keys, plus, minus and 0. Names in a legend switch signals on and off.';
   const missing = data.missing.map(number => `Fig. ${number}`).join(', ');
   return [
     el('header', {}, el('h1', {}, data.title), el('p', {}, data.subtitle)),
-    el('main', {},
-      el('div', { class: 'first' },
-        el('section', { 'aria-label': 'Verdicts' }, contents(data.figures),
-          missing ? el('p', { class: 'missing' }, `Not computed, because the run was interrupted: ${missing}.`) : null),
-        el('section', { 'aria-label': 'Conditions' }, factTable('Conditions of all figures, unless one says otherwise', data.conditions, ['Condition', 'Value']))),
+    el(
+      'main',
+      {},
+      el(
+        'div',
+        { class: 'first' },
+        el(
+          'section',
+          { 'aria-label': 'Verdicts' },
+          contents(data.figures),
+          missing ? el('p', { class: 'missing' }, `Not computed, because the run was interrupted: ${missing}.`) : null,
+        ),
+        el(
+          'section',
+          { 'aria-label': 'Conditions' },
+          factTable('Conditions of all figures, unless one says otherwise', data.conditions, ['Condition', 'Value']),
+        ),
+      ),
       el('p', { class: 'hint' }, hint),
-      ...data.figures.map(figureSection)),
-    el('footer', {}, el('p', {}, 'The figures’ numbers and claims are those of M. Schnierle, S. Röck, “Latency and sampling compensation in '
-      + 'mixed-reality-in-the-loop simulations of production systems”, Production Engineering (2022), ',
-      el('a', { href: PAPER }, PAPER), ' (CC BY 4.0). All data are computed by this run. Made by Nowpose.')),
+      ...data.figures.map(figureSection),
+    ),
+    el(
+      'footer',
+      {},
+      el(
+        'p',
+        {},
+        'The figures’ numbers and claims are those of M. Schnierle, S. Röck, “Latency and sampling compensation in '
+          + 'mixed-reality-in-the-loop simulations of production systems”, Production Engineering (2022), ',
+        el('a', { href: PAPER }, PAPER),
+        ' (CC BY 4.0). All data are computed by this run. Made by Nowpose.',
+      ),
+    ),
   ];
 }
 

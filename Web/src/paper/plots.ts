@@ -19,11 +19,17 @@ export function plotOf(plot: PlotData, figure: string, isOneOfSeveral: boolean):
     yLabel: plot.y.unit ? `${plot.y.name} (${plot.y.unit})` : plot.y.name,
     unit: plot.y.unit,
     fromZero: plot.from_zero,
-    yExtent: plot.y_extent ?? undefined,
+    yRange: plot.y_range ?? undefined,
     marks: plot.marks,
     traces: plot.traces.map(t => ({
-      label: t.label, look: t.scattered ? pointsOf(t.look) : lookOf(t.look), t: t.x, v: t.y,
-      stepped: t.stepped, marked: t.marked, scattered: t.scattered, deviation: t.deviation ?? undefined,
+      label: t.label,
+      look: t.scattered ? pointsOf(t.look) : lookOf(t.look),
+      t: t.x,
+      v: t.y,
+      stepped: t.stepped,
+      marked: t.marked,
+      scattered: t.scattered,
+      deviation: t.deviation ?? undefined,
     })),
   });
 }
@@ -34,8 +40,12 @@ function pathOf({ label, look, x, y }: PlotData['traces'][number]) {
 
 function inWords({ x, y, traces, iso_mm }: PlotData): string {
   const over = iso_mm ? x : y;
-  return traces.map(t => {
-    const s = statistics(iso_mm ? t.x : t.y);
-    return s ? `${t.label} ${over.name} from ${format(s.min)} to ${format(s.max, over.unit)}` : `${t.label}: none`;
-  }).join('; ') + '.';
+  return (
+    traces
+      .map(t => {
+        const s = statistics(iso_mm ? t.x : t.y);
+        return s ? `${t.label} ${over.name} from ${format(s.min)} to ${format(s.max, over.unit)}` : `${t.label}: none`;
+      })
+      .join('; ') + '.'
+  );
 }

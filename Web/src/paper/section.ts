@@ -12,25 +12,36 @@ export function anchorOf(number: string): string {
 
 /** One figure: the paper's claim beside the measured result, then the plots or drawings with their numbers. */
 export function figureSection(figure: FigureData): HTMLElement {
-  const id = anchorOf(figure.number), heading = `${id}-heading`, name = `Fig. ${figure.number}`;
+  const id = anchorOf(figure.number);
+  const heading = `${id}-heading`;
+  const name = `Fig. ${figure.number}`;
   const pictures = [
     ...figure.plots.map(plot => titled(plot.title, figure.plots.length > 1, plotBlock(plotOf(plot, name, figure.plots.length > 1)))),
     figure.drawings.length > 0 ? el('div', { class: 'drawings' }, ...figure.drawings.map(drawing)) : null,
   ];
-  return el('section', { id, class: 'figure', 'aria-labelledby': heading },
+  return el(
+    'section',
+    { id, class: 'figure', 'aria-labelledby': heading },
     el('h2', { id: heading }, `${name}: ${figure.title}`, ' ', badge(figure.verdict)),
-    el('div', { class: figure.drawings.length > 0 ? '' : 'beside' },
-      el('div', { class: 'words' },
+    el(
+      'div',
+      { class: figure.drawings.length > 0 ? '' : 'beside' },
+      el(
+        'div',
+        { class: 'words' },
         el('h3', {}, 'The paper says'),
         el('p', {}, ...text(figure.claim), ' ', el('a', { class: 'source', href: PAPER }, `(Schnierle & Röck 2022, ${name})`)),
         el('h3', {}, 'We measure'),
         criteria(figure.criteria),
         figure.beyond ? el('h3', {}, 'Beyond the paper') : null,
-        figure.beyond ? el('p', {}, ...text(figure.beyond)) : null),
-      el('div', { class: 'pictures' }, ...pictures)),
+        figure.beyond ? el('p', {}, ...text(figure.beyond)) : null,
+      ),
+      el('div', { class: 'pictures' }, ...pictures),
+    ),
     figure.summary ? textTable(figure.summary) : null,
     el('p', { class: 'conditions' }, ...text(figure.conditions)),
-    el('details', {}, el('summary', {}, `Data, as in ${figure.file}`), dataTable(`Data of ${name}`, figure.table)));
+    el('details', {}, el('summary', {}, `Data, as in ${figure.file}`), dataTable(`Data of ${name}`, figure.table)),
+  );
 }
 
 function titled(title: string, isShown: boolean, block: HTMLElement): HTMLElement {

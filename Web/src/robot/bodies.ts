@@ -1,6 +1,14 @@
 import {
-  type Box3, type BufferAttribute, BufferGeometry, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments, MeshPhongMaterial,
-  type Object3D, Vector3,
+  type Box3,
+  type BufferAttribute,
+  BufferGeometry,
+  Float32BufferAttribute,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  MeshPhongMaterial,
+  type Object3D,
+  Vector3,
 } from 'three';
 import { colour, type Ink } from '../theme';
 import { isDrawn, movingJoints, paint, readUrdf, type Robot, setJoints, showKnown, toolPosition } from './urdf';
@@ -30,11 +38,16 @@ export class Bodies {
   constructor(urdf: string) {
     const each = <T>(make: (part: Part) => T) => ({ truth: make('truth'), displayed: make('displayed'), hold: make('hold') });
     this.robots = each(() => readUrdf(urdf));
-    this.materials = each(part => new MeshPhongMaterial({
-      transparent: PARTS[part].opacity < 1, opacity: PARTS[part].opacity, depthWrite: PARTS[part].opacity === 1,
-      // A coloured body over the grey truth at the same position would suggest a different one.
-      ...(PARTS[part].opacity < 1 ? BACK : {}),
-    }));
+    this.materials = each(
+      part =>
+        new MeshPhongMaterial({
+          transparent: PARTS[part].opacity < 1,
+          opacity: PARTS[part].opacity,
+          depthWrite: PARTS[part].opacity === 1,
+          // A coloured body over the grey truth at the same position would suggest a different one.
+          ...(PARTS[part].opacity < 1 ? BACK : {}),
+        }),
+    );
     for (const part of Object.keys(PARTS) as Part[]) {
       paint(this.robots[part].root, this.materials[part], PARTS[part].place);
       this.robots[part].root.visible = false;
@@ -45,7 +58,9 @@ export class Bodies {
   }
 
   /** The joints of the robot that need positions. */
-  get joints(): string[] { return movingJoints(this.robots.truth); }
+  get joints(): string[] {
+    return movingJoints(this.robots.truth);
+  }
 
   /** Draws no link below a joint without a known position: at 0 it would look like a measured one. */
   showKnown(part: Part, isKnown: (joint: string) => boolean): void {
@@ -107,12 +122,13 @@ export class Bodies {
   }
 
   private stretch(part: Part): void {
-    const { root } = this.robots[part], places = this.bones![part].geometry.getAttribute('position') as BufferAttribute;
+    const { root } = this.robots[part];
+    const places = this.bones![part].geometry.getAttribute('position') as BufferAttribute;
     let at = 0;
     for (const joint of Object.values(root.joints)) {
       const link = joint.children.find(child => 'isURDFLink' in child);
       // A line of zero length if the joint's position is unknown.
-      for (const end of [joint.parent!, isDrawn(joint) ? link ?? joint : joint.parent!] as Object3D[]) {
+      for (const end of [joint.parent!, isDrawn(joint) ? (link ?? joint) : joint.parent!] as Object3D[]) {
         const { x, y, z } = root.worldToLocal(end.getWorldPosition(this.points.from));
         places.setXYZ(at++, x, y, z);
       }

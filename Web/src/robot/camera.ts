@@ -13,7 +13,10 @@ export class OrbitCamera {
   private readonly fingers = new Map<number, PointerEvent>();
 
   /** @param changed Called when the camera has moved. */
-  constructor(element: HTMLElement, private readonly changed: () => void) {
+  constructor(
+    element: HTMLElement,
+    private readonly changed: () => void,
+  ) {
     this.camera.up.set(0, 0, 1);
     element.addEventListener('pointerdown', event => {
       this.fingers.set(event.pointerId, event);
@@ -22,11 +25,15 @@ export class OrbitCamera {
     element.addEventListener('pointermove', event => this.drag(event));
     for (const end of ['pointerup', 'pointercancel'] as const) element.addEventListener(end, event => this.fingers.delete(event.pointerId));
     // Zooms with Ctrl only, so that scrolling the page does not stop at the robot.
-    element.addEventListener('wheel', event => {
-      if (!event.ctrlKey) return;
-      event.preventDefault();
-      this.turn(0, 0, event.deltaY > 0 ? 1.1 : 1 / 1.1);
-    }, { passive: false });
+    element.addEventListener(
+      'wheel',
+      event => {
+        if (!event.ctrlKey) return;
+        event.preventDefault();
+        this.turn(0, 0, event.deltaY > 0 ? 1.1 : 1 / 1.1);
+      },
+      { passive: false },
+    );
     element.addEventListener('dblclick', () => this.reset());
   }
 
@@ -44,9 +51,14 @@ export class OrbitCamera {
   /** @returns Whether the key controls the camera. */
   onKey(key: string): boolean {
     const turns: Record<string, () => void> = {
-      ArrowLeft: () => this.turn(-STEP, 0, 1), ArrowRight: () => this.turn(STEP, 0, 1),
-      ArrowUp: () => this.turn(0, STEP, 1), ArrowDown: () => this.turn(0, -STEP, 1),
-      '+': () => this.turn(0, 0, 1 / 1.2), '=': () => this.turn(0, 0, 1 / 1.2), '-': () => this.turn(0, 0, 1.2), '0': () => this.reset(),
+      ArrowLeft: () => this.turn(-STEP, 0, 1),
+      ArrowRight: () => this.turn(STEP, 0, 1),
+      ArrowUp: () => this.turn(0, STEP, 1),
+      ArrowDown: () => this.turn(0, -STEP, 1),
+      '+': () => this.turn(0, 0, 1 / 1.2),
+      '=': () => this.turn(0, 0, 1 / 1.2),
+      '-': () => this.turn(0, 0, 1.2),
+      '0': () => this.reset(),
     };
     if (!(key in turns)) return false;
     turns[key]();
@@ -75,7 +87,9 @@ export class OrbitCamera {
   }
 
   private place(): void {
-    const { azimuth, elevation, zoom } = this.look, { camera } = this, centre = this.framed.getCenter(new Vector3());
+    const { azimuth, elevation, zoom } = this.look;
+    const { camera } = this;
+    const centre = this.framed.getCenter(new Vector3());
     camera.position.set(Math.cos(azimuth) * Math.cos(elevation), Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation)).add(centre);
     camera.lookAt(centre);
     const { x, y, z } = this.fitted(centre);
@@ -86,10 +100,12 @@ export class OrbitCamera {
 
   // Returns the camera's position, in its own axes and from the centre, at which all corners are visible and centred in the picture.
   private fitted(centre: Vector3): Vector3 {
-    const turned = this.camera.quaternion.clone().invert(), { min, max } = this.framed;
+    const turned = this.camera.quaternion.clone().invert();
+    const { min, max } = this.framed;
     const corners = [min.x, max.x].flatMap(x => [min.y, max.y].flatMap(y => [min.z, max.z].map(z => new Vector3(x, y, z))));
     for (const corner of corners) corner.sub(centre).applyQuaternion(turned);
-    const high = Math.tan((this.camera.fov * Math.PI) / 360), wide = high * this.camera.aspect;
+    const high = Math.tan((this.camera.fov * Math.PI) / 360);
+    const wide = high * this.camera.aspect;
     // A corner nearer to the camera appears further from the picture's centre.
     const extent = (axis: 'x' | 'y', sign: number, slope: number) => Math.max(...corners.map(corner => sign * corner[axis] + slope * corner.z));
     const [left, right, low, top] = [extent('x', -1, wide), extent('x', 1, wide), extent('y', -1, high), extent('y', 1, high)];

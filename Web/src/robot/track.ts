@@ -6,7 +6,9 @@ export class JointTrack {
   /** @param keep Length of the kept history in seconds; unlimited by default. */
   constructor(private readonly keep = Infinity) {}
 
-  get last(): number | undefined { return this.times[this.times.length - 1]; }
+  get last(): number | undefined {
+    return this.times[this.times.length - 1];
+  }
 
   /** Ignores samples out of order. A sample that is older than the kept history starts a new time line. */
   add(time: number, position: number): void {
@@ -43,10 +45,12 @@ export class JointTrack {
   }
 
   private indexAt(time: number): number {
-    let low = 0, high = this.times.length;
+    let low = 0;
+    let high = this.times.length;
     while (low < high) {
       const middle = (low + high) >> 1;
-      if (this.times[middle] <= time) low = middle + 1; else high = middle;
+      if (this.times[middle] <= time) low = middle + 1;
+      else high = middle;
     }
     return low - 1;
   }

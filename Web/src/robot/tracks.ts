@@ -43,7 +43,7 @@ export class JointTracks {
     let track = this.tracks.get(name);
     if (track) return track;
     if (this.tracks.size >= MAX_JOINTS) this.tracks.delete(this.oldest());
-    this.tracks.set(name, track = new JointTrack(this.keep));
+    this.tracks.set(name, (track = new JointTrack(this.keep)));
     return track;
   }
 

@@ -26,7 +26,9 @@ export function readUrdf(text: string): Robot {
   document.querySelectorAll('texture').forEach(texture => texture.remove());
   let meshes = 0;
   const loader = new URDFLoader();
-  loader.loadMeshCb = (_path, _manager, _material, _done) => { meshes++; };
+  loader.loadMeshCb = (_path, _manager, _material, _done) => {
+    meshes++;
+  };
   const root = loader.parse(document);
   // Shows measured positions even beyond the limits.
   for (const joint of Object.values(root.joints)) joint.ignoreLimits = true;
@@ -43,7 +45,9 @@ export function setJoints({ root }: Robot, names: string[], positions: ArrayLike
 
 /** Returns the joints that need positions: those that move and do not mimic another joint. */
 export function movingJoints({ root }: Robot): string[] {
-  return Object.entries(root.joints).filter(([, joint]) => MOVING.includes(joint.jointType) && masterOf(joint) === null).map(([name]) => name);
+  return Object.entries(root.joints)
+    .filter(([, joint]) => MOVING.includes(joint.jointType) && masterOf(joint) === null)
+    .map(([name]) => name);
 }
 
 /** Draws only the links below joints whose position is known. */

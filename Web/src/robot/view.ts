@@ -26,7 +26,11 @@ export class RobotView {
 
   constructor(description: string) {
     this.canvas = el('canvas', { 'aria-hidden': 'true' });
-    const stage = el('div', { class: 'stage', tabindex: 0, role: 'group', 'aria-roledescription': '3D view', 'aria-label': `${description} ${KEYS}` }, this.canvas);
+    const stage = el(
+      'div',
+      { class: 'stage', tabindex: 0, role: 'group', 'aria-roledescription': '3D view', 'aria-label': `${description} ${KEYS}` },
+      this.canvas,
+    );
     this.element = el('div', { class: 'robot' }, stage, this.note);
     this.renderer = rendererOn(this.canvas);
     if (!this.renderer) {
@@ -51,7 +55,9 @@ export class RobotView {
   }
 
   /** The robot's bodies; null until there is a valid description. */
-  get bodies(): Bodies | null { return this.bodiesShown; }
+  get bodies(): Bodies | null {
+    return this.bodiesShown;
+  }
 
   /** Replaces the robot. For an invalid URDF, it shows a message and no robot. */
   describe(urdf: string): void {
@@ -66,7 +72,8 @@ export class RobotView {
     }
     this.scene.add(this.bodiesShown.group);
     const { meshes } = this.bodiesShown.robots.truth;
-    if (this.renderer) this.say(meshes > 0 ? `Lines replace ${meshes} ${meshes === 1 ? 'part' : 'parts'} of the robot whose meshes are not on this page.` : '');
+    if (this.renderer)
+      this.say(meshes > 0 ? `Lines replace ${meshes} ${meshes === 1 ? 'part' : 'parts'} of the robot whose meshes are not on this page.` : '');
     this.seen.makeEmpty();
     this.recolour();
   }
@@ -102,10 +109,12 @@ export class RobotView {
   private recolour(): void {
     this.bodiesShown?.recolour();
     this.scene.background = new Color(colour('--surface'));
-    this.scene.children.filter(child => child instanceof GridHelper).forEach(grid => {
-      this.scene.remove(grid);
-      (grid as GridHelper).dispose();
-    });
+    this.scene.children
+      .filter(child => child instanceof GridHelper)
+      .forEach(grid => {
+        this.scene.remove(grid);
+        (grid as GridHelper).dispose();
+      });
     const floor = new GridHelper(4, 20, colour('--muted'), colour('--grid'));
     floor.rotation.x = Math.PI / 2;
     this.scene.add(floor);

@@ -7,7 +7,8 @@ export const SIDE = 8;
 /** Period of the codes, ms. */
 export const PERIOD_MS = 65536;
 
-const PAIRS = 18, PAIRS_PER_ROW = 3;
+const PAIRS = 18;
+const PAIRS_PER_ROW = 3;
 
 function parity(bits: number): number {
   let odd = 0;
@@ -24,7 +25,8 @@ export function controlCells(value: number): boolean[] {
   const gray = value ^ (value >> 1);
   const word = (gray << 2) | (parity(gray & 0x5555) << 1) | parity(gray & 0xaaaa);
   const cells = Array.from({ length: SIDE * SIDE }, (_, cell) => {
-    const row = Math.floor(cell / SIDE), column = cell % SIDE;
+    const row = Math.floor(cell / SIDE);
+    const column = cell % SIDE;
     const isRing = row === 0 || row === SIDE - 1 || column === 0 || column === SIDE - 1;
     return isRing && isLitRing(row, column);
   });

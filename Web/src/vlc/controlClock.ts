@@ -42,7 +42,9 @@ export class ControlClock {
   /** @returns Whether the clock stepped, so that earlier exchanges were discarded. */
   add({ t1, t2, t3, t4, resolutionNs }: Exchange): boolean {
     if (this.count === 0) this.base = t2;
-    const received = Number(t2 - this.base) / NS_PER_MS, sent = Number(t3 - this.base) / NS_PER_MS, step = resolutionNs / NS_PER_MS;
+    const received = Number(t2 - this.base) / NS_PER_MS;
+    const sent = Number(t3 - this.base) / NS_PER_MS;
+    const step = resolutionNs / NS_PER_MS;
     if (sent < received || sent - received > t4 - t1 + step + 2 * this.grainMs) return false;
     this.exchanges.push({ at: t4, low: sent - t4 - this.grainMs, high: received + step - t1 + this.grainMs });
     this.exchanges = this.exchanges.filter(e => e.at > t4 - WINDOW_MS);
@@ -69,7 +71,8 @@ export class ControlClock {
   }
 
   private limits(now: number): { low: number; high: number } {
-    let low = -Infinity, high = Infinity;
+    let low = -Infinity;
+    let high = Infinity;
     for (const e of this.exchanges) {
       const drift = MAX_SKEW * Math.max(0, now - e.at);
       low = Math.max(low, e.low - drift);

@@ -1,7 +1,9 @@
 import { ControlClock, MIN_EXCHANGES } from './controlClock';
 import { grainOf } from './grain';
 
-const QUICK_MS = 60, SLOW_MS = 250, TIMEOUT_MS = 1000;
+const QUICK_MS = 60;
+const SLOW_MS = 250;
+const TIMEOUT_MS = 1000;
 
 /** Time without a reply after which the clock is unknown: two exchanges may be lost. */
 const SILENCE_MS = 2000;
@@ -65,7 +67,7 @@ export class Exchanges {
       const t4 = performance.now();
       if (response.status === 401) return this.askForToken();
       if (!response.ok) return this.fail(`the gateway refuses: ${(await response.text()).trim() || response.status}`);
-      const answer = await response.json() as Answer;
+      const answer = (await response.json()) as Answer;
       this.problem = answer.is_synchronised ? '' : 'the control clock itself is not synchronised';
       this.clock.add({ t1, t2: BigInt(answer.t2_ns), t3: BigInt(answer.t3_ns), t4, resolutionNs: answer.resolution_ns });
     } catch {

@@ -6,11 +6,17 @@ import { Monitor } from './monitor';
 const NS_PER_MS = 1_000_000n;
 const get = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 
-const canvas = get<HTMLCanvasElement>('code'), warning = get('doubt'), time = get('time'), facts = get('facts');
-const form = get<HTMLFormElement>('token'), input = form.querySelector('input')!;
+const canvas = get<HTMLCanvasElement>('code');
+const warning = get('doubt');
+const time = get('time');
+const facts = get('facts');
+const form = get<HTMLFormElement>('token');
+const input = form.querySelector('input')!;
 const light = canvas.getContext('2d', { alpha: false })!;
 const monitor = new Monitor();
-const exchanges = new Exchanges(() => { form.hidden = false; });
+const exchanges = new Exchanges(() => {
+  form.hidden = false;
+});
 
 function draw(value: number): void {
   const cell = Math.max(1, Math.floor((canvas.clientWidth * devicePixelRatio) / SIDE));
@@ -55,7 +61,7 @@ function frame(at: number): void {
   // Uses the frame's start, not the time of drawing, because the light follows a whole number of refreshes after the start.
   const reading = exchanges.clock.at(at);
   const why = exchanges.reasonWithoutCode(performance.now());
-  show(reading == null ? why ?? 'no exchange with the gateway yet' : why, reading?.ns ?? 0n, reading?.boundMs ?? 0);
+  show(reading == null ? (why ?? 'no exchange with the gateway yet') : why, reading?.ns ?? 0n, reading?.boundMs ?? 0);
 }
 
 async function toggleFullScreen(): Promise<void> {
@@ -71,7 +77,9 @@ form.addEventListener('submit', event => {
   input.value = '';
   form.hidden = true;
 });
-addEventListener('click', event => { if (!form.contains(event.target as Node)) void toggleFullScreen(); });
+addEventListener('click', event => {
+  if (!form.contains(event.target as Node)) void toggleFullScreen();
+});
 addEventListener('keydown', event => {
   if (event.key.toLowerCase() === 'f' && event.target !== input && !event.ctrlKey && !event.metaKey && !event.altKey) void toggleFullScreen();
 });

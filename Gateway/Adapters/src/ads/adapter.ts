@@ -8,8 +8,11 @@ const STEADY_MS = 2000;
 /** Reads a PLC over ADS until it is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
   const { configuration, status, log, stopping } = context;
-  const settings = settingsOf(configuration), backoff = new Backoff();
-  log.line('ADS is neither encrypted nor authenticated (plain: true): anyone with access to this network can read the PLC\'s data and imitate the PLC');
+  const settings = settingsOf(configuration);
+  const backoff = new Backoff();
+  log.line(
+    "ADS is neither encrypted nor authenticated (plain: true): anyone with access to this network can read the PLC's data and imitate the PLC",
+  );
   status.detail('endpoint', String(configuration.plant.endpoint));
   status.detail('security', 'none');
   status.detail('sampling_ms', settings.samplingMs);

@@ -25,14 +25,15 @@ export class Cycles {
    * @param drop Receives the values that never got a time.
    */
   constructor(
-    readonly perDelay: number, readonly take: (time: Nanoseconds | null, values: CycleValue[]) => void,
+    readonly perDelay: number,
+    readonly take: (time: Nanoseconds | null, values: CycleValue[]) => void,
     readonly drop: (values: CycleValue[]) => void,
   ) {}
 
   /** Adds the part of one cycle in a frame. `time` is undefined if the frame does not contain it.  */
   add(stamp: bigint, values: CycleValue[], time: Nanoseconds | null | undefined): void {
     if (time !== undefined) remember(this.#times, stamp, time, MAX_TIMES);
-    const all = [...this.#waiting.get(stamp) ?? [], ...values];
+    const all = [...(this.#waiting.get(stamp) ?? []), ...values];
     if (all.length === 0) return;
     const known = this.#times.get(stamp);
     if (known !== undefined) {

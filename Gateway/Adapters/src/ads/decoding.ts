@@ -31,15 +31,19 @@ export interface Declared {
 }
 
 /** Whether the symbol is a single number. */
-export const isNumber = ({ adsDataType, size, arrayDimension }: Declared): boolean =>
-  arrayDimension === 0 && READERS[adsDataType]?.bytes === size;
+export const isNumber = ({ adsDataType, size, arrayDimension }: Declared): boolean => arrayDimension === 0 && READERS[adsDataType]?.bytes === size;
 
 export const numberOf = (declared: Declared, data: Buffer): number => Number(READERS[declared.adsDataType].read(data));
 
 /** Time units of types by name; see `unitOf` for other types. */
 const UNIT_OF_TYPE: Record<string, TimeUnit> = {
-  T_FILETIME: 'filetime', FILETIME: 'filetime', T_FILETIME64: 'filetime', FILETIME64: 'filetime',
-  T_DCTIME: 'dctime', T_DCTIME64: 'dctime', DCTIME64: 'dctime',
+  T_FILETIME: 'filetime',
+  FILETIME: 'filetime',
+  T_FILETIME64: 'filetime',
+  FILETIME64: 'filetime',
+  T_DCTIME: 'dctime',
+  T_DCTIME64: 'dctime',
+  DCTIME64: 'dctime',
 };
 
 /** Gets the default unit of a variable: ns for whole numbers, s for an LREAL. */

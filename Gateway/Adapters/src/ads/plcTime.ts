@@ -6,8 +6,10 @@ import { type Nanoseconds, ofFileTime } from '../times';
 import { timeOf } from './decoding';
 import type { ReadOnlyClient } from './readOnlyClient';
 
-const PROBES = 64, PROBE_EVERY_MS = 1;
-const MAX_WAIT_MS = 1500, MAX_EARLY = 64;
+const PROBES = 64;
+const PROBE_EVERY_MS = 1;
+const MAX_WAIT_MS = 1500;
+const MAX_EARLY = 64;
 
 /** The clock that stamps a PLC's values. */
 export interface PlcTime {
@@ -29,7 +31,10 @@ export class NotificationTime implements PlcTime {
   #asking = 0;
 
   /** @param place Address of any symbol that supports notifications, preferably one with these stamps. */
-  constructor(readonly client: ReadOnlyClient, readonly place: Pick<AdsSymbol, 'indexGroup' | 'indexOffset' | 'size'>) {}
+  constructor(
+    readonly client: ReadOnlyClient,
+    readonly place: Pick<AdsSymbol, 'indexGroup' | 'indexOffset' | 'size'>,
+  ) {}
 
   saw(handle: number, stamp: bigint): void {
     const take = this.#waiting.get(handle);
@@ -41,9 +46,11 @@ export class NotificationTime implements PlcTime {
   async read(): Promise<ClockReading> {
     const { indexGroup, indexOffset, size } = this.place;
     this.#asking++;
-    const asked = await this.client.subscribe({
-      target: { indexGroup, indexOffset, size }, callback: () => {}, cycleTime: 0, sendOnChange: true, maxDelay: 0,
-    }).finally(() => { this.#asking--; });
+    const asked = await this.client
+      .subscribe({ target: { indexGroup, indexOffset, size }, callback: () => {}, cycleTime: 0, sendOnChange: true, maxDelay: 0 })
+      .finally(() => {
+        this.#asking--;
+      });
     try {
       const time = ofFileTime(await this.#first(asked.notificationHandle));
       return { received: time, sent: time };
@@ -73,7 +80,12 @@ export class VariableTime implements PlcTime {
   #resolution: Nanoseconds | null;
 
   /** @param resolution The cycle of that task; null to measure it. */
-  constructor(readonly client: ReadOnlyClient, readonly symbol: AdsSymbol, readonly unit: TimeUnit, resolution: Nanoseconds | null) {
+  constructor(
+    readonly client: ReadOnlyClient,
+    readonly symbol: AdsSymbol,
+    readonly unit: TimeUnit,
+    resolution: Nanoseconds | null,
+  ) {
     this.#resolution = resolution;
   }
 
@@ -101,9 +113,12 @@ export class VariableTime implements PlcTime {
       asked[i].catch(() => {});
       await pause(PROBE_EVERY_MS, never);
     }
-    const times = (await Promise.all(asked)).sort((a, b) => a < b ? -1 : 1);
-    const steps = times.slice(1).map((time, i) => time - times[i]).filter(step => step > 0n);
+    const times = (await Promise.all(asked)).sort((a, b) => (a < b ? -1 : 1));
+    const steps = times
+      .slice(1)
+      .map((time, i) => time - times[i])
+      .filter(step => step > 0n);
     if (steps.length === 0) throw new Error(`${this.symbol.name} does not advance`);
-    return steps.reduce((min, step) => step < min ? step : min);
+    return steps.reduce((min, step) => (step < min ? step : min));
   }
 }

@@ -3,7 +3,9 @@ import type { AdsEndpoint } from './endpoint';
 import { parseStream, type StampedSamples } from './stream';
 
 const MAX_FRAME = 16 * 1024 * 1024;
-const TIMEOUT_MS = 1500, CHECK_MS = 500, DOWN_MS = 1000;
+const TIMEOUT_MS = 1500;
+const CHECK_MS = 500;
+const DOWN_MS = 1000;
 
 const { ADS_COMMAND: COMMAND, ADS_RESERVED_INDEX_GROUPS: GROUP } = ADS;
 const READING: number[] = [COMMAND.ReadDeviceInfo, COMMAND.Read, COMMAND.ReadState, COMMAND.AddNotification, COMMAND.DeleteNotification];
@@ -40,18 +42,21 @@ export class ReadOnlyClient extends Client {
       // A notification may arrive before the answer to its subscription; its subscription is then not yet known.
       deleteUnknownSubscriptions: false,
     });
-    const hidden = this.#hidden, parsed = hidden.parseAdsNotification.bind(this), taken = hidden.parseAmsTcpPacket.bind(this);
+    const hidden = this.#hidden;
+    const parsed = hidden.parseAdsNotification.bind(this);
+    const taken = hidden.parseAmsTcpPacket.bind(this);
     const received = hidden.handleReceivedData.bind(this);
     hidden.parseAdsNotification = data => {
       this.onSamples(parseStream(data));
       return parsed(data);
     };
     hidden.parseAmsTcpPacket = data => this.#unlessBroken(() => taken(data));
-    hidden.handleReceivedData = () => this.#unlessBroken(() => {
-      const { receiveBuffer } = hidden;
-      if (receiveBuffer.length >= 6 && receiveBuffer.readUInt32LE(2) > MAX_FRAME) throw new RangeError('the frame is larger than 16 MiB');
-      received();
-    });
+    hidden.handleReceivedData = () =>
+      this.#unlessBroken(() => {
+        const { receiveBuffer } = hidden;
+        if (receiveBuffer.length >= 6 && receiveBuffer.readUInt32LE(2) > MAX_FRAME) throw new RangeError('the frame is larger than 16 MiB');
+        received();
+      });
   }
 
   /** Whether the other end has closed the connection. */
@@ -62,8 +67,8 @@ export class ReadOnlyClient extends Client {
 
   /** Every command of ads-client is sent by this method. */
   override async sendAdsCommand<T = AdsResponse>(command: AdsCommandToSend): Promise<AmsTcpPacket<T>> {
-    const isReading = READING.includes(command.adsCommand)
-      || command.adsCommand === COMMAND.ReadWrite && LOOKING_UP.includes(command.payload!.readUInt32LE(0));
+    const isReading =
+      READING.includes(command.adsCommand) || (command.adsCommand === COMMAND.ReadWrite && LOOKING_UP.includes(command.payload!.readUInt32LE(0)));
     if (!isReading) throw new Error(`command ${command.adsCommand} would write to the control system; adapters only read`);
     return super.sendAdsCommand<T>(command);
   }

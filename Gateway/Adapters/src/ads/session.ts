@@ -20,7 +20,8 @@ const GOODBYE_MS = 500;
 const PLC_STATE = { indexGroup: ADS.ADS_RESERVED_INDEX_GROUPS.DeviceData, indexOffset: 0, size: 4 };
 
 /** Delay of a value beyond the intervals, and the limit for a joint that the PLC does not confirm. */
-const SLACK_MS = 100, UNCONFIRMED_MS = 1500;
+const SLACK_MS = 100;
+const UNCONFIRMED_MS = 1500;
 
 /** A change may be stamped this long before a read shows it, in addition to the time between two samples. */
 const STAMP_LAG_MS = 50;
@@ -45,17 +46,28 @@ export class AdsSession {
   #isRunning = true;
   #end: (reason: string) => void = () => {};
 
-  constructor(readonly context: AdapterContext, readonly settings: AdsSettings) {
+  constructor(
+    readonly context: AdapterContext,
+    readonly settings: AdsSettings,
+  ) {
     this.#client = new ReadOnlyClient(settings.endpoint, settings.local);
-    this.#cycles = new Cycles(Math.ceil(settings.publishingMs / settings.samplingMs), (time, values) => this.#put(time, values), values => {
-      for (const { joint } of values) context.output.refuse(joint, 'stamp-missing', `the value arrived without ${settings.time?.symbol} of its cycle`);
-    });
+    this.#cycles = new Cycles(
+      Math.ceil(settings.publishingMs / settings.samplingMs),
+      (time, values) => this.#put(time, values),
+      values => {
+        for (const { joint } of values)
+          context.output.refuse(joint, 'stamp-missing', `the value arrived without ${settings.time?.symbol} of its cycle`);
+      },
+    );
   }
 
   /** Reads until the connection, the program or the adapter ends. Returns the reason, and whether waiting alone is unlikely to fix it. */
   async run(): Promise<{ reason: string; isRefused: boolean }> {
-    const ended = new Promise<string>(resolve => { this.#end = resolve; });
-    const { stopping } = this.context, stop = (): void => this.#end('stopped');
+    const ended = new Promise<string>(resolve => {
+      this.#end = resolve;
+    });
+    const { stopping } = this.context;
+    const stop = (): void => this.#end('stopped');
     stopping.addEventListener('abort', stop);
     this.#listen();
     this.context.output.startAnew();
@@ -86,15 +98,16 @@ export class AdsSession {
     await this.#client.connect();
     const { settings } = this;
     const joints = await this.#findJoints();
-    const time = settings.time && await this.#find(settings.time, timeNeeded);
+    const time = settings.time && (await this.#find(settings.time, timeNeeded));
     if (time !== null) this.#unit = settings.time!.unit ?? unitOf(time);
-    this.#time = time === null
-      ? new NotificationTime(this.#client, joints.find(symbol => symbol !== null) ?? PLC_STATE)
-      : new VariableTime(this.#client, time, this.#unit, this.context.clock.fixedResolution);
+    this.#time =
+      time === null
+        ? new NotificationTime(this.#client, joints.find(symbol => symbol !== null) ?? PLC_STATE)
+        : new VariableTime(this.#client, time, this.#unit, this.context.clock.fixedResolution);
     // The PLC counts the cycles from when a notification is added. The time is sampled in every cycle, and the joints are added immediately.
     if (time !== null) await this.#watch(time, null, { cycleTime: 0, sendOnChange: false });
     const sampled = { cycleTime: settings.samplingMs, sendOnChange: settings.isOnChange };
-    await Promise.all(joints.map((symbol, joint) => symbol === null ? undefined : this.#watch(symbol, joint, sampled)));
+    await Promise.all(joints.map((symbol, joint) => (symbol === null ? undefined : this.#watch(symbol, joint, sampled))));
     this.#watchSilence(joints, sampled);
     this.#isReading = true;
     this.#tellState();
@@ -114,32 +127,42 @@ export class AdsSession {
   }
 
   #watchSilence(joints: (AdsSymbol | null)[], sampled: { cycleTime: number; sendOnChange: boolean }): void {
-    const { output, clock } = this.context, { samplingMs, publishingMs, isOnChange } = this.settings;
+    const { output, clock } = this.context;
+    const { samplingMs, publishingMs, isOnChange } = this.settings;
     const delayMs = SLACK_MS + samplingMs + publishingMs;
     output.samplingS = samplingMs / 1000;
     output.silence.unconfirmedMs = Math.max(UNCONFIRMED_MS, UNCONFIRMED_MS / 2 + 3 * delayMs);
-    this.#silent = new SilentSymbols(joints.map(symbol => symbol !== null), delayMs, isOnChange, {
-      read: async joint => {
-        const symbol = joints[joint]!, { indexGroup, indexOffset, size } = symbol;
-        return numberOf(symbol, await this.#client.readRaw(indexGroup, indexOffset, size));
+    this.#silent = new SilentSymbols(
+      joints.map(symbol => symbol !== null),
+      delayMs,
+      isOnChange,
+      {
+        read: async joint => {
+          const symbol = joints[joint]!;
+          const { indexGroup, indexOffset, size } = symbol;
+          return numberOf(symbol, await this.#client.readRaw(indexGroup, indexOffset, size));
+        },
+        confirm: (confirmed, agoMs) => {
+          const { now } = clock;
+          const others = joints.flatMap((_, joint) => (confirmed.has(joint) ? [] : [joint]));
+          if (now === null || !this.#isRunning) return;
+          output.hold(now - ofMilliseconds(agoMs + STAMP_LAG_MS + samplingMs), ofMilliseconds(3 * samplingMs), new Set(others));
+        },
+        lose: (joint, error) => {
+          if (this.#isRunning) output.lose(joint, `${this.settings.joints[joint].symbol} cannot be read: ${this.#reasonOf(error)}`);
+        },
+        renew: async (joint, value) => {
+          for (const [handle, watched] of this.#watched) {
+            if (watched.joint !== joint) continue;
+            this.#watched.delete(handle);
+            watched.unsubscribe().catch(() => {});
+          }
+          await this.#watch(joints[joint]!, joint, sampled);
+          // The first notification may arrive before its handle is known; a joint at rest has no other.
+          output.publish([{ joint, value, stamp: null, isFirst: true }]);
+        },
       },
-      confirm: (confirmed, agoMs) => {
-        const { now } = clock, others = joints.flatMap((_, joint) => confirmed.has(joint) ? [] : [joint]);
-        if (now === null || !this.#isRunning) return;
-        output.hold(now - ofMilliseconds(agoMs + STAMP_LAG_MS + samplingMs), ofMilliseconds(3 * samplingMs), new Set(others));
-      },
-      lose: (joint, error) => { if (this.#isRunning) output.lose(joint, `${this.settings.joints[joint].symbol} cannot be read: ${this.#reasonOf(error)}`); },
-      renew: async (joint, value) => {
-        for (const [handle, watched] of this.#watched) {
-          if (watched.joint !== joint) continue;
-          this.#watched.delete(handle);
-          watched.unsubscribe().catch(() => {});
-        }
-        await this.#watch(joints[joint]!, joint, sampled);
-        // The first notification may arrive before its handle is known; a joint at rest has no other.
-        output.publish([{ joint, value, stamp: null, isFirst: true }]);
-      },
-    });
+    );
     void this.#silent.run(AbortSignal.any([this.context.stopping, this.#ended.signal]));
   }
 
@@ -148,9 +171,13 @@ export class AdsSession {
   }
 
   async #watch(symbol: AdsSymbol, joint: number | null, when: { cycleTime: number; sendOnChange: boolean }): Promise<void> {
-    const { indexGroup, indexOffset, size } = symbol, { samplingMs, publishingMs } = this.settings;
+    const { indexGroup, indexOffset, size } = symbol;
+    const { samplingMs, publishingMs } = this.settings;
     const subscription = await this.#client.subscribe({
-      ...when, target: { indexGroup, indexOffset, size }, callback: () => {}, maxDelay: publishingMs > samplingMs ? publishingMs : 0,
+      ...when,
+      target: { indexGroup, indexOffset, size },
+      callback: () => {},
+      maxDelay: publishingMs > samplingMs ? publishingMs : 0,
     });
     this.#watched.set(subscription.notificationHandle, { symbol, joint, unsubscribe: () => subscription.unsubscribe() });
   }
@@ -184,7 +211,8 @@ export class AdsSession {
     if (isOnChange && stamp !== null && this.#isRunning)
       this.context.output.hold(stamp - ofMilliseconds(samplingMs + publishingMs), ofMilliseconds(3 * samplingMs), new Set(values.map(v => v.joint)));
     if (this.#isRunning) return this.context.output.publish(values.map(value => ({ ...value, stamp })));
-    for (const { joint } of values) this.context.output.refuse(joint, 'plc-stopped', 'the PLC\'s program does not run, so its variables do not change');
+    for (const { joint } of values)
+      this.context.output.refuse(joint, 'plc-stopped', "the PLC's program does not run, so its variables do not change");
   }
 
   #tellState(): void {
@@ -202,7 +230,7 @@ export class AdsSession {
 
   async #attachClock(): Promise<void> {
     const read = (): Promise<ClockReading> => {
-      if (!this.#isRunning) throw new Error('the PLC\'s program does not run; start it');
+      if (!this.#isRunning) throw new Error("the PLC's program does not run; start it");
       return this.#time!.read();
     };
     try {
@@ -218,7 +246,8 @@ export class AdsSession {
   }
 
   #whyLost(): string {
-    const system = this.#client.metaData.tcSystemState, { host, netId } = this.settings.endpoint;
+    const system = this.#client.metaData.tcSystemState;
+    const { host, netId } = this.settings.endpoint;
     return system !== undefined && system.adsState !== RUN
       ? `TwinCAT at ${netId} went to ${system.adsStateStr} mode`
       : `the connection to ${host} ended`;
@@ -235,7 +264,7 @@ export class AdsSession {
 
 const numberNeeded = (found: AdsSymbol): string | undefined => {
   if (found.arrayDimension > 0) return `name one element, such as ${found.name}[${found.arrayInfo[0]?.startIndex ?? 0}]`;
-  return isNumber(found) ? undefined : 'a joint\'s value must be a number: LREAL, REAL or a whole number';
+  return isNumber(found) ? undefined : "a joint's value must be a number: LREAL, REAL or a whole number";
 };
 
 const timeNeeded = (found: AdsSymbol): string | undefined =>

@@ -43,8 +43,10 @@ export const check: OwnCheck = (file, configuration) => {
   if (plant.local_net_id !== undefined && !isNetId(plant.local_net_id))
     file.report(['plant', 'local_net_id'], `value ${shown(plant.local_net_id)}; the parts of an AMS Net Id are 0 to 255`);
   if (plant.plain !== true)
-    file.report(['plant', 'plain'], 'missing; ADS is neither encrypted nor authenticated here: '
-      + 'if all machines in its network are trusted, set plain: true');
+    file.report(
+      ['plant', 'plain'],
+      'missing; ADS is neither encrypted nor authenticated here: ' + 'if all machines in its network are trusted, set plain: true',
+    );
   if (plant.timestamp === 'variable' && plant.time === undefined)
     file.report(['plant', 'timestamp'], 'value "variable"; add time with the symbol of the time variable');
   if (plant.timestamp === 'notification' && plant.time !== undefined)
@@ -53,12 +55,15 @@ export const check: OwnCheck = (file, configuration) => {
   if (publishingMs < samplingMs)
     file.report(['plant', 'publishing_ms'], `value ${publishingMs}; allowed is a time from sampling_ms, ${samplingMs}, to 10000 ms`);
   const silent = file.value as { plant: { silence?: unknown }; joints?: { silence?: unknown }[] };
-  const rests = [['plant'], ...configuration.joints.map((_, i) => ['joints', i])].filter(path =>
-    (path.length === 1 ? silent.plant : silent.joints![Number(path[1])]).silence === 'rest');
+  const rests = [['plant'], ...configuration.joints.map((_, i) => ['joints', i])].filter(
+    path => (path.length === 1 ? silent.plant : silent.joints![Number(path[1])]).silence === 'rest',
+  );
   if (plant.on_change !== true)
     for (const path of rests)
       file.report([...path, 'silence'], 'value "rest"; without on_change: true a joint at rest is sent too, so missing values are always a fault');
-  configuration.joints.forEach((joint, i) => { joint.line = file.lineOf(['joints', i, 'symbol']); });
+  configuration.joints.forEach((joint, i) => {
+    joint.line = file.lineOf(['joints', i, 'symbol']);
+  });
   if (plant.time !== undefined) Object.assign(plant.time, { line: file.lineOf(['plant', 'time', 'symbol']) });
 };
 
@@ -74,7 +79,7 @@ export function settingsOf(configuration: Configuration): AdsSettings {
     local: plant.local_net_id === undefined ? null : { netId: plant.local_net_id, port: OWN_PORT },
     ...intervalsOf(plant),
     isOnChange: plant.on_change ?? false,
-    time: plant.time === undefined ? null : { unit: undefined, ...plant.time as { symbol: string; unit?: TimeUnit; line: number } },
+    time: plant.time === undefined ? null : { unit: undefined, ...(plant.time as { symbol: string; unit?: TimeUnit; line: number }) },
     joints: configuration.joints.map(joint => ({ symbol: joint.symbol as string, line: joint.line as number })),
   };
 }

@@ -1,13 +1,16 @@
 import { pause } from '../backoff';
 
 /** Interval of the checks while values arrive, and after none has arrived for QUIET_MS. A headset shows a sample for 300 ms. */
-const LOOK_MS = 500, QUIET_LOOK_MS = 90, QUIET_MS = 50;
+const LOOK_MS = 500;
+const QUIET_LOOK_MS = 90;
+const QUIET_MS = 50;
 
 /** Silence after which a symbol is read, for a PLC that sends no values at rest. */
 const SILENT_MS = 60;
 
 /** A value is late after this time and this multiple of its normal delay. The PLC then no longer sends notifications. */
-const LATE_MS = 400, DELAYS = 2;
+const LATE_MS = 400;
+const DELAYS = 2;
 
 interface SymbolState {
   heardAt: number;
@@ -39,10 +42,13 @@ export class SilentSymbols {
    * @param isOnChange Whether values at rest are not sent.
    */
   constructor(
-    watched: boolean[], readonly delayMs: number, readonly isOnChange: boolean, readonly actions: ReadActions,
+    watched: boolean[],
+    readonly delayMs: number,
+    readonly isOnChange: boolean,
+    readonly actions: ReadActions,
     readonly now: () => number = () => performance.now(),
   ) {
-    this.#symbols = watched.map(isWatched => isWatched ? { heardAt: now(), value: null, isLost: false, missedSince: null } : null);
+    this.#symbols = watched.map(isWatched => (isWatched ? { heardAt: now(), value: null, isLost: false, missedSince: null } : null));
   }
 
   heard(joint: number, value: number): void {
@@ -55,20 +61,28 @@ export class SilentSymbols {
     while (!stop.aborted) {
       await pause(QUIET_LOOK_MS, stop);
       const isQuiet = this.isOnChange && this.now() - this.#newest >= QUIET_MS;
-      if (stop.aborted || !isQuiet && this.now() - looked < LOOK_MS) continue;
+      if (stop.aborted || (!isQuiet && this.now() - looked < LOOK_MS)) continue;
       looked = this.now();
       await this.look();
     }
   }
 
   async look(): Promise<void> {
-    const began = this.now(), silence = this.isOnChange ? SILENT_MS : this.#lateMs, unchanged = new Set<number>();
-    const silent = this.#symbols.flatMap((symbol, joint) => symbol !== null && began - symbol.heardAt >= silence ? [joint] : []);
-    await Promise.all(silent.map(async joint => { if (await this.#isUnchanged(joint, began)) unchanged.add(joint); }));
+    const began = this.now();
+    const silence = this.isOnChange ? SILENT_MS : this.#lateMs;
+    const unchanged = new Set<number>();
+    const silent = this.#symbols.flatMap((symbol, joint) => (symbol !== null && began - symbol.heardAt >= silence ? [joint] : []));
+    await Promise.all(
+      silent.map(async joint => {
+        if (await this.#isUnchanged(joint, began)) unchanged.add(joint);
+      }),
+    );
     if (unchanged.size > 0) this.actions.confirm(unchanged, this.now() - began);
   }
 
-  get #lateMs(): number { return Math.max(LATE_MS, DELAYS * this.delayMs); }
+  get #lateMs(): number {
+    return Math.max(LATE_MS, DELAYS * this.delayMs);
+  }
 
   async #isUnchanged(joint: number, began: number): Promise<boolean> {
     let value: number;
@@ -79,10 +93,11 @@ export class SilentSymbols {
       this.actions.lose(joint, error);
       return false;
     }
-    const symbol = this.#symbols[joint]!, isSame = Object.is(value, symbol.value);
+    const symbol = this.#symbols[joint]!;
+    const isSame = Object.is(value, symbol.value);
     if (symbol.heardAt >= began) return false;
-    symbol.missedSince = this.isOnChange && isSame ? null : symbol.missedSince ?? began;
-    if (symbol.isLost || symbol.missedSince !== null && began - symbol.missedSince >= this.#lateMs) {
+    symbol.missedSince = this.isOnChange && isSame ? null : (symbol.missedSince ?? began);
+    if (symbol.isLost || (symbol.missedSince !== null && began - symbol.missedSince >= this.#lateMs)) {
       this.heard(joint, value);
       await this.actions.renew(joint, value).catch(error => this.actions.lose(joint, error));
       return false;

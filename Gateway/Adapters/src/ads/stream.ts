@@ -17,7 +17,8 @@ export function parseStream(data: Buffer): StampedSamples[] {
     const samples: StampedSamples['samples'] = [];
     let count = data.readUInt32LE(at + 8);
     for (at += 12; count > 0; count--) {
-      const handle = data.readUInt32LE(at), length = data.readUInt32LE(at + 4);
+      const handle = data.readUInt32LE(at);
+      const length = data.readUInt32LE(at + 4);
       if (at + 8 + length > data.length) throw new RangeError(`a sample has ${length} bytes, more than its frame of ${data.length}`);
       samples.push({ handle, data: data.subarray(at + 8, at + 8 + length) });
       at += 8 + length;

@@ -18,8 +18,12 @@ export class SymbolError extends Error {}
  * Finds a symbol of the configuration.
  * @throws SymbolError The PLC does not have the symbol, or it is not usable. The message has the line and a suggestion.
  */
-export async function findSymbol(client: ReadOnlyClient, file: string, { symbol, line }: NamedSymbol,
-  objectionTo: (found: AdsSymbol) => string | undefined): Promise<AdsSymbol> {
+export async function findSymbol(
+  client: ReadOnlyClient,
+  file: string,
+  { symbol, line }: NamedSymbol,
+  objectionTo: (found: AdsSymbol) => string | undefined,
+): Promise<AdsSymbol> {
   let found: AdsSymbol;
   try {
     found = await client.getSymbol(symbol);

@@ -5,7 +5,8 @@ import { subscribe } from './subscribe';
 
 /** Transfers a plant's messages between a gateway and a broker, in one direction, until it is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
-  const { configuration, status, log } = context, settings = settingsOf(configuration);
+  const { configuration, status, log } = context;
+  const settings = settingsOf(configuration);
   status.detail('endpoint', settings.endpoint);
   status.detail('security', settings.endpoint.startsWith('mqtts:') ? 'tls' : 'none');
   status.detail('direction', settings.direction);

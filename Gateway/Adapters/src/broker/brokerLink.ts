@@ -4,13 +4,20 @@ import { Backoff, pause } from '../backoff';
 import { SendQueue } from '../gateway/sendQueue';
 import type { BrokerSettings } from './settings';
 
-const KEEP_ALIVE_S = 3, CONNECT_MS = 5000, STEADY_MS = 2000, GOODBYE_MS = 500;
+const KEEP_ALIVE_S = 3;
+const CONNECT_MS = 5000;
+const STEADY_MS = 2000;
+const GOODBYE_MS = 500;
 
 /**
  * The topics below the plant's topic: those with ROS names, the joints that are not live, and the presence of the publishing end.
  * All but the joint states are retained.
  */
-export const STATES = 'joint_states', TRAJECTORY = 'joint_trajectory', DESCRIPTION = 'robot_description', STATUS = 'joint_status', ALIVE = 'alive';
+export const STATES = 'joint_states';
+export const TRAJECTORY = 'joint_trajectory';
+export const DESCRIPTION = 'robot_description';
+export const STATUS = 'joint_status';
+export const ALIVE = 'alive';
 
 /** Values of ALIVE: bridge and gateway are present, the bridge is present without its gateway, or the bridge is absent. */
 export type Presence = 'true' | 'no gateway' | 'false';
@@ -34,10 +41,17 @@ export class BrokerLink {
   #presence: Presence = 'no gateway';
 
   /** @param subscriptions Topics below the plant's topic. */
-  constructor(readonly settings: BrokerSettings, readonly name: string, readonly subscriptions: string[], readonly events: BrokerEvents) {}
+  constructor(
+    readonly settings: BrokerSettings,
+    readonly name: string,
+    readonly subscriptions: string[],
+    readonly events: BrokerEvents,
+  ) {}
 
   /** Number of messages dropped because the broker was disconnected or slow. */
-  get dropped(): number { return this.#queue.dropped; }
+  get dropped(): number {
+    return this.#queue.dropped;
+  }
 
   /**
    * Sends joint states at most once (QoS 0), because a repeated message could arrive after a newer one.
@@ -86,7 +100,9 @@ export class BrokerLink {
       stop.addEventListener('abort', leave);
       client.on('connect', () => this.#open(client));
       client.on('message', (topic, payload) => this.#hear(topic.slice(this.settings.topic.length + 1), payload));
-      client.on('error', error => { reason = inWords(error, this.settings.endpoint); });
+      client.on('error', error => {
+        reason = inWords(error, this.settings.endpoint);
+      });
       // The close event would report the end again, when the next client may already exist.
       client.once('close', () => {
         stop.removeEventListener('abort', leave);
@@ -151,7 +167,9 @@ export class BrokerLink {
     const client = this.#client;
     if (!client?.connected) return;
     const socket = {
-      get bufferedAmount() { return client.stream.writableLength; },
+      get bufferedAmount() {
+        return client.stream.writableLength;
+      },
       send: (payload: string, done: () => void) => void client.publish(`${this.settings.topic}/${STATES}`, payload, { qos: 0 }, done),
     };
     this.#queue.pump(socket, () => this.#pump());

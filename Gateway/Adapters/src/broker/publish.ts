@@ -15,7 +15,14 @@ export async function publish({ configuration, gateway, status, stopping }: Adap
     malformed: (name, problem) => status.refuse('malformed', name, problem),
   });
   broker.isGatewayOpen = gateway.isOpen;
-  gateway.watch({ opened: () => { broker.isGatewayOpen = true; }, away: () => { broker.isGatewayOpen = false; } });
+  gateway.watch({
+    opened: () => {
+      broker.isGatewayOpen = true;
+    },
+    away: () => {
+      broker.isGatewayOpen = false;
+    },
+  });
   gateway.subscribe(JOINT_STATES, message => {
     status.sampled();
     status.detail('lost', broker.dropped);

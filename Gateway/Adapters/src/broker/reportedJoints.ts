@@ -4,7 +4,9 @@ import type { JointNames } from '../ros/jointNames';
 import type { Silence } from '../samples/silence';
 import { type Nanoseconds, ofRosTime, toMilliseconds } from '../times';
 
-const MAX_JOINTS = 256, MAX_NAME = 128, MAX_REASON = 300;
+const MAX_JOINTS = 256;
+const MAX_NAME = 128;
+const MAX_REASON = 300;
 
 /** STATE SINCE REASON, as written by a gateway; SINCE is its control time in seconds. */
 const VALUE = /^(live|rest|stale|refused|fault|missing) (-?\d{1,12}(?:\.\d{1,9})?)(?: (.*))?$/;
@@ -13,7 +15,9 @@ const VALUE = /^(live|rest|stale|refused|fault|missing) (-?\d{1,12}(?:\.\d{1,9})
 const UNCERTAIN = 'may not be at rest: ';
 
 /** Report of the plant's gateway about one joint that is not live there. */
-interface Report extends JointCondition { joint: string }
+interface Report extends JointCondition {
+  joint: string;
+}
 
 /** Gives the joints of this gateway their states at the plant's gateway. */
 export class ReportedJoints {
@@ -24,7 +28,12 @@ export class ReportedJoints {
   #reported = new Set<string>();
 
   /** @param now Unix time in milliseconds. */
-  constructor(readonly names: JointNames, readonly status: AdapterStatus, readonly silence: Silence, readonly now: () => number = Date.now) {}
+  constructor(
+    readonly names: JointNames,
+    readonly status: AdapterStatus,
+    readonly silence: Silence,
+    readonly now: () => number = Date.now,
+  ) {}
 
   /** Processes a message of the other gateway's topic /nowpose/joint_status. */
   hear(message: Record<string, unknown>): void {
@@ -65,7 +74,8 @@ export class ReportedJoints {
 /** Gets the reports of a message, or the description of its error. */
 function reportsOf(message: Record<string, unknown>, now: number): Report[] | string {
   const { header, status } = message as { header?: { stamp?: unknown }; status?: { values?: unknown }[] };
-  const written = ofRosTime(header?.stamp), values = Array.isArray(status) && status.length === 1 ? status[0]?.values : undefined;
+  const written = ofRosTime(header?.stamp);
+  const values = Array.isArray(status) && status.length === 1 ? status[0]?.values : undefined;
   if (written === null) return 'it has no time stamp';
   if (!Array.isArray(values)) return 'it has no list of values';
   if (values.length > MAX_JOINTS) return `it has ${values.length} joints; up to ${MAX_JOINTS} are allowed`;
@@ -85,7 +95,8 @@ function reportOf(entry: { key?: unknown; value?: unknown } | null, written: Nan
   if (word === undefined) return null;
   // The transmission time is negligible, so no clock needs to be known here, and clocks of two machines need not agree.
   const since = Math.max(0, now - Math.max(0, toMilliseconds(written) - 1000 * Number(seconds)));
-  const reason = text.slice(0, MAX_REASON), isUncertain = word === 'rest' && reason.startsWith(UNCERTAIN);
+  const reason = text.slice(0, MAX_REASON);
+  const isUncertain = word === 'rest' && reason.startsWith(UNCERTAIN);
   // "stale" describes the arrival at the receiving gateway, which an adapter does not report.
   const [state, why] = word === 'stale' ? ['fault', `at the gateway that has the plant: ${reason}`] : [word, reason];
   return { joint, state: state as JointState, since, reason: why, uncertainty: isUncertain ? reason.slice(UNCERTAIN.length) : '' };

@@ -7,7 +7,8 @@ import { type User, userIn } from '../configuration/user';
 import type { YamlFile } from '../configuration/yamlFile';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 
-const OLDEST_MS = 10_000, SYNC_PORT = 47010;
+const OLDEST_MS = 10_000;
+const SYNC_PORT = 47010;
 
 /** The sync port of the plant's gateway. */
 export interface Upstream {
@@ -48,18 +49,19 @@ export const settingsOf = (configuration: Configuration): BrokerSettings => conf
 
 export const broker: Kind = {
   check(file, configuration, environment) {
-    const section = configuration.plant as unknown as Section, { endpoint, direction, plain, user } = section;
+    const section = configuration.plant as unknown as Section;
+    const { endpoint, direction, plain, user } = section;
     const isOpen = endpoint.startsWith('mqtt:');
     requireAddress(file, ['plant', 'endpoint'], endpoint);
     requirePlain(file, section);
-    if (user !== undefined && isOpen && !isLoopback(endpoint))
-      file.report(['plant', 'user'], 'the password would be sent unencrypted; use mqtts://');
+    if (user !== undefined && isOpen && !isLoopback(endpoint)) file.report(['plant', 'user'], 'the password would be sent unencrypted; use mqtts://');
     if (direction === 'publish' && section.clock !== undefined)
       file.report(['plant', 'clock'], 'not used with direction: publish; the bridge on the receiving side asks for the time');
     if (direction === 'subscribe' && section.clock === undefined)
       file.report(['plant', 'clock'], 'missing; add host and sync port of the gateway that has the plant, because the time stamps use its clock');
     const settings: BrokerSettings = {
-      direction, endpoint,
+      direction,
+      endpoint,
       topic: section.topic,
       isPlain: isOpen && plain === true,
       authority: section.authority_file === undefined ? null : secretText(file, ['plant', 'authority_file'], section.authority_file, false),
@@ -81,7 +83,8 @@ export const broker: Kind = {
 
 function clockOf(file: YamlFile, { clock }: Section, configuration: Configuration): Upstream | null {
   if (clock === undefined) return null;
-  const isTls = clock.tls === true || clock.pin !== undefined, at = ['plant', 'clock', 'token_file'] as const;
+  const isTls = clock.tls === true || clock.pin !== undefined;
+  const at = ['plant', 'clock', 'token_file'] as const;
   const token = clock.token_file === undefined ? null : secretIn(file, at, clock.token_file);
   if (token !== null && !isTls && !isLoopback(clock.host))
     file.report(at, 'a token is sent only over TLS or within this machine; add the pin of the gateway that has the plant, or tls: true');

@@ -8,13 +8,16 @@ import { ReportedJoints } from './reportedJoints';
 import type { BrokerSettings } from './settings';
 import { runUpstreamClock } from './upstreamClock';
 
-const MAX_MESSAGE = 64 * 1024, MAX_DESCRIPTION = 1024 * 1024;
+const MAX_MESSAGE = 64 * 1024;
+const MAX_DESCRIPTION = 1024 * 1024;
 
 /** Forwards messages from the broker to a gateway without a plant, and serves it the clock of the plant's gateway. */
 export async function subscribe(
-  { configuration, gateway, clock, output, status, log, stopping }: AdapterContext, settings: BrokerSettings,
+  { configuration, gateway, clock, output, status, log, stopping }: AdapterContext,
+  settings: BrokerSettings,
 ): Promise<void> {
-  const names = new JointNames([]), states = new JointStates(names, settings.oldest, clock, gateway, status, output.silence);
+  const names = new JointNames([]);
+  const states = new JointStates(names, settings.oldest, clock, gateway, status, output.silence);
   const reported = new ReportedJoints(names, status, output.silence);
   const take: Record<string, (message: Record<string, unknown>) => void> = {
     [STATES]: message => states.pass(message),
@@ -47,13 +50,17 @@ export async function subscribe(
   });
 
   function enter(presence: string): void {
-    if (presence === 'true' satisfies Presence) {
+    if (presence === ('true' satisfies Presence)) {
       status.enter('connected');
       reported.enter();
     } else {
       reported.leave();
-      status.enter('waiting', presence === 'no gateway' satisfies Presence
-        ? 'the bridge has lost the gateway that has the plant' : 'the bridge of the gateway that has the plant is disconnected');
+      status.enter(
+        'waiting',
+        presence === ('no gateway' satisfies Presence)
+          ? 'the bridge has lost the gateway that has the plant'
+          : 'the bridge of the gateway that has the plant is disconnected',
+      );
     }
   }
 
@@ -64,7 +71,7 @@ function parsed(name: string, payload: Buffer): Record<string, unknown> | null {
   if (payload.length > (name === DESCRIPTION ? MAX_DESCRIPTION : MAX_MESSAGE)) return null;
   try {
     const message = JSON.parse(payload.toString()) as unknown;
-    return typeof message === 'object' && !Array.isArray(message) ? message as Record<string, unknown> | null : null;
+    return typeof message === 'object' && !Array.isArray(message) ? (message as Record<string, unknown> | null) : null;
   } catch {
     return null;
   }

@@ -15,7 +15,10 @@ export class SyncClient {
   #fail: ((error: Error) => void) | null = null;
   #sequence = 0;
 
-  private constructor(readonly socket: Socket, readonly closed: Promise<string>) {
+  private constructor(
+    readonly socket: Socket,
+    readonly closed: Promise<string>,
+  ) {
     socket.on('data', bytes => this.#hear(bytes));
     void closed.then(reason => this.#fail?.(new Error(reason)));
   }
@@ -25,7 +28,9 @@ export class SyncClient {
     const socket = await connected(upstream);
     socket.setNoDelay(true);
     let reason = `${upstream.host}:${upstream.port} closed the connection`;
-    socket.on('error', error => { reason = error.message; });
+    socket.on('error', error => {
+      reason = error.message;
+    });
     const client = new SyncClient(socket, new Promise(resolve => socket.once('close', () => resolve(reason))));
     if (upstream.token === null) return client;
     if (isAccepted(await client.#ask(tokenRequest(upstream.token))) === true) return client;
@@ -39,7 +44,8 @@ export class SyncClient {
 
   /** @throws Error No valid reply within 2 s. The connection is then unusable and is closed. */
   async read(): Promise<ClockReading> {
-    const sequence = this.#sequence = this.#sequence + 1 >>> 0, t1 = monotonicTime();
+    const sequence = (this.#sequence = (this.#sequence + 1) >>> 0);
+    const t1 = monotonicTime();
     const reply = parseReply(await this.#ask(request(sequence, t1)));
     const took = monotonicTime() - t1;
     if (reply?.sequence === sequence && reply.t1 === t1) {

@@ -4,8 +4,12 @@ import type { Nanoseconds } from '../times';
 /** Length of a frame of the clock sync protocol, bytes. */
 export const FRAME = 48;
 
-const MAGIC = 0x434e5953, VERSION = 1;
-const REQUEST = 1, REPLY = 2, TOKEN = 0x10, TOKEN_REPLY = 0x11;
+const MAGIC = 0x434e5953;
+const VERSION = 1;
+const REQUEST = 1;
+const REPLY = 2;
+const TOKEN = 0x10;
+const TOKEN_REPLY = 0x11;
 const MAX_BOUND = 0xffff_ffff;
 
 export interface Reply {
@@ -28,7 +32,8 @@ export const request = (sequence: number, t1: Nanoseconds): Buffer => frame(REQU
 
 /** Creates the first frame, for a server with tokens. */
 export function tokenRequest(token: string): Buffer {
-  const text = Buffer.from(token, 'utf8'), length = Buffer.alloc(2);
+  const text = Buffer.from(token, 'utf8');
+  const length = Buffer.alloc(2);
   length.writeUInt16LE(text.length);
   return Buffer.concat([frame(TOKEN, 0, 0n), length, text]);
 }
@@ -37,12 +42,13 @@ const isOfKind = (bytes: Buffer, kind: number): boolean =>
   bytes.readUInt32LE(0) === MAGIC && bytes.readUInt8(4) === VERSION && bytes.readUInt8(5) === kind;
 
 /** Whether a token was accepted; undefined if the bytes are not an answer to a token. */
-export const isAccepted = (bytes: Buffer): boolean | undefined => isOfKind(bytes, TOKEN_REPLY) ? (bytes.readUInt16LE(6) & 1) !== 0 : undefined;
+export const isAccepted = (bytes: Buffer): boolean | undefined => (isOfKind(bytes, TOKEN_REPLY) ? (bytes.readUInt16LE(6) & 1) !== 0 : undefined);
 
 /** Parses a reply; undefined if the bytes are not a reply. */
 export function parseReply(bytes: Buffer): Reply | undefined {
   if (!isOfKind(bytes, REPLY)) return undefined;
-  const bound = bytes.readUInt32LE(12), flags = bytes.readUInt16LE(6);
+  const bound = bytes.readUInt32LE(12);
+  const flags = bytes.readUInt16LE(6);
   return {
     sequence: bytes.readUInt32LE(8),
     t1: bytes.readBigInt64LE(16),

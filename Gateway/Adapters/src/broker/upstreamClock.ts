@@ -30,7 +30,7 @@ async function follow(upstream: Upstream, clock: PlantClock, log: Log, stop: Abo
   const leave = (): void => client.close();
   stop.addEventListener('abort', leave);
   try {
-    if (!await clock.attach(() => client.read(), stop)) return 'stopped';
+    if (!(await clock.attach(() => client.read(), stop))) return 'stopped';
     opened();
     log.change('clock', `the time is that of ${upstream.host}:${upstream.port}`);
     return await client.closed;

@@ -29,7 +29,10 @@ export class ClockStopped extends Error {
 export const isClockStopped = (error: unknown): boolean => (error as Error | undefined)?.name === 'ClockStopped';
 
 /** Limits of a resolution measurement. With enough changes of the time, a whole standstill lies between two of them. */
-const MIN_READINGS = 16, MAX_READINGS = 64, CHANGES = 2, BETWEEN_READINGS_MS = 3;
+const MIN_READINGS = 16;
+const MAX_READINGS = 64;
+const CHANGES = 2;
+const BETWEEN_READINGS_MS = 3;
 
 /** A gateway does not synchronise with a coarser clock: with steps of 30 ms it takes two or three minutes, with 50 ms it never does. */
 const COARSE: Nanoseconds = 50n * NS_PER_MS;
@@ -57,21 +60,32 @@ export class PlantClock {
    * @param coarse Receives the resolution of the clock if it is too coarse for an accurate synchronisation, and null when it no longer is.
    */
   constructor(
-    readonly gateway: Pick<GatewayLink, 'offer'>, readonly name: string, readonly fixedResolution: Nanoseconds | null = null,
-    readonly counter = monotonicTime, readonly coarse: (resolution: Nanoseconds | null) => void = () => {},
+    readonly gateway: Pick<GatewayLink, 'offer'>,
+    readonly name: string,
+    readonly fixedResolution: Nanoseconds | null = null,
+    readonly counter = monotonicTime,
+    readonly coarse: (resolution: Nanoseconds | null) => void = () => {},
   ) {}
 
   /** Whether the clock of the stamps is known. Before that, the gateway would interpret them as stamps of its own clock. */
-  get isSettled(): boolean { return this.#isOffered || this.#isMissing; }
+  get isSettled(): boolean {
+    return this.#isOffered || this.#isMissing;
+  }
 
   /** The approximate control time now, from the newest reading; null without one. For checking stamps, not for creating them. */
-  get now(): Nanoseconds | null { return this.#ahead === null ? null : this.counter() + this.#ahead; }
+  get now(): Nanoseconds | null {
+    return this.#ahead === null ? null : this.counter() + this.#ahead;
+  }
 
   /** The resolution, ns; zero while unknown. */
-  get resolution(): Nanoseconds { return this.fixedResolution ?? this.#resolution.value; }
+  get resolution(): Nanoseconds {
+    return this.fixedResolution ?? this.#resolution.value;
+  }
 
   /** Resolves when no measurement of the resolution is running. */
-  get settled(): Promise<void> { return this.#measuring ?? Promise.resolve(); }
+  get settled(): Promise<void> {
+    return this.#measuring ?? Promise.resolve();
+  }
 
   /**
    * Reports that the plant is connected. Resolves when the resolution of its clock is known, because a wrong resolution would cause an error
@@ -107,11 +121,16 @@ export class PlantClock {
    */
   async read(): Promise<ClockReading> {
     if (this.#read === null) throw new Error('the plant is not connected');
-    const read = this.#read, reading = await this.#observed(read);
+    const read = this.#read;
+    const reading = await this.#observed(read);
     if (this.#resolution.isStopped) throw new ClockStopped();
     // An error of this measurement is reported by the next reading.
     if (this.#isToBeMeasured)
-      this.#measuring ??= this.#measure(read, this.#detached.signal).catch(() => {}).finally(() => { this.#measuring = null; });
+      this.#measuring ??= this.#measure(read, this.#detached.signal)
+        .catch(() => {})
+        .finally(() => {
+          this.#measuring = null;
+        });
     const resolution = reading.resolution ?? this.resolution;
     this.coarse(resolution >= COARSE ? resolution : null);
     return { ...reading, resolution };
@@ -132,10 +151,13 @@ export class PlantClock {
     });
   }
 
-  get #isToBeMeasured(): boolean { return this.#measured === null || this.counter() - this.#measured >= MEASURE_EVERY; }
+  get #isToBeMeasured(): boolean {
+    return this.#measured === null || this.counter() - this.#measured >= MEASURE_EVERY;
+  }
 
   async #measure(read: ReadClock, stop: AbortSignal): Promise<void> {
-    let changes = -1, last: Nanoseconds | null = null;
+    let changes = -1;
+    let last: Nanoseconds | null = null;
     for (let i = 0; !this.#isMeasured(i, changes) && !stop.aborted; i++) {
       const reading = await this.#observed(read);
       if (this.#resolution.isStopped) return;

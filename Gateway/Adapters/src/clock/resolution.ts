@@ -27,10 +27,14 @@ export class Resolution {
   #since: Nanoseconds | null = null;
 
   /** Whether there are eight different times. By chance, all of them would be whole ms once in 10³² cases. */
-  get isKnown(): boolean { return this.#distinct >= ENOUGH; }
+  get isKnown(): boolean {
+    return this.#distinct >= ENOUGH;
+  }
 
   /** Whether the clock has shown the newest time for more than a second. */
-  get isStopped(): boolean { return this.#standing > STOPPED; }
+  get isStopped(): boolean {
+    return this.#standing > STOPPED;
+  }
 
   /** The resolution, ns; zero while unknown. */
   get value(): Nanoseconds {
@@ -85,5 +89,5 @@ export class Resolution {
   }
 }
 
-const min = (a: Nanoseconds, b: Nanoseconds): Nanoseconds => a < b ? a : b;
-const max = (a: Nanoseconds, b: Nanoseconds): Nanoseconds => a > b ? a : b;
+const min = (a: Nanoseconds, b: Nanoseconds): Nanoseconds => (a < b ? a : b);
+const max = (a: Nanoseconds, b: Nanoseconds): Nanoseconds => (a > b ? a : b);

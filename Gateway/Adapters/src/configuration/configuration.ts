@@ -67,11 +67,13 @@ export type OwnCheck = (file: YamlFile, configuration: Configuration, environmen
  * @throws ConfigurationError Contains every invalid entry.
  */
 export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, ownChecks: Record<string, OwnCheck>): Configuration {
-  const file = new YamlFile(path), kind = kindOf(file);
+  const file = new YamlFile(path);
+  const kind = kindOf(file);
   checkAgainstSchema(file, kind);
   file.throwIfWrong();
   const sections = file.value as Sections;
-  const gateway = gatewayOf(file, sections, environment), silence = sections.plant.silence ?? PERIODIC[kind] ?? 'rest';
+  const gateway = gatewayOf(file, sections, environment);
+  const silence = sections.plant.silence ?? PERIODIC[kind] ?? 'rest';
   const configuration: Configuration = {
     file: path,
     gateway,
@@ -92,9 +94,11 @@ export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, 
 function kindOf(file: YamlFile): string {
   const root = file.value as { plant?: { kind?: unknown } } | null;
   const isSection = typeof root === 'object' && typeof root?.plant === 'object' && root.plant !== null;
-  const kind = isSection ? root?.plant?.kind : undefined, allowed = `allowed are ${KINDS.join(', ')}`;
+  const kind = isSection ? root?.plant?.kind : undefined;
+  const allowed = `allowed are ${KINDS.join(', ')}`;
   if (kind === undefined) {
-    const path = isSection ? ['plant'] : [], missing = isSection ? 'kind' : 'plant';
+    const path = isSection ? ['plant'] : [];
+    const missing = isSection ? 'kind' : 'plant';
     const meant = misspelt(missing, isSection ? root!.plant! : root, knownEntries(path));
     if (meant === undefined) file.report([...path, missing], `missing; add the section plant with its kind, ${allowed}`);
     else file.report([...path, meant], `not known here; did you mean ${missing}?`);
@@ -116,7 +120,12 @@ function reportUnknown(file: YamlFile, root: object | null, reported: string | u
 
 /** Gets the unknown entry that is probably a misspelling of a missing one. */
 const misspelt = (missing: string, section: unknown, known: string[]): string | undefined =>
-  typeof section === 'object' ? nearest(missing, Object.keys(section ?? {}).filter(key => !known.includes(key)))[0] : undefined;
+  typeof section === 'object'
+    ? nearest(
+        missing,
+        Object.keys(section ?? {}).filter(key => !known.includes(key)),
+      )[0]
+    : undefined;
 
 function gatewayOf(file: YamlFile, sections: Sections, environment: NodeJS.ProcessEnv): GatewayAddress {
   const section = sections.gateway ?? {};
@@ -125,7 +134,10 @@ function gatewayOf(file: YamlFile, sections: Sections, environment: NodeJS.Proce
   const token = environment.NOWPOSE_TOKEN ?? fromFile;
   requireAddress(file, ['gateway', 'url'], url);
   if (token !== null && url.startsWith('ws:') && !isLoopback(url))
-    file.report(['gateway', 'url'], `value ${shown(url)}; a token is sent only over wss:// or within this machine; use wss:// with the gateway's pin`);
+    file.report(
+      ['gateway', 'url'],
+      `value ${shown(url)}; a token is sent only over wss:// or within this machine; use wss:// with the gateway's pin`,
+    );
   if (section.pin !== undefined && environment.NOWPOSE_GATEWAY === undefined) requireTls(file, ['gateway'], url);
   return { url, token, pin: environment.NOWPOSE_PIN ?? section.pin ?? null };
 }
@@ -151,11 +163,10 @@ function jointsOf(file: YamlFile, sections: Sections, silence: SilenceEntry): Jo
 }
 
 /** Gets the time without data after which a joint has a fault, ms; null if silence means rest. */
-export const faultAfterMs = (silence: SilenceEntry): number | null =>
-  typeof silence === 'object' ? 1000 * silence.fault_after_s : null;
+export const faultAfterMs = (silence: SilenceEntry): number | null => (typeof silence === 'object' ? 1000 * silence.fault_after_s : null);
 
 /** Gets the joints as text for a summary. */
-export const passedJoints = (joints: Joint[], none: string): string => joints.length === 0 ? none : `joints ${joints.map(j => j.joint).join(', ')}`;
+export const passedJoints = (joints: Joint[], none: string): string => (joints.length === 0 ? none : `joints ${joints.map(j => j.joint).join(', ')}`);
 
 /** Whether an address is a loopback address; with a scheme or a host alone. */
 export const isLoopback = (address: string): boolean => /^(\w+:\/\/)?(127\.\d+\.\d+\.\d+|\[?::1\]?|localhost)([:/]|$)/.test(address);

@@ -10,6 +10,9 @@ export function requireTls(file: YamlFile, section: Path, address: string): void
 export function requirePlain(file: YamlFile, { endpoint, plain }: { endpoint: string; plain?: boolean }): void {
   const scheme = endpoint.slice(0, endpoint.indexOf(':'));
   if (['wss', 'mqtts'].includes(scheme) || isLoopback(endpoint) || plain === true) return;
-  file.report(['plant', 'plain'], `missing; ${scheme}:// to another machine is neither encrypted nor authenticated: `
-    + `use ${scheme}s://, or set plain: true if all machines in its network are trusted`);
+  file.report(
+    ['plant', 'plain'],
+    `missing; ${scheme}:// to another machine is neither encrypted nor authenticated: `
+      + `use ${scheme}s://, or set plain: true if all machines in its network are trusted`,
+  );
 }

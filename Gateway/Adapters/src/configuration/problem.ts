@@ -6,7 +6,10 @@ export interface Problem {
 
 /** Contains every invalid entry of a file; nothing was started. */
 export class ConfigurationError extends Error {
-  constructor(readonly file: string, problems: Problem[]) {
+  constructor(
+    readonly file: string,
+    problems: Problem[],
+  ) {
     const sorted = [...problems].sort((a, b) => a.line - b.line);
     super(sorted.map(p => `${file}, line ${p.line}: ${p.text}`).join('\n'));
   }
@@ -20,6 +23,6 @@ const LOGIN = /(:\/+|\/\/).*@/s;
 /** Formats a value as in the file, without a password. */
 export function shown(value: unknown): string {
   if (typeof value === 'number' && !Number.isFinite(value)) return Number.isNaN(value) ? '.nan' : value > 0 ? '.inf' : '-.inf';
-  const text = (JSON.stringify(value, (_, v) => typeof v === 'bigint' ? `${v}` : v) ?? String(value)).replace(LOGIN, '$1***@');
+  const text = (JSON.stringify(value, (_, v) => (typeof v === 'bigint' ? `${v}` : v)) ?? String(value)).replace(LOGIN, '$1***@');
   return text.length > MAX_VALUE ? `${text.slice(0, MAX_VALUE - 1)}…` : text;
 }

@@ -44,6 +44,7 @@ export function requireJoints(file: YamlFile, joints: { joint: string }[], urdf:
 }
 
 function jointsIn(urdf: string): Set<string> {
-  const bare = urdf.replace(/<!--[^]*?-->/g, ''), names = bare.matchAll(/<joint\s(?:[^>]*?\s)?name\s*=\s*(?:"([^"]*)"|'([^']*)')/g);
+  const bare = urdf.replace(/<!--[^]*?-->/g, '');
+  const names = bare.matchAll(/<joint\s(?:[^>]*?\s)?name\s*=\s*(?:"([^"]*)"|'([^']*)')/g);
   return new Set([...names].map(([, double, single]) => double ?? single));
 }

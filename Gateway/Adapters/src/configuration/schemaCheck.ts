@@ -11,10 +11,11 @@ type Described = { $ref?: string; description?: string; enum?: unknown[]; proper
 export const KINDS = schema.properties.plant.properties.kind.enum;
 
 /** Gets the entries that any kind has at the top level, or in the section at this path. */
-export const knownEntries = (path: string[]): string[] => KINDS.flatMap(kind => {
-  const top = (schema.$defs as Record<string, Described>)[kind];
-  return Object.keys(path.reduce((section, step) => section.properties![step], top).properties!);
-});
+export const knownEntries = (path: string[]): string[] =>
+  KINDS.flatMap(kind => {
+    const top = (schema.$defs as Record<string, Described>)[kind];
+    return Object.keys(path.reduce((section, step) => section.properties![step], top).properties!);
+  });
 
 /** Reports each entry that violates the schema of a kind of plant. Adds missing entries that have a default. */
 export function checkAgainstSchema(file: YamlFile, kind: string): void {
@@ -41,7 +42,8 @@ function inWords(error: ErrorObject, root: unknown): { path: Path; text: string 
       return { path: [...at, name], text: `missing${because(named(parent.properties?.[name]))}` };
     }
     case 'additionalProperties': {
-      const name = error.params.additionalProperty as string, known = Object.keys(parent.properties ?? {});
+      const name = error.params.additionalProperty as string;
+      const known = Object.keys(parent.properties ?? {});
       return { path: [...at, name], text: `not known here; ${meant(name, known)}allowed are ${known.join(', ')}` };
     }
     case 'const':
@@ -70,9 +72,13 @@ function meant(name: string, known: string[]): string {
 // Ajv's JSON pointers do not distinguish an index from a numeric key.
 function pathOf(pointer: string, root: unknown): Path {
   let value = root;
-  return pointer.split('/').slice(1).map(part => {
-    const key = part.replaceAll('~1', '/').replaceAll('~0', '~'), step = Array.isArray(value) ? Number(key) : key;
-    value = (value as Record<string | number, unknown> | undefined)?.[step];
-    return step;
-  });
+  return pointer
+    .split('/')
+    .slice(1)
+    .map(part => {
+      const key = part.replaceAll('~1', '/').replaceAll('~0', '~');
+      const step = Array.isArray(value) ? Number(key) : key;
+      value = (value as Record<string | number, unknown> | undefined)?.[step];
+      return step;
+    });
 }

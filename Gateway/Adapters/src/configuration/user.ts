@@ -10,7 +10,10 @@ export interface User {
 
 /** Gets the user of the section plant.user; null without a name. The password comes from a file or the environment and is not logged. */
 export function userIn(
-  file: YamlFile, user: { name?: string; password_file?: string } | undefined, configuration: Configuration, environment: NodeJS.ProcessEnv,
+  file: YamlFile,
+  user: { name?: string; password_file?: string } | undefined,
+  configuration: Configuration,
+  environment: NodeJS.ProcessEnv,
 ): User | null {
   if (user?.name === undefined) return null;
   const at = ['plant', 'user', 'password_file'] as const;

@@ -5,8 +5,7 @@ import { ConfigurationError, type Problem } from './problem';
 export type Path = readonly (string | number)[];
 
 /** Formats a path as joints[2].node. */
-export const pathText = (path: Path): string =>
-  path.map((step, i) => typeof step === 'number' ? `[${step}]` : (i > 0 ? '.' : '') + step).join('');
+export const pathText = (path: Path): string => path.map((step, i) => (typeof step === 'number' ? `[${step}]` : (i > 0 ? '.' : '') + step)).join('');
 
 /** A YAML file with the line of each of its entries. */
 export class YamlFile {
@@ -44,7 +43,8 @@ export class YamlFile {
 
   /** Gets the line of an entry, counted from 1: that of its key, or of the nearest existing parent. */
   lineOf(path: Path): number {
-    let node: unknown = this.#document.contents, offset = isNode(node) ? node.range?.[0] ?? 0 : 0;
+    let node: unknown = this.#document.contents;
+    let offset = isNode(node) ? (node.range?.[0] ?? 0) : 0;
     for (const step of path) {
       const next = child(node, step);
       if (next === undefined) break;
@@ -74,9 +74,13 @@ function child(node: unknown, step: string | number): { node: unknown; offset: n
 
 function inWords(code: string, message: string): string {
   switch (code) {
-    case 'TAB_AS_INDENT': return 'a tab precedes the entry; YAML allows spaces only, so replace the tab';
-    case 'DUPLICATE_KEY': return 'this key occurs twice; remove one';
-    case 'BAD_INDENT': return `${message}; entries of one level must start in the same column`;
-    default: return `not valid YAML: ${message}`;
+    case 'TAB_AS_INDENT':
+      return 'a tab precedes the entry; YAML allows spaces only, so replace the tab';
+    case 'DUPLICATE_KEY':
+      return 'this key occurs twice; remove one';
+    case 'BAD_INDENT':
+      return `${message}; entries of one level must start in the same column`;
+    default:
+      return `not valid YAML: ${message}`;
   }
 }

@@ -29,16 +29,25 @@ export class JointConditions {
    * @param changed Called after each change of a state or a reason.
    * @param now Unix time in milliseconds.
    */
-  constructor(readonly log: Log, readonly changed: () => void = () => {}, readonly now: () => number = Date.now) {}
+  constructor(
+    readonly log: Log,
+    readonly changed: () => void = () => {},
+    readonly now: () => number = Date.now,
+  ) {}
 
   /** Expects a joint, which is missing until its first usable value. */
   expect(joint: string): void {
-    if (!this.#joints.has(joint)) this.#joints.set(joint, { state: 'missing', since: this.now(), reason: 'no value has arrived since the start', uncertainty: '' });
+    if (!this.#joints.has(joint))
+      this.#joints.set(joint, { state: 'missing', since: this.now(), reason: 'no value has arrived since the start', uncertainty: '' });
   }
 
-  has(joint: string): boolean { return this.#joints.has(joint); }
+  has(joint: string): boolean {
+    return this.#joints.has(joint);
+  }
 
-  stateOf(joint: string): JointState | undefined { return this.#joints.get(joint)?.state; }
+  stateOf(joint: string): JointState | undefined {
+    return this.#joints.get(joint)?.state;
+  }
 
   /** The first joint that is neither live nor at rest; null when there is none. */
   get trouble(): [string, JointCondition] | null {
@@ -64,7 +73,13 @@ export class JointConditions {
   rest(joint: string, since: number, uncertainty = ''): void {
     const known = this.#joints.get(joint);
     if (known?.state === 'rest' && known.uncertainty === uncertainty) return;
-    this.#enter(joint, 'rest', `no change is reported; the joint is assumed at rest${uncertainty === '' ? '' : `; ${uncertainty}`}`, since, uncertainty);
+    this.#enter(
+      joint,
+      'rest',
+      `no change is reported; the joint is assumed at rest${uncertainty === '' ? '' : `; ${uncertainty}`}`,
+      since,
+      uncertainty,
+    );
     this.log.resume(`joint ${joint}`, `${joint} is at rest without a fault`);
   }
 
@@ -83,11 +98,13 @@ export class JointConditions {
 
   /** Applies the report of the gateway that has the joint. */
   report(joint: string, { state, since, reason: text, uncertainty }: JointCondition): void {
-    const known = this.#joints.get(joint), reason = this.log.clean(text);
+    const known = this.#joints.get(joint);
+    const reason = this.log.clean(text);
     const isSame = known?.state === state && known.reason === reason && known.uncertainty === uncertainty;
     if (isSame && Math.abs(known.since - since) < SAME_SINCE_MS) return;
     this.#enter(joint, state, reason, since, uncertainty);
-    if (state === 'rest' || state === 'live') this.log.resume(`joint ${joint}`, `${joint} is ${state === 'rest' ? 'at rest, without fault' : 'live again'}`);
+    if (state === 'rest' || state === 'live')
+      this.log.resume(`joint ${joint}`, `${joint} is ${state === 'rest' ? 'at rest, without fault' : 'live again'}`);
     else this.log.change(`joint ${joint}`, `${state} ${reason}`, `${joint} ${state}: ${reason}`);
   }
 
@@ -106,14 +123,17 @@ export class JointConditions {
   /** Gets the diagnostics of each joint; faulty joints come first, in case the receiver keeps only a part. */
   values(): Record<string, string> {
     const sorted = [...this.#joints].sort(([, a], [, b]) => Number(isGood(a)) - Number(isGood(b)));
-    return Object.fromEntries(sorted.flatMap(([joint, { state, since, reason, uncertainty }]) => [
-      [`joint/${joint}`, `${state} ${(since / 1000).toFixed(3)}${reason === '' ? '' : ` ${reason}`}`],
-      ...(uncertainty === '' ? [] : [[`uncertain/${joint}`, uncertainty]]),
-    ]));
+    return Object.fromEntries(
+      sorted.flatMap(([joint, { state, since, reason, uncertainty }]) => [
+        [`joint/${joint}`, `${state} ${(since / 1000).toFixed(3)}${reason === '' ? '' : ` ${reason}`}`],
+        ...(uncertainty === '' ? [] : [[`uncertain/${joint}`, uncertainty]]),
+      ]),
+    );
   }
 
   #trouble(joint: string, state: JointState, text: string, since: number, isLogged: boolean): void {
-    const reason = this.log.clean(text), { state: before, reason: previous } = this.#joints.get(joint) ?? {};
+    const reason = this.log.clean(text);
+    const { state: before, reason: previous } = this.#joints.get(joint) ?? {};
     // A joint without any valid value stays missing; the reason describes the invalid value.
     const entered = before === 'missing' ? 'missing' : state;
     if (before === entered && previous === reason) return;

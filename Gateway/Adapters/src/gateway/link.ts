@@ -3,11 +3,16 @@ import WebSocket, { type RawData } from 'ws';
 import { Backoff, pause } from '../backoff';
 import type { GatewayAddress } from '../configuration/configuration';
 import type { Log } from '../log';
-import { TYPES } from './messages';
+import { parsed, TYPES } from './messages';
 import { PinnedAgent } from './pin';
+import { inWords } from './reasons';
 import { SendQueue } from './sendQueue';
 
-const HANDSHAKE_MS = 5000, PING_MS = 2000, SILENCE_MS = 6000, STEADY_MS = 2000, CALL_MS = 1500;
+const HANDSHAKE_MS = 5000;
+const PING_MS = 2000;
+const SILENCE_MS = 6000;
+const STEADY_MS = 2000;
+const CALL_MS = 1500;
 const MAX_MESSAGE = 2 * 1024 * 1024;
 
 /** An offer without a request for this long was refused, perhaps because our previous connection still held it. It is then repeated. */
@@ -17,7 +22,8 @@ const OFFER_MS = 5000;
 const MAX_STATUSES = 32;
 
 /** A gateway's status while the stamping clock is unknown. During this time it may still be measuring it. */
-const UNSYNCHRONISED = /\(Unsynchronised\)$/, MEASURING_MS = 20_000;
+const UNSYNCHRONISED = /\(Unsynchronised\)$/;
+const MEASURING_MS = 20_000;
 
 /** Answers a service call. Its exceptions are returned to the caller as the reason. */
 export type Service = () => Promise<object>;
@@ -50,14 +56,23 @@ export class GatewayLink {
   #measured = 0;
 
   /** @param name Name of the other end, for the log. */
-  constructor(readonly address: GatewayAddress, readonly log: Log, readonly name = 'gateway', events: LinkEvents = {}) {
+  constructor(
+    readonly address: GatewayAddress,
+    readonly log: Log,
+    readonly name = 'gateway',
+    events: LinkEvents = {},
+  ) {
     this.#watchers = [events];
   }
 
-  get isOpen(): boolean { return this.#socket?.readyState === WebSocket.OPEN; }
+  get isOpen(): boolean {
+    return this.#socket?.readyState === WebSocket.OPEN;
+  }
 
   /** Number of messages dropped because the gateway was away or slow. */
-  get dropped(): number { return this.#queue.dropped; }
+  get dropped(): number {
+    return this.#queue.dropped;
+  }
 
   publish(topic: string, msg: object): void {
     this.#advertise(topic);
@@ -134,15 +149,16 @@ export class GatewayLink {
   #connect(stop: AbortSignal): Promise<string> {
     const { url, token, pin } = this.address;
     const socket = new WebSocket(url, {
-      agent: url.startsWith('wss:') ? pin === null ? new Agent({ keepAlive: false, minVersion: 'TLSv1.2' }) : new PinnedAgent(pin) : undefined,
+      agent: url.startsWith('wss:') ? (pin === null ? new Agent({ keepAlive: false, minVersion: 'TLSv1.2' }) : new PinnedAgent(pin)) : undefined,
       headers: token === null ? {} : { Authorization: `Bearer ${token}` },
       handshakeTimeout: HANDSHAKE_MS,
       maxPayload: MAX_MESSAGE,
       perMessageDeflate: false,
     });
     return new Promise(resolve => {
-      let reason = 'connection closed', heard = performance.now();
-      const leave = (): void => socket.readyState === WebSocket.OPEN ? socket.close(1000) : socket.terminate();
+      let reason = 'connection closed';
+      let heard = performance.now();
+      const leave = (): void => (socket.readyState === WebSocket.OPEN ? socket.close(1000) : socket.terminate());
       const beat = setInterval(() => {
         if (performance.now() - heard > SILENCE_MS) {
           reason = `no message for ${SILENCE_MS / 1000} s`;
@@ -152,7 +168,9 @@ export class GatewayLink {
           this.#offerAgain();
         }
       }, PING_MS);
-      const hear = (): void => { heard = performance.now(); };
+      const hear = (): void => {
+        heard = performance.now();
+      };
       stop.addEventListener('abort', leave);
       socket.on('open', () => this.#open(socket));
       socket.on('ping', hear).on('pong', hear);
@@ -161,13 +179,16 @@ export class GatewayLink {
         this.#hear(data);
       });
       socket.on('unexpected-response', (request, response) => {
-        reason = response.statusCode === 401
-          ? '401, the token is missing or unknown to the gateway; give the adapter a token of a source'
-          : `HTTP status ${response.statusCode}`;
+        reason =
+          response.statusCode === 401
+            ? '401, the token is missing or unknown to the gateway; give the adapter a token of a source'
+            : `HTTP status ${response.statusCode}`;
         request.destroy();
         socket.terminate();
       });
-      socket.on('error', error => { reason = reason === 'connection closed' ? inWords(error) : reason; });
+      socket.on('error', error => {
+        reason = reason === 'connection closed' ? inWords(error) : reason;
+      });
       socket.on('close', code => {
         clearInterval(beat);
         stop.removeEventListener('abort', leave);
@@ -195,10 +216,18 @@ export class GatewayLink {
   #hear(data: RawData): void {
     const message = parsed(data.toString());
     switch (message?.op) {
-      case 'publish': this.#pass(message); break;
-      case 'service_response': this.#calls.get(text(message.id))?.(message); break;
-      case 'call_service': void this.#answer(text(message.service), message.id); break;
-      case 'status': if (message.level === 'error') this.#tell(text(message.msg)); break;
+      case 'publish':
+        this.#pass(message);
+        break;
+      case 'service_response':
+        this.#calls.get(text(message.id))?.(message);
+        break;
+      case 'call_service':
+        void this.#answer(text(message.service), message.id);
+        break;
+      case 'status':
+        if (message.level === 'error') this.#tell(text(message.msg));
+        break;
     }
   }
 
@@ -262,21 +291,4 @@ const advertisement = (topic: string): string => JSON.stringify({ op: 'advertise
 const subscription = (topic: string, type: string): string => JSON.stringify({ op: 'subscribe', topic, type, queue_length: 0, throttle_rate: 0 });
 
 /** String does not accept every JSON value. */
-const text = (value: unknown): string => typeof value === 'string' ? value : JSON.stringify(value) ?? '';
-
-function parsed(text: string): Record<string, unknown> | null {
-  try {
-    const message = JSON.parse(text) as unknown;
-    return typeof message === 'object' ? message as Record<string, unknown> | null : null;
-  } catch {
-    return null;
-  }
-}
-
-function inWords(error: Error): string {
-  const code = (error as NodeJS.ErrnoException).code;
-  if (code === 'ECONNREFUSED') return 'nothing listens there; check that it runs';
-  if (code?.includes('CERT') || code?.includes('SELF_SIGNED') || code?.includes('UNABLE_TO'))
-    return `its certificate is not trusted (${code}); set gateway.pin to what the gateway prints`;
-  return error.message;
-}
+const text = (value: unknown): string => (typeof value === 'string' ? value : (JSON.stringify(value) ?? ''));

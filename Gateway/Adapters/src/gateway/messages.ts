@@ -17,19 +17,28 @@ export const TYPES: Record<string, string> = {
 };
 
 /** Creates a message with positions at one control time, and velocities of all of them or of none. */
-export const jointState = (stamp: Nanoseconds, names: string[], positions: number[], velocities: number[] = []): object =>
-  ({ header: { stamp: toRosTime(stamp), frame_id: '' }, name: names, position: positions, velocity: velocities, effort: [] });
+export const jointState = (stamp: Nanoseconds, names: string[], positions: number[], velocities: number[] = []): object => ({
+  header: { stamp: toRosTime(stamp), frame_id: '' },
+  name: names,
+  position: positions,
+  velocity: velocities,
+  effort: [],
+});
 
 export const description = (urdf: string): object => ({ data: urdf });
 
 /** @param level As in DiagnosticStatus: 0 ok, 1 warning, 2 error. */
 export const diagnostics = (name: string, level: 0 | 1 | 2, message: string, values: Record<string, string>): object => ({
   header: { stamp: toRosTime(machineTime()), frame_id: '' },
-  status: [{
-    level,
-    name,
-    message,
-    hardware_id: name,
-    values: Object.entries(values).map(([key, value]) => ({ key, value })),
-  }],
+  status: [{ level, name, message, hardware_id: name, values: Object.entries(values).map(([key, value]) => ({ key, value })) }],
 });
+
+/** Returns the object in a text of JSON; null if it is not one. */
+export function parsed(text: string): Record<string, unknown> | null {
+  try {
+    const message = JSON.parse(text) as unknown;
+    return typeof message === 'object' ? (message as Record<string, unknown> | null) : null;
+  } catch {
+    return null;
+  }
+}

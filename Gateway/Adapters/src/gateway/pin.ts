@@ -35,7 +35,8 @@ export class PinnedAgent extends Agent {
 export function pinProblem(socket: TLSSocket, pin: string): string | null {
   const found = socket.getPeerX509Certificate()?.publicKey.export({ type: 'spki', format: 'der' });
   if (found === undefined) return 'the gateway presented no certificate; start it with --tls or --certificate';
-  return isSame(pinOf(found), pin) ? null
+  return isSame(pinOf(found), pin)
+    ? null
     : `the gateway has the pin ${pinOf(found)} but the configuration has another; if the gateway's key was renewed, set the pin to it`;
 }
 

@@ -6,7 +6,9 @@ export class SendQueue {
   readonly #waiting: string[] = [];
   #dropped = 0;
 
-  get dropped(): number { return this.#dropped; }
+  get dropped(): number {
+    return this.#dropped;
+  }
 
   add(message: string): void {
     if (this.#waiting.push(message) <= CAPACITY) return;

@@ -21,14 +21,24 @@ export class AdapterStatus {
   readonly joints: JointConditions;
 
   /** @param changed Called after each change of the state of the plant or of a joint. */
-  constructor(kind: string, readonly log: Log, readonly changed: () => void = () => {}) {
+  constructor(
+    kind: string,
+    readonly log: Log,
+    readonly changed: () => void = () => {},
+  ) {
     this.#details.kind = kind;
     this.joints = new JointConditions(log, changed);
   }
 
-  get state(): PlantState { return this.#state; }
-  get samples(): number { return this.#samples; }
-  get reconnects(): number { return this.#reconnects; }
+  get state(): PlantState {
+    return this.#state;
+  }
+  get samples(): number {
+    return this.#samples;
+  }
+  get reconnects(): number {
+    return this.#reconnects;
+  }
 
   /** @param reason The reason and the remedy; empty without an error. */
   enter(state: PlantState, reason = ''): void {
@@ -62,7 +72,8 @@ export class AdapterStatus {
     if (this.#state === 'connecting' && this.#failure !== '') return `waiting: ${this.#failure}`;
     if (this.#state !== 'connected') return this.#reason === '' ? this.#state : `${this.#state}: ${this.#reason}`;
     if (this.joints.trouble === null && this.#notice !== null) return `${this.#state}: ${this.#notice}`;
-    if (this.joints.trouble === null) return this.joints.uncertainty === null ? this.#state : `${this.joints.uncertainty[0]} may not be at rest: ${this.joints.uncertainty[1]}`;
+    if (this.joints.trouble === null)
+      return this.joints.uncertainty === null ? this.#state : `${this.joints.uncertainty[0]} may not be at rest: ${this.joints.uncertainty[1]}`;
     const [joint, { state, reason }] = this.joints.trouble;
     return `${joint} ${state}: ${reason}`;
   }
@@ -85,9 +96,13 @@ export class AdapterStatus {
     this.changed();
   }
 
-  sampled(): void { this.#samples++; }
+  sampled(): void {
+    this.#samples++;
+  }
 
-  reconnected(): void { this.#reconnects++; }
+  reconnected(): void {
+    this.#reconnects++;
+  }
 
   /**
    * Reports a value that is not forwarded.
@@ -111,7 +126,9 @@ export class AdapterStatus {
     this.log.resume(`value of ${subject}`, `${subject} is valid again`);
   }
 
-  refusals(reason: string): number { return this.#refused.get(reason) ?? 0; }
+  refusals(reason: string): number {
+    return this.#refused.get(reason) ?? 0;
+  }
 
   values(): Record<string, string> {
     const refused = [...this.#refused];

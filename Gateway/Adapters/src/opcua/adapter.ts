@@ -27,17 +27,19 @@ const UNCONFIRMED_MS = 1500;
 
 /** Reads an OPC UA server, with reconnections, until it is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
-  const { status, log, stopping } = context, settings = settingsOf(context.configuration);
+  const { status, log, stopping } = context;
+  const settings = settingsOf(context.configuration);
   status.detail('endpoint', settings.endpoint);
   status.detail('security', settings.security.mode === 'none' ? 'none' : `SignAndEncrypt ${settings.security.policy}`);
-  const trust = new TrustList(settings.security), own = await certificateOf(context, settings, trust);
+  const trust = new TrustList(settings.security);
+  const own = await certificateOf(context, settings, trust);
   if (own === null) return;
   if (settings.security.mode === 'none')
     log.line('WARNING: plant.security.mode is none: the server is not authenticated, and anyone on the network can read and change its values');
-  else
-    log.line(`own certificate ${own.file}, thumbprint ${thumbprints(own.getCertificate()).sha1}: the server must trust it`);
+  else log.line(`own certificate ${own.file}, thumbprint ${thumbprints(own.getCertificate()).sha1}: the server must trust it`);
 
-  const backoff = new Backoff(), reader = new NotificationReader(context, settings);
+  const backoff = new Backoff();
+  const reader = new NotificationReader(context, settings);
   while (!stopping.aborted) {
     status.enter('connecting');
     const wasConnected = await attempt(context, settings, own, trust, reader);
@@ -67,9 +69,14 @@ async function certificateOf({ status, stopping }: AdapterContext, { security }:
 
 /** Uses one connection until it ends, and reports the reason of the end in the status. Returns whether values arrived. */
 async function attempt(
-  context: AdapterContext, settings: OpcUaSettings, own: OwnCertificate, trust: TrustList, reader: NotificationReader,
+  context: AdapterContext,
+  settings: OpcUaSettings,
+  own: OwnCertificate,
+  trust: TrustList,
+  reader: NotificationReader,
 ): Promise<boolean> {
-  const { status, stopping } = context, session = new ReadOnlySession(settings, own, trust);
+  const { status, stopping } = context;
+  const session = new ReadOnlySession(settings, own, trust);
   trust.refusal = null;
   const stop = (): void => void session.close();
   stopping.addEventListener('abort', stop);
@@ -80,15 +87,24 @@ async function attempt(
     const watch = new Watch();
     await context.clock.attach(await clockOf(session, settings, settings.time === null ? null : nodes.at(-1)!, context.log), stopping);
     reader.startAnew();
-    const silent = new SilentNodes(session, reader, reader.jointNodes.map((_, i) => nodes[i]), node => whereIs(context, reader.nodes[node]));
+    const silent = new SilentNodes(
+      session,
+      reader,
+      reader.jointNodes.map((_, i) => nodes[i]),
+      node => whereIs(context, reader.nodes[node]),
+    );
     reader.stopOf = node => silent.stopOf(node);
-    const monitoring = await session.monitor(nodes, values => {
-      silent.heard(values);
-      watch.valued();
-      reader.read(values);
-    }, () => watch.alive());
+    const monitoring = await session.monitor(
+      nodes,
+      values => {
+        silent.heard(values);
+        watch.valued();
+        reader.read(values);
+      },
+      () => watch.alive(),
+    );
     reader.samplingMs = monitoring.samplingMs;
-    const delayMs = silent.delayMs = SLACK_MS + monitoring.samplingMs + monitoring.publishingMs;
+    const delayMs = (silent.delayMs = SLACK_MS + monitoring.samplingMs + monitoring.publishingMs);
     context.output.silence.unconfirmedMs = Math.max(UNCONFIRMED_MS, UNCONFIRMED_MS / 2 + 3 * delayMs);
     refuseUnknown(context, reader, silent, monitoring.refusals);
     if (reader.nodes.length > 0) status.detail('sampling_ms', monitoring.samplingMs);
@@ -115,7 +131,8 @@ async function attempt(
 /** Converts the nodes to the current namespace indices of this server. */
 async function idsOf(session: ReadOnlySession, context: AdapterContext, { nodes }: NotificationReader): Promise<string[]> {
   if (!nodes.some(isByUri)) return nodes;
-  const { value } = await session.read(NAMESPACES), namespaces = Array.isArray(value.value) ? value.value as string[] : [];
+  const { value } = await session.read(NAMESPACES);
+  const namespaces = Array.isArray(value.value) ? (value.value as string[]) : [];
   const ids = nodes.map(node => byNumber(node, namespaces));
   const lost = nodes.filter((_, i) => ids[i] === undefined);
   const wrong = lost.map(node => `${whereIs(context, node)}: value ${node}; the server has no such namespace`);
@@ -130,9 +147,17 @@ function whereIs({ configuration }: AdapterContext, node: string): string {
 
 /** Reports joints of unknown nodes as missing and continues with the others. Fails if no joint or no time variable is left. */
 function refuseUnknown(context: AdapterContext, { nodes, jointNodes }: NotificationReader, silent: SilentNodes, refusals: (string | null)[]): void {
-  const wrong = refusals.flatMap((refusal, node) => refusal === null ? []
-    : [{ node, text: `${whereIs(context, nodes[node])}: value ${nodes[node]}; the server answers ${refusal}; look up the node's id in an OPC UA browser` }]);
-  if (wrong.some(({ node }) => node >= jointNodes.length) || wrong.length > 0 && wrong.length >= jointNodes.length)
+  const wrong = refusals.flatMap((refusal, node) =>
+    refusal === null
+      ? []
+      : [
+          {
+            node,
+            text: `${whereIs(context, nodes[node])}: value ${nodes[node]}; the server answers ${refusal}; look up the node's id in an OPC UA browser`,
+          },
+        ],
+  );
+  if (wrong.some(({ node }) => node >= jointNodes.length) || (wrong.length > 0 && wrong.length >= jointNodes.length))
     throw new Refused(wrong.map(({ text }) => text).join('; '));
   for (const { node, text } of wrong) silent.refused(node, text);
 }

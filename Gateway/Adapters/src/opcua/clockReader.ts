@@ -28,20 +28,22 @@ export async function clockOf(session: ReadOnlySession, settings: OpcUaSettings,
     if (time === null) throw new Error(`${node} does not contain a valid time`);
     return { received: time, sent: time };
   };
-  if (node !== CURRENT_TIME || !await stands(session, ofNode)) return ofNode;
+  if (node !== CURRENT_TIME || !(await stands(session, ofNode))) return ofNode;
   log.change('server clock', 'seldom', 'the server rarely updates CurrentTime; its clock is read from the send time of its answers');
   return async (): Promise<ClockReading> => {
     await session.read(node);
     const sent = sentAt(session);
-    if (sent === null) throw new Error('the server\'s answer has no time stamp');
+    if (sent === null) throw new Error("the server's answer has no time stamp");
     return { received: sent, sent };
   };
 }
 
 /** Whether the server's CurrentTime stands still between updates, while its answers have the time of the same clock. */
 async function stands(session: ReadOnlySession, read: ReadClock): Promise<boolean> {
-  const began = monotonicTime(), { sent: first } = await read();
-  let time = first, stood = 0n;
+  const began = monotonicTime();
+  const { sent: first } = await read();
+  let time = first;
+  let stood = 0n;
   while (time === first && monotonicTime() - began < 4n * STANDS) {
     const asked = monotonicTime();
     ({ sent: time } = await read());
@@ -50,7 +52,7 @@ async function stands(session: ReadOnlySession, read: ReadClock): Promise<boolea
   }
   const answered = sentAt(session);
   // The first reading may be just before an update, so an early change is checked once more.
-  if (stood < STANDS && !await stoodNext(read, time)) return false;
+  if (stood < STANDS && !(await stoodNext(read, time))) return false;
   if (answered === null) return false;
   const apart = answered - time;
   return (apart < 0n ? -apart : apart) < SAME_CLOCK;

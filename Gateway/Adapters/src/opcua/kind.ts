@@ -11,13 +11,20 @@ import { requireCertificate, requirePair } from './security/certificateFiles';
 import { folderTrouble, tryFolder } from './security/folder';
 import { type OpcUaSettings, settingsOf } from './settings';
 
-const SAMPLING_MS = 10, PUBLISHING_MS = 20;
+const SAMPLING_MS = 10;
+const PUBLISHING_MS = 20;
 
 /** The plant section as specified in the schema. */
 interface Section {
   endpoint: string;
-  security?: { mode?: 'sign_and_encrypt' | 'none'; i_know_this_is_open?: boolean; policy?: OpcUaSettings['security']['policy'];
-    folder?: string; thumbprint?: string; server_certificate?: string };
+  security?: {
+    mode?: 'sign_and_encrypt' | 'none';
+    i_know_this_is_open?: boolean;
+    policy?: OpcUaSettings['security']['policy'];
+    folder?: string;
+    thumbprint?: string;
+    server_certificate?: string;
+  };
   user?: { name?: string; password_file?: string; certificate?: string; key?: string };
   timestamp?: OpcUaSettings['timestamp'];
   time?: { node: string; unit?: TimeUnit };
@@ -27,11 +34,13 @@ interface Section {
 
 export const opcua: Kind = {
   check: (file, configuration, environment) => {
-    const section = configuration.plant as unknown as Section, at = ['plant'] as const;
+    const section = configuration.plant as unknown as Section;
+    const at = ['plant'] as const;
     requireAddress(file, [...at, 'endpoint'], section.endpoint);
     configuration.joints.forEach((joint, i) => requireNode(file, ['joints', i, 'node'], joint.node as string));
     if (section.time !== undefined) requireNode(file, [...at, 'time', 'node'], section.time.node);
-    const samplingMs = section.sampling_ms ?? SAMPLING_MS, publishingMs = section.publishing_ms ?? Math.max(samplingMs, PUBLISHING_MS);
+    const samplingMs = section.sampling_ms ?? SAMPLING_MS;
+    const publishingMs = section.publishing_ms ?? Math.max(samplingMs, PUBLISHING_MS);
     if (publishingMs < samplingMs)
       file.report([...at, 'publishing_ms'], `value ${publishingMs}; allowed is a time from sampling_ms, ${samplingMs}, to 10000 ms`);
     const timestamp = section.timestamp ?? (section.time === undefined ? 'source' : 'variable');
@@ -46,7 +55,8 @@ export const opcua: Kind = {
       userCertificate: userCertificateOf(file, section),
       timestamp,
       time: section.time === undefined ? null : { node: section.time.node, unit: section.time.unit ?? null },
-      samplingMs, publishingMs,
+      samplingMs,
+      publishingMs,
     };
     configuration.plant.settings = settings;
   },
@@ -79,13 +89,16 @@ function requireNode(file: YamlFile, entry: Path, node: string): void {
 }
 
 function securityOf(file: YamlFile, { security = {} }: Section, environment: NodeJS.ProcessEnv): OpcUaSettings['security'] {
-  const at = ['plant', 'security'] as const, mode = security.mode ?? 'sign_and_encrypt';
+  const at = ['plant', 'security'] as const;
+  const mode = security.mode ?? 'sign_and_encrypt';
   if (mode === 'none' && security.i_know_this_is_open !== true)
-    file.report([...at, 'mode'], 'value "none"; anyone on the network could read the data and imitate the plant: '
-      + 'use sign_and_encrypt, or add i_know_this_is_open: true');
+    file.report(
+      [...at, 'mode'],
+      'value "none"; anyone on the network could read the data and imitate the plant: ' + 'use sign_and_encrypt, or add i_know_this_is_open: true',
+    );
   if (mode !== 'none' && security.i_know_this_is_open !== undefined)
     file.report([...at, 'i_know_this_is_open'], `security.mode is ${mode}, so the connection is not open; remove this entry`);
-  const text = (name: 'folder' | 'server_certificate'): string | null => security[name] === undefined ? null : besides(file.path, security[name]);
+  const text = (name: 'folder' | 'server_certificate'): string | null => (security[name] === undefined ? null : besides(file.path, security[name]));
   if (security.server_certificate !== undefined) requireCertificate(file, [...at, 'server_certificate'], security.server_certificate);
   return {
     mode,
@@ -106,7 +119,10 @@ function userCertificateOf(file: YamlFile, { user }: Section): OpcUaSettings['us
   if (user?.certificate === undefined && user?.key === undefined) return null;
   const at = ['plant', 'user'] as const;
   if (user.name !== undefined)
-    file.report([...at, 'certificate'], `the user ${shown(user.name)} has a password already; keep either name and password_file or certificate and key`);
+    file.report(
+      [...at, 'certificate'],
+      `the user ${shown(user.name)} has a password already; keep either name and password_file or certificate and key`,
+    );
   for (const part of ['certificate', 'key'] as const)
     if (user[part] === undefined) file.report([...at, part], `missing; add the path of the user's ${part}, a PEM file`);
   const certificate = user.certificate && secretText(file, [...at, 'certificate'], user.certificate, false);

@@ -14,6 +14,7 @@ export function byNumber(node: string, namespaces: readonly string[]): string | 
   const match = BY_URI.exec(node);
   if (match === null) return node;
   // A semicolon in the URI is written as %3B, and the percent sign as %25.
-  const uri = match[1].replace(/%3B/gi, ';').replace(/%25/g, '%'), index = namespaces.indexOf(uri);
+  const uri = match[1].replace(/%3B/gi, ';').replace(/%25/g, '%');
+  const index = namespaces.indexOf(uri);
   return index < 0 ? undefined : `ns=${index};${match[2]}`;
 }

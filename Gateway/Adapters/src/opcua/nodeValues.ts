@@ -35,11 +35,12 @@ export function statusRefusal(value: DataValue): Refusal | null {
 
 /** Gets the joint's number from a node's value. The caller checks that it is a number. */
 export function valueOf(joint: NodeJoint, value: DataValue): { value: unknown } | Refusal {
-  const { value: variant } = value, isArray = variant.arrayType !== VariantArrayType.Scalar;
-  if (joint.index === undefined)
-    return isArray ? { reason: 'type', text: `${joint.node} is an array; add index` } : { value: numberIn(variant) };
+  const { value: variant } = value;
+  const isArray = variant.arrayType !== VariantArrayType.Scalar;
+  if (joint.index === undefined) return isArray ? { reason: 'type', text: `${joint.node} is an array; add index` } : { value: numberIn(variant) };
   if (!isArray) return { reason: 'type', text: `${joint.node} is not an array; remove index` };
-  const elements = variant.value as ArrayLike<unknown> | null, length = elements?.length ?? 0;
+  const elements = variant.value as ArrayLike<unknown> | null;
+  const length = elements?.length ?? 0;
   if (joint.index >= length) return { reason: 'index', text: `${joint.node} has ${length} elements; allowed is an index from 0 to ${length - 1}` };
   const element = elements![joint.index];
   return { value: numberIn({ dataType: variant.dataType, value: element } as typeof variant) };

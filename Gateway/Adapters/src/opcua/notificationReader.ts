@@ -26,10 +26,13 @@ export class NotificationReader {
   #known: Nanoseconds | null = null;
   #silence: Nanoseconds = 0n;
 
-  constructor(readonly context: Pick<AdapterContext, 'configuration' | 'output' | 'status' | 'clock'>, readonly settings: OpcUaSettings) {
+  constructor(
+    readonly context: Pick<AdapterContext, 'configuration' | 'output' | 'status' | 'clock'>,
+    readonly settings: OpcUaSettings,
+  ) {
     this.#joints = context.configuration.joints as NodeJoint[];
     const nodes = [...new Set(this.#joints.map(joint => joint.node))];
-    this.#readers = nodes.map(node => this.#joints.flatMap((joint, i) => joint.node === node ? [i] : []));
+    this.#readers = nodes.map(node => this.#joints.flatMap((joint, i) => (joint.node === node ? [i] : [])));
     this.jointNodes = nodes;
     this.nodes = settings.time === null ? nodes : [...nodes, settings.time.node];
     const tolerance = ofMilliseconds(Math.max(Number(context.configuration.plant.group_ms ?? GROUP_MS), GROUP_MS));
@@ -67,7 +70,7 @@ export class NotificationReader {
 
   /** Confirms that these nodes, and no others, had their last value at a time of the control system. */
   holdNodes(time: Nanoseconds, nodes: ReadonlySet<number>): void {
-    this.hold(time, new Set(this.#readers.flatMap((joints, node) => nodes.has(node) ? [] : joints)));
+    this.hold(time, new Set(this.#readers.flatMap((joints, node) => (nodes.has(node) ? [] : joints))));
   }
 
   /** Reports that the server does not have this node (any more). */
@@ -86,7 +89,9 @@ export class NotificationReader {
   }
 
   /** Whether the data of a joint of this node ended in mid-motion. */
-  hasEnded(node: number): boolean { return this.#readers[node].some(joint => this.context.output.hasEnded(joint)); }
+  hasEnded(node: number): boolean {
+    return this.#readers[node].some(joint => this.context.output.hasEnded(joint));
+  }
 
   /** Marks the next value of this node as the first of a new monitored item. */
   expectFirst(node: number): void {
@@ -101,8 +106,11 @@ export class NotificationReader {
 
   /** Gets the time in the variable and stores it; null if it is invalid. */
   #learn(value: DataValue): Nanoseconds | null {
-    const { status } = this.context, { node, unit } = this.settings.time!, label = labelOf(value);
-    const refusal = statusRefusal(value), time = refusal === null ? timeIn(value.value, unit) : null;
+    const { status } = this.context;
+    const { node, unit } = this.settings.time!;
+    const label = labelOf(value);
+    const refusal = statusRefusal(value);
+    const time = refusal === null ? timeIn(value.value, unit) : null;
     if (refusal !== null) status.refuse(refusal.reason, node, refusal.text);
     else if (time === null || label === null)
       status.refuse('time-type', node, 'the value is not a time; name a DateTime, or a 64-bit whole number or an LREAL with its unit');
@@ -117,7 +125,8 @@ export class NotificationReader {
       const refusal = { reason: 'node-gone', text: `the server has no node ${this.nodes[node]} (${value.statusCode.name})` };
       return this.#readers[node].map(joint => ({ joint, value: null, stamp: null, refusal, isLost: true }));
     }
-    const isFirst = !this.#received.has(node) && this.#hasStamp(value), bad = statusRefusal(value);
+    const isFirst = !this.#received.has(node) && this.#hasStamp(value);
+    const bad = statusRefusal(value);
     this.#received.add(node);
     const stamp = bad === null ? this.#stampOf(value) : null;
     const refusal = bad ?? (stamp === null && !isFirst && this.#time !== null && this.#hasStamp(value) ? this.#unmatched : null);
@@ -129,10 +138,12 @@ export class NotificationReader {
   }
 
   get #unmatched(): Refusal {
-    const { node } = this.settings.time!, ms = this.context.configuration.plant.group_ms ?? GROUP_MS;
+    const { node } = this.settings.time!;
+    const ms = this.context.configuration.plant.group_ms ?? GROUP_MS;
     return {
       reason: 'time-unmatched',
-      text: `no value of ${node} has a time stamp within group_ms, ${String(ms)} ms, of it; `
+      text:
+        `no value of ${node} has a time stamp within group_ms, ${String(ms)} ms, of it; `
         + 'if the server stamps the variables of a cycle one by one, increase group_ms',
     };
   }
@@ -144,8 +155,10 @@ export class NotificationReader {
 
   #stampOf(value: DataValue): Nanoseconds | null {
     switch (this.settings.timestamp) {
-      case 'source': return sourceStamp(value);
-      case 'server': return serverStamp(value);
+      case 'source':
+        return sourceStamp(value);
+      case 'server':
+        return serverStamp(value);
       case 'variable': {
         const label = labelOf(value);
         return label === null ? null : this.#time!.at(label);

@@ -1,6 +1,17 @@
 import {
-  AttributeIds, type ClientMonitoredItem, type ClientMonitoredItemGroup, type ClientSession, type ClientSubscription, DataChangeFilter,
-  DataChangeTrigger, type DataValue, MessageSecurityMode, OPCUAClient, SecurityPolicy, TimestampsToReturn, type UserIdentityInfo,
+  AttributeIds,
+  type ClientMonitoredItem,
+  type ClientMonitoredItemGroup,
+  type ClientSession,
+  type ClientSubscription,
+  DataChangeFilter,
+  DataChangeTrigger,
+  type DataValue,
+  MessageSecurityMode,
+  OPCUAClient,
+  SecurityPolicy,
+  TimestampsToReturn,
+  type UserIdentityInfo,
 } from 'node-opcua-client';
 import type { OpcUaSettings } from './settings';
 import { applicationUri, type OwnCertificate } from './security/ownCertificate';
@@ -9,13 +20,26 @@ import type { TrustList } from './security/trustList';
 /** Initial number of nodes per read request; halved if a server accepts fewer. */
 const NODES_PER_READ = 64;
 
-const TIMEOUT_MS = 5000, CLOSING_MS = 1000, SESSION_MS = 30_000, KEEP_ALIVE_MS = 1000, LIFETIME_MS = 15_000;
+const TIMEOUT_MS = 5000;
+const CLOSING_MS = 1000;
+const SESSION_MS = 30_000;
+const KEEP_ALIVE_MS = 1000;
+const LIFETIME_MS = 15_000;
 
 /** All requests that are sent to a control system. None of them can write a variable or call a method. */
 const ALLOWED = new Set([
-  'OpenSecureChannelRequest', 'CloseSecureChannelRequest', 'GetEndpointsRequest', 'CreateSessionRequest', 'ActivateSessionRequest',
-  'CloseSessionRequest', 'ReadRequest', 'CreateSubscriptionRequest', 'DeleteSubscriptionsRequest', 'CreateMonitoredItemsRequest',
-  'DeleteMonitoredItemsRequest', 'PublishRequest',
+  'OpenSecureChannelRequest',
+  'CloseSecureChannelRequest',
+  'GetEndpointsRequest',
+  'CreateSessionRequest',
+  'ActivateSessionRequest',
+  'CloseSessionRequest',
+  'ReadRequest',
+  'CreateSubscriptionRequest',
+  'DeleteSubscriptionsRequest',
+  'CreateMonitoredItemsRequest',
+  'DeleteMonitoredItemsRequest',
+  'PublishRequest',
 ]);
 
 /** A value of the node with this index in the monitored list. */
@@ -56,8 +80,14 @@ export class ReadOnlySession {
   #end: (reason: string) => void = () => {};
   #answeredAt: Date | null = null;
 
-  constructor(readonly settings: OpcUaSettings, own: OwnCertificate, trust: TrustList) {
-    this.ended = new Promise(resolve => { this.#end = resolve; });
+  constructor(
+    readonly settings: OpcUaSettings,
+    own: OwnCertificate,
+    trust: TrustList,
+  ) {
+    this.ended = new Promise(resolve => {
+      this.#end = resolve;
+    });
     const isOpen = settings.security.mode === 'none';
     this.#client = OPCUAClient.create({
       applicationName: 'Nowpose',
@@ -91,7 +121,9 @@ export class ReadOnlySession {
   }
 
   /** Time of the server's clock when it sent the newest answer to a read; null before the first. */
-  get answeredAt(): Date | null { return this.#answeredAt; }
+  get answeredAt(): Date | null {
+    return this.#answeredAt;
+  }
 
   async read(node: string): Promise<DataValue> {
     const session = this.#session;
@@ -107,7 +139,12 @@ export class ReadOnlySession {
     while (values.length < nodes.length) {
       const part = nodes.slice(values.length, values.length + this.#nodesPerRead);
       try {
-        values.push(...await session.read(part.map(nodeId => ({ nodeId, attributeId: AttributeIds.Value })), 0));
+        values.push(
+          ...(await session.read(
+            part.map(nodeId => ({ nodeId, attributeId: AttributeIds.Value })),
+            0,
+          )),
+        );
       } catch (error) {
         if (!String(error).includes('BadTooManyOperations') || part.length === 1) throw error;
         this.#nodesPerRead = Math.ceil(part.length / 2);
@@ -127,7 +164,10 @@ export class ReadOnlySession {
     this.#early ??= [];
     const group = await this.#group(this.#subscription!, [id], this.#canTriggerByStamp ? BY_STAMP() : null);
     this.#items[node] = group.monitoredItems[0] as ClientMonitoredItem;
-    const { statusCode, monitoringParameters: { clientHandle } } = this.#items[node];
+    const {
+      statusCode,
+      monitoringParameters: { clientHandle },
+    } = this.#items[node];
     this.#places.set(clientHandle, node);
     this.#takeEarly();
     return statusCode.isGood() ? null : statusCode.name;
@@ -157,12 +197,12 @@ export class ReadOnlySession {
       this.#take(data);
     });
     this.#subscription = subscription;
-    const items = this.#items = await this.#monitored(subscription, nodes);
+    const items = (this.#items = await this.#monitored(subscription, nodes));
     this.#places = new Map(items.map((item, node) => [item.monitoringParameters.clientHandle, node]));
     this.#takeEarly();
     const sampling = items.filter(item => item.statusCode.isGood()).map(item => item.result!.revisedSamplingInterval ?? samplingMs);
     return {
-      refusals: items.map(item => item.statusCode.isGood() ? null : item.statusCode.name),
+      refusals: items.map(item => (item.statusCode.isGood() ? null : item.statusCode.name)),
       samplingMs: Math.max(...sampling, 0),
       publishingMs: subscription.publishingInterval,
       keepAliveMs: subscription.publishingInterval * subscription.maxKeepAliveCount,
@@ -209,11 +249,12 @@ export class ReadOnlySession {
   #group(subscription: ClientSubscription, nodes: string[], filter: DataChangeFilter | null): Promise<ClientMonitoredItemGroup> {
     const { samplingMs } = this.settings;
     // The server's revised interval may be longer than the requested one.
-    const queueSize = 2 + Math.ceil(4 * subscription.publishingInterval / samplingMs);
+    const queueSize = 2 + Math.ceil((4 * subscription.publishingInterval) / samplingMs);
     return subscription.monitorItems(
       nodes.map(nodeId => ({ nodeId, attributeId: AttributeIds.Value })),
       { samplingInterval: samplingMs, queueSize, discardOldest: true, filter: filter ?? undefined },
-      TimestampsToReturn.Both);
+      TimestampsToReturn.Both,
+    );
   }
 }
 

@@ -11,7 +11,8 @@ const MIN_RENEWALS = 3;
 const QUIET_MS = 1000;
 
 /** A source has stopped writing a node after this time, in ms, and this multiple of the longest observed interval. */
-const STOPPED_MS = 1200, INTERVALS = 3;
+const STOPPED_MS = 1200;
+const INTERVALS = 3;
 
 interface Node {
   /** Source timestamp of the last value; null before the first. */
@@ -34,7 +35,10 @@ export class Renewals {
   #lastChange = -Infinity;
 
   /** @param now Monotonic time in ms. */
-  constructor(nodes: number, readonly now: () => number) {
+  constructor(
+    nodes: number,
+    readonly now: () => number,
+  ) {
     this.#nodes = Array.from({ length: nodes }, () => ({ stamp: null, changedAt: now(), renewals: 0, isRenewed: false, longestMs: 0 }));
   }
 
@@ -49,9 +53,11 @@ export class Renewals {
    * @param isInFault Whether the source is known to have stopped. Otherwise the interval was a normal one, also if it was long.
    */
   unchanged(node: number, stamp: Nanoseconds | null, isInFault = false): boolean {
-    const known = this.#nodes[node], interval = this.now() - known.changedAt;
-    if (stamp === null || known.stamp !== null && stamp <= known.stamp) return false;
-    const isFirst = known.stamp === null, isQuiet = this.now() - this.#lastChange > QUIET_MS;
+    const known = this.#nodes[node];
+    const interval = this.now() - known.changedAt;
+    if (stamp === null || (known.stamp !== null && stamp <= known.stamp)) return false;
+    const isFirst = known.stamp === null;
+    const isQuiet = this.now() - this.#lastChange > QUIET_MS;
     if (!isFirst && !isInFault) known.longestMs = Math.max(known.longestMs, interval);
     if (!isFirst && isQuiet) known.renewals++;
     this.#set(node, stamp, !isFirst);

@@ -11,7 +11,8 @@ import { sourceStamp } from './stamps';
 const SILENT_MS = 60;
 
 /** If reads differ from the last notification for this long and this multiple of the normal delay, the server no longer sends notifications. */
-const DIFFERENT_MS = 400, DELAYS = 2;
+const DIFFERENT_MS = 400;
+const DELAYS = 2;
 
 interface NodeState {
   heardAt: number;
@@ -37,15 +38,20 @@ export class SilentNodes {
    * @param nameOf Gets the configuration entry of a node.
    */
   constructor(
-    readonly session: Pick<ReadOnlySession, 'readAll' | 'monitorAgain'>, readonly reader: NotificationReader, readonly ids: string[],
-    readonly nameOf: (node: number) => string, readonly now: () => number = () => performance.now(),
+    readonly session: Pick<ReadOnlySession, 'readAll' | 'monitorAgain'>,
+    readonly reader: NotificationReader,
+    readonly ids: string[],
+    readonly nameOf: (node: number) => string,
+    readonly now: () => number = () => performance.now(),
   ) {
     this.#nodes = ids.map(() => ({ heardAt: now(), value: null, isGone: false, isBad: false, differsSince: null }));
     this.#renewals = new Renewals(ids.length, now);
   }
 
   /** Gets when the source stopped writing the node; null if it has not, or if it is unknown. */
-  stopOf(node: number): SourceStop | null { return this.#renewals.stopOf(node); }
+  stopOf(node: number): SourceStop | null {
+    return this.#renewals.stopOf(node);
+  }
 
   heard(values: NodeValue[]): void {
     for (const { node, value } of values) {
@@ -65,18 +71,19 @@ export class SilentNodes {
   /** Reads each silent node. Returns those that still have the value of their last notification. */
   async read(): Promise<Set<number>> {
     const began = this.now();
-    const silent = this.#nodes.flatMap(({ heardAt, isGone }, node) => isGone || began - heardAt >= SILENT_MS ? [node] : []);
+    const silent = this.#nodes.flatMap(({ heardAt, isGone }, node) => (isGone || began - heardAt >= SILENT_MS ? [node] : []));
     const values = silent.length === 0 ? [] : await this.session.readAll(silent.map(node => this.ids[node]));
     const unchanged = new Set<number>();
     for (const [i, node] of silent.entries())
-      if (this.#nodes[node].heardAt < began && await this.#isUnchanged(node, values[i])) unchanged.add(node);
+      if (this.#nodes[node].heardAt < began && (await this.#isUnchanged(node, values[i]))) unchanged.add(node);
     return unchanged;
   }
 
   async #isUnchanged(node: number, value: DataValue): Promise<boolean> {
     const state = this.#nodes[node];
     if (isGone(value.statusCode)) {
-      if (!state.isGone) this.refused(node, `${this.nameOf(node)}: value ${this.reader.nodes[node]}; the server no longer has this node (${value.statusCode.name})`);
+      if (!state.isGone)
+        this.refused(node, `${this.nameOf(node)}: value ${this.reader.nodes[node]}; the server no longer has this node (${value.statusCode.name})`);
       return false;
     }
     const isSame = isSameValue(state.value, value);
@@ -86,11 +93,15 @@ export class SilentNodes {
       return false;
     }
     const now = this.now();
-    state.differsSince = isSame ? null : state.differsSince ?? now;
-    const hasEnded = this.reader.hasEnded(node), isWrittenAgain = isSame && this.#renewals.unchanged(node, sourceStamp(value), hasEnded) && hasEnded;
+    state.differsSince = isSame ? null : (state.differsSince ?? now);
+    const hasEnded = this.reader.hasEnded(node);
+    const isWrittenAgain = isSame && this.#renewals.unchanged(node, sourceStamp(value), hasEnded) && hasEnded;
     // A new monitored item immediately sends the value with its stamp.
-    const isNew = isWrittenAgain || state.isGone || state.isBad
-      || state.differsSince !== null && now - state.differsSince >= Math.max(DIFFERENT_MS, DELAYS * this.delayMs);
+    const isNew =
+      isWrittenAgain
+      || state.isGone
+      || state.isBad
+      || (state.differsSince !== null && now - state.differsSince >= Math.max(DIFFERENT_MS, DELAYS * this.delayMs));
     if (isNew) await this.#monitorAgain(node);
     return isSame && !isNew;
   }

@@ -28,9 +28,12 @@ const whole = (value: unknown, isSigned: boolean): bigint | null => {
 /** Gets a scalar number, as a bigint for 64 bits; any other value unchanged. */
 export function numberIn(variant: Variant): unknown {
   switch (variant.dataType) {
-    case DataType.Int64: return whole(variant.value, true) ?? variant.value;
-    case DataType.UInt64: return whole(variant.value, false) ?? variant.value;
-    default: return variant.value;
+    case DataType.Int64:
+      return whole(variant.value, true) ?? variant.value;
+    case DataType.UInt64:
+      return whole(variant.value, false) ?? variant.value;
+    default:
+      return variant.value;
   }
 }
 

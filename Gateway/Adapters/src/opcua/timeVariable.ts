@@ -19,7 +19,8 @@ export class TimeVariable {
 
   /** Gets the time of the cycle with this label; null if unknown. */
   at(label: Nanoseconds): Nanoseconds | null {
-    let best: Nanoseconds | null = null, distance = this.tolerance + 1n;
+    let best: Nanoseconds | null = null;
+    let distance = this.tolerance + 1n;
     for (const { label: known, time } of this.#known) {
       const apart = known < label ? label - known : known - label;
       if (apart < distance) [best, distance] = [time, apart];

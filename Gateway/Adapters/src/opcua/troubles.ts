@@ -11,15 +11,26 @@ export interface Trouble {
 }
 
 const CURES: [RegExp, (settings: OpcUaSettings, own: OwnCertificate) => string][] = [
-  [/BadSecurityChecksFailed|BadCertificate|BadSecurityModeRejected/, (_, own) =>
-    'the server does not trust this adapter; '
-      + `accept the certificate ${own.file}, thumbprint ${thumbprints(own.getCertificate()).sha1}, at the server`],
-  [/BadIdentityTokenRejected|BadUserAccessDenied/, settings => settings.user
-    ? `the server does not accept user ${settings.user.name}; see plant.user`
-    : 'the server does not accept this user; set plant.user to a user with read access'],
-  [/cannot find an? endpoint|end point must exist/i, ({ security }) => security.mode === 'none'
-    ? 'the server offers no connection without security; remove plant.security.mode'
-    : `the server offers no SignAndEncrypt with ${security.policy}; choose another plant.security.policy, or enable this policy at the server`],
+  [
+    /BadSecurityChecksFailed|BadCertificate|BadSecurityModeRejected/,
+    (_, own) =>
+      'the server does not trust this adapter; '
+      + `accept the certificate ${own.file}, thumbprint ${thumbprints(own.getCertificate()).sha1}, at the server`,
+  ],
+  [
+    /BadIdentityTokenRejected|BadUserAccessDenied/,
+    settings =>
+      settings.user
+        ? `the server does not accept user ${settings.user.name}; see plant.user`
+        : 'the server does not accept this user; set plant.user to a user with read access',
+  ],
+  [
+    /cannot find an? endpoint|end point must exist/i,
+    ({ security }) =>
+      security.mode === 'none'
+        ? 'the server offers no connection without security; remove plant.security.mode'
+        : `the server offers no SignAndEncrypt with ${security.policy}; choose another plant.security.policy, or enable this policy at the server`,
+  ],
   [/BadIdentityTokenInvalid|cannot find .*token/i, () => 'the server does not support this login; change plant.user'],
   [/BadTooManySessions|BadTcpNotEnoughResources/, () => 'the server has no free session; close a session of another client'],
 ];

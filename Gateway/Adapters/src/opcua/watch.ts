@@ -2,9 +2,12 @@ import { isClockStopped, type PlantClock } from '../clock/plantClock';
 import type { Nanoseconds } from '../times';
 
 /** Interval of the checks while values arrive, and after none has arrived for QUIET_MS. A headset shows a sample for 300 ms. */
-const LOOK_MS = 500, QUIET_LOOK_MS = 60, QUIET_MS = 50;
+const LOOK_MS = 500;
+const QUIET_LOOK_MS = 60;
+const QUIET_MS = 50;
 
-const SILENCE_MS = 5000, MISSED = 3;
+const SILENCE_MS = 5000;
+const MISSED = 3;
 
 /** Monitors the server by its notifications, its keep-alive messages and its clock. */
 export class Watch {
@@ -27,8 +30,11 @@ export class Watch {
    */
   async silence(clock: PlantClock, keepAliveMs: number, ended: Promise<unknown>, look: (time: Nanoseconds | null) => Promise<void>): Promise<string> {
     const longest = Math.max(SILENCE_MS, MISSED * keepAliveMs);
-    let isOver = false, looked = performance.now();
-    void ended.then(() => { isOver = true; });
+    let isOver = false;
+    let looked = performance.now();
+    void ended.then(() => {
+      isOver = true;
+    });
     while (!isOver) {
       await new Promise(resolve => setTimeout(resolve, QUIET_LOOK_MS));
       if (performance.now() - this.#heard > longest) return `nothing was published for ${longest / 1000} s`;

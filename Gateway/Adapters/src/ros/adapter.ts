@@ -13,7 +13,9 @@ const CLOCK_RETRY_MS = 1000;
 const GET_TIME = '/rosapi/get_time';
 
 /** The types with ROS 1 names, which ROS 2's rosbridge accepts, too. */
-const JOINT_STATE = 'sensor_msgs/JointState', TRAJECTORY = 'trajectory_msgs/JointTrajectory', STRING = 'std_msgs/String';
+const JOINT_STATE = 'sensor_msgs/JointState';
+const TRAJECTORY = 'trajectory_msgs/JointTrajectory';
+const STRING = 'std_msgs/String';
 
 /** Listens to a robot's rosbridge and forwards its messages until it is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
@@ -40,7 +42,7 @@ export async function run(context: AdapterContext): Promise<void> {
   async function attach(ended: AbortSignal): Promise<void> {
     while (!ended.aborted) {
       try {
-        if (await clock.attach(readTime, ended)) return log.resume('clock', 'the robot\'s clock is available');
+        if (await clock.attach(readTime, ended)) return log.resume('clock', "the robot's clock is available");
       } catch (error) {
         if (ended.aborted) return;
         clock.doWithout();
@@ -51,12 +53,14 @@ export async function run(context: AdapterContext): Promise<void> {
   }
 
   async function readTime() {
-    const { time } = await robot.call(GET_TIME), now = ofRosTime(time);
+    const { time } = await robot.call(GET_TIME);
+    const now = ofRosTime(time);
     if (now === null || now <= 0n) throw new Error(`${GET_TIME} returns no time; with use_sim_time, start the simulation`);
     return { received: now, sent: now };
   }
 
-  const names = new JointNames(configuration.joints), states = new JointStates(names, settings.oldest, clock, gateway, status, context.output.silence);
+  const names = new JointNames(configuration.joints);
+  const states = new JointStates(names, settings.oldest, clock, gateway, status, context.output.silence);
   robot.subscribe(settings.jointStates, message => states.pass(message), JOINT_STATE);
   if (configuration.robot === null && settings.robotDescription !== null)
     robot.subscribe(settings.robotDescription, message => passDescription(message?.data), STRING);

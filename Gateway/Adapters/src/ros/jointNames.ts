@@ -18,7 +18,8 @@ export class JointNames {
 
   constructor(joints: Joint[]) {
     joints.forEach(({ joint, source, scale, offset, isLinear }, index) =>
-      this.#known.set((source as string | undefined) ?? joint, { index, joint, scale, offset, isLinear: isLinear === true }));
+      this.#known.set((source as string | undefined) ?? joint, { index, joint, scale, offset, isLinear: isLinear === true }),
+    );
     this.isOpen = joints.length === 0;
   }
 

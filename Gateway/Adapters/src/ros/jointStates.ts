@@ -31,8 +31,14 @@ export class JointStates {
   /** Joints whose end of data was judged since their last sample. Joints that start to move later are not evidence. */
   readonly #judged = new Set<string>();
 
-  constructor(readonly names: JointNames, oldest: Nanoseconds, readonly clock: Pick<PlantClock, 'now' | 'isSettled'>, readonly gateway: Publisher,
-    readonly status: AdapterStatus, readonly silence: Silence) {
+  constructor(
+    readonly names: JointNames,
+    oldest: Nanoseconds,
+    readonly clock: Pick<PlantClock, 'now' | 'isSettled'>,
+    readonly gateway: Publisher,
+    readonly status: AdapterStatus,
+    readonly silence: Silence,
+  ) {
     // A joint whose publisher is silent cannot be confirmed.
     silence.unconfirmedMs = null;
     silence.hasEnded = joint => this.#hasEnded(joint);
@@ -48,14 +54,19 @@ export class JointStates {
       return;
     }
     if (!this.clock.isSettled) return this.status.count('clock-unknown');
-    const stamp = ofRosTime(message!.header?.stamp), now = this.clock.now;
+    const stamp = ofRosTime(message!.header?.stamp);
+    const now = this.clock.now;
     const taken = name.flatMap((source, i) => {
       const out = this.names.find(source);
       return out !== undefined && this.#isUsable(out, position[i], stamp, now) ? [{ out, i }] : [];
     });
     if (taken.length === 0) return;
     this.status.sampled();
-    const state = jointState(stamp!, taken.map(t => t.out.joint), taken.map(({ out, i }) => position[i] as number * out.scale + out.offset));
+    const state = jointState(
+      stamp!,
+      taken.map(t => t.out.joint),
+      taken.map(({ out, i }) => (position[i] as number) * out.scale + out.offset),
+    );
     const accelerations = derivativesOf(acceleration, name.length, taken);
     this.gateway.publish(JOINT_STATES, {
       ...state,
@@ -78,7 +89,7 @@ export class JointStates {
       this.status.accept(joint);
       this.silence.heard(joint);
       let end = this.#ends.get(joint);
-      if (end === undefined) this.#ends.set(joint, end = new EndOfData(decelerationFloor(isLinear)));
+      if (end === undefined) this.#ends.set(joint, (end = new EndOfData(decelerationFloor(isLinear))));
       end.add(stamp!, position * scale + offset);
       this.#judged.delete(joint);
     }
@@ -88,7 +99,8 @@ export class JointStates {
   #hasEnded(joint: string): boolean {
     if (this.#judged.has(joint)) return false;
     this.#judged.add(joint);
-    const end = this.#ends.get(joint), newest = end?.newest ?? null;
+    const end = this.#ends.get(joint);
+    const newest = end?.newest ?? null;
     const areOthersMoving = newest !== null && [...this.#ends.values()].some(other => other !== end && other.goesOnAfter(newest));
     return end !== undefined && end.verdict(0, areOthersMoving) !== null;
   }
@@ -98,7 +110,7 @@ export class JointStates {
 function derivativesOf(values: unknown[] | undefined, length: number, taken: { out: OutJoint; i: number }[]): (number | null)[] {
   if (!Array.isArray(values) || values.length !== length) return [];
   return taken.map(({ out, i }) => {
-    const value = typeof values[i] === 'number' ? values[i] as number * out.scale : NaN;
+    const value = typeof values[i] === 'number' ? (values[i] as number) * out.scale : NaN;
     return Number.isFinite(value) ? value : null;
   });
 }

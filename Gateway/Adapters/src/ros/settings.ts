@@ -37,7 +37,7 @@ export function settingsOf(configuration: Configuration): RosSettings {
     pin: pin ?? null,
     isPlain: plain === true && endpoint.startsWith('ws:'),
     jointStates: topics?.joint_states ?? '/joint_states',
-    robotDescription: topics?.robot_description === false ? null : topics?.robot_description ?? '/robot_description',
+    robotDescription: topics?.robot_description === false ? null : (topics?.robot_description ?? '/robot_description'),
     jointTrajectory: topics?.joint_trajectory ?? null,
     hasClock: clock,
     oldest: ofMilliseconds(oldest ?? OLDEST_MS),
@@ -49,15 +49,16 @@ export const ros: Kind = {
     requireAddress(file, ['plant', 'endpoint'], sectionOf(configuration).endpoint);
     requirePlain(file, sectionOf(configuration));
     if (sectionOf(configuration).pin !== undefined) requireTls(file, ['plant'], sectionOf(configuration).endpoint);
-    const { joints } = configuration, sources = joints.map(joint => joint.source ?? joint.joint);
+    const { joints } = configuration;
+    const sources = joints.map(joint => joint.source ?? joint.joint);
     sources.forEach((source, i) => {
-      if (sources.indexOf(source) < i)
-        file.report(['joints', i], `the robot's joint ${String(source)} occurs twice; name each joint once`);
+      if (sources.indexOf(source) < i) file.report(['joints', i], `the robot's joint ${String(source)} occurs twice; name each joint once`);
     });
   },
   passesUnlisted: ({ joints }) => joints.length === 0,
   summary(configuration) {
-    const { joints } = configuration, { endpoint, jointStates, hasClock } = settingsOf(configuration);
+    const { joints } = configuration;
+    const { endpoint, jointStates, hasClock } = settingsOf(configuration);
     return `rosbridge ${endpoint}, ${jointStates}, ${hasClock ? 'its time' : 'not its time'}, ${passedJoints(joints, 'all joints')}`;
   },
 };

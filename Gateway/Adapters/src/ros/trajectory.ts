@@ -25,15 +25,18 @@ export function passedTrajectory(message: Trajectory | null, names: JointNames):
     return out === undefined ? [] : [{ ...out, i }];
   });
   const column = (values: unknown[] | undefined, isPosition: boolean): number[] =>
-    !Array.isArray(values) || values.length !== sources.length ? []
-      : taken.map(({ i, scale, offset }) => (typeof values[i] === 'number' ? values[i] as number : NaN) * scale + (isPosition ? offset : 0));
+    !Array.isArray(values) || values.length !== sources.length
+      ? []
+      : taken.map(({ i, scale, offset }) => (typeof values[i] === 'number' ? (values[i] as number) : NaN) * scale + (isPosition ? offset : 0));
   const passed = points.map(point => ({
     positions: column(point.positions, true),
     velocities: column(point.velocities, false),
     accelerations: column(point.accelerations, false),
     time_from_start: point.time_from_start,
   }));
-  const isWhole = passed.every(({ positions, velocities, accelerations }) =>
-    positions.length === taken.length && [...positions, ...velocities, ...accelerations].every(Number.isFinite));
+  const isWhole = passed.every(
+    ({ positions, velocities, accelerations }) =>
+      positions.length === taken.length && [...positions, ...velocities, ...accelerations].every(Number.isFinite),
+  );
   return taken.length > 0 && isWhole ? { header, joint_names: taken.map(t => t.joint), points: passed } : null;
 }

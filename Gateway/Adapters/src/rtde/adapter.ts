@@ -10,9 +10,10 @@ const STEADY_MS = 2000;
 /** Reads a robot's controller over RTDE until it is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
   const { configuration, status, log, stopping } = context;
-  const settings = settingsOf(configuration), backoff = new Backoff();
+  const settings = settingsOf(configuration);
+  const backoff = new Backoff();
   let fields = fieldsOf(settings.source);
-  log.line('RTDE is neither encrypted nor authenticated: anyone with access to this network can read the robot\'s data and imitate the robot');
+  log.line("RTDE is neither encrypted nor authenticated: anyone with access to this network can read the robot's data and imitate the robot");
   status.detail('endpoint', at(settings));
   status.detail('security', 'none');
   status.enter('connecting');

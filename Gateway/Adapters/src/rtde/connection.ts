@@ -20,9 +20,14 @@ export class RtdeConnection {
   onPackage: (received: RtdePackage, arrived: Nanoseconds) => void = () => {};
 
   /** Resolves with the reason when the connection ends. */
-  readonly ended = new Promise<Error>(resolve => { this.#end = resolve; });
+  readonly ended = new Promise<Error>(resolve => {
+    this.#end = resolve;
+  });
 
-  private constructor(readonly peer: Peer, socket: Socket) {
+  private constructor(
+    readonly peer: Peer,
+    socket: Socket,
+  ) {
     this.#socket = socket;
     socket.setNoDelay(true);
     socket.on('data', bytes => this.#hear(bytes));
@@ -58,7 +63,9 @@ export class RtdeConnection {
   }
 
   /** Whether a package has been received only partially. */
-  get hasHalfPackage(): boolean { return this.#reader.waiting > 0; }
+  get hasHalfPackage(): boolean {
+    return this.#reader.waiting > 0;
+  }
 
   send(bytes: Buffer): void {
     this.#socket.write(bytes);
@@ -73,15 +80,17 @@ export class RtdeConnection {
     try {
       for (const received of this.#reader.add(bytes)) this.onPackage(received, arrived);
     } catch (error) {
-      this.#end(error instanceof NotRtdeError
-        ? new RefusalError(`${at(this.peer)} does not use RTDE; set host to the robot's address, and remove port unless RTDE is forwarded`)
-        : error as Error);
+      this.#end(
+        error instanceof NotRtdeError
+          ? new RefusalError(`${at(this.peer)} does not use RTDE; set host to the robot's address, and remove port unless RTDE is forwarded`)
+          : (error as Error),
+      );
       this.close();
     }
   }
 }
 
-export const at = ({ host, port }: Peer): string => host.includes(':') ? `[${host}]:${port}` : `${host}:${port}`;
+export const at = ({ host, port }: Peer): string => (host.includes(':') ? `[${host}]:${port}` : `${host}:${port}`);
 
 const codeOf = (error: Error): string => (error as NodeJS.ErrnoException).code ?? error.message;
 

@@ -1,6 +1,13 @@
 /** Packages of RTDE by the character that UR's guide gives each of them. Packages that write to the robot (I, and U from a client) are not sent. */
 export const TYPE = {
-  protocolVersion: 86, controllerVersion: 118, textMessage: 77, data: 85, setUpOutputs: 79, setUpInputs: 73, start: 83, pause: 80,
+  protocolVersion: 86,
+  controllerVersion: 118,
+  textMessage: 77,
+  data: 85,
+  setUpOutputs: 79,
+  setUpInputs: 73,
+  start: 83,
+  pause: 80,
 } as const;
 
 /** The requests that are sent here; all are read-only. */
@@ -46,9 +53,11 @@ export const start = (): Buffer => packageOf('start');
 
 /** Gets a text message of version 2, or of version 1, which has the level first and no source; null if it is neither. */
 export function textOf(payload: Buffer): string | null {
-  const length = payload[0] ?? 0, source = payload[1 + length] ?? 0;
+  const length = payload[0] ?? 0;
+  const source = payload[1 + length] ?? 0;
   if (payload.length === length + source + 3) {
-    const from = payload.toString('utf8', 2 + length, 2 + length + source), text = payload.toString('utf8', 1, 1 + length);
+    const from = payload.toString('utf8', 2 + length, 2 + length + source);
+    const text = payload.toString('utf8', 1, 1 + length);
     return from === '' ? text : `${from}: ${text}`;
   }
   return payload.length > 1 && payload[0] <= 3 ? payload.toString('utf8', 1) : null;
@@ -59,20 +68,26 @@ export class PackageReader {
   #rest: Buffer = Buffer.alloc(0);
 
   /** Number of bytes of an incomplete package. */
-  get waiting(): number { return this.#rest.length; }
+  get waiting(): number {
+    return this.#rest.length;
+  }
 
   /** Length of the incomplete package from its header; 0 if the header is incomplete. */
-  get announced(): number { return this.#rest.length < HEADER ? 0 : this.#rest.readUInt16BE(0); }
+  get announced(): number {
+    return this.#rest.length < HEADER ? 0 : this.#rest.readUInt16BE(0);
+  }
 
   /**
    * Gets the packages that are complete now. Their payloads are valid until the next call.
    * @throws NotRtdeError Invalid header. Packages before it are lost, too, and the connection is unusable.
    */
   add(bytes: Buffer): RtdePackage[] {
-    const all = this.#rest.length === 0 ? bytes : Buffer.concat([this.#rest, bytes]), packages: RtdePackage[] = [];
+    const all = this.#rest.length === 0 ? bytes : Buffer.concat([this.#rest, bytes]);
+    const packages: RtdePackage[] = [];
     let at = 0;
     while (all.length - at >= HEADER) {
-      const size = all.readUInt16BE(at), type = all[at + 2];
+      const size = all.readUInt16BE(at);
+      const type = all[at + 2];
       if (size < HEADER || !KNOWN.has(type)) throw new NotRtdeError(`a header with size ${size} and type ${type}`);
       if (all.length - at < size) break;
       packages.push({ type, payload: all.subarray(at + HEADER, at + size) });

@@ -1,6 +1,15 @@
 /** Sizes in bytes of the data types of RTDE. */
 const SIZE: Record<string, number> = {
-  BOOL: 1, UINT8: 1, UINT32: 4, INT32: 4, UINT64: 8, DOUBLE: 8, VECTOR3D: 24, VECTOR6D: 48, VECTOR6INT32: 24, VECTOR6UINT32: 24,
+  BOOL: 1,
+  UINT8: 1,
+  UINT32: 4,
+  INT32: 4,
+  UINT64: 8,
+  DOUBLE: 8,
+  VECTOR3D: 24,
+  VECTOR6D: 48,
+  VECTOR6INT32: 24,
+  VECTOR6UINT32: 24,
 };
 
 /** A requested field, with its type in UR's guide. */
@@ -59,18 +68,26 @@ export class Recipe {
    * @throws RecipeError A field is missing or has another type.
    * @throws MissingFieldsError Optional fields are missing.
    */
-  constructor(readonly fields: Field[], reply: Buffer, readonly source: PositionSource = 'actual') {
+  constructor(
+    readonly fields: Field[],
+    reply: Buffer,
+    readonly source: PositionSource = 'actual',
+  ) {
     const types = reply.toString('latin1', 1).replace(/\0+$/, '').split(',');
     if (reply.length < 2 || types.length !== fields.length)
-      throw new RecipeError(`the controller answered the recipe of ${fields.length} fields with ${reply.length < 2 ? 0 : types.length} types; `
-        + 'check that it is an RTDE server of protocol version 2');
-    const missing = fields.filter((_, i) => types[i] === 'NOT_FOUND'), needed = missing.find(field => field.isOptional !== true);
-    if (needed !== undefined)
-      throw new RecipeError(`the controller has no field ${needed.name}; update the controller's software`);
+      throw new RecipeError(
+        `the controller answered the recipe of ${fields.length} fields with ${reply.length < 2 ? 0 : types.length} types; `
+          + 'check that it is an RTDE server of protocol version 2',
+      );
+    const missing = fields.filter((_, i) => types[i] === 'NOT_FOUND');
+    const needed = missing.find(field => field.isOptional !== true);
+    if (needed !== undefined) throw new RecipeError(`the controller has no field ${needed.name}; update the controller's software`);
     const wrong = fields.findIndex((field, i) => types[i] !== field.type && types[i] !== 'NOT_FOUND');
     if (wrong >= 0)
-      throw new RecipeError(`the controller's field ${fields[wrong].name} is ${printable(types[wrong])}, not ${fields[wrong].type}; `
-        + 'the adapter supports the type in UR\'s guide only; update this adapter or the controller');
+      throw new RecipeError(
+        `the controller's field ${fields[wrong].name} is ${printable(types[wrong])}, not ${fields[wrong].type}; `
+          + "the adapter supports the type in UR's guide only; update this adapter or the controller",
+      );
     if (missing.length > 0) throw new MissingFieldsError(missing.map(field => field.name));
     this.#id = reply[0];
     let at = 1;
@@ -112,4 +129,4 @@ export class Recipe {
 /** Maximum time since the start: a century. A larger number is not a valid time. */
 const MAX_S = 3.2e9;
 
-const printable = (type: string): string => /^\w{1,20}$/.test(type) ? type : 'of an unknown type';
+const printable = (type: string): string => (/^\w{1,20}$/.test(type) ? type : 'of an unknown type');

@@ -8,7 +8,8 @@ const MAX_SKEW_PPM = 700n;
 const SILENCE: Nanoseconds = NS_PER_S;
 
 /** If all packages are late by this much for this period, the clock has stepped. Used when answers cannot show it. */
-const LATE: Nanoseconds = 50n * NS_PER_MS, PERIOD: Nanoseconds = NS_PER_S;
+const LATE: Nanoseconds = 50n * NS_PER_MS;
+const PERIOD: Nanoseconds = NS_PER_S;
 
 /**
  * The controller's clock, measured only from the packages that it streams.
@@ -32,17 +33,23 @@ export class RobotClock {
    * @param sendDelay Maximum time from a package's timestamp until the controller sends it.
    * @param stepped Called when the clock contradicts its earlier times. It is then measured again.
    */
-  constructor(readonly sendDelay: Nanoseconds, readonly stepped: (by: Nanoseconds) => void = () => {}) {}
+  constructor(
+    readonly sendDelay: Nanoseconds,
+    readonly stepped: (by: Nanoseconds) => void = () => {},
+  ) {}
 
   /** Distance between the two bounds; null while the upper one is unknown. */
-  get width(): Nanoseconds | null { return this.#lower === null || this.#upper === null ? null : this.#upper - this.#lower; }
+  get width(): Nanoseconds | null {
+    return this.#lower === null || this.#upper === null ? null : this.#upper - this.#lower;
+  }
 
   /**
    * Call this when the controller does not answer while it streams. From now on, the fastest package is assumed to take no longer than the
    * fastest answer's round-trip time before, or than shown by its first package.
    */
   expectNoAnswers(roundTrip: Nanoseconds): void {
-    const longest = this.sendDelay + roundTrip, { width } = this;
+    const longest = this.sendDelay + roundTrip;
+    const { width } = this;
     this.#kept = width === null || longest < width ? longest : width;
   }
 
@@ -53,7 +60,9 @@ export class RobotClock {
   heard(timestamp: Nanoseconds, arrived: Nanoseconds, asked: Nanoseconds | null): void {
     this.#age(arrived);
     this.#newest = arrived;
-    const before = this.#lower, lower = timestamp - arrived, answered = asked === null ? null : timestamp + this.sendDelay - asked;
+    const before = this.#lower;
+    const lower = timestamp - arrived;
+    const answered = asked === null ? null : timestamp + this.sendDelay - asked;
     if (before === null || lower > before) this.#lower = lower;
     if (answered !== null && (this.#upper === null || answered < this.#upper)) this.#upper = answered;
     if (this.#kept !== null) this.#upper = this.#lower! + this.#kept;
@@ -70,14 +79,14 @@ export class RobotClock {
     if (this.#newest === null || now - this.#newest > SILENCE) throw new Error('the robot sends no data');
     this.#age(now);
     const { width } = this;
-    if (width === null) throw new Error('the robot\'s clock is not measured yet');
+    if (width === null) throw new Error("the robot's clock is not measured yet");
     // The fastest package is closest to the true value; the bound includes everything that a later one could show.
     const time = now + this.#lower!;
     return { received: time, sent: time, resolution: 1n, errorBound: width };
   }
 
   #age(now: Nanoseconds): void {
-    const drift = now > this.#updated ? (now - this.#updated) * MAX_SKEW_PPM / 1_000_000n : 0n;
+    const drift = now > this.#updated ? ((now - this.#updated) * MAX_SKEW_PPM) / 1_000_000n : 0n;
     this.#updated = now;
     if (this.#lower !== null) this.#lower -= drift;
     if (this.#upper !== null) this.#upper += this.#kept === null ? drift : -drift;
@@ -87,6 +96,6 @@ export class RobotClock {
     if (this.#kept === null) return this.#upper !== null && this.#upper < this.#lower!;
     if (before - lower < LATE) this.#late = null;
     else if (this.#late === null || lower > this.#late.lower) this.#late = { since: this.#late?.since ?? arrived, lower };
-    return lower - before >= LATE || this.#late !== null && arrived - this.#late.since >= PERIOD;
+    return lower - before >= LATE || (this.#late !== null && arrived - this.#late.since >= PERIOD);
   }
 }

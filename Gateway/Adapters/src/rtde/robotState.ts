@@ -1,6 +1,7 @@
 import type { Cycle } from './recipe';
 
-const PLAYING = 2, RESUMING = 5;
+const PLAYING = 2;
+const RESUMING = 5;
 
 const PROGRAM: Record<number, string> = { 0: 'stopping', 1: 'stopped', 2: 'playing', 3: 'pausing', 4: 'paused', 5: 'resuming' };
 
@@ -17,14 +18,21 @@ const STOPS: Record<number, string> = {
 };
 
 /** Bits of safety_status_bits with their modes, in the order of how well they describe the stop. */
-const STOP_BITS: [bit: number, mode: number][] = [[9, 9], [8, 8], [6, 7], [5, 6], [7, 6], [4, 5], [2, 3]];
+const STOP_BITS: [bit: number, mode: number][] = [
+  [9, 9],
+  [8, 8],
+  [6, 7],
+  [5, 6],
+  [7, 6],
+  [4, 5],
+  [2, 3],
+];
 
 /** Robot modes in which the joints have no power, so that their angles are not measured. */
-const WITHOUT_POWER: Record<number, string> = {
-  [-1]: 'no controller', 0: 'disconnected', 1: 'confirm safety', 2: 'booting', 3: 'power off',
-};
+const WITHOUT_POWER: Record<number, string> = { [-1]: 'no controller', 0: 'disconnected', 1: 'confirm safety', 2: 'booting', 3: 'power off' };
 
-export const programOf = ({ runtimeState }: Cycle): string | null => runtimeState === null ? null : PROGRAM[runtimeState] ?? `state ${runtimeState}`;
+export const programOf = ({ runtimeState }: Cycle): string | null =>
+  runtimeState === null ? null : (PROGRAM[runtimeState] ?? `state ${runtimeState}`);
 
 export const isProgramRunning = ({ runtimeState }: Cycle): boolean => runtimeState === null || runtimeState === PLAYING || runtimeState === RESUMING;
 
@@ -32,7 +40,7 @@ export const isProgramRunning = ({ runtimeState }: Cycle): boolean => runtimeSta
 export function safetyStopOf({ safetyMode, safetyBits }: Cycle): string | null {
   const byMode = safetyMode === null ? undefined : STOPS[safetyMode];
   if (byMode !== undefined) return byMode;
-  const stop = STOP_BITS.find(([bit]) => safetyBits !== null && (safetyBits >>> bit & 1) === 1);
+  const stop = STOP_BITS.find(([bit]) => safetyBits !== null && ((safetyBits >>> bit) & 1) === 1);
   return stop === undefined ? null : STOPS[stop[1]];
 }
 
@@ -54,7 +62,8 @@ export class Power {
       this.#hasMoved = false;
     }
     this.#hasMoved ||= positions.some((position, i) => Math.abs(position - this.#from[i]) > MOVED);
-    return lack === undefined || this.#hasMoved ? null : `the arm has no power (robot mode ${lack}), so its joint angles are not measured; `
-      + 'switch it on at the teach pendant';
+    return lack === undefined || this.#hasMoved
+      ? null
+      : `the arm has no power (robot mode ${lack}), so its joint angles are not measured; ` + 'switch it on at the teach pendant';
   }
 }

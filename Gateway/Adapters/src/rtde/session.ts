@@ -10,10 +10,13 @@ import { RobotClock } from './robotClock';
 import { isProgramRunning, Power, programOf, safetyStopOf } from './robotState';
 import type { RtdeSettings } from './settings';
 
-const VERSION = 2, ANSWER_MS = 2000, VERSION_ANSWER_MS = 1000;
+const VERSION = 2;
+const ANSWER_MS = 2000;
+const VERSION_ANSWER_MS = 1000;
 
 /** Maximum time without data before the connection is opened again. */
-const SILENT_MS = 2000, CHECK_MS = 250;
+const SILENT_MS = 2000;
+const CHECK_MS = 250;
 
 /** Interval of the requests that bound the clock. */
 const ASK_MS = 50;
@@ -25,7 +28,9 @@ const RESTART_S = 0.5;
 const TOLERANCE: Nanoseconds = NS_PER_MS / 2n;
 
 /** Controllers from this version on are e-Series; one without a version is assumed to be. */
-const E_SERIES = 5, E_SERIES_HZ = 500, CB3_HZ = 125;
+const E_SERIES = 5;
+const E_SERIES_HZ = 500;
+const CB3_HZ = 125;
 
 /** One connection to a controller, from its first package to its end. */
 export class RtdeSession {
@@ -50,7 +55,11 @@ export class RtdeSession {
   #hasClock = false;
   #fail: (error: Error) => void = () => {};
 
-  constructor(readonly context: AdapterContext, readonly settings: RtdeSettings, readonly fields: Field[]) {}
+  constructor(
+    readonly context: AdapterContext,
+    readonly settings: RtdeSettings,
+    readonly fields: Field[],
+  ) {}
 
   /**
    * Reads until the connection or the adapter ends.
@@ -63,11 +72,15 @@ export class RtdeSession {
     this.#connection = await RtdeConnection.open(this.settings, stopping);
     const stop = (): void => this.#connection.close();
     stopping.addEventListener('abort', stop);
-    const failed = new Promise<never>((_, reject) => { this.#fail = reject; });
+    const failed = new Promise<never>((_, reject) => {
+      this.#fail = reject;
+    });
     failed.catch(() => {});
     this.#connection.onPackage = (received, arrived) => this.#hear(received, arrived);
     try {
-      const ended = this.#connection.ended.then(error => { throw this.#because(error); });
+      const ended = this.#connection.ended.then(error => {
+        throw this.#because(error);
+      });
       await Promise.race([this.#setUp(), failed, ended]);
       return await Promise.race([this.#watch(), failed, ended]);
     } finally {
@@ -81,28 +94,37 @@ export class RtdeSession {
   // A controller accepts few clients, and test servers only one.
   #because(error: Error): Error {
     if (error instanceof RefusalError)
-      return this.#isReading ? new Error(`the stream of ${at(this.settings)} is damaged; reading starts again. If this repeats, check the robot's network`) : error;
-    const then = this.#isReading ? '; check whether the controller was switched off or restarted. Reading continues when it answers'
+      return this.#isReading
+        ? new Error(`the stream of ${at(this.settings)} is damaged; reading starts again. If this repeats, check the robot's network`)
+        : error;
+    const then = this.#isReading
+      ? '; check whether the controller was switched off or restarted. Reading continues when it answers'
       : ' before it answered; if other programs read this robot over RTDE, end one of them';
     return new Error(error.message + then);
   }
 
   async #setUp(): Promise<void> {
-    const { settings, context: { status } } = this;
+    const { settings } = this;
+    const { status } = this.context;
     const version = await this.#ask(protocolVersion(VERSION), TYPE.protocolVersion, ANSWER_MS);
-    if (version === null) throw new RefusalError(`${at(settings)} accepts the connection but does not answer with RTDE; check plant.host and plant.port`);
+    if (version === null)
+      throw new RefusalError(`${at(settings)} accepts the connection but does not answer with RTDE; check plant.host and plant.port`);
     if (version[0] !== 1)
       throw new RefusalError(`${at(settings)} supports RTDE protocol version 1 only; version 2 is needed, so update the controller's software`);
-    const controller = this.#controller = await this.#ask(controllerVersion(), TYPE.controllerVersion, VERSION_ANSWER_MS);
+    const controller = (this.#controller = await this.#ask(controllerVersion(), TYPE.controllerVersion, VERSION_ANSWER_MS));
     const major = controller !== null && controller.length >= 16 ? controller.readUInt32BE(0) : null;
     if (major !== null) status.detail('controller', [0, 4, 8, 12].map(i => controller!.readUInt32BE(i)).join('.'));
-    const cyclesHz = major === null || major >= E_SERIES ? E_SERIES_HZ : CB3_HZ, rateHz = Math.min(settings.rateHz, cyclesHz);
+    const cyclesHz = major === null || major >= E_SERIES ? E_SERIES_HZ : CB3_HZ;
+    const rateHz = Math.min(settings.rateHz, cyclesHz);
     this.#clock = new RobotClock(settings.sendDelay ?? ofMilliseconds(1000 / cyclesHz), by => this.#tellStep(by));
     status.detail('rate_hz', rateHz);
-    const types = await this.#ask(setUpOutputs(rateHz, this.fields.map(field => field.name)), TYPE.setUpOutputs, ANSWER_MS);
+    const names = this.fields.map(field => field.name);
+    const types = await this.#ask(setUpOutputs(rateHz, names), TYPE.setUpOutputs, ANSWER_MS);
     if (types === null) throw new Error(`${at(settings)} does not answer the output recipe; if this repeats, restart the controller`);
     this.#recipe = new Recipe(this.fields, types, settings.source);
-    const started = await this.#ask(start(), TYPE.start, ANSWER_MS, asked => { this.#answered = asked; });
+    const started = await this.#ask(start(), TYPE.start, ANSWER_MS, asked => {
+      this.#answered = asked;
+    });
     if (started?.[0] !== 1) throw new Error(`${at(settings)} does not start to send data; if this repeats, restart the controller`);
   }
 
@@ -111,7 +133,8 @@ export class RtdeSession {
    * @returns The answer's payload; null on a timeout.
    */
   async #ask(request: Buffer, type: number, ms: number, answered: (asked: Nanoseconds) => void = () => {}): Promise<Buffer | null> {
-    const asked = monotonicTime(), answer = new Promise<Buffer | null>(resolve => {
+    const asked = monotonicTime();
+    const answer = new Promise<Buffer | null>(resolve => {
       const late = setTimeout(() => resolve(null), ms);
       this.#over.signal.addEventListener('abort', () => clearTimeout(late));
       this.#awaited = {
@@ -162,8 +185,9 @@ export class RtdeSession {
 
   /** The shorter the time between an answer and the next package, the tighter the bound. The transmission time of the request is unknown. */
   #untilPackageMs(): number {
-    const intervalMs = 1000 * (this.#pace.usual ?? 0), passedMs = performance.now() - this.#lastMs;
-    return Math.max(0, intervalMs * (1 - Math.random() ** 2) - passedMs % intervalMs || 0);
+    const intervalMs = 1000 * (this.#pace.usual ?? 0);
+    const passedMs = performance.now() - this.#lastMs;
+    return Math.max(0, intervalMs * (1 - Math.random() ** 2) - (passedMs % intervalMs) || 0);
   }
 
   #hear({ type, payload }: RtdePackage, arrived: Nanoseconds): void {
@@ -187,11 +211,16 @@ export class RtdeSession {
     if (typeof cycle === 'string')
       return this.#fail(new Error(`${at(this.settings)} sends ${cycle}; reading starts again. If this repeats, update the controller`));
     this.#lastMs = performance.now();
-    const { context: { status } } = this, before = this.#timestamp;
+    const { status } = this.context;
+    const before = this.#timestamp;
     if (before !== null && cycle.timestamp <= before) {
       if (before - cycle.timestamp <= RESTART_S) return status.count('stamp-not-newer');
-      return this.#fail(new Error(`the controller was restarted: its time went from ${before.toFixed(1)} s back to ${cycle.timestamp.toFixed(1)} s; `
-        + 'reading starts again'));
+      return this.#fail(
+        new Error(
+          `the controller was restarted: its time went from ${before.toFixed(1)} s back to ${cycle.timestamp.toFixed(1)} s; `
+            + 'reading starts again',
+        ),
+      );
     }
     this.#timestamp = cycle.timestamp;
     const stamp = ofFraction(cycle.timestamp, 's');
@@ -203,7 +232,10 @@ export class RtdeSession {
 
   /** Returns whether the positions are measured. */
   #tellState(cycle: Cycle): boolean {
-    const { status, log } = this.context, lack = this.#power.lackIn(cycle), program = programOf(cycle), stop = safetyStopOf(cycle);
+    const { status, log } = this.context;
+    const lack = this.#power.lackIn(cycle);
+    const program = programOf(cycle);
+    const stop = safetyStopOf(cycle);
     if (lack !== null) {
       status.enter('waiting', lack);
     } else if (!this.#isReading || status.state !== 'connected') {
@@ -212,8 +244,9 @@ export class RtdeSession {
     if (!this.#isReading) void this.#attachClock();
     this.#isReading = true;
     status.detail('program', program);
-    if (program !== null && !isProgramRunning(cycle)) log.change('program', program, `the robot's program is ${program}; its positions are still sent`);
-    else log.resume('program', 'the robot\'s program runs again');
+    if (program !== null && !isProgramRunning(cycle))
+      log.change('program', program, `the robot's program is ${program}; its positions are still sent`);
+    else log.resume('program', "the robot's program runs again");
     status.notice(stop);
     return lack === null;
   }
@@ -227,26 +260,35 @@ export class RtdeSession {
   }
 
   #publish({ positions, velocities }: Cycle, stamp: Nanoseconds): void {
-    const { settings: { indices, rateHz }, context: { output } } = this;
+    const { indices, rateHz } = this.settings;
+    const { output } = this.context;
     const interval = ofMilliseconds(1000 / rateHz);
     // Until the clock is measured, stamps after a restart would be compared with the previous clock.
-    if (!this.#hasClock || this.#published !== null && stamp - this.#published < interval - TOLERANCE) return;
+    if (!this.#hasClock || (this.#published !== null && stamp - this.#published < interval - TOLERANCE)) return;
     this.#published = stamp;
-    output.publish(indices.map((index, joint) => ({
-      joint, value: positions[index], stamp, ...(velocities === null ? {} : { velocity: velocities[index] }),
-    })));
+    output.publish(
+      indices.map((index, joint) => ({ joint, value: positions[index], stamp, ...(velocities === null ? {} : { velocity: velocities[index] }) })),
+    );
   }
 
   #countLost(timestamp: number): void {
-    const lost = this.#pace.lostBefore(timestamp), { status, log } = this.context;
+    const lost = this.#pace.lostBefore(timestamp);
+    const { status, log } = this.context;
     if (lost === 0) return;
     for (let i = 0; i < Math.min(lost, 1000); i++) status.count('package-lost');
-    log.change('packages', 'lost', 'packages are missing in the controller\'s stream (counted as refused/package-lost); '
-      + 'lower rate_hz, or reduce the load of the controller and the network');
+    log.change(
+      'packages',
+      'lost',
+      "packages are missing in the controller's stream (counted as refused/package-lost); "
+        + 'lower rate_hz, or reduce the load of the controller and the network',
+    );
   }
 
   #tellStep(by: Nanoseconds): void {
-    this.context.log.change('controller clock', 'stepped', `the controller's clock contradicts its earlier times by ${(Number(by) / 1e6).toFixed(1)} ms; `
-      + 'it is measured again');
+    this.context.log.change(
+      'controller clock',
+      'stepped',
+      `the controller's clock contradicts its earlier times by ${(Number(by) / 1e6).toFixed(1)} ms; ` + 'it is measured again',
+    );
   }
 }

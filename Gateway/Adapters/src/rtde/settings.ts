@@ -42,14 +42,18 @@ export const rtde: Kind = {
   check(file, configuration) {
     const { indices } = settingsOf(configuration);
     indices.forEach((index, i) => {
-      const entry = ['joints', i, 'index'], first = indices.indexOf(index);
+      const entry = ['joints', i, 'index'];
+      const first = indices.indexOf(index);
       if (index > 5) file.report(entry, `value ${shown(index)}; the arm has six joints; allowed is a whole number from 0 to 5`);
-      else if (first < i) file.report(entry, `value ${shown(index)}; line ${file.lineOf(['joints', first])} already has this joint of the arm; use each index once`);
+      else if (first < i)
+        file.report(entry, `value ${shown(index)}; line ${file.lineOf(['joints', first])} already has this joint of the arm; use each index once`);
     });
   },
   summary(configuration) {
     const { host, port, rateHz, source } = settingsOf(configuration);
-    return `RTDE ${host}:${port}, NO SECURITY; t_k is the controller's timestamp; ${source} positions at ${rateHz} Hz; `
-      + passedJoints(configuration.joints, 'its clock alone');
+    return (
+      `RTDE ${host}:${port}, NO SECURITY; t_k is the controller's timestamp; ${source} positions at ${rateHz} Hz; `
+      + passedJoints(configuration.joints, 'its clock alone')
+    );
   },
 };

@@ -1,16 +1,20 @@
 import { type Nanoseconds, NS_PER_S } from '../times';
 
 /** Number of stored samples of the current motion, and the minimum number for a decision about its end. */
-const WINDOW = 24, MIN_SAMPLES = 4;
+const WINDOW = 24;
+const MIN_SAMPLES = 4;
 
 /** A motion ends with a gap that is longer than this, in seconds, and longer than this multiple of the median interval. */
-const GAP_S = 0.3, GAP_INTERVALS = 6;
+const GAP_S = 0.3;
+const GAP_INTERVALS = 6;
 
 /** Number of second differences before the end that are searched for braking, and of those used for the resolution of the positions. */
-const BRAKING = 2, RESIDUALS = 12;
+const BRAKING = 2;
+const RESIDUALS = 12;
 
 /** A motion is steady if no earlier speed was below this share of the newest one. Relative tolerance of equal steps. */
-const STEADY = 0.7, EQUAL = 1e-9;
+const STEADY = 0.7;
+const EQUAL = 1e-9;
 
 /** In intervals below this multiple of the shortest one, no sampling was skipped. */
 const EACH_LOOK = 1.6;
@@ -31,15 +35,17 @@ const RESOLUTION_MARGIN = 2;
 const SEEN_MARGIN = 1.5;
 
 /** A joint continues to move if it sends samples this many seconds later, and has moved in one direction in at least GOES_ON_STEPS steps. */
-const GOES_ON_S = 0.3, GOES_ON_STEPS = 3;
+const GOES_ON_S = 0.3;
+const GOES_ON_STEPS = 3;
 
 /** A joint that starts again within this share of its last step from its last position has stopped there. */
 const STOPPED_NEAR = 0.25;
 
 /** Assumed deceleration capability of every joint: rad/s², and m/s² for a length. A third of a hard emergency stop. */
-const FLOOR_ROTARY = 12, FLOOR_LINEAR = 3;
+const FLOOR_ROTARY = 12;
+const FLOOR_LINEAR = 3;
 
-export const decelerationFloor = (isLinear = false): number => isLinear ? FLOOR_LINEAR : FLOOR_ROTARY;
+export const decelerationFloor = (isLinear = false): number => (isLinear ? FLOOR_LINEAR : FLOOR_ROTARY);
 
 interface Point {
   /** Seconds since the first sample of the joint. */
@@ -80,15 +86,21 @@ export class EndOfData {
    * @param floor Assumed deceleration capability of every joint, in rad/s² or m/s².
    * @param configured Maximum deceleration of the joint in the same unit; replaces assumption and observation. Null if unknown.
    */
-  constructor(readonly floor: number, readonly configured: number | null = null) {}
+  constructor(
+    readonly floor: number,
+    readonly configured: number | null = null,
+  ) {}
 
   /** Median time between the newest samples of the motion, in seconds; zero before the second sample. */
-  get interval(): number { return median(this.#intervals().slice(-RECENT)); }
+  get interval(): number {
+    return median(this.#intervals().slice(-RECENT));
+  }
 
   /** Takes a sample that is newer than the one before. */
   add(stamp: Nanoseconds, position: number): void {
     this.#start ??= stamp;
-    const time = this.#secondsOf(stamp), last = this.#points.at(-1);
+    const time = this.#secondsOf(stamp);
+    const last = this.#points.at(-1);
     if (last !== undefined && (time <= last.time || this.#isGap(time - last.time))) {
       if (time > last.time) this.#learnStop(position);
       this.#points.length = 0;
@@ -113,13 +125,16 @@ export class EndOfData {
 
   /** Whether the joint continued to move for a while after a stamp. */
   goesOnAfter(stamp: Nanoseconds): boolean {
-    const from = this.#start === null ? 0 : this.#secondsOf(stamp), after = this.#points.filter(({ time }) => time > from);
+    const from = this.#start === null ? 0 : this.#secondsOf(stamp);
+    const after = this.#points.filter(({ time }) => time > from);
     const directions = new Set(after.slice(1).map(({ position }, i) => Math.sign(position - after[i].position)));
     return after.length > GOES_ON_STEPS && after.at(-1)!.time - from > GOES_ON_S && directions.size === 1 && !directions.has(0);
   }
 
   /** Stamp of the last sample; null without one. */
-  get newest(): Nanoseconds | null { return this.#newest; }
+  get newest(): Nanoseconds | null {
+    return this.#newest;
+  }
 
   /**
    * Gets the reason why the joint cannot have stopped at its last sample; null if it can.
@@ -128,8 +143,10 @@ export class EndOfData {
    */
   verdict(samplingS: number, areOthersMoving = false): { required: number; limit: number; basis: LimitBasis } | null {
     if (this.#points.length < MIN_SAMPLES) return null;
-    const isFloorLeftOut = areOthersMoving && this.#largestSeen > 0, observed = this.#observed();
-    const required = this.#required(samplingS), limit = this.configured ?? (isFloorLeftOut ? observed : Math.max(this.floor, observed));
+    const isFloorLeftOut = areOthersMoving && this.#largestSeen > 0;
+    const observed = this.#observed();
+    const required = this.#required(samplingS);
+    const limit = this.configured ?? (isFloorLeftOut ? observed : Math.max(this.floor, observed));
     const basis = this.configured !== null ? 'configured' : limit === observed ? 'observed' : 'assumed';
     return required > limit ? { required, limit, basis } : null;
   }
@@ -159,7 +176,9 @@ export class EndOfData {
   }
 
   #required(samplingS: number): number {
-    const intervals = this.#intervals(), h1 = intervals.at(-1)!, h2 = Math.max(samplingS, this.interval);
+    const intervals = this.#intervals();
+    const h1 = intervals.at(-1)!;
+    const h2 = Math.max(samplingS, this.interval);
     const [before, last] = this.#points.slice(-2);
     const speed = Math.abs(last.position - before.position) / h1;
     const q = this.#resolution(speed, h1 < EACH_LOOK * Math.max(samplingS, Math.min(...intervals)));
@@ -171,7 +190,8 @@ export class EndOfData {
    * deviation of its positions from a line, unless its steps are equal, as those of a quantised value.
    */
   #resolution(speed: number, isAtEachLook: boolean): number {
-    const differences = this.#differences(RESIDUALS), residual = Math.max(...differences.map(difference => Math.abs(difference.residual)));
+    const differences = this.#differences(RESIDUALS);
+    const residual = Math.max(...differences.map(difference => Math.abs(difference.residual)));
     const isSteady = isAtEachLook && differences.length === RESIDUALS && this.#smallestSpeed > STEADY * speed;
     return isSteady && residual > EQUAL * this.#smallestStep ? Math.min(this.#smallestStep, 2 * residual) : this.#smallestStep;
   }
@@ -189,8 +209,11 @@ export class EndOfData {
   #differences(count: number): { acceleration: number; residual: number; direction: number }[] {
     return this.#points.slice(-count - 2).flatMap((last, i, points) => {
       if (i < 2) return [];
-      const [first, middle] = [points[i - 2], points[i - 1]], h1 = middle.time - first.time, h2 = last.time - middle.time;
-      const v1 = (middle.position - first.position) / h1, v2 = (last.position - middle.position) / h2;
+      const [first, middle] = [points[i - 2], points[i - 1]];
+      const h1 = middle.time - first.time;
+      const h2 = last.time - middle.time;
+      const v1 = (middle.position - first.position) / h1;
+      const v2 = (last.position - middle.position) / h2;
       return [{ acceleration: (v2 - v1) / ((h1 + h2) / 2), residual: (v2 - v1) * h2, direction: Math.sign(v1 + v2) }];
     });
   }

@@ -20,7 +20,7 @@ export interface Group {
  * A group may have a single joint.
  */
 export function grouped(samples: Sample[], tolerance: Nanoseconds): Group[] {
-  const inOrder = [...samples].sort((a, b) => a.stamp < b.stamp ? -1 : a.stamp > b.stamp ? 1 : a.joint - b.joint);
+  const inOrder = [...samples].sort((a, b) => (a.stamp < b.stamp ? -1 : a.stamp > b.stamp ? 1 : a.joint - b.joint));
   const groups: Sample[][] = [];
   let joints = new Set<number>();
   for (const sample of inOrder) {

@@ -52,7 +52,8 @@ const LIMITS: Record<LimitBasis, string> = {
 const NOT_WRITTEN = "the server's source timestamps show that the value is no longer written, although it was written at rest before";
 
 /** Minimum silence of a joint at rest, and interval of its repeated samples. Headsets predict for about 300 ms. */
-const SILENCE: Nanoseconds = 60n * NS_PER_MS, REPETITION: Nanoseconds = 50n * NS_PER_MS;
+const SILENCE: Nanoseconds = 60n * NS_PER_MS;
+const REPETITION: Nanoseconds = 50n * NS_PER_MS;
 
 /** Silence after which it is known whether the other joints have also stopped, as in an emergency stop. */
 const OTHERS_KNOWN: Nanoseconds = 500n * NS_PER_MS;
@@ -84,8 +85,11 @@ export class JointOutput {
 
   /** @param counter Monotonic time in ms; this machine's by default. */
   constructor(
-    readonly joints: Joint[], readonly options: JointOutputOptions,
-    readonly clock: Pick<PlantClock, 'now' | 'isSettled'>, readonly gateway: Publisher, readonly status: AdapterStatus,
+    readonly joints: Joint[],
+    readonly options: JointOutputOptions,
+    readonly clock: Pick<PlantClock, 'now' | 'isSettled'>,
+    readonly gateway: Publisher,
+    readonly status: AdapterStatus,
     counter?: () => number,
   ) {
     this.#rule = new StampRule(joints.length, options.oldest);
@@ -113,7 +117,9 @@ export class JointOutput {
   hold(time: Nanoseconds, silence: Nanoseconds, except: ReadonlySet<number> = new Set()): void {
     const { now, isSettled } = this.clock;
     if (!isSettled || now === null) return;
-    const silent = this.#standing.at(time, joint => this.#silenceOf(joint, silence)).filter(({ joint }) => !except.has(joint) && !this.#hasEnded(joint, time) && !this.#isAbandoned(joint));
+    const silent = this.#standing
+      .at(time, joint => this.#silenceOf(joint, silence))
+      .filter(({ joint }) => !except.has(joint) && !this.#hasEnded(joint, time) && !this.#isAbandoned(joint));
     const standing = silent.filter(({ joint }) => this.#rule.judge(joint, time, now) === null);
     for (const sample of standing) {
       this.#standing.heard(sample);
@@ -126,11 +132,15 @@ export class JointOutput {
   /** Sets the state of joints that were silent for too long. Joints with a fault are no longer repeated. */
   checkSilence(): void {
     const faults = new Set(this.silence.check());
-    this.joints.forEach(({ joint }, i) => { if (faults.has(joint)) this.#standing.forget(i); });
+    this.joints.forEach(({ joint }, i) => {
+      if (faults.has(joint)) this.#standing.forget(i);
+    });
   }
 
   /** Whether the joint's data ended in mid-motion. */
-  hasEnded(joint: number): boolean { return this.#ended.has(joint); }
+  hasEnded(joint: number): boolean {
+    return this.#ended.has(joint);
+  }
 
   /** Reports that the source no longer has this joint. */
   lose(joint: number, reason: string): void {
@@ -156,21 +166,26 @@ export class JointOutput {
   #silenceOf(joint: number, silence: Nanoseconds): Nanoseconds {
     if (this.#repeated.has(joint)) return REPETITION;
     const intervals = ofMilliseconds(1000 * SILENT_INTERVALS * this.#ends[joint].interval);
-    return [SILENCE, silence, intervals].reduce((longest, each) => each > longest ? each : longest);
+    return [SILENCE, silence, intervals].reduce((longest, each) => (each > longest ? each : longest));
   }
 
   /** Determines, once for each silence, whether the data of the joint ended while it moved. */
   #hasEnded(joint: number, time: Nanoseconds): boolean {
-    const end = this.#ends[joint], { newest } = end;
+    const end = this.#ends[joint];
+    const { newest } = end;
     if (this.#judged.has(joint)) return false;
-    const unobserved = end.unobserved(this.samplingS), isOthersKnown = newest === null || time - newest >= OTHERS_KNOWN;
+    const unobserved = end.unobserved(this.samplingS);
+    const isOthersKnown = newest === null || time - newest >= OTHERS_KNOWN;
     const areOthersMoving = newest !== null && isOthersKnown && this.#ends.some((other, i) => i !== joint && other.goesOnAfter(newest));
     const verdict = end.verdict(this.samplingS, areOthersMoving);
     if (verdict !== null || isOthersKnown || unobserved === null) this.#judged.add(joint);
     if (unobserved !== null) this.#unobserved.set(joint, unobserved);
     if (verdict === null) return false;
     const unit = this.#unitOf(joint);
-    this.#end(joint, `a stop there would need ${verdict.required.toFixed(1)} ${unit}, more than the ${verdict.limit.toFixed(1)} ${unit} ${LIMITS[verdict.basis]}`);
+    this.#end(
+      joint,
+      `a stop there would need ${verdict.required.toFixed(1)} ${unit}, more than the ${verdict.limit.toFixed(1)} ${unit} ${LIMITS[verdict.basis]}`,
+    );
     return true;
   }
 
@@ -206,7 +221,8 @@ export class JointOutput {
 
   #send(samples: Sample[]): void {
     for (const group of grouped(samples, this.options.tolerance)) {
-      const names = group.samples.map(s => this.joints[s.joint].joint), positions = group.samples.map(s => s.position);
+      const names = group.samples.map(s => this.joints[s.joint].joint);
+      const positions = group.samples.map(s => s.position);
       const velocities = group.samples.flatMap(s => s.velocity ?? []);
       this.gateway.publish(JOINT_STATES, jointState(group.stamp, names, positions, velocities.length === names.length ? velocities : []));
       this.status.sampled();
@@ -238,7 +254,7 @@ export class JointOutput {
     if (refusal !== null && isFirst === true && now !== null && OF_LONG_AGO.includes(refusal.reason)) {
       if (this.#ended.has(joint) && refusal.reason === 'stamp-not-newer') return null;
       // Published when the joint is known to be at rest, because the next value may also have such a stamp, from a clock other than the control
-    // clock.
+      // clock.
       this.#standing.heard({ joint, position, stamp: now });
       this.silence.arrived(this.joints[joint].joint);
       return null;

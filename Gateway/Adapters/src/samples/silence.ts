@@ -29,7 +29,9 @@ export class Silence {
    * @param now Monotonic time in ms.
    */
   constructor(
-    readonly status: AdapterStatus, readonly faultAfterMs: (joint: string) => number | null, readonly now: () => number = () => performance.now(),
+    readonly status: AdapterStatus,
+    readonly faultAfterMs: (joint: string) => number | null,
+    readonly now: () => number = () => performance.now(),
   ) {}
 
   /** Reports a valid sample. */
@@ -85,7 +87,9 @@ export class Silence {
   }
 
   #check(joint: string, heard: Heard, uncertainty: string): string[] {
-    const silent = this.now() - heard.sample, limit = this.faultAfterMs(joint), unconfirmed = this.now() - heard.confirmed;
+    const silent = this.now() - heard.sample;
+    const limit = this.faultAfterMs(joint);
+    const unconfirmed = this.now() - heard.confirmed;
     if (limit !== null && silent > limit) {
       this.#fault(joint, `no new value for more than ${limit / 1000} s, which is a fault here (silence in plant.yaml)`);
       return [joint];

@@ -13,7 +13,10 @@ export class StampRule {
   readonly #newest: (Nanoseconds | null)[];
 
   /** @param oldest Maximum age on the control clock. Older values do not show a motion that a headset could follow. */
-  constructor(joints: number, readonly oldest: Nanoseconds) {
+  constructor(
+    joints: number,
+    readonly oldest: Nanoseconds,
+  ) {
     this.#newest = Array<Nanoseconds | null>(joints).fill(null);
   }
 

@@ -26,7 +26,8 @@ export class Standing {
    * @param silence Minimum silence of a joint at rest.
    */
   at(time: Nanoseconds, silence: (joint: number) => Nanoseconds): Sample[] {
-    return this.#newest.filter(sample => sample !== null)
-      .flatMap(sample => time - sample.stamp >= silence(sample.joint) ? [{ ...sample, stamp: time }] : []);
+    return this.#newest
+      .filter(sample => sample !== null)
+      .flatMap(sample => (time - sample.stamp >= silence(sample.joint) ? [{ ...sample, stamp: time }] : []));
   }
 }

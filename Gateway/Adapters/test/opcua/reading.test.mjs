@@ -239,60 +239,6 @@ describe('robot at rest', { concurrency: 2 }, () => {
   });
 });
 
-describe('clock alone', { concurrency: 2 }, () => {
-  for (const plant of [[], ['time: {node: "ns=1;s=time_ns"}']])
-    it(`Clock_WithoutJoints${plant.length > 0 ? 'WithTimeVariable' : ''}_IsOfferedWithoutSamples`, async t => {
-      const server = await serverFor(t, { clock: new ControlClock({ offsetMs: HOUR_MS }) });
-      const { bridge, state } = await adapterFor(t, server, [...OPEN, ...plant], []);
-      await state(s => s.state === 'connected');
-      const diagnostics = bridge.published('/nowpose/diagnostics').length;
-
-      await until(() => bridge.published('/nowpose/diagnostics').length > diagnostics + 6, 'longer than a silence is borne');
-      const { result, values } = await bridge.call('/nowpose/plant_time/cell');
-
-      assert.equal(result, true, JSON.stringify(values));
-      assert.ok(Math.abs(Number(nanoseconds(values.sent) - server.clock.now)) < 1e9);
-      assert.deepEqual([bridge.jointStates, bridge.state.reconnects, bridge.state.refused], [[], '0', '0']);
-    });
-});
-
-describe('clock of whole milliseconds', () => {
-  it('Resolution_WholeMilliseconds_IsMeasured', async t => {
-    const server = await serverFor(t, { clockStepUs: 1000 });
-    const { bridge, states } = await adapterFor(t, server, OPEN, [JOINTS[0]]);
-    await states(1);
-
-    const { values } = await bridge.call('/nowpose/plant_time/cell');
-
-    assert.equal(values.resolution_ns, 1_000_000);
-  });
-});
-
-describe('clock that is written once a second', () => {
-  it('Time_CurrentTimeStandsStill_IsThatOfTheAnswers', async t => {
-    const server = await serverFor(t, { clockStepUs: 1_000_000 });
-    const { run, bridge, states } = await adapterFor(t, server, OPEN, [JOINTS[0]]);
-    await states(1);
-
-    const { values } = await bridge.call('/nowpose/plant_time/cell');
-
-    assert.ok(Math.abs(Number(nanoseconds(values.sent) - server.clock.now)) < 200e6, 'truncated to seconds it would be 0.5 s late on average');
-    assert.equal(values.resolution_ns, 1_000_000);
-    assert.match(run.err, /rarely updates CurrentTime/);
-  });
-
-  it('Time_AnswersOfAnotherClock_IsNotUsed', async t => {
-    const server = await serverFor(t, { clockStepUs: 1_000_000, clock: new ControlClock({ offsetMs: HOUR_MS }) });
-    const { run, bridge, states } = await adapterFor(t, server, OPEN, [JOINTS[0]]);
-    await states(1);
-
-    const { values } = await bridge.call('/nowpose/plant_time/cell');
-
-    assert.equal(nanoseconds(values.sent) % 1_000_000_000n, 0n);
-    assert.doesNotMatch(run.err, /seldom/);
-  });
-});
-
 describe('check', () => {
   it('Check_OpcUa_NamesEndpointSecurityAndTimes', async t => {
     const path = temporaryFile('plant.yaml', configuration('ws://127.0.0.1:1', 'opc.tcp://plc:4840', ['sampling_ms: 4', 'publishing_ms: 8'], JOINTS));

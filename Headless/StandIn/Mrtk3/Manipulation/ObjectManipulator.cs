@@ -9,7 +9,8 @@ public class ObjectManipulator : StatefulInteractable
     [SerializeField] Transform hostTransform;
     [SerializeField] TransformFlags allowedManipulations = TransformFlags.Move | TransformFlags.Rotate | TransformFlags.Scale;
 
-    [SerializeField] InteractionFlags allowedInteractionTypes =
+    [SerializeField]
+    InteractionFlags allowedInteractionTypes =
         InteractionFlags.Near | InteractionFlags.Ray | InteractionFlags.Gaze | InteractionFlags.Generic;
 
     public Transform HostTransform

@@ -5,7 +5,8 @@ namespace Nowpose.Editor.Setup
         public ApiLevelCheck()
             : base(
                 "API level is .NET Standard 2.1", "The package is built and tested with it, and the app is smaller.",
-                "Use .NET Standard 2.1") { }
+                "Use .NET Standard 2.1")
+        { }
 
         public override CheckResult Look(IProjectSettings project) => project.UsesNetStandard
             ? Good(".NET Standard 2.1")

@@ -5,7 +5,8 @@ namespace Nowpose.Editor.Setup
         public BuildTargetCheck(HeadsetPlatform platform)
             : base(
                 "Build target is " + platform.Player, "Player of " + platform.Headset + "; the settings below belong to this player.",
-                "Switch to " + platform.ShortPlayer) { }
+                "Switch to " + platform.ShortPlayer)
+        { }
 
         public override CheckResult Look(IProjectSettings project) => project.OtherTarget == null
             ? Good(project.Platform.Player)

@@ -9,7 +9,8 @@ namespace Nowpose.Editor.Setup
             : base(
                 "Main camera clears to black with alpha 0",
                 "Black is transparent on a see-through display. A skybox or a colour covers the real robot, and pictures that the headset "
-                + "takes need the alpha.", "Clear to black with alpha 0") { }
+                + "takes need the alpha.", "Clear to black with alpha 0")
+        { }
 
         public override CheckResult Look(IProjectSettings project)
         {

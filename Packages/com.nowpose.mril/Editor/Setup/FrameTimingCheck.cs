@@ -7,7 +7,8 @@ namespace Nowpose.Editor.Setup
                 "Frame Timing Stats are on",
                 "They provide the GPU time per frame. Without them the render time is measured less accurately, and a limit of the "
                 + "constant-latency range that was found with one source is not valid for another.",
-                "Turn Frame Timing Stats on") { }
+                "Turn Frame Timing Stats on")
+        { }
 
         public override CheckResult Look(IProjectSettings project) => project.FrameTimingStats ? Good("on") : Missing("off");
 

@@ -9,7 +9,8 @@ namespace Nowpose.Editor.Setup
             : base(
                 "Graphics API is Direct3D 11 only",
                 "The visualisation latency depends on it, so a calibration is valid for one API only. Unity 6 selects Direct3D 12 automatically, "
-                + "which is slower on a HoloLens 2 according to Unity's measurements.", "Use Direct3D 11 only") { }
+                + "which is slower on a HoloLens 2 according to Unity's measurements.", "Use Direct3D 11 only")
+        { }
 
         public override CheckResult Look(IProjectSettings project)
         {

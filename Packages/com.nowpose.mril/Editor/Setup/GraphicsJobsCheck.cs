@@ -7,7 +7,8 @@ namespace Nowpose.Editor.Setup
             : base(
                 "Graphics Jobs are off",
                 "They change when a frame reaches the display, so a calibration of the visualisation latency is valid for one setting only. "
-                + "Calibrate again after every change.", "Turn Graphics Jobs off") { }
+                + "Calibrate again after every change.", "Turn Graphics Jobs off")
+        { }
 
         public override CheckResult Look(IProjectSettings project)
         {

@@ -14,7 +14,8 @@ namespace Nowpose.Editor.Setup
             : base(
                 "Active Input Handling is Input System Package",
                 "OpenXR provides the poses of head and hands through it, and MRTK3 needs it. Without it the camera does not follow the head.",
-                "Use the Input System (then restart Unity)") { }
+                "Use the Input System (then restart Unity)")
+        { }
 
         public override CheckResult Look(IProjectSettings project)
         {

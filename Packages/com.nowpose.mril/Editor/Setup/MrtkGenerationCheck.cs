@@ -9,7 +9,8 @@ namespace Nowpose.Editor.Setup
             : base(
                 "MRTK is 3 and XR Interaction Toolkit is 2, where they are installed",
                 "MRTK 4 and XR Interaction Toolkit 3 moved the types that the hand menu, voice and grabbing use. With them these components are not "
-                + "compiled, and the sample HoloLens 2 (MRTK3) shows missing scripts.", null) { }
+                + "compiled, and the sample HoloLens 2 (MRTK3) shows missing scripts.", null)
+        { }
 
         public override CheckResult Look(IProjectSettings project)
         {

@@ -20,7 +20,8 @@ namespace Nowpose.Editor.Setup
             : base(
                 "Main camera's near clip plane is at 0.1 m",
                 "The headset stabilises the picture with a 16-bit depth, whose steps are larger if the plane is closer: at 1.5 m they are "
-                + "0.34 mm with 0.1 m, and 1.7 mm with the 0.02 m of MRTK3's rig.", "Set it to 0.1 m") { }
+                + "0.34 mm with 0.1 m, and 1.7 mm with the 0.02 m of MRTK3's rig.", "Set it to 0.1 m")
+        { }
 
         public override CheckResult Look(IProjectSettings project)
         {

@@ -6,7 +6,8 @@ namespace Nowpose.Editor.Setup
         public OpenXrLoaderCheck(HeadsetPlatform platform)
             : base(
                 "OpenXR starts in the " + platform.ShortPlayer + " player",
-                "Without it the app is a flat window in front of the wearer.", "Open Project Settings") { }
+                "Without it the app is a flat window in front of the wearer.", "Open Project Settings")
+        { }
 
         public override CheckResult Look(IProjectSettings project)
         {

@@ -9,7 +9,8 @@ namespace Nowpose.Editor.Setup
             : base(
                 "Render pipeline is the built-in one or URP",
                 "The package's shaders support both. The visualisation latency depends on the pipeline: calibrate again "
-                + "after a change.", null) { }
+                + "after a change.", null)
+        { }
 
         public override CheckResult Look(IProjectSettings project)
         {

@@ -6,7 +6,8 @@ namespace Nowpose.Editor.Setup
             : base(
                 "Run In Background is on",
                 "Otherwise the session ends whenever the system's menu opens, and must synchronise its clock again.",
-                "Turn Run In Background on") { }
+                "Turn Run In Background on")
+        { }
 
         public override CheckResult Look(IProjectSettings project) => project.RunsInBackground
             ? Good("on")

@@ -5,7 +5,8 @@ namespace Nowpose.Editor.Setup
     {
         public UnityVersionCheck()
             : base(
-                "The Unity version has been tested", "Other versions may lack functions that the package or Microsoft's plug-in uses.", null) { }
+                "The Unity version has been tested", "Other versions may lack functions that the package or Microsoft's plug-in uses.", null)
+        { }
 
         public override CheckResult Look(IProjectSettings project)
         {

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Session;
@@ -58,20 +57,17 @@ namespace Nowpose.Unity
         static readonly RobotModel NoRobot = UrdfReader.Read("<robot name='none'><link name='base'/></robot>", "no robot");
 
         readonly SessionWatch _watch = new SessionWatch();
-        readonly SessionStatistics _statistics = new SessionStatistics();
+        readonly FrameStatistics _statistics = new FrameStatistics();
         readonly DeviceWatch _device = new DeviceWatch();
-        // The initial capacity is sufficient, so that no frame allocates.
-        readonly Queue<SessionChange> _changes = new Queue<SessionChange>(4);
+        readonly KeptDisplay _display = new KeptDisplay();
+        SessionChangeQueue _changes;
+        BeforeRender _beforeRender;
         SessionLog _log;
         SessionSettings _given, _used;
-        IHeadsetClock _nextClock = new StopwatchHeadsetClock();
-        IHeadsetClock _clock;
-        IDisplayTimeSource _displayTimes;
-        ReprojectionMode _reprojection;
-        DepthSubmission _depth;
+        IHeadsetClock _clock, _nextClock = new StopwatchHeadsetClock();
         ApplicationPresence _presence;
         DescriptionWatch _description;
-        bool _isRunning, _isWanted, _isFilled;
+        bool _isRunning, _isWanted;
 
         /// <summary>
         /// Raised when the pose has been computed: once a frame, and again right before rendering if the settings request it. Not raised
@@ -101,26 +97,13 @@ namespace Nowpose.Unity
         public string Problem { get; private set; }
 
         /// <summary>Statistics of the session in this frame; null without a session. The object is reused in later frames.</summary>
-        public SessionStatistics Statistics
-        {
-            get
-            {
-                if (Session == null) return null;
-                if (!_isFilled) Session.Fill(_statistics, _clock.Now);
-                _isFilled = true;
-                return _statistics;
-            }
-        }
+        public SessionStatistics Statistics => Session == null ? null : _statistics.Of(Session, _clock);
 
         /// <summary>Settings of the session: the asset's, unless set. Setting them restarts the session; null restores the asset's.</summary>
         public SessionSettings Settings
         {
             get => _given ?? _used;
-            set
-            {
-                _given = value;
-                Restart();
-            }
+            set { _given = value; Restart(); }
         }
 
         /// <summary>Description of the robot; null to use the gateway's. Setting it restarts the session.</summary>
@@ -136,11 +119,7 @@ namespace Nowpose.Unity
         }
 
         /// <summary>Headset clock of later sessions; a stopwatch unless set.</summary>
-        public IHeadsetClock HeadsetClock
-        {
-            get => _nextClock;
-            set => _nextClock = value ?? throw new ArgumentNullException(nameof(value));
-        }
+        public IHeadsetClock HeadsetClock { get => _nextClock; set => _nextClock = value ?? throw new ArgumentNullException(nameof(value)); }
 
         /// <summary>Whether a connection is requested: from <see cref="Connect"/> until <see cref="Disconnect"/>.</summary>
         public bool IsConnecting => _isWanted;
@@ -149,45 +128,21 @@ namespace Nowpose.Unity
         /// Source of each frame's display time, which takes precedence over the calibrated L_visu; null for none. Used by this and all later
         /// sessions.
         /// </summary>
-        public IDisplayTimeSource DisplayTimeSource
-        {
-            get => _displayTimes;
-            set
-            {
-                _displayTimes = value;
-                if (Session != null) Session.DisplayTimeSource = value;
-            }
-        }
+        public IDisplayTimeSource DisplayTimeSource { get => _display.TimeSource; set => _display.TimeSource = value; }
 
         /// <summary>
         /// How the display corrects frames for head motion. Set by components that control or observe the display; kept for every later session.
         /// </summary>
-        public ReprojectionMode Reprojection
-        {
-            get => _reprojection;
-            set
-            {
-                _reprojection = value;
-                if (Session != null) Session.Reprojection = value;
-            }
-        }
+        public ReprojectionMode Reprojection { get => _display.Reprojection; set => _display.Reprojection = value; }
 
         /// <summary>Whether the depth buffer reaches the display. Set by a component that observes the display; kept for later sessions.</summary>
-        public DepthSubmission DepthSubmission
-        {
-            get => _depth;
-            set
-            {
-                _depth = value;
-                if (Session != null) Session.DepthSubmission = value;
-            }
-        }
+        public DepthSubmission DepthSubmission { get => _display.DepthSubmission; set => _display.DepthSubmission = value; }
 
         /// <summary>
         /// Whether the pose is being computed right before rendering, for the second time in its frame: a runtime predicts the frame's display
         /// time more accurately then.
         /// </summary>
-        public bool IsBeforeRender { get; private set; }
+        public bool IsBeforeRender => _beforeRender != null && _beforeRender.IsNow;
 
         /// <summary>Connects to the gateway, now and after each pause. Returns at once; reconnects when the connection is lost.</summary>
         public void Connect()
@@ -206,34 +161,28 @@ namespace Nowpose.Unity
         void OnEnable()
         {
             _log ??= new SessionLog(this);
+            _changes ??= new SessionChangeQueue(Raise);
+            _beforeRender ??= new BeforeRender(this, ShowAgain);
             _isRunning = true;
             _isWanted |= _connectOnEnable;
             // A component may not receive messages about pauses while it is disabled.
             _presence = default;
-            Application.onBeforeRender += ShowAgain;
+            _beforeRender.Begin();
             Begin();
         }
 
         void OnDisable()
         {
             _isRunning = false;
-            Application.onBeforeRender -= ShowAgain;
+            _beforeRender.End();
             _watch.End();
             Problem = null;
             End();
         }
 
-        void OnApplicationPause(bool isPaused)
-        {
-            _presence.Paused(isPaused);
-            FollowPresence();
-        }
+        void OnApplicationPause(bool isPaused) => Follow(_presence.Paused(isPaused));
 
-        void OnApplicationFocus(bool hasFocus)
-        {
-            _presence.Focused(hasFocus);
-            FollowPresence();
-        }
+        void OnApplicationFocus(bool hasFocus) => Follow(_presence.Focused(hasFocus));
 
         void LateUpdate()
         {
@@ -248,25 +197,12 @@ namespace Nowpose.Unity
 
         void ShowAgain()
         {
-            if (Session == null || !_used.RewriteBeforeRender) return;
-            IsBeforeRender = true;
-            try
-            {
-                Show(isLast: true);
-            }
-            catch (Exception fault)
-            {
-                // The engine calls all handlers of this event in sequence: an exception would skip the others in this frame.
-                Debug.LogException(fault, this);
-            }
-            finally
-            {
-                IsBeforeRender = false;
-            }
+            if (Session != null && _used.RewriteBeforeRender) Show(isLast: true);
         }
 
-        void FollowPresence()
+        void Follow(ApplicationPresence presence)
         {
+            _presence = presence;
             if (_presence.IsAway) Leave();
             else if (Problem == null) Begin();
         }
@@ -297,12 +233,8 @@ namespace Nowpose.Unity
             }
             Problem = null;
             _clock = _nextClock;
-            Session = new CompensationSession(_used, robot ?? NoRobot, _clock, Transport.Create)
-            {
-                DisplayTimeSource = _displayTimes,
-                Reprojection = _reprojection,
-                DepthSubmission = _depth,
-            };
+            Session = new CompensationSession(_used, robot ?? NoRobot, _clock, Transport.Create);
+            _display.Follow(Session);
             _device.Begin(Session);
             if (_isWanted) Session.Connect();
             if (robot == Robot) return;
@@ -321,6 +253,7 @@ namespace Nowpose.Unity
             if (Session == null) return;
             Session.Dispose();
             Session = null;
+            _display.Follow(null);
             Frame = null;
             Hidden?.Invoke();
         }
@@ -336,17 +269,7 @@ namespace Nowpose.Unity
         {
             if (change == SessionChange.None) return;
             _log.Log(change, Session, Statistics);
-            _changes.Enqueue(change);
-            // A change caused by a listener is raised after all listeners have received the current one.
-            if (_changes.Count > 1) return;
-            try
-            {
-                for (; _changes.Count > 0; _changes.Dequeue()) Raise(_changes.Peek());
-            }
-            finally
-            {
-                _changes.Clear();
-            }
+            _changes.Add(change);
         }
 
         void Raise(SessionChange change)
@@ -364,7 +287,7 @@ namespace Nowpose.Unity
         {
             if (Session == null) return null;
             var frame = Session.Tick(_clock.Now, isLast);
-            _isFilled = false;
+            _statistics.Expire();
             if (Robot == null) return frame;
             Frame = frame;
             Shown?.Invoke(frame);

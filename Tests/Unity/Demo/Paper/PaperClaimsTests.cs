@@ -6,7 +6,7 @@ namespace Nowpose.Unity.Tests.Demo.Paper;
 /// <summary>Every verdict of <c>demo --paper</c>, with numbers that make it hold and numbers that do not.</summary>
 public class PaperClaimsTests
 {
-    static readonly PaperMeasures Good = new(new PaperClock(0.3, 0.2, 0.2, 0.1), new PaperSwings(0.95, 0.4, [0.2, 0.2, 0.3], 0.8, 0.2), 1.5);
+    static readonly PaperMeasures Good = new(new PaperClock(0.3, 0.2, 0.2, 0.1), new PaperSwings(0.2, 0.4, [0.2, 0.2, 0.3], 0.8, 0.2), 1.5);
 
     static IEnumerable<PaperMeasures> Bad()
     {
@@ -15,7 +15,7 @@ public class PaperClaimsTests
         yield return Good with { Clock = clock with { OffsetErrorMs = 8 } };
         yield return Good with { Clock = clock with { SkewRatio = 0.6 } };
         yield return Good with { Clock = clock with { RoundTripRatio = 0.7 } };
-        yield return Good with { Swings = swings with { NearerShare = 0.85 } };
+        yield return Good with { Swings = swings with { ErrorRatio = 0.51 } };
         yield return Good with { Swings = swings with { SteadyRatio = 0.9 } };
         yield return Good with { Swings = swings with { GapRatios = [0.6, 0.2, 0.3] } };
         yield return Good with { Swings = swings with { GapRatios = [0.2, 0.6, 0.3] } };
@@ -49,13 +49,23 @@ public class PaperClaimsTests
     }
 
     [Test]
-    public void Claims_NotMeasured_DoNotHold()
+    public void Claims_NotMeasured_AreNotSaidToHoldOrNot()
     {
-        var claims = PaperClaims.Of([Good, new PaperMeasures(null, null, null)]);
+        var claims = PaperClaims.Of([new PaperMeasures(null, null, null, "no whole swing")]);
 
         Assert.That(claims.Select(claim => claim.Holds), Is.All.False);
         Assert.That(claims.Select(claim => claim.Measured), Is.All.Null);
-        Assert.That(claims[0].MeasuredText, Is.EqualTo("not measured"));
+        Assert.That(claims.Select(claim => claim.Verdict), Is.All.EqualTo("not measured"));
+        Assert.That(claims[0].MeasuredText, Is.EqualTo("not measured: no whole swing"));
+    }
+
+    [Test]
+    public void Claims_MeasuredInSomeRepeats_AreJudgedByThemAndSaySo()
+    {
+        var claims = PaperClaims.Of([Good, Good with { Swings = null, Problem = "no whole swing" }]);
+
+        Assert.That(claims.Select(claim => claim.Holds), Is.All.True);
+        Assert.That(claims.Single(claim => claim.Paper == 0.8).MeasuredText, Is.EqualTo("80 % (measured in 1 of 2 repeats: no whole swing)"));
     }
 
     [Test]

@@ -14,19 +14,18 @@ namespace Nowpose.Anchoring
     /// </remarks>
     public sealed class BaseTracker
     {
-        const int MaxMarkers = 32;
-
         readonly AnchoringSettings _settings;
         readonly EasedPose _shown;
         readonly HeldPlace _place = new HeldPlace();
         readonly LockAttempt _attempt;
         readonly BaseWords _words;
-        TrackedMarker[] _markers = Array.Empty<TrackedMarker>();
+        readonly MarkerSet _markers = new MarkerSet();
         BaseAnchorState _state;
         HeadsetTime _now;
         HeadsetTime? _put, _lastReport;
         RelockedFrom? _former;
         RigidTransform? _placed;
+        MapCorrection _correction;
         bool _isNews, _isHeldByHand, _wasLost;
 
         internal BaseTracker(AnchoringSettings settings)
@@ -40,7 +39,7 @@ namespace Nowpose.Anchoring
         /// <summary>Name of the cell, under which the position is stored; empty for none.</summary>
         public string Cell { get; private set; } = "";
 
-        public IReadOnlyList<TrackedMarker> Markers => _markers;
+        public IReadOnlyList<TrackedMarker> Markers => _markers.All;
 
         public BaseAnchorState State => IsLost ? BaseAnchorState.Lost : _state;
 
@@ -58,10 +57,10 @@ namespace Nowpose.Anchoring
         public LockReport Lock { get; private set; }
 
         /// <summary>Distance by which the device has moved the base since the newest lock, by correcting its map, in metres.</summary>
-        public double CorrectedMetres { get; private set; }
+        public double CorrectedMetres => _correction.Metres;
 
         /// <summary>Angle by which the device has turned the base since the newest lock, by correcting its map, in radians.</summary>
-        public double CorrectedRadians { get; private set; }
+        public double CorrectedRadians => _correction.Radians;
 
         /// <summary>Markers that contradict each other, with their deviation; null without a conflict.</summary>
         public MarkerConflict Conflict => _attempt.Conflict;
@@ -109,32 +108,17 @@ namespace Nowpose.Anchoring
         public void Use(string cell, IReadOnlyList<BaseMarker> markers)
         {
             if (markers == null) throw new ArgumentNullException(nameof(markers));
-            SettingRange.RequireCount(markers.Count, 0, MaxMarkers, "markers of a base");
-            var tracked = new TrackedMarker[markers.Count];
-            for (var i = 0; i < tracked.Length; i++)
-            {
-                var marker = markers[i] ?? throw new ArgumentNullException(nameof(markers));
-                for (var j = 0; j < i; j++)
-                    if (markers[j].Payload == marker.Payload)
-                        throw new InputException(MarkerName.Of(marker.Payload) + " is given twice; each marker of a base needs its own payload");
-                tracked[i] = Array.Find(_markers, known => known.Marker.IsSameAs(marker)) ?? new TrackedMarker(marker, _settings);
-            }
-            var isSameCell = Cell == (cell ?? "") && _markers.Length > 0;
-            var hasAllParts = Array.TrueForAll(_markers, known => !known.IsPart || Array.IndexOf(tracked, known) >= 0);
-            _markers = tracked;
+            var isSameCell = Cell == (cell ?? "") && _markers.Count > 0;
+            var hasAllParts = _markers.Replace(markers, _settings);
             Cell = cell ?? "";
-            if (isSameCell && hasAllParts && tracked.Length > 0)
+            if (isSameCell && hasAllParts && markers.Count > 0)
             {
                 if (_state == BaseAnchorState.Moved) JudgeMoved();
                 _words.Update(this, _now);
                 return;
             }
-            if (!isSameCell)
-            {
-                _place.Release(seekAgain: true);
-                LetGo();
-            }
-            Begin();
+            if (isSameCell) Begin();
+            else Release();
             _words.Update(this, _now);
         }
 
@@ -145,7 +129,7 @@ namespace Nowpose.Anchoring
         /// </remarks>
         public void Relock()
         {
-            if (_markers.Length > 0)
+            if (_markers.Count > 0)
             {
                 var former = IsKnown ? new RelockedFrom(_state, _isHeldByHand, _now) : _former;
                 Begin();
@@ -164,7 +148,7 @@ namespace Nowpose.Anchoring
             _placed = at;
             _shown.Jump(at);
             (IsBeingPlaced, _isHeldByHand, _former) = (false, false, null);
-            if (_state != BaseAnchorState.Searching || _markers.Length == 0) _state = BaseAnchorState.Placed;
+            if (_state != BaseAnchorState.Searching || _markers.Count == 0) _state = BaseAnchorState.Placed;
             _words.Update(this, _now);
         }
 
@@ -189,8 +173,9 @@ namespace Nowpose.Anchoring
             for (var i = 0; i < sightings.Count; i++) putDown &= !Take(sightings[i], now, head);
             if (putDown) LockByHand(anchors);
             if (_isNews && !IsBeingPlaced && !_isHeldByHand && !IsLost) Judge(now, anchors);
-            if (_former is RelockedFrom former && former.IsOver(now, _markers)) Return(former);
-            Ease(now);
+            if (_former is RelockedFrom former && former.IsOver(now, _markers.All)) Return(former);
+            if (Base is RigidTransform pose) _shown.Follow(pose, now);
+            else _shown.Rest(now);
             _words.Update(this, now);
         }
 
@@ -202,19 +187,12 @@ namespace Nowpose.Anchoring
             {
                 // The deviations were measured in a map that is not valid any more.
                 _wasLost = IsLost;
-                foreach (var marker in _markers) marker.ForgetSeen();
+                _markers.ForgetSeen();
             }
             if (IsBeingPlaced || !(_place.Follow(Base) is RigidTransform pose)) return;
             if (!Base.HasValue && isOpen) _state = BaseAnchorState.Restored;
-            else if (Base is RigidTransform before && Lock != null) Correct(before, pose);
+            else if (Base.HasValue && Lock != null) _correction = new MapCorrection(Lock.Base, pose);
             Base = pose;
-        }
-
-        void Correct(in RigidTransform before, in RigidTransform now)
-        {
-            if (before.DistanceTo(now) == 0 && before.AngleTo(now) == 0) return;
-            CorrectedMetres = Lock.Base.DistanceTo(now);
-            CorrectedRadians = Lock.Base.AngleTo(now);
         }
 
         /// <returns>Whether the marker is being moved by hand.</returns>
@@ -222,25 +200,14 @@ namespace Nowpose.Anchoring
         {
             if (sighting.Tracking == MarkerTracking.Placed) return TakePlaced(sighting, now);
             _lastReport = now;
-            if (sighting.Payload == null) return false;
-            foreach (var marker in _markers)
-            {
-                if (!string.Equals(marker.Marker.Payload, sighting.Payload, StringComparison.Ordinal)) continue;
-                var belongs = IsWatching ? marker.PlaceAt(Base.Value) : (RigidTransform?)null;
-                if (!marker.Take(sighting, now, head, belongs)) continue;
-                _isNews = true;
-                if (Base is RigidTransform locked && IsWatching && !marker.IsContradicted) marker.Compare(locked);
-            }
+            _isNews |= _markers.Take(sighting, now, head, IsWatching ? Base : null);
             return false;
         }
 
         bool TakePlaced(in MarkerSighting sighting, HeadsetTime now)
         {
             if (!sighting.Pose.IsPose() || (_put is HeadsetTime put && sighting.LastSeen <= put)) return false;
-            RigidTransform? inBase = sighting.Payload == null ? RigidTransform.Identity : (RigidTransform?)null;
-            foreach (var marker in _markers)
-                if (marker.Marker.Payload == sighting.Payload) inBase = marker.Marker.MarkerInBase;
-            if (!(inBase is RigidTransform placed)) return false;
+            if (!(_markers.PoseInBase(sighting.Payload) is RigidTransform placed)) return false;
             if (!IsBeingPlaced)
             {
                 Begin();
@@ -276,14 +243,12 @@ namespace Nowpose.Anchoring
                 JudgeMoved();
                 if (_state == BaseAnchorState.Moved) return;
             }
-            if (_state != BaseAnchorState.Placed && _attempt.Make(now, _markers, Base)) LockByMarkers(anchors);
+            if (_state != BaseAnchorState.Placed && _attempt.Make(now, _markers.All, Base)) LockByMarkers(anchors);
         }
 
         void JudgeMoved()
         {
-            var hasMoved = false;
-            foreach (var marker in _markers) hasMoved |= marker.HasMoved;
-            if (hasMoved) _state = BaseAnchorState.Moved;
+            if (_markers.HasMoved) _state = BaseAnchorState.Moved;
             else if (_state == BaseAnchorState.Moved) _state = Lock != null ? BaseAnchorState.Locked : BaseAnchorState.Restored;
         }
 
@@ -308,25 +273,19 @@ namespace Nowpose.Anchoring
         {
             Lock = report;
             (_former, _placed) = (null, null);
-            (CorrectedMetres, CorrectedRadians) = (0, 0);
+            _correction = default;
             _state = BaseAnchorState.Locked;
             Base = report.Base;
             _place.Hold(anchors, report.Base, Cell);
         }
 
-        void Ease(HeadsetTime now)
-        {
-            if (Base is RigidTransform pose) _shown.Follow(pose, now);
-            else _shown.Rest(now);
-        }
-
         void Begin()
         {
-            foreach (var marker in _markers) marker.Restart();
+            _markers.Restart();
             _attempt.Reset();
             (_isNews, _isHeldByHand, IsBeingPlaced) = (false, false, false);
             (_former, _lastReport) = (null, null);
-            _state = _markers.Length > 0 ? BaseAnchorState.Searching : BaseAnchorState.Placed;
+            _state = _markers.Count > 0 ? BaseAnchorState.Searching : BaseAnchorState.Placed;
         }
 
         void LetGo()
@@ -334,7 +293,7 @@ namespace Nowpose.Anchoring
             Base = null;
             (Lock, _placed) = (null, null);
             _shown.Jump(null);
-            (CorrectedMetres, CorrectedRadians) = (0, 0);
+            _correction = default;
         }
     }
 }

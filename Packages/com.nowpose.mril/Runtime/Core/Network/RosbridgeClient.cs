@@ -189,6 +189,8 @@ namespace Nowpose.Network
             var isRead = reader.TryRead(received.Utf8.Span, out var message, out var reason);
             if (message?.Op == RosbridgeOp.ServiceResponse) _rosTime?.Answered(message, reason, received.Arrival);
             if (!isRead) _listener.Dropped(reason);
+            // A robot in a namespace is another one.
+            else if (message.RobotTopic?.Robot.Length > 0) return;
             else if (message.JointState != null) _listener.Received(message.JointState, received.Arrival);
             else if (message.JointTrajectory != null) _listener.Planned(message.JointTrajectory, received.Arrival);
             else if (message.JointStatus != null) _listener.StatusReceived(message.JointStatus, received.Arrival);

@@ -295,16 +295,6 @@ namespace Nowpose.Pairing
             _changes |= PairingChange.Words;
         }
 
-        string CalmWords
-        {
-            get
-            {
-                if (_exchange.Cell != null) return PairingWords.Exchanging(_exchange.Cell);
-                var used = Cells.Used;
-                if (used == null) return PairingWords.LookAtMarker;
-                if (_isTokenRefused) return PairingWords.TokenRefused(used.Cell);
-                return used.IsReady ? PairingWords.Known(used.Cell) : PairingWords.LookAtCode(used.Cell);
-            }
-        }
+        string CalmWords => PairingWords.Calm(_exchange.Cell, Cells.Used, _isTokenRefused);
     }
 }

@@ -84,7 +84,8 @@ namespace Nowpose.Pairing
         {
             switch (status)
             {
-                case 401: return PairingAnswer.Refused(
+                case 401:
+                    return PairingAnswer.Refused(
                     "the gateway does not accept this code, because it was used or is too old; look at the current code");
                 case 404:
                 case 426: return PairingAnswer.Refused("the gateway does not pair headsets; start it with --pairing");

@@ -37,6 +37,17 @@ namespace Nowpose.Pairing
         public static string Paired(string cell) => "cell '" + cell + "': paired";
         public static string Known(string cell) => "cell '" + cell + "': known";
 
+        /// <summary>The status without a question or a problem.</summary>
+        /// <param name="exchanging">The cell whose token is being exchanged; null for none.</param>
+        /// <param name="used">The cell in use; null for none.</param>
+        public static string Calm(string exchanging, PairedCell used, bool isTokenRefused)
+        {
+            if (exchanging != null) return Exchanging(exchanging);
+            if (used == null) return LookAtMarker;
+            if (isTokenRefused) return TokenRefused(used.Cell);
+            return used.IsReady ? Known(used.Cell) : LookAtCode(used.Cell);
+        }
+
         static string Changed(string now, string before) => now == before ? now : now + " instead of " + before;
         static string Ports(CellCode code) => Number(code.SyncPort) + " and " + Number(code.WebSocketPort);
 

@@ -83,5 +83,38 @@ namespace Nowpose.Protocol
 
         /// <summary>The headset clock is unsynchronised, so stamps cannot be checked.</summary>
         Unsynchronised,
+
+        /// <summary>The norm of a rotation differs from 1 by more than <see cref="Cell.FrameTransform.NormTolerance"/>.</summary>
+        NotUnitQuaternion,
+
+        /// <summary>A frame is named as its own parent.</summary>
+        OwnParent,
+
+        /// <summary>The world is named as a child; it is the root of all frames.</summary>
+        WorldAsChild,
+
+        /// <summary>The parent of a frame depends on the frame itself.</summary>
+        FrameCycle,
+
+        /// <summary>More transforms from a frame to its root than <see cref="ProtocolLimits.FrameDepth"/>.</summary>
+        FrameTooDeep,
+
+        /// <summary>More frames in one message or in the cell than <see cref="ProtocolLimits.Frames"/>.</summary>
+        TooManyFrames,
+
+        /// <summary>More signals in one message or in the cell than <see cref="ProtocolLimits.Signals"/>.</summary>
+        TooManySignals,
+
+        /// <summary>Another source publishes that frame.</summary>
+        FrameTaken,
+
+        /// <summary>Another source publishes that signal.</summary>
+        SignalTaken,
+
+        /// <summary>The namespace of a robot's topic is not a valid name.</summary>
+        InvalidNamespace,
+
+        /// <summary>More robots in namespaces than <see cref="ProtocolLimits.Robots"/>.</summary>
+        TooManyRobots,
     }
 }

@@ -10,20 +10,26 @@ namespace Nowpose.Protocol
         /// <summary>Maximum length of a reason in UTF-16 code units. A longer reason is cut.</summary>
         const int MaxReasonLength = 256;
 
-        public static bool Read(ref JsonUtf8Reader json, RosbridgeMessage into)
+        /// <returns>Null if the message is rejected.</returns>
+        public static JointStatusMessage Read(ref JsonUtf8Reader json)
         {
-            if (!DiagnosticsReader.TryRead(ref json, out var message)) return false;
+            if (!DiagnosticsReader.TryRead(ref json, out var message)) return null;
             var joints = new List<JointReport>(message.Values.Count);
             var names = new HashSet<string>(StringComparer.Ordinal);
             foreach (var pair in message.Values)
             {
-                if (joints.Count == ProtocolLimits.Joints) return json.Fail(DropReason.TooManyJoints);
-                if (!names.Add(pair.Key)) return json.Fail(DropReason.DuplicateName);
-                if (!TryRead(pair.Key, pair.Value, out var report)) return json.Fail(DropReason.OutOfRange);
+                if (joints.Count == ProtocolLimits.Joints) return Refused(ref json, DropReason.TooManyJoints);
+                if (!names.Add(pair.Key)) return Refused(ref json, DropReason.DuplicateName);
+                if (!TryRead(pair.Key, pair.Value, out var report)) return Refused(ref json, DropReason.OutOfRange);
                 joints.Add(report);
             }
-            into.JointStatus = new JointStatusMessage(joints);
-            return true;
+            return new JointStatusMessage(joints);
+        }
+
+        static JointStatusMessage Refused(ref JsonUtf8Reader json, DropReason reason)
+        {
+            json.Fail(reason);
+            return null;
         }
 
         static bool TryRead(string joint, string value, out JointReport report)

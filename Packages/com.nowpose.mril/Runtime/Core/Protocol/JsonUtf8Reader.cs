@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 
 namespace Nowpose.Protocol
 {
@@ -175,37 +174,6 @@ namespace Nowpose.Protocol
             return true;
         }
 
-        /// <summary>Reads a name: a text that is not empty and not longer than the protocol allows.</summary>
-        public bool Name(out string name)
-        {
-            if (!Text(out name)) return false;
-            if (name.Length == 0) return Fail(DropReason.MissingField);
-            return name.Length <= ProtocolLimits.NameLength || Fail(DropReason.NameTooLong);
-        }
-
-        /// <summary>Reads a text, or null for JSON null, which some languages write for a missing field.</summary>
-        public bool OptionalText(out string text)
-        {
-            text = null;
-            return TakeNull() || Text(out text);
-        }
-
-        /// <inheritdoc cref="OptionalText(out string)"/>
-        public bool OptionalText(JsonNames known, out string text)
-        {
-            text = null;
-            return TakeNull() || Text(known, out _, out text);
-        }
-
-        public bool OptionalCount(out int count)
-        {
-            count = 0;
-            if (TakeNull()) return true;
-            if (!Integer(out var value)) return false;
-            count = (int)Math.Min(Math.Max(value, 0), int.MaxValue);
-            return value == count || Fail(DropReason.OutOfRange);
-        }
-
         public bool Flag(out bool value)
         {
             value = Literal("true");
@@ -228,22 +196,6 @@ namespace Nowpose.Protocol
             if (!ScanNumber(out var number)) return false;
             value = number.ToDouble();
             return true;
-        }
-
-        /// <summary>Reads an array of numbers; infinite ones are rejected.</summary>
-        /// <param name="areOptional">Whether null and NaN are allowed as missing values; both become NaN.</param>
-        public bool Numbers(List<double> into, bool areOptional)
-        {
-            if (!BeginArray()) return false;
-            while (NextElement())
-            {
-                if (!Number(out var value)) return false;
-                if (double.IsInfinity(value) || (double.IsNaN(value) && !areOptional)) return Fail(DropReason.NotFinite);
-                into.Add(value);
-                if (into.Count > ProtocolLimits.Joints) return Fail(DropReason.TooManyJoints);
-            }
-
-            return Fault == DropReason.None;
         }
 
         static bool IsDigit(byte value) => value >= '0' && value <= '9';
@@ -281,7 +233,8 @@ namespace Nowpose.Protocol
             return true;
         }
 
-        bool ReadText(out JsonText text)
+        /// <summary>Reads a text without creating a string.</summary>
+        public bool ReadText(out JsonText text)
         {
             text = default;
             return IsText ? ScanText(out text) : Fail(DropReason.WrongType);

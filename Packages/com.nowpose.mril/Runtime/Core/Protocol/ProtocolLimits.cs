@@ -22,7 +22,22 @@ namespace Nowpose.Protocol
         /// <summary>Maximum length of a joint name, in UTF-16 code units.</summary>
         public const int NameLength = 128;
 
-        public const int TopicsPerClient = 32;
+        /// <summary>Maximum number of robots in namespaces per gateway; the robot without a namespace is not counted.</summary>
+        public const int Robots = 16;
+
+        /// <summary>Maximum length of a robot's namespace, in characters.</summary>
+        public const int NamespaceLength = 32;
+
+        /// <summary>Maximum number of frames in a cell, and in one message.</summary>
+        public const int Frames = 256;
+
+        /// <summary>Maximum number of transforms from a frame to its root.</summary>
+        public const int FrameDepth = 16;
+
+        /// <summary>Maximum number of signals in a cell, and in one message.</summary>
+        public const int Signals = 256;
+
+        public const int TopicsPerClient = 64;
         public const int FragmentsPerMessage = 64;
         public static readonly TimeSpan MessageTimeout = TimeSpan.FromSeconds(5);
 

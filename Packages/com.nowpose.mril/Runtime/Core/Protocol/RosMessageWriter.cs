@@ -1,5 +1,6 @@
 using System;
 using Newtonsoft.Json;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Protocol
 {
@@ -44,6 +45,31 @@ namespace Nowpose.Protocol
             json.WriteEndObject();
         }
 
+        public static void Write(JsonWriter json, TransformsMessage message, RosTimeForm form)
+        {
+            json.WriteStartObject();
+            json.WritePropertyName("transforms");
+            json.WriteStartArray();
+            for (var i = 0; i < message.Count; i++) Write(json, message[i], form);
+            json.WriteEndArray();
+            json.WriteEndObject();
+        }
+
+        public static void Write(JsonWriter json, SignalsMessage message, RosTimeForm form)
+        {
+            json.WriteStartObject();
+            Header(json, message.Stamp, form);
+            json.WritePropertyName("name");
+            json.WriteStartArray();
+            for (var i = 0; i < message.Count; i++) json.WriteValue(message[i].Name);
+            json.WriteEndArray();
+            json.WritePropertyName("value");
+            json.WriteStartArray();
+            for (var i = 0; i < message.Count; i++) Finite(json, "value", message[i].Value);
+            json.WriteEndArray();
+            json.WriteEndObject();
+        }
+
         /// <param name="nanoseconds">Time since the epoch, or a length, in ns.</param>
         public static void Write(JsonWriter json, long nanoseconds, RosTimeForm form)
         {
@@ -67,6 +93,36 @@ namespace Nowpose.Protocol
             json.WritePropertyName("time_from_start");
             Write(json, new ControlTime(point.TimeFromStart).Nanoseconds, form);
             json.WriteEndObject();
+        }
+
+        static void Write(JsonWriter json, in FrameTransform transform, RosTimeForm form)
+        {
+            json.WriteStartObject();
+            Header(json, transform.Stamp, form, transform.Parent);
+            Text(json, "child_frame_id", transform.Child);
+            json.WritePropertyName("transform");
+            json.WriteStartObject();
+            json.WritePropertyName("translation");
+            json.WriteStartObject();
+            Number(json, "x", transform.X);
+            Number(json, "y", transform.Y);
+            Number(json, "z", transform.Z);
+            json.WriteEndObject();
+            json.WritePropertyName("rotation");
+            json.WriteStartObject();
+            Number(json, "x", transform.Qx);
+            Number(json, "y", transform.Qy);
+            Number(json, "z", transform.Qz);
+            Number(json, "w", transform.Qw);
+            json.WriteEndObject();
+            json.WriteEndObject();
+            json.WriteEndObject();
+        }
+
+        static void Number(JsonWriter json, string name, double value)
+        {
+            json.WritePropertyName(name);
+            Finite(json, name, value);
         }
 
         static void Status(JsonWriter json, DiagnosticsMessage message)
@@ -127,14 +183,15 @@ namespace Nowpose.Protocol
         {
             json.WritePropertyName(name);
             json.WriteStartArray();
-            foreach (var value in values)
-            {
-                if (double.IsNaN(value) || double.IsInfinity(value))
-                    throw new ArgumentException(name + " contains " + value + ", which JSON cannot represent; allowed are finite values");
-                json.WriteValue(value);
-            }
-
+            foreach (var value in values) Finite(json, name, value);
             json.WriteEndArray();
+        }
+
+        static void Finite(JsonWriter json, string name, double value)
+        {
+            if (double.IsNaN(value) || double.IsInfinity(value))
+                throw new ArgumentException(name + " contains " + value + ", which JSON cannot represent; allowed are finite values");
+            json.WriteValue(value);
         }
 
         static void OptionalNumbers(JsonWriter json, string name, double[] values)

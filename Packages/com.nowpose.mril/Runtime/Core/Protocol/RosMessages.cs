@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Protocol
 {
@@ -12,22 +13,38 @@ namespace Nowpose.Protocol
         static readonly JsonNames PointFields = new JsonNames("positions", "time_from_start", "velocities", "accelerations");
 
         readonly JointStateReader _states = new JointStateReader();
+        // Each robot in a namespace has its own reader, so that the cached names of one do not replace those of another.
+        readonly Dictionary<string, JointStateReader> _robots = new Dictionary<string, JointStateReader>(StringComparer.Ordinal);
+        readonly TransformsReader _transforms = new TransformsReader();
+        readonly SignalsReader _signals = new SignalsReader();
         readonly JointNamesReader _plannedNames = new JointNamesReader();
 
         public bool Read(ref JsonUtf8Reader json, RosbridgeMessage into)
         {
             if (into.Op == RosbridgeOp.ServiceResponse)
                 return ReadResponse(ref json, into);
-            switch (into.Topic)
+            switch (into.RobotTopic.Kind)
             {
-                case RosTopics.JointStates: into.JointState = _states.Read(ref json, isNamed: false); return into.JointState != null;
+                case RosTopics.JointStates:
+                    into.JointState = StatesOf(into.RobotTopic.Robot).Read(ref json, isNamed: false);
+                    return into.JointState != null;
+                case RosTopics.Tf: into.Transforms = _transforms.Read(ref json, isStatic: false); return into.Transforms != null;
+                case RosTopics.TfStatic: into.Transforms = _transforms.Read(ref json, isStatic: true); return into.Transforms != null;
+                case RosTopics.Signals: into.Signals = _signals.Read(ref json); return into.Signals != null;
                 case RosTopics.Displayed: into.Displayed = _states.Read(ref json, isNamed: true); return into.Displayed != null;
                 case RosTopics.JointTrajectory: return ReadTrajectory(ref json, into);
                 case RosTopics.RobotDescription: return ReadData(ref json, into);
                 case RosTopics.Diagnostics: return DiagnosticsReader.Read(ref json, into);
-                case RosTopics.JointStatus: return JointStatusReader.Read(ref json, into);
+                case RosTopics.JointStatus: into.JointStatus = JointStatusReader.Read(ref json); return into.JointStatus != null;
+                case RosTopics.SignalStatus: into.SignalStatus = JointStatusReader.Read(ref json); return into.SignalStatus != null;
                 default: return json.Skip();
             }
+        }
+
+        JointStateReader StatesOf(string robot)
+        {
+            if (robot.Length == 0 || _robots.TryGetValue(robot, out var reader) == false && _robots.Count == ProtocolLimits.Robots) return _states;
+            return reader ?? (_robots[robot] = new JointStateReader());
         }
 
         static bool ReadResponse(ref JsonUtf8Reader json, RosbridgeMessage into)

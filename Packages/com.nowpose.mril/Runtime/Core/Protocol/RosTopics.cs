@@ -16,6 +16,21 @@ namespace Nowpose.Protocol
         /// <summary>The joints that are not live, from the gateway: diagnostic_msgs/DiagnosticArray, see <see cref="JointStatusMessage"/>.</summary>
         public const string JointStatus = "/nowpose/joint_status";
 
+        /// <summary>
+        /// The signals whose source has ended, from the gateway: diagnostic_msgs/DiagnosticArray like <see cref="JointStatus"/>, with a signal
+        /// in place of a joint.
+        /// </summary>
+        public const string SignalStatus = "/nowpose/signal_status";
+
+        /// <summary>Poses of moving frames of the cell: tf2_msgs/TFMessage.</summary>
+        public const string Tf = "/tf";
+
+        /// <summary>Poses of stationary frames of the cell: tf2_msgs/TFMessage, latched per child frame.</summary>
+        public const string TfStatic = "/tf_static";
+
+        /// <summary>States of actuators and sensors of the cell: nowpose_msgs/Signals, latched per signal.</summary>
+        public const string Signals = "/signals";
+
         public const string GetTime = "/rosapi/get_time";
         public const string GetTopics = "/rosapi/topics";
 
@@ -27,6 +42,9 @@ namespace Nowpose.Protocol
         public const string JointTrajectoryType = "trajectory_msgs/JointTrajectory";
         public const string StringType = "std_msgs/String";
         public const string DiagnosticsType = "diagnostic_msgs/DiagnosticArray";
+
+        public const string TransformsType = "tf2_msgs/TFMessage";
+        public const string SignalsType = "nowpose_msgs/Signals";
 
         /// <summary>Returns the time notation of a type: package/Name means ROS 1, package/msg/Name or no type ROS 2.</summary>
         public static RosTimeForm TimeFormOf(string type) =>

@@ -1,3 +1,5 @@
+using Nowpose.Protocol.Cell;
+
 namespace Nowpose.Protocol
 {
     /// <summary>One rosbridge v2 message. Fields that its operation does not have are null or zero. The reader reuses it for the next one.</summary>
@@ -12,6 +14,10 @@ namespace Nowpose.Protocol
 
         public string Id { get; internal set; }
         public string Topic { get; internal set; }
+
+        /// <summary><see cref="Topic"/>, split into a robot's namespace and the robot's topic.</summary>
+        public RobotTopic RobotTopic { get; internal set; }
+
         public string Type { get; internal set; }
         public string Service { get; internal set; }
 
@@ -27,23 +33,32 @@ namespace Nowpose.Protocol
         /// <summary>Text of a status, or the reason in the response of a failed call.</summary>
         public string Text { get; internal set; }
 
-        /// <summary>Body of a publication on /joint_states.</summary>
+        /// <summary>Body of a publication on /joint_states, in any namespace.</summary>
         public JointStateMessage JointState { get; internal set; }
 
         /// <summary>Body of a publication on /nowpose/displayed: the displayed joints of a headset, which are not samples of the robot.</summary>
         public JointStateMessage Displayed { get; internal set; }
 
-        /// <summary>Body of a publication on /joint_trajectory.</summary>
+        /// <summary>Body of a publication on /joint_trajectory, in any namespace.</summary>
         public JointTrajectoryMessage JointTrajectory { get; internal set; }
 
-        /// <summary>URDF text of a publication on /robot_description.</summary>
+        /// <summary>URDF text of a publication on /robot_description, in any namespace.</summary>
         public string Data { get; internal set; }
+
+        /// <summary>Body of a publication on /tf or /tf_static.</summary>
+        public TransformsMessage Transforms { get; internal set; }
+
+        /// <summary>Body of a publication on /signals.</summary>
+        public SignalsMessage Signals { get; internal set; }
 
         /// <summary>Body of a publication on /nowpose/diagnostics.</summary>
         public DiagnosticsMessage Diagnostics { get; internal set; }
 
         /// <summary>Body of a publication on /nowpose/joint_status.</summary>
         public JointStatusMessage JointStatus { get; internal set; }
+
+        /// <summary>Body of a publication on /nowpose/signal_status; its joints are signals.</summary>
+        public JointStatusMessage SignalStatus { get; internal set; }
 
         /// <summary>Whether the call of a service response succeeded.</summary>
         public bool Result { get; internal set; }
@@ -61,8 +76,11 @@ namespace Nowpose.Protocol
             ThrottleRateMs = QueueLength = 0;
             JointState = Displayed = null;
             JointTrajectory = null;
+            RobotTopic = null;
+            Transforms = null;
+            Signals = null;
             Diagnostics = null;
-            JointStatus = null;
+            JointStatus = SignalStatus = null;
             Result = true;
             Time = null;
             PlantTime = null;

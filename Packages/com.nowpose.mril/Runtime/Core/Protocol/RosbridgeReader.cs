@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Text;
 
 namespace Nowpose.Protocol
@@ -11,6 +12,9 @@ namespace Nowpose.Protocol
     /// </remarks>
     sealed class RosbridgeReader
     {
+        /// <summary>Maximum number of cached topic names: those of all robots, and some more.</summary>
+        const int MaxTopics = 4 * ProtocolLimits.Robots;
+
         // The names are in the order of RosbridgeOp, without its first value.
         static readonly JsonNames Ops = new JsonNames(
             "subscribe", "unsubscribe", "advertise", "unadvertise", "publish", "call_service", "service_response", "advertise_service",
@@ -18,7 +22,7 @@ namespace Nowpose.Protocol
 
         static readonly JsonNames Topics = new JsonNames(
             RosTopics.JointStates, RosTopics.Displayed, RosTopics.JointTrajectory, RosTopics.JointStatus, RosTopics.Diagnostics,
-            RosTopics.RobotDescription);
+            RosTopics.RobotDescription, RosTopics.Tf, RosTopics.TfStatic, RosTopics.Signals, RosTopics.SignalStatus);
 
         static readonly JsonNames Fields = new JsonNames(
             "op", "topic", "msg", "id", "type", "service", "throttle_rate", "queue_length", "level", "result");
@@ -27,6 +31,8 @@ namespace Nowpose.Protocol
         static readonly JsonNames Response = new JsonNames("values");
 
         readonly RosMessages _bodies = new RosMessages();
+        readonly JsonNameCache _topicNames = new JsonNameCache(MaxTopics);
+        readonly Dictionary<string, RobotTopic> _topics = new Dictionary<string, RobotTopic>(StringComparer.Ordinal);
         readonly RosbridgeMessage _message = new RosbridgeMessage();
 
         /// <summary>Reads one message from a string.</summary>
@@ -67,7 +73,7 @@ namespace Nowpose.Protocol
                 else ReadField(ref json, field);
             if (!json.EndObject(seen, 1) || !json.End()) return json.Fault;
             message = _message;
-            if (_message.Topic != RosTopics.RobotDescription && utf8.Length > ProtocolLimits.MessageBytes) return DropReason.TooLarge;
+            if (_message.RobotTopic?.Kind != RosTopics.RobotDescription && utf8.Length > ProtocolLimits.MessageBytes) return DropReason.TooLarge;
             var missing = Missing(_message);
             return missing == DropReason.None && !isBodyRead ? ReadBody(utf8) : missing;
         }
@@ -80,7 +86,7 @@ namespace Nowpose.Protocol
             {
                 case "op": isRead = json.Text(Ops, out var op, out text); _message.Op = (RosbridgeOp)(op + 1); _message.OpName = text; return isRead;
                 case "id": isRead = json.OptionalText(out text); _message.Id = text; return isRead;
-                case "topic": isRead = json.OptionalText(Topics, out text); _message.Topic = text; return isRead;
+                case "topic": isRead = json.OptionalText(Topics, _topicNames, out text); SetTopic(text); return isRead;
                 case "type": isRead = json.OptionalText(out text); _message.Type = text; return isRead;
                 case "service": isRead = json.OptionalText(out text); _message.Service = text; return isRead;
                 case "level": isRead = json.OptionalText(out text); _message.Level = text; return isRead;
@@ -89,6 +95,19 @@ namespace Nowpose.Protocol
                 case "result": isRead = json.Flag(out var result); _message.Result = result; return isRead;
                 default: return ReadMsg(ref json);
             }
+        }
+
+        void SetTopic(string name)
+        {
+            _message.Topic = name;
+            if (name == null) return;
+            if (!_topics.TryGetValue(name, out var topic))
+            {
+                if (_topics.Count == MaxTopics) _topics.Clear();
+                _topics[name] = topic = RobotTopic.Parse(name);
+            }
+
+            _message.RobotTopic = topic;
         }
 
         // Reads the text of a status, or the body of a publication if its topic is known.

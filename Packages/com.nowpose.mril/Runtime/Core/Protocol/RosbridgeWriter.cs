@@ -4,6 +4,7 @@ using System.Globalization;
 using System.IO;
 using System.Text;
 using Newtonsoft.Json;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Protocol
 {
@@ -34,6 +35,14 @@ namespace Nowpose.Protocol
 
         /// <exception cref="ArgumentException">A position is not finite.</exception>
         public static string PublishJointTrajectory(string topic, JointTrajectoryMessage message, RosTimeForm form) =>
+            Publish(topic, json => RosMessageWriter.Write(json, message, form));
+
+        /// <exception cref="ArgumentException">A number is not finite.</exception>
+        public static string PublishTransforms(string topic, TransformsMessage message, RosTimeForm form) =>
+            Publish(topic, json => RosMessageWriter.Write(json, message, form));
+
+        /// <exception cref="ArgumentException">A value is not finite.</exception>
+        public static string PublishSignals(string topic, SignalsMessage message, RosTimeForm form) =>
             Publish(topic, json => RosMessageWriter.Write(json, message, form));
 
         /// <summary>Writes a std_msgs/String with the robot description.</summary>

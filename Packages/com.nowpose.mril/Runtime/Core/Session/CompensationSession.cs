@@ -1,11 +1,9 @@
 using System;
 using System.Collections.Generic;
-using System.Linq;
 using System.Threading.Tasks;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
-using Nowpose.Latency.DisplayTime;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Session.Hindcast;
@@ -22,29 +20,20 @@ namespace Nowpose.Session
     /// </remarks>
     public sealed class CompensationSession : IDisposable
     {
-        readonly SessionSettings _settings;
-        readonly IHeadsetClock _clock;
         readonly ClockSynchroniser _synchroniser;
         readonly DisplayClock _displayClock = new DisplayClock();
         readonly JointTracks _tracks;
         readonly DisplayFrame _frame;
         readonly JointWatch _joints;
         readonly CurrentShare _currentShare = new CurrentShare();
-        readonly ConstantLatencyMonitor _monitor;
         readonly HindcastMonitor _hindcast;
         readonly SessionMeasurements _measurements;
         readonly ApplicationLatency _latency = new ApplicationLatency();
-        readonly DisplayTimeSelector _light;
         readonly object _gate = new object();
-        volatile ReceivedDescription _description = ReceivedDescription.None;
-        volatile string _descriptionFault;
+        readonly SessionDisplay _display;
+        readonly ReceivedDescription _description;
         readonly SessionConnections _connections;
-        readonly string[] _jointNames;
-        ControlTime _lastReported;
-        DepthSubmission _depth;
-        readonly ConditionCheck _conditions;
-        bool _wasKnown;
-        int _steps;
+        readonly DisplayedJoints _displayed;
 
         /// <param name="robot">Robot whose moving joints are matched with the names in the samples.</param>
         /// <param name="clock">Clock for time stamps of received messages.</param>
@@ -57,20 +46,18 @@ namespace Nowpose.Session
         internal CompensationSession(
             SessionSettings settings, RobotModel robot, IHeadsetClock clock, Func<ConnectionSettings, IHeadsetClock, IWebSocketLink> newLink)
         {
-            _settings = settings;
-            _clock = clock;
+            Settings = settings;
             Robot = robot;
-            _jointNames = robot.MovingJoints.Select(joint => joint.Name).ToArray();
-            _conditions = new ConditionCheck(settings.RewriteBeforeRender);
-            _light = new DisplayTimeSelector(settings.Visualisation, settings.Profile);
+            _description = new ReceivedDescription(robot);
+            _display = new SessionDisplay(settings, _gate);
             _synchroniser = new ClockSynchroniser(settings.CreateClockEstimator(), settings.Clock);
-            _monitor = new ConstantLatencyMonitor(settings.Range);
             _tracks = new JointTracks(robot, settings.Prediction);
             _frame = new DisplayFrame(robot, _tracks, settings.OutsideRange);
+            _displayed = new DisplayedJoints(robot, _frame, settings.Connection.HeadsetName);
             _joints = new JointWatch(robot, _tracks, settings.Prediction.HorizonCap);
             _hindcast = new HindcastMonitor(robot, settings.Prediction.MaximumGap);
             _tracks.Restarted += _hindcast.Restart;
-            _measurements = new SessionMeasurements(_synchroniser, _latency, _light, _monitor, _frame, _hindcast);
+            _measurements = new SessionMeasurements(_synchroniser, _latency, _display, _frame, _hindcast);
             Intake = new SessionIntake(robot, _tracks, _hindcast, _latency, settings.Prediction.FollowsPlans);
             Listener = new SessionListener(this, Intake, _joints, clock);
             _connections = new SessionConnections(settings, clock, newLink, Listener, _synchroniser, SyncFaults);
@@ -84,7 +71,7 @@ namespace Nowpose.Session
         /// <summary>Queues of messages for the next frame.</summary>
         internal SessionIntake Intake { get; }
 
-        public SessionSettings Settings => _settings;
+        public SessionSettings Settings { get; }
 
         /// <summary>URDF text of the robot from the gateway, the newest valid one; null before. Thread-safe.</summary>
         public string RobotDescription => _description.Text;
@@ -96,7 +83,7 @@ namespace Nowpose.Session
         internal RobotDescriptionMatch RobotDescriptionMatch => _description.Match;
 
         /// <summary>Reason why the newest description could not be read, in one line; null without an error or description. Thread-safe.</summary>
-        public string RobotDescriptionFault => _descriptionFault;
+        public string RobotDescriptionFault => _description.Fault;
 
         /// <summary>
         /// Joints with samples outside the robot's limits, which are therefore drawn in another position, in the order of detection, each
@@ -140,83 +127,48 @@ namespace Nowpose.Session
         internal SyncFaultCounters SyncFaults { get; } = new SyncFaultCounters();
 
         /// <summary>Calibrated L_visu. May change while the session runs; setting it clears <see cref="Profile"/>.</summary>
-        public VisualisationLatency Visualisation
-        {
-            get { lock (_gate) return _light.Calibrated; }
-            set { lock (_gate) _light.Calibrated = value; }
-        }
+        public VisualisationLatency Visualisation { get => _display.Visualisation; set => _display.Visualisation = value; }
 
         /// <summary>Profile of <see cref="Visualisation"/>; null when the value was set as a number. Thread-safe.</summary>
-        public LatencyProfile Profile
-        {
-            get { lock (_gate) return _light.Profile; }
-        }
+        public LatencyProfile Profile => _display.Profile;
 
         /// <summary>Range for render times: that of the profile, or else that of the settings; null when neither has one. Thread-safe.</summary>
-        public ConstantLatencyRange Range
-        {
-            get { lock (_gate) return _monitor.Range; }
-        }
+        public ConstantLatencyRange Range => _display.Range;
 
         /// <summary>
         /// Source of display times, used instead of <see cref="Visualisation"/> while it provides one; null for none. Called within
         /// <see cref="Tick"/>; must not call the session. May be set on any thread.
         /// </summary>
-        public IDisplayTimeSource DisplayTimeSource
-        {
-            get { lock (_gate) return _light.Source; }
-            set { lock (_gate) _light.Source = value; }
-        }
+        public IDisplayTimeSource DisplayTimeSource { get => _display.Source; set => _display.Source = value; }
 
         /// <summary>Whether the newest frame's display time comes from <see cref="DisplayTimeSource"/>, not the calibration. Thread-safe.</summary>
-        public bool IsLightPredicted
-        {
-            get { lock (_gate) return _light.IsPredicted; }
-        }
+        public bool IsLightPredicted => _display.IsLightPredicted;
 
         /// <summary>
         /// Newest display time from <see cref="DisplayTimeSource"/> minus its frame's start, used or not; null without one. Thread-safe.
         /// </summary>
-        public TimeSpan? DisplayTimeAhead
-        {
-            get { lock (_gate) return _light.Ahead; }
-        }
+        public TimeSpan? DisplayTimeAhead => _display.Ahead;
 
         /// <summary>
         /// Reprojection mode of the display, as reported from outside; it does not change what a frame
         /// shows. Thread-safe.
         /// </summary>
-        public ReprojectionMode Reprojection
-        {
-            get { lock (_gate) return _conditions.Reprojection; }
-            set { lock (_gate) _conditions.Reprojection = value; }
-        }
+        public ReprojectionMode Reprojection { get => _display.Reprojection; set => _display.Reprojection = value; }
 
         /// <summary>
         /// Conditions that affect L_visu. Set the conditions that the device reports; the value read also includes <see cref="Reprojection"/> and
         /// <see cref="SessionSettings.RewriteBeforeRender"/>. They do not change what a frame shows. Thread-safe.
         /// </summary>
-        internal DisplayConditions Conditions
-        {
-            get { lock (_gate) return _conditions.Conditions; }
-            set { lock (_gate) _conditions.Report(value); }
-        }
+        internal DisplayConditions Conditions { get => _display.Conditions; set => _display.Conditions = value; }
 
         /// <summary>Conditions that differ from those at the measurement of <see cref="Profile"/>; empty for none. Thread-safe.</summary>
-        public IReadOnlyList<ConditionMismatch> ProfileMismatches
-        {
-            get { lock (_gate) return _conditions.MismatchesOf(_light.Profile); }
-        }
+        public IReadOnlyList<ConditionMismatch> ProfileMismatches => _display.ProfileMismatches;
 
         /// <summary>Whether the depth buffer reaches the display, as reported from outside. Thread-safe.</summary>
-        public DepthSubmission DepthSubmission
-        {
-            get { lock (_gate) return _depth; }
-            set { lock (_gate) _depth = value; }
-        }
+        public DepthSubmission DepthSubmission { get => _display.DepthSubmission; set => _display.DepthSubmission = value; }
 
         /// <summary>Δt_render of the newest call of <see cref="Rendered"/>; null when the render time is not measured.</summary>
-        public TimeSpan? NewestRenderTime { get; private set; }
+        public TimeSpan? NewestRenderTime => _display.NewestRenderTime;
 
         /// <summary>Completes when the ended connections have released all resources, also sockets and threads; waiting is optional.</summary>
         public Task Ended => _connections.Ended;
@@ -252,13 +204,14 @@ namespace Nowpose.Session
             lock (_gate)
             {
                 var clock = _displayClock.Follow(_synchroniser.ModelAt(start), start);
-                ResetOnClockChange(start, clock);
+                if (_displayClock.IsRestarted) Restart(start, clock);
                 Intake.TakeAll(clock);
-                var seen = _light.LightOf(start, isComparable: isLast && _monitor.State != RangeState.Outside);
+                var seen = _display.Light.LightOf(start, isComparable: isLast && _display.RenderTimes.State != RangeState.Outside);
                 var light = clock.IsKnown ? clock.ToControl(seen) : (ControlTime?)null;
-                _frame.IsDisplayTimeImplausible = _light.IsImplausible;
-                _frame.Update(
-                    start, light, clock, _settings.Clock.Trusts(clock), _monitor.State, _light.IsInconsistent, _joints.IsAnyReportedMissing(start));
+                _frame.IsDisplayTimeImplausible = _display.Light.IsImplausible;
+                _frame.IsBeyondCalibration = _display.RenderTimes.IsBeyond;
+                _frame.Update(start, light, clock, Settings.Clock.Trusts(clock), _display.RenderTimes.State, _display.Light.IsInconsistent,
+                    _joints.IsAnyReportedMissing(start));
                 if (isLast) _currentShare.Add(start, _frame.State == PoseState.Current);
                 _hindcast.Shown(_frame, clock.ErrorBound);
                 Ticked?.Invoke(_frame);
@@ -274,38 +227,17 @@ namespace Nowpose.Session
         /// Null restores the values of the settings. The range of the settings is also used if the profile has none, because the limit of
         /// the render time does not depend on how L_visu was measured.
         /// </param>
-        public void Calibrate(LatencyProfile profile)
-        {
-            lock (_gate)
-            {
-                _light.Calibrate(profile?.Visualisation ?? _settings.Visualisation, profile ?? _settings.Profile);
-                _monitor.Range = profile?.WatchedRange ?? _settings.Range;
-            }
-        }
+        public void Calibrate(LatencyProfile profile) => _display.Calibrate(profile);
 
         /// <summary>Reports the render time of a frame, which shows whether L_visu has its calibrated value. Once per frame. Thread-safe.</summary>
         /// <param name="renderTime">Δt_render. Zero and negative values are not measurements and are ignored.</param>
         /// <param name="source"><see cref="RenderTimeSourceKind.None"/> when the render time is not measured any more.</param>
-        public void Rendered(TimeSpan renderTime, RenderTimeSourceKind source)
-        {
-            lock (_gate)
-            {
-                _monitor.Add(renderTime, source);
-                NewestRenderTime = source != RenderTimeSourceKind.None && renderTime > TimeSpan.Zero ? renderTime : (TimeSpan?)null;
-            }
-        }
+        public void Rendered(TimeSpan renderTime, RenderTimeSourceKind source) => _display.Rendered(renderTime, source);
 
         /// <summary>Reads a received robot description, which may take some time. Thread-safe.</summary>
         public void Described(string urdf)
         {
-            string fault = null;
-            // The gateway sends the same description after each reconnection.
-            if (urdf != _description.Text)
-            {
-                if (ReceivedDescription.TryRead(urdf, Robot, out var description, out fault)) _description = description;
-                else Drops.Count(DropReason.NotUrdf);
-            }
-            _descriptionFault = fault;
+            if (!_description.Receive(urdf)) Drops.Count(DropReason.NotUrdf);
         }
 
         /// <summary>Starts a new run of <see cref="SessionStatistics.ToolErrorOfRun"/> with the next frame. Thread-safe.</summary>
@@ -329,20 +261,10 @@ namespace Nowpose.Session
         {
             lock (_gate)
             {
-                _measurements.Fill(into, now);
-                into.ClockSettings = _settings.Clock;
-                into.RobotDescriptionMatch = RobotDescriptionMatch;
+                _measurements.Fill(into, now, this);
                 into.BeyondLimits = _tracks.Limits.Present;
                 into.CurrentShare = _currentShare.Value;
                 _joints.Fill(into.ChangeableJointStatuses, now, into.Clock, _frame.DisplayTime);
-                into.Samples = Intake.Samples;
-                into.Dropped = Drops.Total + SyncFaults.Total;
-                into.SyncLink = SyncLink;
-                into.SampleLink = SampleLink;
-                into.Reprojection = _conditions.Reprojection;
-                into.DepthSubmission = _depth;
-                into.ProfileMismatches = _conditions.MismatchesOf(_light.Profile);
-                into.Security = _settings.Connection.Security;
             }
         }
 
@@ -352,22 +274,13 @@ namespace Nowpose.Session
         /// </summary>
         public JointStateMessage Displayed()
         {
-            lock (_gate)
-            {
-                if (!(_frame.DisplayTime is ControlTime light) || !_frame.IsTimeTrusted || _frame.State == PoseState.Incomplete) return null;
-                if (light == _lastReported) return null;
-                _lastReported = light;
-                return new JointStateMessage(light, _jointNames, _frame.Joints.ToArray(), frameId: _settings.Connection.HeadsetName);
-            }
+            lock (_gate) return _displayed.Take();
         }
 
         // Time stamps from before a step belong to another time line, and those from before the first exchange were not validated: one
         // from the future would hold the pose until that time.
-        void ResetOnClockChange(HeadsetTime now, in ClockModel clock)
+        void Restart(HeadsetTime now, in ClockModel clock)
         {
-            if (_steps == clock.Steps && _wasKnown == clock.IsKnown) return;
-            _steps = clock.Steps;
-            _wasKnown = clock.IsKnown;
             _tracks.Reset();
             _latency.Reset();
             _hindcast.Reset();

@@ -52,6 +52,9 @@ namespace Nowpose.Session
         /// <summary>Whether the render time of the previous frames is in the range in which the display time is known.</summary>
         public RangeState Range { get; private set; }
 
+        /// <summary>Whether the render time is beyond the calibrated range, with a limit or without, so that the display time is unknown.</summary>
+        internal bool IsBeyondCalibration { get; set; }
+
         /// <summary>Display of the robot while <see cref="State"/> is <see cref="PoseState.OutsideRange"/>.</summary>
         public OutsideRangeResponse OutsideRange { get; }
 

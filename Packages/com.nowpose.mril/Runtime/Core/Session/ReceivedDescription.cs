@@ -1,43 +1,64 @@
-using System;
 using Nowpose.Kinematics;
 using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>Robot description from the gateway, parsed and compared with the displayed robot. Immutable.</summary>
+    /// <summary>The newest valid robot description from the gateway, compared with the displayed robot. Thread-safe.</summary>
     sealed class ReceivedDescription
     {
-        /// <summary>No description has been received yet.</summary>
-        public static readonly ReceivedDescription None = new ReceivedDescription();
+        readonly RobotModel _displayed;
+        // One object, so that readers never see the text of one description with the model of another.
+        volatile Parsed _newest = new Parsed(null, null, default);
+        volatile string _fault;
 
-        ReceivedDescription() { }
+        public ReceivedDescription(RobotModel displayed) => _displayed = displayed;
 
-        public string Text { get; private set; }
-        public RobotModel Model { get; private set; }
-        public RobotDescriptionMatch Match { get; private set; }
+        /// <summary>URDF text; null before the first.</summary>
+        public string Text => _newest.Text;
 
-        /// <param name="fault">Error of the text, in one line; null without an error.</param>
-        public static bool TryRead(string text, RobotModel displayed, out ReceivedDescription described, out string fault)
+        public RobotModel Model => _newest.Model;
+
+        public RobotDescriptionMatch Match => _newest.Match;
+
+        /// <summary>Error of the newest text, in one line; null without an error.</summary>
+        public string Fault => _fault;
+
+        /// <summary>Reads a description; the gateway sends the same one after each reconnection.</summary>
+        /// <returns>False if it cannot be read. The previous one is kept.</returns>
+        public bool Receive(string urdf)
         {
-            described = null;
-            fault = null;
+            string fault = null;
             try
             {
-                var model = UrdfReader.Read(text, RosTopics.RobotDescription);
-                var isSame = model.SourceHash == displayed.SourceHash;
-                described = new ReceivedDescription
-                {
-                    Text = text,
-                    Model = model,
-                    Match = isSame ? RobotDescriptionMatch.Same : RobotDescriptionMatch.Different,
-                };
-                return true;
+                if (urdf != Text) _newest = Read(urdf);
             }
             catch (InputException notUrdf)
             {
                 fault = notUrdf.Message;
-                return false;
             }
+            _fault = fault;
+            return fault == null;
+        }
+
+        Parsed Read(string urdf)
+        {
+            var model = UrdfReader.Read(urdf, RosTopics.RobotDescription);
+            var isSame = model.SourceHash == _displayed.SourceHash;
+            return new Parsed(urdf, model, isSame ? RobotDescriptionMatch.Same : RobotDescriptionMatch.Different);
+        }
+
+        sealed class Parsed
+        {
+            public Parsed(string text, RobotModel model, RobotDescriptionMatch match)
+            {
+                Text = text;
+                Model = model;
+                Match = match;
+            }
+
+            public string Text { get; }
+            public RobotModel Model { get; }
+            public RobotDescriptionMatch Match { get; }
         }
     }
 }

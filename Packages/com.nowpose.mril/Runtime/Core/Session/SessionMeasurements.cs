@@ -1,6 +1,5 @@
 using System;
 using Nowpose.Latency;
-using Nowpose.Latency.DisplayTime;
 using Nowpose.Session.Hindcast;
 using Nowpose.Sync;
 
@@ -13,31 +12,43 @@ namespace Nowpose.Session
 
         readonly ClockSynchroniser _clock;
         readonly ApplicationLatency _latency;
-        readonly DisplayTimeSelector _light;
-        readonly ConstantLatencyMonitor _monitor;
+        readonly SessionDisplay _display;
         readonly DisplayFrame _frame;
         readonly HindcastMonitor _hindcast;
 
         public SessionMeasurements(
-            ClockSynchroniser clock, ApplicationLatency latency, DisplayTimeSelector light, ConstantLatencyMonitor monitor, DisplayFrame frame,
-            HindcastMonitor hindcast)
+            ClockSynchroniser clock, ApplicationLatency latency, SessionDisplay display, DisplayFrame frame, HindcastMonitor hindcast)
         {
             _clock = clock;
             _latency = latency;
-            _light = light;
-            _monitor = monitor;
+            _display = display;
             _frame = frame;
             _hindcast = hindcast;
         }
 
         /// <param name="now">Headset time at which the clock's offset and error bound are evaluated.</param>
-        public void Fill(SessionStatistics into, HeadsetTime now)
+        public void Fill(SessionStatistics into, HeadsetTime now, CompensationSession session)
         {
+            FillSession(into, session);
             FillClock(into, now);
             FillLatency(into);
             FillError(into);
             into.Pose = _frame.State;
             into.OutsideRange = _frame.OutsideRange;
+        }
+
+        static void FillSession(SessionStatistics into, CompensationSession session)
+        {
+            into.ClockSettings = session.Settings.Clock;
+            into.RobotDescriptionMatch = session.RobotDescriptionMatch;
+            into.Samples = session.Intake.Samples;
+            into.Dropped = session.Drops.Total + session.SyncFaults.Total;
+            into.SyncLink = session.SyncLink;
+            into.SampleLink = session.SampleLink;
+            into.Reprojection = session.Reprojection;
+            into.DepthSubmission = session.DepthSubmission;
+            into.ProfileMismatches = session.ProfileMismatches;
+            into.Security = session.Settings.Connection.Security;
         }
 
         void FillClock(SessionStatistics into, HeadsetTime now)
@@ -51,22 +62,24 @@ namespace Nowpose.Session
 
         void FillLatency(SessionStatistics into)
         {
+            var light = _display.Light;
+            var renderTimes = _display.RenderTimes;
             into.ApplicationLatency = _latency.Median;
             into.ApplicationLatency95 = _latency.Percentile95;
             into.NegativeLatencies = _latency.NegativeCount;
-            into.VisualisationLatency = _light.Used;
-            into.EndToEndLatency = _latency.Median + _light.Used;
-            into.Profile = _light.Profile;
-            into.IsLightPredicted = _light.IsPredicted;
-            into.DisplayTimeDifference = _light.Difference;
-            into.IsDisplayTimeInconsistent = _light.IsInconsistent;
-            into.DisplayTimeAhead = _light.Ahead;
-            into.IsDisplayTimeImplausible = _light.IsImplausible;
+            into.VisualisationLatency = light.Used;
+            into.EndToEndLatency = _latency.Median + light.Used;
+            into.Profile = light.Profile;
+            into.IsLightPredicted = light.IsPredicted;
+            into.DisplayTimeDifference = light.Difference;
+            into.IsDisplayTimeInconsistent = light.IsInconsistent;
+            into.DisplayTimeAhead = light.Ahead;
+            into.IsDisplayTimeImplausible = light.IsImplausible;
             into.Horizon = _frame.Horizon;
-            into.RenderTime = _monitor.RenderTime;
-            into.RenderTimeSource = _monitor.Source;
-            into.Range = _monitor.State;
-            into.RangeUnknownReason = _monitor.UnknownReason;
+            into.RenderTime = renderTimes.RenderTime;
+            into.RenderTimeSource = renderTimes.Source;
+            into.Range = renderTimes.State;
+            into.RangeUnknownReason = renderTimes.UnknownReason;
         }
 
         void FillError(SessionStatistics into)

@@ -102,7 +102,7 @@ namespace Nowpose.Session
         /// </summary>
         public DisplayedError? ToolErrorOfRun { get; internal set; }
 
-        /// <summary>Whether <see cref="ToolErrorOfRun"/> is withheld, because the range has been outside.</summary>
+        /// <summary>Whether <see cref="ToolErrorOfRun"/> is withheld, because the render time has been beyond the calibrated range.</summary>
         internal bool IsRunPartlyOutsideRange { get; set; }
 
         /// <summary>Errors of the joints between base and tool, from the base, over the newest ten seconds; rad or m.</summary>

@@ -30,11 +30,15 @@ namespace Nowpose.Sync
         HeadsetTime _at;
         bool _isCatchingUp;
 
+        /// <summary>Whether control time of the newest frame is on another time line than before: the clock stepped, or became known or unknown.</summary>
+        internal bool IsRestarted { get; private set; }
+
         /// <summary>Returns the clock model for a frame.</summary>
         /// <param name="believed">The synchroniser's model at that time.</param>
         /// <param name="now">Start of the frame. A time before that of the last call returns the last model and changes nothing.</param>
         public ClockModel Follow(in ClockModel believed, HeadsetTime now)
         {
+            IsRestarted = believed.Steps != _shown.Steps || believed.IsKnown != _shown.IsKnown;
             // The slope of an early line through two late replies can be so steep that time would go back.
             var skew = Math.Max(-ClockLine.MaxSkew, Math.Min(ClockLine.MaxSkew, believed.Skew));
             if (!believed.IsKnown || !_shown.IsKnown || believed.Steps != _shown.Steps)

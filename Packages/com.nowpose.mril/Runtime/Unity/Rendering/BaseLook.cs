@@ -25,7 +25,8 @@ namespace Nowpose.Unity.Rendering
             switch (_state)
             {
                 // No fade while the base is being placed, because the user compares it with the robot.
-                case BaseAnchorState.Searching: return _isBeingPlaced
+                case BaseAnchorState.Searching:
+                    return _isBeingPlaced
                     ? look.Also("being placed", "the base follows a marker that is being moved", 0)
                     : look.Also("base not locked", "no marker has located the base", 0.8f);
                 case BaseAnchorState.Restored: return look.Also("base not confirmed", "the base has its pose from an earlier run; look at a marker to confirm it", 0);

@@ -110,19 +110,23 @@ namespace Nowpose.Anchoring.Tracking
             switch (subject.Kind)
             {
                 case Kind.BeingPlaced: return "being placed by hand";
-                case Kind.Conflict: return Name(subject.First) + " and " + Name(subject.Second) + " contradict each other by " + off
+                case Kind.Conflict:
+                    return Name(subject.First) + " and " + Name(subject.Second) + " contradict each other by " + off
                     + ": measure their poses again";
                 case Kind.Scatters: return Name(subject.First) + " scatters by " + off + ": move closer and keep still";
                 case Kind.Gathers: return subject.A + " of " + tracker.Markers.Count + " markers in view: keep looking";
                 case Kind.Ignored: return Name(subject.First) + " " + WhyIgnored((SightingFault)subject.Count);
                 case Kind.Moving: return Name(subject.First) + " is moving: keep it and the robot still";
                 case Kind.Looking: return "looking for markers" + (subject.Count > 0 ? "; allow the camera if it is blocked" : Because((string)subject.First));
-                case Kind.Moved: return (subject.Count > 1 ? subject.Count + " markers, the worst " : "") + Name(subject.First) + ", " + off
+                case Kind.Moved:
+                    return (subject.Count > 1 ? subject.Count + " markers, the worst " : "") + Name(subject.First) + ", " + off
                     + " from its expected place: put it back, or lock again";
                 case Kind.Locked: return Locked(tracker);
-                case Kind.Restored: return "as in an earlier run: " + (tracker.Markers.Count > 0 ? "look at a marker" : "lock it") + " to confirm it"
+                case Kind.Restored:
+                    return "as in an earlier run: " + (tracker.Markers.Count > 0 ? "look at a marker" : "lock it") + " to confirm it"
                     + Because(tracker.Problem);
-                case Kind.Lost: return subject.A == 0
+                case Kind.Lost:
+                    return subject.A == 0
                     ? "the headset has lost the place: look around"
                     : "the headset has the place " + Number(tracker.ElsewhereMetres, "0.0") + " m elsewhere, which is not followed: "
                         + (tracker.Markers.Count > 0 ? "look around, or lock again" : "look around, or place it again");

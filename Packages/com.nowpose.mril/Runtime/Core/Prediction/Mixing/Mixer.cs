@@ -36,9 +36,6 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Time after the start of such a motion during which a line predicts it, s.</summary>
         const double StartSeconds = 0.08;
 
-        /// <summary>Factor for the joint's speed after a change point at which it did not accelerate.</summary>
-        const double ShareAfterStop = 0.5;
-
         /// <summary>Rounding of times, s.</summary>
         const double Epsilon = 1e-6;
 
@@ -47,9 +44,8 @@ namespace Nowpose.Prediction.Mixing
 
         readonly PredictionLimits _limits;
         readonly PredictionParts _parts;
-        readonly Forecaster[] _forecasters;
+        readonly ForecasterTables _forecasters;
         readonly CandidateGate[] _candidates;
-        readonly ParabolaForecaster _stopping = new ParabolaForecaster(usesReported: false);
         readonly ForecastSnapshots _snapshots;
         readonly MixtureWeights _overall;
         readonly MixtureWeights _moving;
@@ -81,12 +77,13 @@ namespace Nowpose.Prediction.Mixing
             // The spline reads two points beyond the horizon cap; later times are never displayed.
             _points = (int)Math.Min(ForecastTable.Points, Math.Ceiling(limits.HorizonCap / ForecastTable.Step) + 3);
             var count = Line + mixed.Length;
-            _forecasters = new Forecaster[count];
+            var forecasters = new Forecaster[count];
             (_prior, _priorWhenReported, _line, _hold, _errors) =
                 (new double[count], new double[count], new double[count], new double[count], new double[count]);
             _hold[Hold] = _line[Line] = 1;
             for (var i = 0; i < mixed.Length; i++)
-                (_forecasters[Line + i], _prior[Line + i], _priorWhenReported[Line + i]) = (mixed[i].Forecaster, mixed[i].Prior, mixed[i].PriorWhenReported);
+                (forecasters[Line + i], _prior[Line + i], _priorWhenReported[Line + i]) = (mixed[i].Forecaster, mixed[i].Prior, mixed[i].PriorWhenReported);
+            _forecasters = new ForecasterTables(forecasters, Line, _points, Has(PredictionParts.ChangePoints));
             Normalise(_prior);
             Normalise(_priorWhenReported);
             _overall = new MixtureWeights(Regularisation, _prior);
@@ -111,7 +108,7 @@ namespace Nowpose.Prediction.Mixing
         bool Has(PredictionParts part) => (_parts & part) != 0;
 
         // Order of the tables in a snapshot: forecasters, mixture, candidates.
-        int Mixture => _forecasters.Length;
+        int Mixture => _hold.Length;
 
         public override bool Solve(MotionState motion)
         {
@@ -131,7 +128,7 @@ namespace Nowpose.Prediction.Mixing
         public override void Reset()
         {
             foreach (var candidate in _candidates) candidate.Reset();
-            for (var i = Line; i < _forecasters.Length; i++) _forecasters[i].Reset();
+            _forecasters.Reset();
             _snapshots.Clear();
             _outliers.Reset();
             _overall.Reset(_prior);
@@ -149,7 +146,7 @@ namespace Nowpose.Prediction.Mixing
             into.ChangePoints = motion.ChangePoints.Count;
             into.WasAtRest = motion.Rest.IsAtRest;
             into.WasStill = motion.Rest.StillSamples > 0;
-            FillForecasts(motion, into.Tables);
+            _forecasters.Fill(motion, into.Tables);
             FillMixture(motion, into.Tables);
             var best = Mixture;
             var minShare = double.PositiveInfinity;
@@ -163,35 +160,6 @@ namespace Nowpose.Prediction.Mixing
                 if (share < minShare) (best, minShare) = (forecast, share);
             }
             (_section, _sectionStart) = (into.Tables, best * ForecastTable.Points);
-        }
-
-        void FillForecasts(MotionState motion, double[] tables)
-        {
-            if (motion.Connected < 2)
-            {
-                Array.Clear(tables, 0, tables.Length);
-                return;
-            }
-            var samples = Has(PredictionParts.ChangePoints) ? motion.OfOneMotion : motion.Connected;
-            if (samples <= 2)
-            {
-                var share = samples == 1 && !motion.ChangePoints.HasGrown ? ShareAfterStop : 1;
-                for (var i = Line; i < Mixture; i++) FillLine(tables, i, motion.Speed * share);
-                return;
-            }
-            for (var i = Line; i < Mixture; i++)
-            {
-                var forecaster = _forecasters[i];
-                var solves = samples >= forecaster.Samples && forecaster.Solve(motion);
-                if (!solves) _stopping.Solve(motion);
-                (solves ? forecaster : _stopping).Fill(tables, i * ForecastTable.Points, _points);
-            }
-        }
-
-        void FillLine(double[] tables, int forecast, double speed)
-        {
-            var (start, step) = (forecast * ForecastTable.Points, speed * ForecastTable.Step);
-            for (var i = 0; i < _points; i++) tables[start + i] = i * step;
         }
 
         void FillMixture(MotionState motion, double[] tables)

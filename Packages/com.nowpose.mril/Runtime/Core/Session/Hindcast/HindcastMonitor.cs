@@ -56,7 +56,7 @@ namespace Nowpose.Session.Hindcast
 
         /// <summary>
         /// Errors of the tool over the newest ten seconds, m; null while unknown. They are withheld while the render time is outside the
-        /// constant-latency range, because the display time is then unknown.
+        /// constant-latency range, or beyond the calibrated one without a limit, because the display time is then unknown.
         /// </summary>
         public DisplayedError? Tool => _now.HasValue && !_isOutside ? _tool.Now(_now.Value) : null;
 
@@ -75,8 +75,8 @@ namespace Nowpose.Session.Hindcast
         public void Shown(DisplayFrame frame, TimeSpan clockError)
         {
             _now = frame.IsTimeTrusted ? frame.DisplayTime : null;
-            // Outside the range, the frame appears at another time than its display time.
-            _isOutside = frame.Range == RangeState.Outside;
+            // Then the frame appears at another time than its display time.
+            _isOutside = frame.Range == RangeState.Outside || frame.IsBeyondCalibration;
             IsRunPartlyOutside |= _isOutside;
             if (_now == null || frame.State == PoseState.Incomplete || _isOutside) return;
             foreach (ref readonly var track in _tracks.AsSpan())

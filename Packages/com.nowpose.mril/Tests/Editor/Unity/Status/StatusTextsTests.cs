@@ -1,47 +1,26 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using System.Reflection;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;
 using Nowpose.Network;
-using Nowpose.Protocol;
 using Nowpose.Session;
-using Nowpose.Tests.Core;
 using Nowpose.Tests.Core.Session;
 using Nowpose.Unity;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Status;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Lengths;
+using static Nowpose.Tests.Unity.Status.StatusRows;
 
 namespace Nowpose.Tests.Unity.Status
 {
+    /// <summary>The rows of the status panel.</summary>
     public class StatusTextsTests
     {
-        static readonly SessionSettings Loopback = new SessionSettings(new ConnectionSettings("127.0.0.1"), default);
         static readonly SessionSettings Plain = new SessionSettings(new ConnectionSettings("192.168.0.5", insecureLan: true), default);
-
-        const BindingFlags Declared = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
-
-        // Uses reflection, because only the session can set these properties.
-        static SessionStatistics Statistics(params (string Property, object Value)[] values)
-        {
-            var statistics = new SessionStatistics();
-            foreach (var (property, value) in values) typeof(SessionStatistics).GetProperty(property, Declared).SetValue(statistics, value);
-            return statistics;
-        }
-
-        static string Row(StatusRow row, SessionStatistics statistics, SessionSettings settings = null, string robot = null)
-        {
-            var texts = new StatusTexts();
-            texts.Update(statistics, settings ?? Loopback, robot, null);
-            return texts.ValueOf(row) + "|" + texts.NoteOf(row);
-        }
-
-        static string Row(StatusRow row, params (string Property, object Value)[] values) => Row(row, Statistics(values));
 
         [Test]
         public void Update_WithoutStatistics_ShowsDashes()
@@ -73,78 +52,6 @@ namespace Nowpose.Tests.Unity.Status
             Assert.That(texts.ValueOf(StatusRow.Robot), Is.EqualTo("! beyond its limits"));
             Assert.That(said, Does.Contain("joint 'shoulder': 45 rad is outside its limits -3 to 3 rad"));
             Assert.That(texts.ValueOf(StatusRow.Message), Is.EqualTo("! settings: worse"));
-        }
-
-        static readonly DateTime Noon = new DateTime(2026, 11, 20, 12, 0, 0);
-
-        static JointStatus Joint(string name, JointDataState state, double? seconds, string reason = "") => new JointStatus(
-            name, state, seconds.HasValue ? ControlTime.FromSeconds(5000) : (ControlTime?)null,
-            seconds.HasValue ? Seconds(seconds.Value) : (TimeSpan?)null, reason);
-
-        static SessionStatistics Statistics(long samples, params JointStatus[] joints)
-        {
-            var statistics = Statistics(("Samples", samples));
-            statistics.ChangeableJointStatuses.AddRange(joints);
-            return statistics;
-        }
-
-        static string MessageOf(SessionStatistics statistics, string problem = null)
-        {
-            var texts = new StatusTexts(() => Noon);
-            texts.Update(statistics, Loopback, "test", problem);
-            return texts.ValueOf(StatusRow.Message).Replace('\n', ' ');
-        }
-
-        [TestCase(JointDataState.Fault, "node deleted", "! joint a3: no data since 11:59:56: node deleted")]
-        [TestCase(JointDataState.Stale, "", "! joint a3: no data since 11:59:56")]
-        [TestCase(JointDataState.Rest, "", "joint a3: assumed at rest since 11:59:56")]
-        public void Update_JointNotLive_IsNamedWithBeginAndReason(JointDataState state, string reason, string expected)
-        {
-            var statistics = Statistics(100, Joint("a3", state, 4, reason));
-
-            Assert.That(MessageOf(statistics), Is.EqualTo(expected));
-            Assert.That(MessageOf(statistics, "settings: worse"), Is.EqualTo("! settings: worse"));
-        }
-
-        [Test]
-        public void Update_OneJointWithoutDataOneAtRest_NamesTheOneWithoutData()
-        {
-            var statistics = Statistics(100, Joint("a1", JointDataState.Rest, 9), Joint("a3", JointDataState.Stale, 4));
-
-            Assert.That(MessageOf(statistics), Is.EqualTo("! joint a3: no data since 11:59:56"));
-        }
-
-        [Test]
-        public void Update_WithoutSamples_NamesOnlyJointsThatTheGatewayReports()
-        {
-            var silent = Joint("a1", JointDataState.Missing, null);
-
-            Assert.That(MessageOf(Statistics(0, silent)), Is.Empty);
-            Assert.That(MessageOf(Statistics(1, silent)), Is.EqualTo("! joint a1: no value"));
-            Assert.That(MessageOf(Statistics(0, silent, Joint("a2", JointDataState.Refused, 8, "NaN"))),
-                Is.EqualTo("! joint a2: values cannot be used since 11:59:52: NaN"));
-        }
-
-        [Test]
-        public void JointStatusLine_SameState_ReusesTheText()
-        {
-            var line = new JointStatusLine(isOfMissing: true, () => Noon);
-
-            var text = line.Of(Statistics(1, Joint("a3", JointDataState.Stale, 4.2)));
-
-            Assert.That(line.Of(Statistics(1, Joint("a3", JointDataState.Stale, 900))), Is.SameAs(text));
-            Assert.That(line.Of(Statistics(1, Joint("a3", JointDataState.Fault, 3, "node deleted"))),
-                Is.EqualTo("joint a3: no data since 11:59:57: node deleted"));
-            Assert.That(line.Of(Statistics(1)), Is.Null);
-            Assert.That(line.Of(null), Is.Null);
-        }
-
-        [Test]
-        public void JointStatusLine_StateSinceYesterday_HasTheDate()
-        {
-            var line = new JointStatusLine(isOfMissing: true, () => Noon);
-
-            Assert.That(line.Of(Statistics(1, Joint("a3", JointDataState.Stale, 86400))), Is.EqualTo("joint a3: no data since 2026-11-19 12:00"));
         }
 
         [Test]
@@ -279,56 +186,6 @@ namespace Nowpose.Tests.Unity.Status
         public void Update_Range_ShowsTheReasonIfUnknown(RangeState range, object reason, string expected)
         {
             Assert.That(Row(StatusRow.Range, ("Range", range), ("RangeUnknownReason", (RangeUnknownReason)reason)), Is.EqualTo(expected));
-        }
-
-        static DisplayedError Error(double rms, double p95, double? reduction, double? uncertainty) =>
-            new DisplayedError(600, rms, p95, 30, 60, reduction, uncertainty, 0.2, 0.1);
-
-        [TestCase(0.874, 0.021, "87 %|± 2 %")]
-        [TestCase(-0.12, 0.3, "−12 %|± 30 %")]
-        [TestCase(0.874, null, "87 %|")]
-        public void Update_Reduction_HasItsUncertaintyOnceKnown(double reduction, double? uncertainty, string expected)
-        {
-            Assert.That(Row(StatusRow.Reduction, ("ToolError", (DisplayedError?)Error(3, 8, reduction, uncertainty))), Is.EqualTo(expected));
-        }
-
-        [TestCase("Reduction")]
-        [TestCase("Error")]
-        public void Update_RangeOutside_NamesItBesideTheMissingError(string row)
-        {
-            Assert.That(Row(Enum.Parse<StatusRow>(row), ("Range", RangeState.Outside)), Is.EqualTo("–|outside range"));
-        }
-
-        [Test]
-        public void Update_Error_ShowsTheErrorWithCompensation()
-        {
-            Assert.That(Row(StatusRow.Error, ("ToolError", (DisplayedError?)Error(3.24, 8.17, 0.9, 0.01))), Is.EqualTo("3.2 mm|95 % below 8.2 mm"));
-        }
-
-        [Test]
-        public void Update_RobotAtRest_ShowsAnErrorButNoReduction()
-        {
-            var statistics = Statistics(("ToolError", (DisplayedError?)Error(0, 0, null, null)));
-
-            Assert.That(Row(StatusRow.Reduction, statistics), Is.EqualTo("–|"));
-            Assert.That(Row(StatusRow.Error, statistics), Is.EqualTo("0.0 mm|95 % below 0.0 mm"));
-        }
-
-        [Test]
-        public void JointErrorLine_SameNumbers_ReusesTheText()
-        {
-            var line = new JointErrorLine();
-            JointError[] Joints(double? reduction) => new[]
-            {
-                new JointError("shoulder", Error(0.01, 0.02, reduction, null)), new JointError("elbow", null),
-            };
-
-            var text = line.Of(Joints(0.912));
-
-            Assert.That(text, Is.EqualTo("shoulder 91 %, elbow –"));
-            Assert.That(line.Of(Joints(0.914)), Is.SameAs(text));
-            Assert.That(line.Of(Joints(0.87)), Is.EqualTo("shoulder 87 %, elbow –"));
-            Assert.That(line.Of(Array.Empty<JointError>()), Is.Empty);
         }
 
         static readonly LinkStatus Failed = LinkStatus.Waiting("clock sync: refused");

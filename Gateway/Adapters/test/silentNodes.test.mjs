@@ -1,11 +1,10 @@
-// Silent nodes and symbols in virtual time: one case for each way in which servers treat a deleted node.
+// Silent nodes in virtual time: one case for each way in which servers treat a deleted node.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { DataType, DataValue, StatusCodes, Variant } from 'node-opcua-client';
 import { parts } from './parts.mjs';
 
 const { SilentNodes } = await parts('opcua/silentNodes');
-const { SilentSymbols } = await parts('ads/silentSymbols');
 
 const good = (value, ms) => new DataValue({
   value: new Variant({ dataType: DataType.Double, value }), statusCode: StatusCodes.Good, sourceTimestamp: ms === undefined ? null : new Date(ms),
@@ -216,94 +215,5 @@ describe('silent nodes', () => {
     cell.hear(0, good(NaN));
 
     assert.deepEqual([await cell.look(), await cell.look(), cell.renewed], [[0, 1], [0, 1], []]);
-  });
-});
-
-describe('silent symbols', () => {
-  function plc(isOnChange = true) {
-    const cell = { now: 0, values: [1, 2], confirmed: [], lost: [], renewed: [] };
-    cell.symbols = new SilentSymbols([true, true], 100, isOnChange, {
-      read: async joint => {
-        if (cell.values[joint] === null) throw new Error('gone');
-        return cell.values[joint];
-      },
-      confirm: (joints, agoMs) => {
-        cell.confirmed.push([...joints]);
-        cell.agoMs = agoMs;
-      },
-      lose: (joint, error) => cell.lost.push([joint, error.message]),
-      renew: async joint => void cell.renewed.push(joint),
-    }, () => cell.now);
-    cell.look = () => {
-      cell.now += 500;
-      return cell.symbols.look();
-    };
-    cell.values.forEach((value, joint) => cell.symbols.heard(joint, value));
-    return cell;
-  }
-
-  it('Symbols_AtRest_AreConfirmed', async () => {
-    const cell = plc();
-
-    await cell.look();
-
-    assert.deepEqual([cell.confirmed, cell.lost, cell.renewed], [[[0, 1]], [], []]);
-  });
-
-  it('Symbols_ReadSlowly_AreConfirmedForTheStartOfTheReads', async () => {
-    const cell = plc(), { actions } = cell.symbols, { read } = actions;
-    actions.read = joint => {
-      cell.now += 40;
-      return read(joint);
-    };
-
-    await cell.look();
-
-    assert.equal(cell.agoMs, 80);
-  });
-
-  it('Symbol_ChangedButNotNotifiedYet_IsNotSubscribedAgain', async () => {
-    const cell = plc();
-    cell.now += 100;
-    cell.values[0] = 7;
-
-    await cell.symbols.look();
-    cell.now += 90;
-    await cell.symbols.look();
-    const { renewed } = cell;
-    cell.symbols.heard(0, 7);
-    await cell.look();
-
-    assert.deepEqual([renewed, cell.confirmed], [[], [[1], [1], [0, 1]]]);
-  });
-
-  it('Symbol_RemovedThenRestored_IsLostThenSubscribedAgain', async () => {
-    const cell = plc();
-    cell.values[0] = null;
-
-    await cell.look();
-    cell.values[0] = 1;
-    await cell.look();
-
-    assert.deepEqual([cell.lost, cell.renewed, cell.confirmed], [[[0, 'gone']], [0], [[1], [1]]]);
-  });
-
-  it('Symbol_ChangedWithoutNotification_IsSubscribedAgain', async () => {
-    const cell = plc();
-    cell.values[0] = 7;
-
-    await cell.look();
-    await cell.look();
-
-    assert.deepEqual([cell.renewed, cell.confirmed], [[0], [[1], [1]]]);
-  });
-
-  it('Symbol_PeriodicNotifications_IsNeverConfirmedByAnEqualValue', async () => {
-    const cell = plc(false);
-
-    await cell.look();
-    await cell.look();
-
-    assert.deepEqual([cell.confirmed, cell.renewed], [[], [0, 1]]);
   });
 });

@@ -1,0 +1,73 @@
+using Nowpose.Anchoring;
+using Nowpose.Frames;
+using Nowpose.Gateway.MotionRecordings;
+using Nowpose.Kinematics;
+using Nowpose.Prediction;
+
+namespace Nowpose.Cli.Replay;
+
+/// <summary>Plays the recording of a rigid body in virtual time to a predictor, with the sampling, arrival and frames of a motion of joints.</summary>
+public sealed class BodyReplay
+{
+    const double MmPerMetre = 1000, DegreesPerRadian = 180 / Math.PI;
+
+    /// <summary>Position and rotation.</summary>
+    const int Errors = 2;
+
+    readonly string _path;
+    readonly ReplaySettings _settings;
+    readonly ReplayLoop _loop;
+    readonly BodyTruth _truth;
+    readonly BodyPredictor _predictor;
+    readonly BodyError _position = new();
+    readonly BodyError _rotation = new();
+    double _displayed = double.NaN;
+
+    /// <param name="path">Path for results and messages.</param>
+    /// <param name="recording">Recording of a rigid body.</param>
+    /// <exception cref="InputException">The predictor is unknown, or the recording is too long to replay.</exception>
+    public BodyReplay(string path, MotionRecording recording, ReplaySettings settings)
+    {
+        _path = path;
+        _settings = settings;
+        _truth = new BodyTruth(recording);
+        _predictor = new BodyPredictor(settings.Predictor, PredictionLimits.Unlimited, settings.Blend ?? 0);
+        _loop = new ReplayLoop(path, recording.Duration, Errors, settings);
+    }
+
+    /// <summary>Runs once to the recording's end. When cancelled, it returns the results so far.</summary>
+    /// <exception cref="InputException">No frame could be scored, or the errors overflow.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled before anything was measured.</exception>
+    public BodyReplayResult Run(CancellationToken cancellation = default)
+    {
+        var frames = _loop.Run(PoseAt, Take, Score, cancellation);
+        var result = new BodyReplayResult(
+            _path, _settings.Predictor, frames, _position.Summary(MmPerMetre), _rotation.Summary(DegreesPerRadian));
+        if (!double.IsFinite(result.Position.Rms + result.Position.RmsHold))
+            throw new InputException($"{_path}: the errors are too large to compute; the positions must be in m");
+        return result;
+    }
+
+    double[] PoseAt(double time)
+    {
+        var (x, y, z, rotation) = _truth.At(time);
+        return [x, y, z, rotation.X, rotation.Y, rotation.Z, rotation.W];
+    }
+
+    void Take(SampleFlow.Sample sample)
+    {
+        var p = sample.Positions;
+        UnitQuaternion.TryNormalise(p[3], p[4], p[5], p[6], out var rotation);
+        _predictor.Add(new PoseSample(sample.Stamp, new Vector3D(p[0], p[1], p[2]), rotation, sample.Time), _displayed);
+    }
+
+    void Score(double time)
+    {
+        var (x, y, z, rotation) = _truth.At(time);
+        var truth = rotation.At(x, y, z);
+        _displayed = time + _settings.LatencyError;
+        var (hold, predicted) = (_predictor.Hold, _predictor.At(_displayed));
+        _position.Add(hold.DistanceTo(truth), predicted.DistanceTo(truth));
+        _rotation.Add(hold.AngleTo(truth), predicted.AngleTo(truth));
+    }
+}

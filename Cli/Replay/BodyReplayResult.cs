@@ -1,0 +1,17 @@
+namespace Nowpose.Cli.Replay;
+
+/// <summary>The result of the replay of a rigid body.</summary>
+/// <param name="File">Path of the recording.</param>
+/// <param name="Frames">Number of scored frames.</param>
+/// <param name="Position">Distance between the displayed and the true position, mm.</param>
+/// <param name="Rotation">Angle between the displayed and the true rotation, degrees.</param>
+public sealed record BodyReplayResult(
+    string File, string Predictor, int Frames, BodyReplayResult.ErrorSize Position, BodyReplayResult.ErrorSize Rotation)
+{
+    /// <summary>Errors of hold (RMS) and of the prediction (RMS, P95, maximum).</summary>
+    public readonly record struct ErrorSize(double RmsHold, double Rms, double P95, double Max)
+    {
+        /// <summary>1 − rms / rms_hold; null if hold has no error.</summary>
+        public double? Reduction => RmsHold == 0 ? null : 1 - Rms / RmsHold;
+    }
+}

@@ -1,0 +1,33 @@
+using Nowpose.Frames;
+using Nowpose.Gateway.MotionRecordings;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Cli.Replay;
+
+/// <summary>The true pose of a recorded rigid body: position interpolated linearly, rotation by slerp.</summary>
+sealed class BodyTruth
+{
+    readonly double[] _times;
+    readonly double[][] _positions;
+    readonly UnitQuaternion[] _rotations;
+
+    public BodyTruth(MotionRecording recording)
+    {
+        _times = [.. recording.Times];
+        _positions = [recording.PositionsOf(0), recording.PositionsOf(1), recording.PositionsOf(2)];
+        var (x, y, z, w) = (recording.PositionsOf(3), recording.PositionsOf(4), recording.PositionsOf(5), recording.PositionsOf(6));
+        _rotations = new UnitQuaternion[_times.Length];
+        for (var row = 0; row < _rotations.Length; row++) UnitQuaternion.TryNormalise(x[row], y[row], z[row], w[row], out _rotations[row]);
+    }
+
+    /// <summary>Gets the pose at a time since the recording's start, in s. Outside the recording it is that of the first or last row.</summary>
+    public (double X, double Y, double Z, UnitQuaternion Rotation) At(double time)
+    {
+        var found = Array.BinarySearch(_times, time);
+        var after = Math.Clamp(found < 0 ? ~found : found + 1, 1, _times.Length - 1);
+        var share = Math.Clamp((time - _times[after - 1]) / (_times[after] - _times[after - 1]), 0, 1);
+        double Between(double[] values) => values[after - 1] + (values[after] - values[after - 1]) * share;
+        return (Between(_positions[0]), Between(_positions[1]), Between(_positions[2]),
+            UnitQuaternion.Slerp(_rotations[after - 1], _rotations[after], share));
+    }
+}

@@ -1,0 +1,179 @@
+// Faults of a PLC and of its variables, and how an adapter reports and survives them.
+import assert from 'node:assert/strict';
+import { once } from 'node:events';
+import { createServer } from 'node:net';
+import { describe, it } from 'node:test';
+import { start, until } from '../program.mjs';
+import { RosbridgeDouble } from '../rosbridge.mjs';
+import { seeded } from '../seeded.mjs';
+import { temporaryFile } from '../temporary.mjs';
+import { assertTrue, cell, clockOf, configuration, jointIs, NET_ID, statesOf } from './cell.mjs';
+import { command, state } from './frames.mjs';
+import { AdsServer } from './server.mjs';
+import { variables, youBot } from './youbot.mjs';
+
+describe('faults over ADS', { concurrency: 4 }, () => {
+  it('Adapter_SymbolMissingInNewProgram_IsFaultWhileOthersStayLive', async t => {
+    const joints = '  - { joint: arm_joint_1, symbol: "GVL.aJoints[0]" }\n  - { joint: axis, symbol: MAIN.fAxis2, unit: deg }\n';
+    const { plc, bridge } = await cell(t, { joints });
+    await Promise.all(['arm_joint_1', 'axis'].map(name => jointIs(bridge, name, 'live')));
+
+    plc.download(variables().filter(({ name }) => name !== 'MAIN.fAxis2'));
+    await until(() => bridge.joint('axis').reason.includes('has no symbol MAIN.fAxis2'), () => JSON.stringify(bridge.state));
+    await jointIs(bridge, 'arm_joint_1', 'live');
+
+    assert.equal(bridge.joint('axis').state, 'fault');
+    assert.equal(bridge.status.level, 2);
+    plc.download(variables());
+    await jointIs(bridge, 'axis', 'live');
+  });
+
+  it('Adapter_SymbolUnknownAtStart_IsMissingWhileOthersAreLive', async t => {
+    const joints = '  - { joint: arm_joint_1, symbol: "GVL.aJoints[0]" }\n  - { joint: axis, symbol: MAIN.fAxs2 }\n';
+    const { bridge } = await cell(t, { joints });
+
+    await jointIs(bridge, 'arm_joint_1', 'live');
+
+    assert.equal(bridge.joint('axis').state, 'missing');
+    assert.match(bridge.joint('axis').reason, /line 11: the PLC has no symbol MAIN\.fAxs2; similar symbols are MAIN\.fAxis2/);
+  });
+
+  it('Adapter_PlcStopped_ReportsItAndReadsAgainAfterTheStop', async t => {
+    const { plc, bridge, adapter } = await cell(t);
+    await statesOf(bridge);
+
+    plc.plcState = state.stop;
+    await adapter.said('waiting: the PLC\'s program is in state Stop');
+    const count = bridge.jointStates.length;
+    await until(() => Number(bridge.state?.['refused/plc-stopped']) > 0, 'refusals');
+    assert.equal(bridge.jointStates.length, count);
+    assert.equal((await bridge.call('/nowpose/plant_time/cell')).result, false);
+    assert.match(bridge.joint('arm_joint_1').state, /fault|refused/);
+    assert.ok(bridge.status.message.includes('state Stop'), bridge.status.message);
+
+    plc.plcState = state.run;
+    await statesOf(bridge, count + 5);
+    assert.equal((await until(() => bridge.state?.state === 'connected' && bridge.state, 'diagnostics')).kind, 'ads');
+  });
+
+  it('Adapter_NewProgram_LooksUpItsVariablesAgain', async t => {
+    const { plc, bridge, adapter } = await cell(t);
+    await statesOf(bridge);
+
+    plc.download(variables());
+
+    await adapter.said('looked up again');
+    const count = bridge.jointStates.length;
+    assertTrue((await statesOf(bridge, count + 20)).slice(count));
+  });
+
+  it('Adapter_ConfigMode_IsReportedUntilRunMode', async t => {
+    const plc = youBot({ cycleMs: 5 });
+    plc.systemState = state.config;
+    const { bridge, adapter } = await cell(t, { plc });
+
+    await adapter.said(`waiting: TwinCAT at ${NET_ID} is in Config mode`);
+    plc.systemState = state.run;
+
+    await statesOf(bridge);
+    await clockOf(bridge);
+    plc.systemState = state.config;
+    await adapter.said(`TwinCAT at ${NET_ID} went to Config mode`);
+  });
+
+  it('Adapter_PlcClosedAndRestarted_IsReadAgain', async t => {
+    const { plc, server, bridge, adapter, port } = await cell(t);
+    await statesOf(bridge);
+
+    await server.close();
+    await adapter.said('nothing answers at 127.0.0.1');
+    const again = new AdsServer(plc);
+    t.after(() => again.close());
+    await again.listen(port);
+
+    const count = bridge.jointStates.length;
+    await statesOf(bridge, count + 5);
+    await until(() => Number(bridge.state?.reconnects) > 0, () => JSON.stringify(bridge.state));
+  });
+
+  it('Adapter_PlcStopsAnswering_IsReportedAndReadAgain', async t => {
+    const { server, bridge, adapter } = await cell(t);
+    await statesOf(bridge);
+
+    server.silent = true;
+    await adapter.said('waiting: ');
+    server.silent = false;
+
+    const count = bridge.jointStates.length;
+    await statesOf(bridge, count + 5);
+  });
+
+  it('Adapter_InvalidFrames_DoNotEndTheProcess', async t => {
+    const random = seeded(4711), connections = [];
+    const server = createServer(socket => {
+      connections.push(socket.on('error', () => {}));
+      socket.on('data', () => {
+        const length = Math.floor(random() * 300), bytes = Buffer.alloc(6 + length);
+        for (let i = 0; i < bytes.length; i++) bytes[i] = Math.floor(random() * 256);
+        // Most messages are whole frames of the protocol, addressed to the adapter, with random content. The others are not even frames.
+        if (connections.length % 4 > 0) bytes.writeUInt16LE(0, 0);
+        if (connections.length % 5 > 0) bytes.writeUInt32LE(length, 2);
+        if (length > 32) Buffer.from([192, 168, 0, 10, 1, 1, 0x89, 0x80]).copy(bytes, 6);
+        if (length > 32) bytes.writeUInt16LE([8, 9, 2, 6][connections.length % 4], 22);
+        socket.write(bytes);
+      });
+    }).listen(0, '127.0.0.1');
+    await once(server, 'listening');
+    t.after(() => {
+      connections.forEach(socket => socket.destroy());
+      server.close();
+    });
+    const bridge = await RosbridgeDouble.start(t);
+    const adapter = start(t, [temporaryFile('ads.yaml', configuration({ port: server.address().port, url: bridge.url }))]);
+
+    await until(() => connections.length >= 4, () => adapter.err);
+
+    await until(() => bridge.state?.state === 'waiting', () => JSON.stringify(bridge.state));
+    assert.deepEqual(bridge.jointStates, []);
+    assert.equal(adapter.child.exitCode, null);
+  });
+
+  it('Adapter_NoRoute_ExplainsHowToAddOne', async t => {
+    const { adapter } = await cell(t, { server: { routes: ['10.0.0.1.1.1'] } });
+
+    await adapter.said('if it has never answered, add a route to this machine: in TwinCAT, SYSTEM > Routes > Add, AMS Net Id 192.168.0.10.1.1, transport TCP_IP');
+  });
+
+  for (const [name, joints, said] of [
+    ['UnknownSymbol', '  - joint: a\n    symbol: MAIN.fAxs1\n', /ads\.yaml, line 11: the PLC has no symbol MAIN\.fAxs1; similar symbols are MAIN\.fAxis1, MAIN\.fAxis2/],
+    ['WholeArray', '  - joint: a\n    symbol: GVL.aJoints\n', /line 11: GVL\.aJoints is ARRAY \[0\.\.4\] OF LREAL; name one element, such as GVL\.aJoints\[0\]/],
+    ['Text', '  - joint: a\n    symbol: MAIN.sName\n', /line 11: MAIN\.sName is STRING; a joint's value must be a number/],
+  ])
+    it(`Adapter_${name}_NamesTheLine`, async t => {
+      const { adapter } = await cell(t, { joints });
+
+      await adapter.said('line 11');
+      assert.match(adapter.err, said);
+    });
+
+  for (const [name, stampOf, reason] of [
+    ['Zero', () => 0n, 'stamp-missing'],
+    ['Frozen', () => 134_000_000_000_000_000n, 'stamp-not-newer'],
+  ])
+    it(`Adapter_${name}Stamp_IsRefusedWithAReason`, async t => {
+      const { bridge } = await cell(t, { plc: youBot({ cycleMs: 5, stampOf }) });
+
+      await until(() => Number(bridge.state?.[`refused/${reason}`]) > 10, () => JSON.stringify(bridge.state));
+      assert.ok(bridge.jointStates.length <= 5, 'at most one for each joint');
+    });
+
+  it('Adapter_Terminated_RemovesItsNotifications', async t => {
+    const { server, bridge, adapter } = await cell(t);
+    await statesOf(bridge);
+
+    adapter.child.kill('SIGTERM');
+
+    assert.equal(await adapter.ended, 0);
+    assert.ok(server.seen.filter(s => s.command === command.deleteNotification).length >= 5);
+  });
+});

@@ -1,0 +1,48 @@
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
+import { temporaryFile } from '../temporary.mjs';
+import { bridge, clockOf, halls, served } from './halls.mjs';
+import { missing, Mosquitto } from './mosquitto.mjs';
+import { SyncServer } from './syncServer.mjs';
+
+describe('clock of a gateway behind a broker', { skip: missing, concurrency: 3 }, () => {
+  it('Clock_Upstream_IsForwardedWithItsBound', async t => {
+    const { far, sync } = await halls(t);
+    Object.assign(sync, { aheadNs: -3_600_000_000_000n, boundUs: 250, resolutionNs: 1_000_000 });
+
+    for (let i = 0; i < 5; i++) {
+      await served(far);
+      const before = sync.now(), { values } = await far.call('/nowpose/plant_time/hall'), after = sync.now();
+      const received = nanoseconds(values.received), sent = nanoseconds(values.sent);
+      assert.ok(received >= before && sent >= received && sent <= after);
+      assert.deepEqual([values.error_bound_ns, values.resolution_ns, values.synchronised], [250_000, 1_000_000, true]);
+    }
+    sync.isSynchronised = false;
+    assert.equal((await far.call('/nowpose/plant_time/hall')).values.synchronised, false);
+  });
+
+  it('Clock_UpstreamRestarted_IsRequestedAgain', async t => {
+    const { far, sync, subscriber } = await halls(t);
+    await served(far);
+
+    await sync.stop();
+    await subscriber.said('is unknown');
+    assert.equal((await far.call('/nowpose/plant_time/hall')).result, false);
+    await sync.listen(sync.port);
+
+    await served(far);
+  });
+
+  it('Clock_WithToken_IsRequestedWithIt', async t => {
+    const [far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t, { token: 'secret-of-a' })]);
+    const right = temporaryFile('token', 'secret-of-a\n'), wrong = temporaryFile('token', 'another-one\n');
+    bridge(t, 'subscribe', far, broker, clockOf(sync, `, token_file: "${right}"`));
+    await served(far);
+
+    const refused = bridge(t, 'subscribe', await RosbridgeDouble.start(t), broker, clockOf(sync, `, token_file: "${wrong}"`));
+
+    await refused.said('refuses the token');
+    assert.doesNotMatch(refused.err, /another-one/);
+  });
+});

@@ -1,0 +1,128 @@
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { connectAsync } from 'mqtt';
+import { until } from '../program.mjs';
+import { RosbridgeDouble } from '../rosbridge.mjs';
+import { bridge, clockOf, halls, jointStatus, publish, secondsAgo, served, state, TOPIC } from './halls.mjs';
+import { missing, Mosquitto } from './mosquitto.mjs';
+import { SyncServer } from './syncServer.mjs';
+
+describe('faults behind a broker', { skip: missing, concurrency: 3 }, () => {
+  it('Publisher_Killed_SubscriberReportsIt', async t => {
+    const { near, far, sync, publisher, subscriber } = await halls(t);
+    await until(() => {
+      publish(near, '/joint_states', state(sync.now()));
+      return far.joint('a')?.state === 'live';
+    }, 'a joint');
+
+    publisher.child.kill('SIGKILL');
+
+    await subscriber.said('waiting: the bridge of the gateway that has the plant is disconnected');
+    await until(() => far.state?.state === 'waiting', () => JSON.stringify(far.state));
+    assert.deepEqual([far.joint('a').state, far.joint('a').reason], ['fault', 'the bridge of the gateway that has the plant is disconnected']);
+  });
+
+  it('Joint_NoLongerPublished_IsFaultWhileOthersStayLive', async t => {
+    const { near, far, sync } = await halls(t), names = new Set(['a', 'b']);
+    const publishing = setInterval(() => names.forEach(name => publish(near, '/joint_states', state(sync.now(), [name], [1]))), 50);
+    t.after(() => clearInterval(publishing));
+    const joint = (name, expected) => until(() => far.joint(name)?.state === expected && far.joint(name), () => JSON.stringify(far.state));
+    await Promise.all([joint('a', 'live'), joint('b', 'live')]);
+
+    names.delete('a');
+    const { reason } = await joint('a', 'fault');
+
+    assert.match(reason, /no new value for more than 3 s/);
+    assert.equal(far.joint('b').state, 'live');
+    names.add('a');
+    await joint('a', 'live');
+  });
+
+  it('Joints_NotLiveAtThePlantsGateway_HaveTheSameStateAtTheOtherGateway', async t => {
+    const { near, far, sync } = await halls(t), stamp = sync.now(), began = Date.now() / 1000;
+
+    publish(near, '/nowpose/joint_status', jointStatus(stamp, {
+      gone: `missing ${secondsAgo(stamp, 20)} the server has no node ns=2;s=Axis1`,
+      bad: `refused ${secondsAgo(stamp, 30)} value NaN is not a position`,
+      still: `rest ${secondsAgo(stamp, 40)} no change is reported`,
+      doubtful: `rest ${secondsAgo(stamp, 50)} may not be at rest: the stop itself was not observed`,
+      silent: `stale ${secondsAgo(stamp, 60)} samples stopped arriving`,
+    }));
+
+    await until(() => far.joint('silent'), () => JSON.stringify(far.state));
+    for (const [name, expected, ago, reason] of [
+      ['gone', 'missing', 20, 'the server has no node ns=2;s=Axis1'],
+      ['bad', 'refused', 30, 'value NaN is not a position'],
+      ['still', 'rest', 40, 'no change is reported'],
+      ['doubtful', 'rest', 50, 'may not be at rest: the stop itself was not observed'],
+      ['silent', 'fault', 60, 'at the gateway that has the plant: samples stopped arriving'],
+    ]) {
+      const joint = far.joint(name), since = joint.since - (began - ago);
+      assert.deepEqual([name, joint.state, joint.reason], [name, expected, reason]);
+      assert.ok(since >= -0.01 && since < 30, `${name} ${since} s later than ${ago} s ago`);
+    }
+    assert.equal(far.state['uncertain/doubtful'], 'the stop itself was not observed');
+    assert.equal(far.state['uncertain/still'], undefined);
+    assert.equal(far.status.level, 2);
+  });
+
+  it('Joints_NotLiveAtThePlantsGateway_AreRetainedForALaterBridge', async t => {
+    const { near, far, broker, sync } = await halls(t), stamp = sync.now();
+    publish(near, '/nowpose/joint_status', jointStatus(stamp, { gone: `missing ${secondsAgo(stamp, 1)} no such node` }));
+    await until(() => far.joint('gone'), () => JSON.stringify(far.state));
+
+    const later = await RosbridgeDouble.start(t);
+    bridge(t, 'subscribe', later, broker, clockOf(sync));
+
+    await until(() => later.joint('gone')?.state === 'missing', () => JSON.stringify(later.state));
+  });
+
+  it('PublishersGateway_DisconnectsAndReturns_SubscriberReportsIt', async t => {
+    const { near, far, sync, publisher, subscriber } = await halls(t);
+    await until(() => {
+      publish(near, '/joint_states', state(sync.now()));
+      return far.joint('a')?.state === 'live';
+    }, 'a joint');
+    const stamp = sync.now();
+    publish(near, '/nowpose/joint_status', jointStatus(stamp, { b: `rest ${secondsAgo(stamp, 1)} no change is reported` }));
+    await until(() => far.joint('b')?.state === 'rest', () => JSON.stringify(far.state));
+
+    near.stop();
+
+    await subscriber.said('waiting: the bridge has lost the gateway that has the plant');
+    await until(() => far.state?.state === 'waiting', () => JSON.stringify(far.state));
+    for (const name of ['a', 'b'])
+      assert.deepEqual([name, far.joint(name).state, far.joint(name).reason], [name, 'fault', 'the bridge has lost the gateway that has the plant']);
+    const again = await RosbridgeDouble.start(t, { port: near.port });
+    await until(() => again.heard.some(m => m.topic === '/nowpose/joint_status'), () => publisher.err);
+    publish(again, '/nowpose/joint_status', jointStatus(stamp, { b: `rest ${secondsAgo(stamp, 1)} no change is reported` }));
+    await until(() => far.state?.state === 'connected' && far.joint('b')?.state === 'rest', () => JSON.stringify(far.state));
+  });
+
+  for (const [name, topic, payload, reason] of [
+    ['StatusWithoutStamp', 'joint_status', '{"status":[{"values":[]}]}', 'malformed'],
+    ['StatusOfAnotherForm', 'joint_status', JSON.stringify(jointStatus(10n, { a: 'broken 1.0 why' })), 'malformed'],
+    ['StatusOfNull', 'joint_status', '{"header":{"stamp":{"sec":1,"nanosec":0}},"status":[null]}', 'malformed'],
+    ['NoJson', 'joint_states', '{"name": [', 'malformed'],
+    ['AList', 'joint_states', '[]', 'malformed'],
+    ['TooLong', 'joint_states', JSON.stringify({ name: ['x'.repeat(70_000)] }), 'malformed'],
+    ['ZeroStamp', 'joint_states', JSON.stringify(state(0n)), 'stamp-zero'],
+    ['NaN', 'joint_states', JSON.stringify(state(10n, ['a'], [null])), 'not-finite'],
+    ['NoDescription', 'robot_description', '{"data":"no"}', 'malformed'],
+    ['PlanWithoutPoint', 'joint_trajectory', '{"header":{},"joint_names":["a"],"points":[null]}', 'malformed'],
+    ['BadPlan', 'joint_trajectory', '{"joint_names":["a"]}', 'malformed'],
+  ])
+    it(`Subscriber_${name}_IsRefusedWithAReason`, async t => {
+      const [far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t)]);
+      const subscriber = bridge(t, 'subscribe', far, broker, clockOf(sync));
+      await subscriber.said('no client publishes nowpose/cell at the broker yet');
+      await served(far);
+      const client = await connectAsync(broker.url, { protocolVersion: 5 });
+      t.after(() => client.endAsync(true));
+
+      await client.publishAsync(`${TOPIC}/${topic}`, payload, { retain: true });
+
+      await until(() => far.state?.[`refused/${reason}`] === '1', () => JSON.stringify(far.state));
+      assert.deepEqual(far.jointStates, []);
+    });
+});

@@ -1,0 +1,48 @@
+// Bridges between two gateways over a broker, and the messages that pass them.
+import { start, until } from '../program.mjs';
+import { RosbridgeDouble } from '../rosbridge.mjs';
+import { temporaryFile } from '../temporary.mjs';
+import { Mosquitto } from './mosquitto.mjs';
+import { SyncServer } from './syncServer.mjs';
+
+export const TOPIC = 'nowpose/cell';
+
+export function bridge(t, direction, gateway, broker, more = '', env) {
+  const path = temporaryFile(`${direction}.yaml`, `gateway: { url: "${gateway.url}" }
+plant:
+  kind: broker
+  name: hall
+  direction: ${direction}
+  endpoint: ${broker.url ?? broker}
+  topic: ${TOPIC}
+${more}`);
+  return start(t, [path], { env });
+}
+
+export const clockOf = ({ port }, more = '') => `  clock: { host: 127.0.0.1, port: ${port}${more} }\n`;
+
+/** Two gateways, one with the plant and one without, connected by a broker and two bridges. */
+export async function halls(t, { more = '' } = {}) {
+  const [near, far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t)]);
+  const publisher = bridge(t, 'publish', near, broker), subscriber = bridge(t, 'subscribe', far, broker, clockOf(sync) + more);
+  await until(() => near.heard.filter(m => m.op === 'subscribe').length === 4, () => publisher.err);
+  await until(() => far.state?.state === 'connected', () => subscriber.err);
+  // No message passes until the clock of its stamps is known.
+  await served(far);
+  return { near, far, broker, sync, publisher, subscriber };
+}
+
+export const state = (stamp, name = ['a'], position = [1]) => ({
+  header: { stamp: { sec: Number(stamp / 1_000_000_000n), nanosec: Number(stamp % 1_000_000_000n) }, frame_id: '' },
+  name, position, velocity: [], effort: [],
+});
+export const publish = (double, topic, msg) => double.send({ op: 'publish', topic, msg });
+/** The list of joints that are not live, as a gateway publishes it on its own topic. */
+export const jointStatus = (stamp, values) => ({
+  header: state(stamp).header,
+  status: [{ level: 2, name: 'joints', message: '', hardware_id: 'gateway', values: Object.entries(values).map(([key, value]) => ({ key, value })) }],
+});
+export const secondsAgo = (stamp, seconds) => (Number(stamp) / 1e9 - seconds).toFixed(3);
+/** Waits until the clock of the plant's gateway is known. */
+export const served = (double, service = '/nowpose/plant_time/hall') =>
+  until(async () => (await double.call(service)).result, 'the clock');

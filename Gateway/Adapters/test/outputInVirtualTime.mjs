@@ -1,0 +1,23 @@
+// An adapter's output in virtual time.
+import { parts } from './parts.mjs';
+
+const { AdapterStatus, Log, JointOutput } = await parts('gateway/status', 'log', 'samples/jointOutput');
+
+export const MS = 1_000_000n, S = 1000n * MS;
+export const T = 1_700_000_000n * S;
+
+/** An adapter's output whose clocks read `ms` after their start. */
+export function plant(joints = [{ joint: 'a' }, { joint: 'b' }], options = {}) {
+  const lines = [], sent = [], time = { ms: 0 };
+  const status = new AdapterStatus('opcua', new Log('plant/test', [], line => lines.push(line), () => {}));
+  const clock = { get now() { return T + BigInt(time.ms) * MS; }, isSettled: true };
+  const output = new JointOutput(joints.map(joint => ({ scale: 1, offset: 0, ...joint })), { tolerance: MS, oldest: 10n * S, ...options },
+    clock, { publish: (topic, msg) => sent.push(msg) }, status, () => time.ms);
+  for (const { joint } of joints) status.joints.expect(joint);
+  status.enter('connected');
+  const value = (joint, position) => output.publish([{ joint, value: position, stamp: clock.now }]);
+  const stateOf = joint => /^\w+/.exec(status.values()[`joint/${joint}`])[0];
+  const cell = { output, status, clock, lines, sent, time, value, stateOf, faultMs: null };
+  status.joints.changed = () => { if (status.values()[`joint/${joints[0]?.joint}`]?.startsWith('fault')) cell.faultMs ??= time.ms; };
+  return cell;
+}

@@ -1,0 +1,72 @@
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+
+namespace Nowpose.Gateway.Hub;
+
+/// <summary>Splits messages so that each part, written as JSON, is within the maximum length of a message.</summary>
+/// <remarks>A received message may become longer when it is written again: ROS 1 headers have one more field, and numbers more digits.</remarks>
+static class MessageParts
+{
+    /// <summary>Length of the JSON around the transforms or signals, with room to spare.</summary>
+    const int EnvelopeBytes = 512;
+
+    /// <summary>Length of a transform without its names: field names, a stamp, and seven numbers of at most 24 characters.</summary>
+    const int TransformBytes = 400;
+
+    /// <summary>Length of a signal without its name: quotation marks, separators, and a number.</summary>
+    const int SignalBytes = 32;
+
+    // A control or rare character is written as \uXXXX; other characters have at most 3 bytes of UTF-8, or 4 for two UTF-16 code units.
+    const int BytesPerCharacter = 6;
+
+    public static IEnumerable<TransformsMessage> Of(TransformsMessage message) => Divided(
+        message, message.Count, i => TransformBytes + BytesOf(message[i].Child) + BytesOf(message[i].Parent), Part);
+
+    public static IEnumerable<SignalsMessage> Of(SignalsMessage message) =>
+        Divided(message, message.Count, i => SignalBytes + BytesOf(message[i].Name), Part);
+
+    /// <summary>Creates a message with some of the transforms.</summary>
+    public static TransformsMessage Part(TransformsMessage message, Predicate<int> isIn)
+    {
+        var part = new TransformsMessage();
+        for (var i = 0; i < message.Count; i++)
+            if (isIn(i)) part.Add(message[i]);
+        return part;
+    }
+
+    /// <summary>Creates a message with some of the signals.</summary>
+    public static SignalsMessage Part(SignalsMessage message, Predicate<int> isIn)
+    {
+        var part = new SignalsMessage(message.Stamp);
+        for (var i = 0; i < message.Count; i++)
+            if (isIn(i)) part.Add(message[i]);
+        return part;
+    }
+
+    static IEnumerable<T> Divided<T>(T message, int count, Func<int, int> sizeOf, Func<T, Predicate<int>, T> part)
+    {
+        var (start, bytes) = (0, EnvelopeBytes);
+        for (var i = 0; i < count; i++)
+        {
+            var size = sizeOf(i);
+            if (bytes + size > ProtocolLimits.MessageBytes)
+            {
+                var (from, to) = (start, i);
+                yield return part(message, index => index >= from && index < to);
+                (start, bytes) = (i, EnvelopeBytes);
+            }
+
+            bytes += size;
+        }
+
+        if (count > 0) yield return start == 0 ? message : part(message, index => index >= start);
+    }
+
+    /// <summary>Maximum length of a text in JSON.</summary>
+    public static int BytesOf(string name)
+    {
+        var bytes = 0;
+        foreach (var c in name) bytes += char.IsAsciiLetterOrDigit(c) || c is '_' or '/' or '.' or '-' or ' ' ? 1 : BytesPerCharacter;
+        return bytes;
+    }
+}

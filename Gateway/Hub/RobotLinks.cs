@@ -1,0 +1,59 @@
+using Nowpose.Gateway.Recording;
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Hub;
+
+/// <summary>The links of the described robots, by their names in the cell. Thread-safe.</summary>
+/// <remarks>A description is read in the background, because that is slow. Until then, its links are unknown.</remarks>
+sealed class RobotLinks
+{
+    readonly Lock _lock = new();
+    readonly Dictionary<string, DescribedRobot> _described = [];
+    // For each robot, its links and its root link.
+    readonly Dictionary<string, (HashSet<string> Links, string Root)> _robots = [];
+
+    /// <summary>Completes when the descriptions passed so far are read.</summary>
+    internal Task Read { get; private set; } = Task.CompletedTask;
+
+    /// <param name="robot">Namespace of the robot; empty for none.</param>
+    public void Describe(string robot, string urdf)
+    {
+        lock (_lock)
+        {
+            if (_described.GetValueOrDefault(robot)?.Urdf == urdf) return;
+            var described = _described[robot] = new DescribedRobot(urdf);
+            Read = Task.WhenAll(Read, Task.Run(() => Add(robot, described)));
+        }
+    }
+
+    public void Remove(string robot)
+    {
+        lock (_lock)
+        {
+            _described.Remove(robot);
+            _robots.Remove(robot);
+        }
+    }
+
+    /// <summary>Gets the root link of the robot to which a link belongs; null for other frames.</summary>
+    public string RootOf(string link)
+    {
+        lock (_lock)
+        {
+            foreach (var (links, root) in _robots.Values)
+                if (links.Contains(link)) return root;
+            return null;
+        }
+    }
+
+    void Add(string robot, DescribedRobot described)
+    {
+        var model = described.Model;
+        lock (_lock)
+        {
+            if (_described.GetValueOrDefault(robot) != described) return;
+            if (model == null) _robots.Remove(robot);
+            else _robots[robot] = ([.. model.Links.Select(link => RobotTopic.Qualified(robot, link.Name))], RobotTopic.Qualified(robot, model.Root.Name));
+        }
+    }
+}

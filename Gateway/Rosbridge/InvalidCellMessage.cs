@@ -1,0 +1,91 @@
+using System.Globalization;
+using System.Text;
+using Newtonsoft.Json;
+using Newtonsoft.Json.Linq;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+using static Nowpose.Gateway.Rosbridge.ReceivedValue;
+
+namespace Nowpose.Gateway.Rosbridge;
+
+/// <summary>Finds the frame or the signal that makes a message on /tf, /tf_static or /signals invalid, and describes it with its value.</summary>
+static class InvalidCellMessage
+{
+    static readonly string[] Axes = ["x", "y", "z"], Components = ["x", "y", "z", "w"];
+
+    /// <summary>
+    /// Returns a description such as "the rotation of frame box has the norm 1.02; it must be 1 within 0.001"; null if the reason needs none, or
+    /// nothing is found.
+    /// </summary>
+    /// <param name="utf8">A whole message, dropped for the reason.</param>
+    public static string Read(ReadOnlySpan<byte> utf8, DropReason reason)
+    {
+        if (!IsDescribed(reason)) return null;
+        try
+        {
+            var message = JObject.Parse(Encoding.UTF8.GetString(utf8))["msg"] as JObject;
+            return message?["transforms"] is JArray transforms ? InTransforms(transforms, reason) : InSignals(message, reason);
+        }
+        catch (JsonException)
+        {
+            return null;
+        }
+    }
+
+    static bool IsDescribed(DropReason reason) => reason
+        is DropReason.NotUnitQuaternion or DropReason.NotFinite or DropReason.OwnParent or DropReason.DuplicateName or DropReason.StampZero;
+
+    static string InTransforms(JArray transforms, DropReason reason)
+    {
+        var children = new HashSet<string>();
+        foreach (var one in transforms.OfType<JObject>())
+        {
+            var child = one["child_frame_id"] is { Type: JTokenType.String } name ? (string)name : "";
+            var trouble = reason switch
+            {
+                DropReason.OwnParent => child == one.SelectToken("header.frame_id")?.ToString() ? "is its own parent" : null,
+                DropReason.DuplicateName => children.Add(child) ? null : "occurs twice as child_frame_id",
+                DropReason.StampZero => IsZero(one.SelectToken("header.stamp")) ? "has a zero stamp" : null,
+                DropReason.NotFinite => NotFinite(one["transform"] as JObject),
+                _ => Norm(one.SelectToken("transform.rotation") as JObject),
+            };
+            if (trouble != null) return $"frame {Name(child)} {trouble}";
+        }
+
+        return null;
+    }
+
+    static string InSignals(JObject message, DropReason reason)
+    {
+        if (message?["name"] is not JArray names) return null;
+        var known = new HashSet<string>();
+        for (var i = 0; i < names.Count; i++)
+        {
+            var name = names[i].ToString();
+            if (reason == DropReason.DuplicateName && !known.Add(name)) return $"signal {Name(name)} is named twice";
+            if (reason == DropReason.NotFinite && message["value"] is JArray values && i < values.Count && !IsFinite(values[i]))
+                return $"value of signal {Name(name)} is {Text(values[i])}";
+        }
+
+        return null;
+    }
+
+    static string NotFinite(JObject transform)
+    {
+        foreach (var (part, fields) in new[] { ("translation", Axes), ("rotation", Components) })
+            foreach (var field in fields)
+                if (transform?[part] is JObject numbers && numbers[field] is { } value && !IsFinite(value)) return $"has {part}.{field} {Text(value)}";
+        return null;
+    }
+
+    static string Norm(JObject rotation)
+    {
+        var components = Array.ConvertAll(Components, field => rotation?[field] is { } value && IsFinite(value) ? (double)value : 0);
+        var norm = Math.Sqrt(components.Sum(component => component * component));
+        var (x, y, z, w) = (components[0], components[1], components[2], components[3]);
+        return FrameTransform.TryNormalise(ref x, ref y, ref z, ref w) ? null : string.Create(
+            CultureInfo.InvariantCulture, $"has a rotation with the norm {norm:0.#######}; it must be 1 within {FrameTransform.NormTolerance}");
+    }
+
+    static bool IsZero(JToken stamp) => stamp is JObject time && time.PropertyValues().All(part => part.Type == JTokenType.Integer && part.ToString() == "0");
+}

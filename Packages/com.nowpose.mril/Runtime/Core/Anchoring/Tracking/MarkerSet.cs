@@ -1,0 +1,85 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Anchoring.Tracking
+{
+    /// <summary>The markers of a base, each with its own payload.</summary>
+    sealed class MarkerSet
+    {
+        const int MaxCount = 32;
+
+        TrackedMarker[] _markers = Array.Empty<TrackedMarker>();
+
+        public IReadOnlyList<TrackedMarker> All => _markers;
+
+        public int Count => _markers.Length;
+
+        public bool HasMoved
+        {
+            get
+            {
+                foreach (var marker in _markers)
+                    if (marker.HasMoved) return true;
+                return false;
+            }
+        }
+
+        /// <summary>Replaces the markers. Those that were there before keep their sightings.</summary>
+        /// <returns>Whether all parts of a lock are still there.</returns>
+        /// <exception cref="InputException">Two markers have the same payload, or there are too many. Nothing has changed.</exception>
+        public bool Replace(IReadOnlyList<BaseMarker> markers, AnchoringSettings settings)
+        {
+            SettingRange.RequireCount(markers.Count, 0, MaxCount, "markers of a base");
+            var tracked = new TrackedMarker[markers.Count];
+            for (var i = 0; i < tracked.Length; i++)
+            {
+                var marker = markers[i] ?? throw new ArgumentNullException(nameof(markers));
+                for (var j = 0; j < i; j++)
+                    if (markers[j].Payload == marker.Payload)
+                        throw new InputException(MarkerName.Of(marker.Payload) + " is given twice; each marker of a base needs its own payload");
+                tracked[i] = Array.Find(_markers, known => known.Marker.IsSameAs(marker)) ?? new TrackedMarker(marker, settings);
+            }
+            var hasAllParts = Array.TrueForAll(_markers, known => !known.IsPart || Array.IndexOf(tracked, known) >= 0);
+            _markers = tracked;
+            return hasAllParts;
+        }
+
+        public void Restart()
+        {
+            foreach (var marker in _markers) marker.Restart();
+        }
+
+        public void ForgetSeen()
+        {
+            foreach (var marker in _markers) marker.ForgetSeen();
+        }
+
+        /// <param name="payload">Null for the base itself.</param>
+        /// <returns>The pose of the marker with this payload in the base frame; null without one.</returns>
+        public RigidTransform? PoseInBase(string payload)
+        {
+            if (payload == null) return RigidTransform.Identity;
+            foreach (var marker in _markers)
+                if (marker.Marker.Payload == payload) return marker.Marker.MarkerInBase;
+            return null;
+        }
+
+        /// <param name="watched">Pose of the base with which the sighting is compared; null to compare nothing.</param>
+        /// <returns>Whether the sighting was accepted.</returns>
+        public bool Take(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? head, in RigidTransform? watched)
+        {
+            var isAccepted = false;
+            if (sighting.Payload == null) return false;
+            foreach (var marker in _markers)
+            {
+                if (!string.Equals(marker.Marker.Payload, sighting.Payload, StringComparison.Ordinal)) continue;
+                var belongs = watched.HasValue ? marker.PlaceAt(watched.Value) : (RigidTransform?)null;
+                if (!marker.Take(sighting, now, head, belongs)) continue;
+                isAccepted = true;
+                if (watched is RigidTransform place && !marker.IsContradicted) marker.Compare(place);
+            }
+            return isAccepted;
+        }
+    }
+}

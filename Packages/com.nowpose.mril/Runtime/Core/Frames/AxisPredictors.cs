@@ -1,0 +1,50 @@
+using System;
+using Nowpose.Prediction;
+
+namespace Nowpose.Frames
+{
+    /// <summary>Three predictors of one kind, for the components of a vector.</summary>
+    sealed class AxisPredictors
+    {
+        readonly JointPredictor _x, _y, _z;
+
+        /// <param name="create">Creates the predictor of one component.</param>
+        public AxisPredictors(Func<JointPredictor> create)
+        {
+            _x = create();
+            _y = create();
+            _z = create();
+        }
+
+        /// <summary>Vector of the newest sample; 0 before the first.</summary>
+        public Vector3D Hold => new Vector3D(_x.Hold, _y.Hold, _z.Hold);
+
+        /// <inheritdoc cref="JointPredictor.NewestTime"/>
+        public double NewestTime => _x.NewestTime;
+
+        /// <inheritdoc cref="JointPredictor.Horizon"/>
+        public double Horizon => _x.Horizon;
+
+        /// <summary>Adds a sample in any order; the parameters are those of <see cref="JointPredictor.Add"/>.</summary>
+        /// <returns>The outcome, or <see cref="SampleOutcome.StartedAnew"/> if it is that of any component.</returns>
+        public SampleOutcome Add(double time, in Vector3D position, double order, double displayed)
+        {
+            var x = _x.Add(new JointSample(time, position.X, order), displayed);
+            var y = _y.Add(new JointSample(time, position.Y, order), displayed);
+            var z = _z.Add(new JointSample(time, position.Z, order), displayed);
+            return y == SampleOutcome.StartedAnew || z == SampleOutcome.StartedAnew ? SampleOutcome.StartedAnew : x;
+        }
+
+        public Vector3D At(double time) => new Vector3D(_x.At(time).Position, _y.At(time).Position, _z.At(time).Position);
+
+        /// <summary>Returns the origin of the vector at a time.</summary>
+        public PredictionKind KindAt(double time) => _x.At(time).Kind;
+
+        public void Reset()
+        {
+            _x.Reset();
+            _y.Reset();
+            _z.Reset();
+        }
+    }
+}

@@ -1,0 +1,104 @@
+using System;
+using Nowpose.Kinematics;
+using Nowpose.Prediction;
+
+namespace Nowpose.Frames
+{
+    /// <summary>Predicts the pose of one tracked frame in its parent at times near its newest samples, usually ahead of them.</summary>
+    /// <remarks>
+    /// The position and the angles of <see cref="RotationHistory"/> have three components each, and each component has the pipeline of a
+    /// joint. With <c>adaptive</c>, a mixture with common weights for the three components follows (<see cref="VectorMixture"/>). Times and
+    /// order of the samples are those of <see cref="JointPredictor"/>. One thread at a time. Allocates nothing after construction.
+    /// </remarks>
+    sealed class BodyPredictor
+    {
+        /// <summary>
+        /// Parts of <c>adaptive</c> for a body. A tracker's noise makes two samples of an object at rest look like the start of a fast
+        /// motion, so the rule for first moves is left out: with it, the error at rest was 1.4 times as large.
+        /// </summary>
+        const PredictionParts Parts = PredictionParts.All & ~PredictionParts.FirstMoves;
+
+        /// <summary>Forecasts beside <c>adaptive</c>, hold first: the fixed ones, and least squares over more samples for noise.</summary>
+        static readonly string[] MixedWithAdaptive = { "hold", "linear", "quadratic", "quadratic-h4", "linear-h4", "linear-h9" };
+
+        readonly VectorMixture _position;
+        readonly VectorMixture _angles;
+        readonly RotationHistory _rotations = new RotationHistory();
+
+        /// <param name="predictor">A name that <see cref="Predictors.Create"/> accepts.</param>
+        /// <param name="limits">Horizon cap and maximum gap. Limits of position apply to the coordinates in m and to the angles alike.</param>
+        /// <param name="blend">As for <see cref="Predictors.Create"/>.</param>
+        /// <exception cref="InputException">The name is unknown.</exception>
+        public BodyPredictor(string predictor, PredictionLimits limits, double blend = 0)
+        {
+            _position = Create(predictor, limits, blend);
+            _angles = Create(predictor, limits, blend);
+        }
+
+        /// <summary>Pose of the newest sample, which a display without compensation shows; the identity before the first sample.</summary>
+        public RigidTransform Hold => PoseOf(_rotations.Newest, _position.Main.Hold);
+
+        /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first sample.</summary>
+        public double NewestTime => _position.Main.NewestTime;
+
+        /// <summary>Mean time from the newest sample to the display time, in s.</summary>
+        public double Horizon => _position.Main.Horizon;
+
+        /// <summary>Adds a sample in any order.</summary>
+        /// <param name="displayed">As for <see cref="JointPredictor.Add"/>.</param>
+        /// <returns>
+        /// The outcome for the whole pose. If any component shows that the clock of the samples went back, all components start a new history.
+        /// </returns>
+        public SampleOutcome Add(in PoseSample sample, double displayed = double.NaN)
+        {
+            var outcome = AddComponents(sample, displayed, out var hasStartedAnew);
+            if (!hasStartedAnew) return outcome;
+            Reset();
+            AddComponents(sample, displayed, out _);
+            return SampleOutcome.StartedAnew;
+        }
+
+        /// <summary>Returns the pose at a time; its rotation always has unit length. Does not change the state.</summary>
+        /// <param name="time">As for <see cref="JointPredictor.At"/>.</param>
+        /// <returns>The identity before the first sample.</returns>
+        public RigidTransform At(double time) => At(time, out _);
+
+        /// <inheritdoc cref="At(double)"/>
+        /// <param name="kind">Origin of the pose; <see cref="PredictionKind.None"/> before the first sample.</param>
+        public RigidTransform At(double time, out PredictionKind kind)
+        {
+            kind = _position.Main.KindAt(time);
+            return kind == PredictionKind.None ? RigidTransform.Identity
+                : PoseOf(_rotations.RotationOf(_angles.At(time), time), _position.At(time));
+        }
+
+        /// <summary>Discards all samples and what was learned from them: after a restart of the source, or for another parent.</summary>
+        public void Reset()
+        {
+            _position.Reset();
+            _angles.Reset();
+            _rotations.Clear();
+        }
+
+        SampleOutcome AddComponents(in PoseSample sample, double displayed, out bool hasStartedAnew)
+        {
+            var angles = _rotations.Add(sample.Order, sample.Rotation);
+            var position = _position.Add(sample.Time, sample.Position, sample.Order, displayed);
+            var rotation = _angles.Add(sample.Time, angles, sample.Order, displayed);
+            hasStartedAnew = position == SampleOutcome.StartedAnew || rotation == SampleOutcome.StartedAnew;
+            return position;
+        }
+
+        static RigidTransform PoseOf(in UnitQuaternion rotation, in Vector3D position) => rotation.At(position.X, position.Y, position.Z);
+
+        static VectorMixture Create(string predictor, PredictionLimits limits, double blend)
+        {
+            AxisPredictors Named(string name) => new AxisPredictors(() => Predictors.Create(name, limits, blend));
+            if (predictor != Predictors.Default) return new VectorMixture(new[] { Named(predictor) });
+            var forecasts = new AxisPredictors[1 + MixedWithAdaptive.Length];
+            forecasts[0] = new AxisPredictors(() => Predictors.Adaptive(limits, Parts, blend));
+            for (var i = 1; i < forecasts.Length; i++) forecasts[i] = Named(MixedWithAdaptive[i - 1]);
+            return new VectorMixture(forecasts);
+        }
+    }
+}

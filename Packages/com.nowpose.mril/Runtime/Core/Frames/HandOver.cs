@@ -1,0 +1,45 @@
+using System;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Frames
+{
+    /// <summary>Keeps the displayed pose of a frame continuous when its parent changes: the difference of the two poses fades out.</summary>
+    /// <remarks>
+    /// With D the pose shown at the hand-over, relative to the new one, the displayed pose after the time t is T(t) · D^w, where w falls
+    /// from 1 to 0 within <see cref="Seconds"/> without a jump of the velocity. <c>default</c> is a hand-over that is over.
+    /// </remarks>
+    readonly struct HandOver
+    {
+        /// <summary>Length of the blend, s: a gripper has moved on by then, and a person does not notice a shift of some millimetres.</summary>
+        public const double Seconds = 0.15;
+
+        readonly double _start;
+        readonly Vector3D _shift;
+        readonly Vector3D _turn;
+        readonly bool _isOpen;
+
+        /// <param name="start">Time of the hand-over, s.</param>
+        /// <param name="shown">Pose that the former parent gives at that time.</param>
+        /// <param name="now">Pose that the new parent gives at that time.</param>
+        public HandOver(double start, in RigidTransform shown, in RigidTransform now)
+        {
+            var difference = now.Inverse * shown;
+            _start = start;
+            _shift = new Vector3D(difference.X, difference.Y, difference.Z);
+            _turn = UnitQuaternion.Of(difference).Log();
+            _isOpen = true;
+        }
+
+        public bool IsOverAt(double time) => !_isOpen || time >= _start + Seconds;
+
+        /// <param name="now">Pose that the new parent gives at the time.</param>
+        public RigidTransform At(double time, in RigidTransform now)
+        {
+            if (IsOverAt(time)) return now;
+            var passed = Math.Max(0, (time - _start) / Seconds);
+            var weight = 1 - passed * passed * (3 - 2 * passed);
+            var shift = _shift * weight;
+            return now * UnitQuaternion.Exp(_turn * weight).At(shift.X, shift.Y, shift.Z);
+        }
+    }
+}

@@ -1,0 +1,20 @@
+using System;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Frames
+{
+    /// <summary>The links of a displayed robot, to which frames can be attached.</summary>
+    interface IRobotLinks
+    {
+        /// <summary>The robot's namespace; empty for the robot without one.</summary>
+        string Namespace { get; }
+
+        RobotModel Robot { get; }
+
+        /// <summary>Whether the poses are those at the display time.</summary>
+        bool IsCurrent { get; }
+
+        /// <summary>Poses of all links in the robot's root link, right-handed, metres, in the order of the robot's links.</summary>
+        ReadOnlySpan<RigidTransform> Poses { get; }
+    }
+}

@@ -1,0 +1,82 @@
+using System;
+using System.Collections.Generic;
+
+namespace Nowpose.Protocol.Cell
+{
+    /// <summary>The parent of each frame of the cell. Keeps the limits of the protocol: number of frames, depth, and no cycles. One thread.</summary>
+    /// <remarks>A frame without a known parent, such as the world, is a root. Setting the same parent again costs one look-up.</remarks>
+    sealed class FrameParents
+    {
+        /// <summary>The cell's frame, which is anchored in the room.</summary>
+        public const string World = "world";
+
+        readonly Dictionary<string, string> _parents = new Dictionary<string, string>(StringComparer.Ordinal);
+        readonly Func<string, string> _rootOfLink;
+
+        /// <param name="rootOfLink">
+        /// Returns the root link of the robot to which a link belongs; null for a frame that is not a link. With it, cycles through a robot
+        /// are found. The links of a robot do not count for the depth.
+        /// </param>
+        public FrameParents(Func<string, string> rootOfLink = null) => _rootOfLink = rootOfLink ?? (_ => null);
+
+        /// <summary>Number of frames with a parent.</summary>
+        public int Count => _parents.Count;
+
+        /// <summary>Returns the parent of a frame; null if none is known.</summary>
+        public string this[string child] => _parents.TryGetValue(child, out var parent) ? parent : null;
+
+        /// <summary>Sets the parent of a frame, unless that breaks a limit. The former parent then stays.</summary>
+        public DropReason TrySet(string child, string parent)
+        {
+            var isKnown = _parents.TryGetValue(child, out var present);
+            if (isKnown && present == parent) return DropReason.None;
+            var reason = Check(child, parent, isKnown);
+            if (reason == DropReason.None) _parents[child] = parent;
+            return reason;
+        }
+
+        public bool Remove(string child) => _parents.Remove(child);
+
+        DropReason Check(string child, string parent, bool isKnown)
+        {
+            if (child == parent) return DropReason.OwnParent;
+            if (child == World) return DropReason.WorldAsChild;
+            if (!isKnown && _parents.Count >= ProtocolLimits.Frames) return DropReason.TooManyFrames;
+            var depth = DistanceToRoot(parent, child, out var isCycle);
+            if (isCycle) return DropReason.FrameCycle;
+            return depth + 1 + HeightBelow(child) > ProtocolLimits.FrameDepth ? DropReason.FrameTooDeep : DropReason.None;
+        }
+
+        // Number of transforms between a frame and its root; stops at a frame that must not be reached.
+        int DistanceToRoot(string frame, string forbidden, out bool isReached)
+        {
+            var depth = 0;
+            // Links of robots are not counted as steps. The tree has no cycle, so it is left after each frame was passed once.
+            for (var steps = 0; steps <= 2 * ProtocolLimits.Frames + 1; steps++)
+            {
+                isReached = frame == forbidden;
+                if (isReached) return depth;
+                if (_parents.TryGetValue(frame, out var parent)) depth++;
+                else if ((parent = _rootOfLink(frame)) == null || parent == frame) return depth;
+                frame = parent;
+            }
+
+            // A robot that was described after the frames closed the cycle.
+            isReached = true;
+            return depth;
+        }
+
+        // Maximum number of transforms from a descendant of a frame up to the frame.
+        int HeightBelow(string frame)
+        {
+            var height = 0;
+            foreach (var descendant in _parents.Keys)
+            {
+                var distance = DistanceToRoot(descendant, frame, out var isBelow);
+                if (isBelow && distance > height) height = distance;
+            }
+
+            return height;
+        }
+    }
+}

@@ -1,0 +1,44 @@
+using System;
+
+namespace Nowpose.Protocol.Cell
+{
+    /// <summary>
+    /// nowpose_msgs/Signals: states of actuators and sensors from one control time on. May contain a subset of the cell's signals; each once.
+    /// </summary>
+    /// <remarks>A message from a <see cref="RosbridgeReader"/> is reused for a later one after <see cref="Release"/>.</remarks>
+    sealed class SignalsMessage
+    {
+        readonly CellMessagePool<SignalsMessage> _pool;
+        SignalValue[] _values;
+
+        public SignalsMessage(ControlTime stamp, params SignalValue[] values)
+        {
+            Stamp = stamp;
+            _values = values;
+            Count = values.Length;
+        }
+
+        /// <summary>Constructs an empty message that returns to a pool.</summary>
+        public SignalsMessage(CellMessagePool<SignalsMessage> pool)
+            : this(default(ControlTime)) => _pool = pool;
+
+        /// <summary>Control cycle of the change, or of the sample, on the control clock C1.</summary>
+        public ControlTime Stamp { get; set; }
+
+        /// <summary>Number of signals.</summary>
+        public int Count { get; private set; }
+
+        public ref readonly SignalValue this[int index] => ref _values[index];
+
+        public void Clear() => Count = 0;
+
+        public void Add(in SignalValue value)
+        {
+            if (Count == _values.Length) Array.Resize(ref _values, Math.Max(4, 2 * Count));
+            _values[Count++] = value;
+        }
+
+        /// <summary>Returns the message to its reader for reuse; call it as the last user. Does nothing if no reader created the message.</summary>
+        public void Release() => _pool?.Return(this);
+    }
+}

@@ -1,0 +1,41 @@
+using System;
+
+namespace Nowpose.Protocol.Cell
+{
+    /// <summary>tf2_msgs/TFMessage: poses of frames, each with its own stamp. May contain a subset of the cell's frames; each child once.</summary>
+    /// <remarks>A message from a <see cref="RosbridgeReader"/> is reused for a later one after <see cref="Release"/>.</remarks>
+    sealed class TransformsMessage
+    {
+        readonly CellMessagePool<TransformsMessage> _pool;
+        FrameTransform[] _transforms;
+
+        public TransformsMessage(params FrameTransform[] transforms)
+        {
+            _transforms = transforms;
+            Count = transforms.Length;
+        }
+
+        /// <summary>Constructs an empty message that returns to a pool.</summary>
+        public TransformsMessage(CellMessagePool<TransformsMessage> pool)
+            : this() => _pool = pool;
+
+        /// <summary>Number of transforms.</summary>
+        public int Count { get; private set; }
+
+        public ref readonly FrameTransform this[int index] => ref _transforms[index];
+
+        public void Clear() => Count = 0;
+
+        public void Add(in FrameTransform transform)
+        {
+            if (Count == _transforms.Length) Array.Resize(ref _transforms, Math.Max(4, 2 * Count));
+            _transforms[Count++] = transform;
+        }
+
+        /// <summary>Replaces the stamp of one transform.</summary>
+        public void SetStamp(int index, ControlTime stamp) => _transforms[index] = _transforms[index].At(stamp);
+
+        /// <summary>Returns the message to its reader for reuse; call it as the last user. Does nothing if no reader created the message.</summary>
+        public void Release() => _pool?.Return(this);
+    }
+}

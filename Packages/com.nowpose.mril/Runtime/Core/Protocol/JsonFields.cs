@@ -1,0 +1,77 @@
+using System;
+using System.Collections.Generic;
+
+namespace Nowpose.Protocol
+{
+    /// <summary>Reads the values that the protocol's fields have: names, optional texts and counts, finite numbers, arrays of numbers.</summary>
+    static class JsonFields
+    {
+        /// <summary>Reads a name: a text that is not empty and not longer than the protocol allows.</summary>
+        public static bool Name(ref this JsonUtf8Reader json, out string name) => json.Text(out name) && json.IsName(name);
+
+        /// <summary>Reads a name; a cached name creates no string.</summary>
+        /// <inheritdoc cref="Name(ref JsonUtf8Reader, out string)"/>
+        public static bool Name(ref this JsonUtf8Reader json, JsonNameCache cache, out string name)
+        {
+            name = null;
+            if (!json.ReadText(out var read)) return false;
+            name = cache[read];
+            return json.IsName(name);
+        }
+
+        /// <summary>Reads a text, or null for JSON null, which some languages write for a missing field.</summary>
+        public static bool OptionalText(ref this JsonUtf8Reader json, out string text)
+        {
+            text = null;
+            return json.TakeNull() || json.Text(out text);
+        }
+
+        /// <inheritdoc cref="OptionalText(ref JsonUtf8Reader, out string)"/>
+        /// <param name="cache">Cache for texts that are not known.</param>
+        public static bool OptionalText(ref this JsonUtf8Reader json, JsonNames known, JsonNameCache cache, out string text)
+        {
+            text = null;
+            if (json.TakeNull()) return true;
+            if (!json.ReadText(out var read)) return false;
+            var index = known.IndexOf(read.Raw);
+            text = index < 0 ? cache[read] : known[index];
+            return true;
+        }
+
+        public static bool OptionalCount(ref this JsonUtf8Reader json, out int count)
+        {
+            count = 0;
+            if (json.TakeNull()) return true;
+            if (!json.Integer(out var value)) return false;
+            count = (int)Math.Min(Math.Max(value, 0), int.MaxValue);
+            return value == count || json.Fail(DropReason.OutOfRange);
+        }
+
+        /// <summary>Reads a number; rejects null, NaN and infinity.</summary>
+        public static bool FiniteNumber(ref this JsonUtf8Reader json, out double value) =>
+            json.Number(out value) && (!double.IsNaN(value) && !double.IsInfinity(value) || json.Fail(DropReason.NotFinite));
+
+        /// <summary>Reads an array of at most 256 numbers; infinite ones are rejected.</summary>
+        /// <param name="areOptional">Whether null and NaN are allowed as missing values; both become NaN.</param>
+        /// <param name="tooMany">Fault of a longer array.</param>
+        public static bool Numbers(ref this JsonUtf8Reader json, List<double> into, bool areOptional, DropReason tooMany = DropReason.TooManyJoints)
+        {
+            if (!json.BeginArray()) return false;
+            while (json.NextElement())
+            {
+                if (!json.Number(out var value)) return false;
+                if (double.IsInfinity(value) || (double.IsNaN(value) && !areOptional)) return json.Fail(DropReason.NotFinite);
+                into.Add(value);
+                if (into.Count > ProtocolLimits.Joints) return json.Fail(tooMany);
+            }
+
+            return json.Fault == DropReason.None;
+        }
+
+        static bool IsName(ref this JsonUtf8Reader json, string text)
+        {
+            if (text.Length == 0) return json.Fail(DropReason.MissingField);
+            return text.Length <= ProtocolLimits.NameLength || json.Fail(DropReason.NameTooLong);
+        }
+    }
+}

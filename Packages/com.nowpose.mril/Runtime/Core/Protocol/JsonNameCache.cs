@@ -1,0 +1,63 @@
+using System;
+
+namespace Nowpose.Protocol
+{
+    /// <summary>Returns the same string for the same received name, so that repeated names create no garbage. One thread; bounded.</summary>
+    sealed class JsonNameCache
+    {
+        /// <summary>Longer names are not cached: they exceed the maximum length of a name, which is 3 bytes of UTF-8 per character.</summary>
+        const int MaxBytes = 3 * ProtocolLimits.NameLength;
+
+        readonly (byte[] Utf8, string Text)[] _table;
+        readonly int _capacity;
+        int _count;
+
+        /// <param name="capacity">Maximum number of names. When it is reached, the cache starts again.</param>
+        public JsonNameCache(int capacity)
+        {
+            _capacity = capacity;
+            var size = 4;
+            while (size < 2 * capacity) size *= 2;
+            _table = new (byte[], string)[size];
+        }
+
+        public string this[JsonText name]
+        {
+            get
+            {
+                if (name.IsEscaped || name.Raw.Length > MaxBytes) return name.ToString();
+                var place = Find(name.Raw);
+                if (_table[place].Text != null) return _table[place].Text;
+                if (_count == _capacity)
+                {
+                    Array.Clear(_table, 0, _table.Length);
+                    _count = 0;
+                    place = Find(name.Raw);
+                }
+
+                _count++;
+                _table[place] = (name.Raw.ToArray(), name.ToString());
+                return _table[place].Text;
+            }
+        }
+
+        // Index of the name, or of the free place for it. The table is never full.
+        int Find(ReadOnlySpan<byte> utf8)
+        {
+            var place = Hash(utf8) & (_table.Length - 1);
+            while (_table[place].Text != null && !utf8.SequenceEqual(_table[place].Utf8)) place = (place + 1) & (_table.Length - 1);
+            return place;
+        }
+
+        // FNV-1a.
+        static int Hash(ReadOnlySpan<byte> utf8)
+        {
+            unchecked
+            {
+                var hash = 2166136261u;
+                foreach (var value in utf8) hash = (hash ^ value) * 16777619u;
+                return (int)(hash ^ (hash >> 15));
+            }
+        }
+    }
+}

@@ -1,0 +1,66 @@
+using System;
+
+namespace Nowpose.Protocol
+{
+    /// <summary>
+    /// A topic name, split into the namespace of a robot and the robot's topic: <c>/arm1/joint_states</c> is <see cref="RosTopics.JointStates"/>
+    /// of the robot <c>arm1</c>.
+    /// </summary>
+    sealed class RobotTopic
+    {
+        /// <summary>The topics that each robot has.</summary>
+        public static readonly string[] OfRobots = { RosTopics.JointStates, RosTopics.JointTrajectory, RosTopics.RobotDescription };
+
+        RobotTopic(string name, string robot, string kind, bool isValid)
+        {
+            Name = name;
+            Robot = robot;
+            Kind = kind;
+            IsValid = isValid;
+        }
+
+        /// <summary>The whole topic name.</summary>
+        public string Name { get; }
+
+        /// <summary>Namespace of the robot without slashes; empty for a topic without one.</summary>
+        public string Robot { get; }
+
+        /// <summary>The topic name without the namespace of a robot.</summary>
+        public string Kind { get; }
+
+        /// <summary>False for a robot's topic in something that is not a valid namespace.</summary>
+        public bool IsValid { get; }
+
+        public static RobotTopic Parse(string name)
+        {
+            foreach (var kind in OfRobots)
+            {
+                if (name.Length <= kind.Length || name[0] != '/' || !name.EndsWith(kind, StringComparison.Ordinal)) continue;
+                var robot = name.Substring(1, name.Length - kind.Length - 1);
+                return IsNamespace(robot) ? new RobotTopic(name, robot, kind, true) : new RobotTopic(name, "", name, false);
+            }
+
+            return new RobotTopic(name, "", name, true);
+        }
+
+        /// <summary>Returns the name of a topic of a robot.</summary>
+        /// <param name="robot">The robot's namespace; empty for the robot without one.</param>
+        /// <param name="kind">/joint_states, /joint_trajectory or /robot_description.</param>
+        public static string NameOf(string robot, string kind) => robot.Length == 0 ? kind : "/" + robot + kind;
+
+        /// <summary>Returns a joint or link name that is unique in the cell: <c>arm1/tool0</c>.</summary>
+        /// <param name="robot">The robot's namespace; empty for the robot without one.</param>
+        public static string Qualified(string robot, string name) => robot.Length == 0 ? name : robot + "/" + name;
+
+        /// <summary>Returns whether a text is a robot's namespace: a letter, then letters, digits and underscores, at most 32 characters.</summary>
+        public static bool IsNamespace(string text)
+        {
+            if (text.Length == 0 || text.Length > ProtocolLimits.NamespaceLength || !IsLetter(text[0])) return false;
+            foreach (var c in text)
+                if (!IsLetter(c) && (c < '0' || c > '9') && c != '_') return false;
+            return true;
+        }
+
+        static bool IsLetter(char c) => (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    }
+}

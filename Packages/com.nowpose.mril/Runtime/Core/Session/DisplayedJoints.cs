@@ -1,0 +1,34 @@
+using System.Linq;
+using Nowpose.Kinematics;
+using Nowpose.Protocol;
+
+namespace Nowpose.Session
+{
+    /// <summary>Creates messages with the joints of the newest frame. Not thread-safe.</summary>
+    sealed class DisplayedJoints
+    {
+        readonly DisplayFrame _frame;
+        readonly string[] _names;
+        readonly string _headset;
+        ControlTime _newest;
+
+        public DisplayedJoints(RobotModel robot, DisplayFrame frame, string headset)
+        {
+            _frame = frame;
+            _names = robot.MovingJoints.Select(joint => joint.Name).ToArray();
+            _headset = headset;
+        }
+
+        /// <summary>
+        /// Returns the joints of the newest frame, stamped with its display time. Null while the display time is unknown, when a joint of the
+        /// arm is missing, or when this frame was already returned.
+        /// </summary>
+        public JointStateMessage Take()
+        {
+            if (!(_frame.DisplayTime is ControlTime light) || !_frame.IsTimeTrusted || _frame.State == PoseState.Incomplete) return null;
+            if (light == _newest) return null;
+            _newest = light;
+            return new JointStateMessage(light, _names, _frame.Joints.ToArray(), frameId: _headset);
+        }
+    }
+}

@@ -1,0 +1,111 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using Nowpose.Latency.DisplayTime;
+
+namespace Nowpose.Session
+{
+    /// <summary>The display of a session: L_visu, the range for render times, and the conditions of the device.</summary>
+    /// <remarks>All members are thread-safe except <see cref="Light"/> and <see cref="RenderTimes"/>, which need the session's lock.</remarks>
+    sealed class SessionDisplay
+    {
+        readonly SessionSettings _settings;
+        readonly object _gate;
+        readonly ConditionCheck _conditions;
+        DepthSubmission _depth;
+        TimeSpan? _newestRenderTime;
+
+        /// <param name="gate">The session's lock.</param>
+        public SessionDisplay(SessionSettings settings, object gate)
+        {
+            _settings = settings;
+            _gate = gate;
+            _conditions = new ConditionCheck(settings.RewriteBeforeRender);
+            Light = new DisplayTimeSelector(settings.Visualisation, settings.Profile);
+            RenderTimes = new ConstantLatencyMonitor(settings.Range);
+        }
+
+        public DisplayTimeSelector Light { get; }
+
+        public ConstantLatencyMonitor RenderTimes { get; }
+
+        public VisualisationLatency Visualisation
+        {
+            get { lock (_gate) return Light.Calibrated; }
+            set { lock (_gate) Light.Calibrated = value; }
+        }
+
+        public LatencyProfile Profile
+        {
+            get { lock (_gate) return Light.Profile; }
+        }
+
+        public ConstantLatencyRange Range
+        {
+            get { lock (_gate) return RenderTimes.Range; }
+        }
+
+        public IDisplayTimeSource Source
+        {
+            get { lock (_gate) return Light.Source; }
+            set { lock (_gate) Light.Source = value; }
+        }
+
+        public bool IsLightPredicted
+        {
+            get { lock (_gate) return Light.IsPredicted; }
+        }
+
+        public TimeSpan? Ahead
+        {
+            get { lock (_gate) return Light.Ahead; }
+        }
+
+        public ReprojectionMode Reprojection
+        {
+            get { lock (_gate) return _conditions.Reprojection; }
+            set { lock (_gate) _conditions.Reprojection = value; }
+        }
+
+        public DisplayConditions Conditions
+        {
+            get { lock (_gate) return _conditions.Conditions; }
+            set { lock (_gate) _conditions.Report(value); }
+        }
+
+        public IReadOnlyList<ConditionMismatch> ProfileMismatches
+        {
+            get { lock (_gate) return _conditions.MismatchesOf(Light.Profile); }
+        }
+
+        public DepthSubmission DepthSubmission
+        {
+            get { lock (_gate) return _depth; }
+            set { lock (_gate) _depth = value; }
+        }
+
+        public TimeSpan? NewestRenderTime
+        {
+            get { lock (_gate) return _newestRenderTime; }
+        }
+
+        public void Calibrate(LatencyProfile profile)
+        {
+            lock (_gate)
+            {
+                Light.Calibrate(profile?.Visualisation ?? _settings.Visualisation, profile ?? _settings.Profile);
+                RenderTimes.Range = profile?.WatchedRange ?? _settings.Range;
+            }
+        }
+
+        public void Rendered(TimeSpan renderTime, RenderTimeSourceKind source)
+        {
+            lock (_gate)
+            {
+                RenderTimes.Add(renderTime, source);
+                _newestRenderTime = source != RenderTimeSourceKind.None && renderTime > TimeSpan.Zero ? renderTime : (TimeSpan?)null;
+            }
+        }
+    }
+}

@@ -1,0 +1,65 @@
+using System;
+using Nowpose.Motion;
+
+namespace Nowpose.Signals
+{
+    /// <summary>The position of a part that a signal drives, such as the jaw of a gripper: from one end to the other in a known time.</summary>
+    /// <remarks>
+    /// Each change starts a seven-phase move at its stamp, from the position at that time, so the part is in phase although the news of the
+    /// change was late. A move over the whole stroke takes the stroke time; a shorter one has the same acceleration and jerk. A signal between
+    /// 0 and 1 gives a position between the ends. With the whole stroke d and its time T: v = 1.5 d/T, a = 6.75 d/T², j = 60.75 d/T³, so that
+    /// acceleration, constant velocity and deceleration take T/3 each.
+    /// </remarks>
+    sealed class ActuatedStroke
+    {
+        readonly double _atZero;
+        readonly double _atOne;
+        readonly double _strokeSeconds;
+        SevenPhaseProfile _move;
+        double _from;
+        ControlTime? _start;
+
+        /// <param name="atZero">Position for the value 0, m or rad.</param>
+        /// <param name="atOne">Position for the value 1, m or rad.</param>
+        /// <param name="strokeSeconds">Time for the whole stroke, s; 0 for a part that jumps.</param>
+        public ActuatedStroke(double atZero, double atOne, double strokeSeconds)
+        {
+            _atZero = atZero;
+            _atOne = atOne;
+            _strokeSeconds = strokeSeconds;
+            _from = atZero;
+        }
+
+        /// <summary>Starts the move to a value.</summary>
+        /// <param name="since">Stamp of the change.</param>
+        /// <remarks>The first value after construction or <see cref="Forget"/> has no move: the part is where the value puts it.</remarks>
+        public void Change(double value, ControlTime since)
+        {
+            var to = _atZero + Math.Max(0, Math.Min(1, value)) * (_atOne - _atZero);
+            var from = _start.HasValue ? At(since) : to;
+            _from = from;
+            _start = since;
+            _move = ProfileOf(to - from);
+            if (_strokeSeconds <= 0) _from = to;
+        }
+
+        /// <summary>Returns the position at a display time.</summary>
+        public double At(ControlTime at) => _start.HasValue ? _from + _move.PositionAt(ClockTicks.Seconds(at - _start.Value)) : _from;
+
+        /// <summary>Forgets the value, because its time is not valid any more. The position is kept.</summary>
+        public void Forget(ControlTime? at)
+        {
+            if (at.HasValue) _from = At(at.Value);
+            _move = default;
+            _start = null;
+        }
+
+        SevenPhaseProfile ProfileOf(double distance)
+        {
+            var stroke = Math.Abs(_atOne - _atZero);
+            if (_strokeSeconds <= 0 || stroke == 0) return default;
+            var t = _strokeSeconds;
+            return new SevenPhaseProfile(distance, 1.5 * stroke / t, 6.75 * stroke / (t * t), 60.75 * stroke / (t * t * t));
+        }
+    }
+}

@@ -1,0 +1,57 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+
+namespace Nowpose.Signals
+{
+    /// <summary>All signals of the cell: piecewise constant in control time, read at the display time.</summary>
+    /// <remarks>Use it on the frame's thread. Allocates only for a signal's first value.</remarks>
+    sealed class SignalTable
+    {
+        readonly List<SignalTrack> _signals = new List<SignalTrack>();
+        readonly Dictionary<string, int> _indices = new Dictionary<string, int>(StringComparer.Ordinal);
+
+        /// <summary>
+        /// Raised within <see cref="Evaluate"/> when a change becomes visible, with the signal, which already has the new value. Changes of
+        /// one signal come in the order of their stamps, also if several become visible at once.
+        /// </summary>
+        public event Action<SignalTrack> Changed;
+
+        public int Count => _signals.Count;
+
+        public SignalTrack this[int index] => _signals[index];
+
+        /// <summary>Returns the index of a signal, valid for as long as the table exists; −1 if no value of it has been received.</summary>
+        public int IndexOf(string name) => _indices.TryGetValue(name, out var index) ? index : -1;
+
+        /// <summary>Adds a received value.</summary>
+        /// <param name="stamp">Control cycle from which the signal has the value.</param>
+        /// <returns>Why it was dropped; <see cref="DropReason.None"/> if it was used.</returns>
+        public DropReason Add(ControlTime stamp, in SignalValue value)
+        {
+            var index = IndexOf(value.Name);
+            if (index < 0)
+            {
+                if (_signals.Count >= ProtocolLimits.Signals) return DropReason.TooManySignals;
+                index = _signals.Count;
+                _indices.Add(value.Name, index);
+                _signals.Add(new SignalTrack(value.Name));
+            }
+            return _signals[index].Add(stamp, value.Value);
+        }
+
+        /// <summary>Makes all changes visible that the display time has reached.</summary>
+        public void Evaluate(ControlTime at)
+        {
+            foreach (var signal in _signals)
+                while (signal.Next(at)) Changed?.Invoke(signal);
+        }
+
+        /// <summary>Discards all values, because their times are not valid any more.</summary>
+        public void Reset()
+        {
+            foreach (var signal in _signals) signal.Reset();
+        }
+    }
+}

@@ -1,0 +1,104 @@
+using Nowpose.Protocol;
+
+namespace Nowpose.Signals
+{
+    /// <summary>One signal: its changes in control time, of which the newest at or before the display time is visible.</summary>
+    sealed class SignalTrack
+    {
+        /// <summary>Maximum number of kept changes; more than a second of a signal that changes in each 60th of a second.</summary>
+        const int Capacity = 64;
+
+        // Oldest first. The first is the visible one, once a display time has reached it.
+        readonly Change[] _changes = new Change[Capacity];
+        int _count;
+        bool _isVisible;
+
+        public SignalTrack(string name) => Name = name;
+
+        public string Name { get; }
+
+        /// <summary>Whether a change is visible.</summary>
+        public bool IsKnown => _isVisible;
+
+        /// <summary>The visible value; 0 while none is.</summary>
+        public double Value => _isVisible ? _changes[0].Value : 0;
+
+        /// <summary>Control time from which the signal has had the visible value; null while none is visible.</summary>
+        public ControlTime? Since => _isVisible ? _changes[0].Stamp : (ControlTime?)null;
+
+        /// <summary>Stamp of the newest message, changed or not; null before the first.</summary>
+        public ControlTime? Newest { get; private set; }
+
+        /// <summary>Adds a received value, which may repeat the one before.</summary>
+        public DropReason Add(ControlTime stamp, double value)
+        {
+            var place = _count;
+            while (place > 0 && _changes[place - 1].Stamp > stamp) place--;
+            if (_isVisible && place == 0) return DropReason.LateSample;
+            if (place > 0 && _changes[place - 1].Stamp == stamp) return Replace(place - 1, value);
+            if (!(stamp <= Newest)) Newest = stamp;
+            if (place > 0 && _changes[place - 1].Value == value) return DropReason.None;
+            // The value at the later time was not a change, although its message arrived first.
+            if (place < _count && _changes[place].Value == value) _changes[place] = new Change(stamp, value);
+            else Insert(place, new Change(stamp, value));
+            return DropReason.None;
+        }
+
+        /// <summary>Makes the next change visible if the display time has reached it.</summary>
+        /// <returns>Whether one has become visible. Call again until there is none, so that no change is missed.</returns>
+        public bool Next(ControlTime at)
+        {
+            var next = _isVisible ? 1 : 0;
+            if (next >= _count || _changes[next].Stamp > at) return false;
+            if (_isVisible) Remove(0);
+            _isVisible = true;
+            return true;
+        }
+
+        /// <summary>Discards all changes except the visible one, because their times are not valid any more.</summary>
+        public void Reset()
+        {
+            _count = 0;
+            _isVisible = false;
+            Newest = null;
+        }
+
+        DropReason Replace(int place, double value)
+        {
+            if (_changes[place].Value == value || (_isVisible && place == 0)) return DropReason.DuplicateSample;
+            _changes[place] = new Change(_changes[place].Stamp, value);
+            return DropReason.None;
+        }
+
+        // When full, the oldest change that is not visible yet is lost, because newer ones replace it.
+        void Insert(int place, in Change change)
+        {
+            if (_count == Capacity)
+            {
+                var oldest = _isVisible ? 1 : 0;
+                Remove(oldest);
+                if (place > oldest) place--;
+            }
+            for (var i = _count++; i > place; i--) _changes[i] = _changes[i - 1];
+            _changes[place] = change;
+        }
+
+        void Remove(int place)
+        {
+            _count--;
+            for (var i = place; i < _count; i++) _changes[i] = _changes[i + 1];
+        }
+
+        readonly struct Change
+        {
+            public Change(ControlTime stamp, double value)
+            {
+                Stamp = stamp;
+                Value = value;
+            }
+
+            public ControlTime Stamp { get; }
+            public double Value { get; }
+        }
+    }
+}

@@ -1,0 +1,54 @@
+using Nowpose.Latency;
+using Nowpose.Session;
+
+namespace Nowpose.Unity.Session
+{
+    /// <summary>The display as components report it, for the running session and all later ones.</summary>
+    sealed class KeptDisplay
+    {
+        CompensationSession _session;
+        IDisplayTimeSource _timeSource;
+        ReprojectionMode _reprojection;
+        DepthSubmission _depth;
+
+        public IDisplayTimeSource TimeSource
+        {
+            get => _timeSource;
+            set
+            {
+                _timeSource = value;
+                if (_session != null) _session.DisplayTimeSource = value;
+            }
+        }
+
+        public ReprojectionMode Reprojection
+        {
+            get => _reprojection;
+            set
+            {
+                _reprojection = value;
+                if (_session != null) _session.Reprojection = value;
+            }
+        }
+
+        public DepthSubmission DepthSubmission
+        {
+            get => _depth;
+            set
+            {
+                _depth = value;
+                if (_session != null) _session.DepthSubmission = value;
+            }
+        }
+
+        /// <param name="session">A new session; null when it has ended.</param>
+        public void Follow(CompensationSession session)
+        {
+            _session = session;
+            if (session == null) return;
+            session.DisplayTimeSource = _timeSource;
+            session.Reprojection = _reprojection;
+            session.DepthSubmission = _depth;
+        }
+    }
+}

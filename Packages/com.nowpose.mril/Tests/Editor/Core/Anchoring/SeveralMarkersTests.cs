@@ -1,0 +1,112 @@
+using System;
+using Nowpose.Anchoring;
+using Nowpose.Kinematics;
+using NUnit.Framework;
+using static Nowpose.Tests.Core.Anchoring.LockedMarkers;
+
+namespace Nowpose.Tests.Core.Anchoring
+{
+    /// <summary>Several markers agree on one base, or the tracker names those that do not.</summary>
+    public class SeveralMarkersTests
+    {
+        [Test]
+        public void Tick_ContradictingMarkerRemoved_LocksByTheOther()
+        {
+            var cell = new SimulatedMarkers(1);
+            cell.Use(("a", RigidTransform.FromXyzRpy(0.2, 0, 0, 0, 0, 0)), ("b", RigidTransform.FromXyzRpy(-0.2, 0, 0, 0, 0, 0)));
+            cell.Noisy();
+            cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.24, 0, 0, 0, 0, 0);
+            cell.Run(4);
+            Assert.That(cell.Tracker.Conflict, Is.Not.Null);
+
+            cell.IsInView = payload => payload == "a";
+
+            Assert.That(cell.RunUntilLocked(16), Is.Not.Null);
+            Assert.That(cell.Tracker.Conflict, Is.Null);
+        }
+
+        [Test]
+        public void Tick_TwoMarkersDisagree_DoesNotLockAndNamesBoth()
+        {
+            var cell = new SimulatedMarkers(1);
+            cell.Use(("a", RigidTransform.FromXyzRpy(0.2, 0, 0, 0, 0, 0)), ("b", RigidTransform.FromXyzRpy(-0.2, 0, 0, 0, 0, 0)));
+            cell.Noisy();
+            cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.24, 0, 0, 0, 0, 0);
+
+            Assert.That(cell.RunUntilLocked(5), Is.Null);
+
+            Assert.That(cell.Tracker.Conflict.Marker.Payload, Is.EqualTo("a"));
+            Assert.That(cell.Tracker.Conflict.Other.Payload, Is.EqualTo("b"));
+            Assert.That(cell.Tracker.Conflict.Metres, Is.EqualTo(0.04).Within(0.003));
+        }
+
+        [TestCase(0.04, 0, 0)]
+        [TestCase(0, 0, 0.03)]
+        [TestCase(0, 0.1, 0)]
+        public void Tick_OneOfThreeMarkersMisplaced_LocksByTheOthersAndNamesIt(double x, double y, double z)
+        {
+            for (var seed = 1; seed <= 10; seed++)
+            {
+                var cell = SimulatedMarkers.Three(seed);
+                cell.Noisy();
+                cell.Shifted["c"] = RigidTransform.FromXyzRpy(-0.0866 + x, -0.15 + y, z, 0, 0, -1);
+
+                Locked(cell);
+
+                Assert.That(cell.Tracker.Conflict.Marker.Payload, Is.EqualTo("c"), "seed " + seed);
+                Assert.That(cell.Tracker.Conflict.Other, Is.Null);
+                Assert.That(cell.Tracker.Conflict.Metres, Is.EqualTo(Math.Sqrt(x * x + y * y + z * z)).Within(0.005), "seed " + seed);
+                Assert.That(cell.Tracker.Lock.Markers, Is.EqualTo(2));
+                Assert.That(cell.ErrorAt().Metres, Is.LessThan(0.002), "seed " + seed);
+                cell.Run(3);
+                Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Locked), "what is known to be wrong does not move");
+            }
+        }
+
+        [Test]
+        public void Tick_MoreMarkersInView_ImprovesTheLock()
+        {
+            var cell = SimulatedMarkers.Three(5);
+            cell.Noisy();
+            cell.PrintDegrees = 0.5;
+            cell.IsInView = payload => payload == "a";
+            Locked(cell);
+            Assert.That(cell.Tracker.Lock.Markers, Is.EqualTo(1));
+
+            cell.IsInView = payload => payload != "a";
+            cell.Run(4);
+
+            Assert.That(cell.Tracker.Lock.Markers, Is.EqualTo(3));
+            Assert.That(cell.Tracker.Lock.ChangeMetres, Is.InRange(1e-6, 0.01), "and says by how much");
+        }
+
+        [Test]
+        public void Tick_SecondMarkerAtAWrongPlace_IsDetected()
+        {
+            var cell = SimulatedMarkers.Three(6);
+            cell.Noisy();
+            cell.IsInView = payload => payload == "a";
+            Locked(cell);
+            cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866, 0.19, 0, 0, 0, 2);
+
+            cell.IsInView = payload => payload == "b";
+            cell.Run(1);
+
+            Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Moved));
+            Assert.That(cell.Tracker.Markers[1].DeviationMetres, Is.EqualTo(0.04).Within(0.006));
+        }
+
+        [Test]
+        public void Tick_SameCodeInTwoPlaces_IgnoresBoth()
+        {
+            var cell = SimulatedMarkers.One(1, 0);
+            var other = false;
+            cell.Change = sighting => (other = !other)
+                ? sighting
+                : new MarkerSighting("2", "a", sighting.Pose * RigidTransform.FromXyzRpy(1, 0, 0, 0, 0, 0), 0, cell.Now, MarkerTracking.Tracking);
+
+            Assert.That(cell.RunUntilLocked(6), Is.Null);
+            Assert.That(cell.Tracker.Markers[0].Ignored[SightingFault.TwoPlaces], Is.GreaterThan(50));
+        }
+    }
+}

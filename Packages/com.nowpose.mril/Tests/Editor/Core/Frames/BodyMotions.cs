@@ -1,0 +1,60 @@
+using System;
+using Nowpose.Frames;
+
+namespace Nowpose.Tests.Core.Frames
+{
+    /// <summary>Simulated motions of rigid bodies: a pose for each time in s.</summary>
+    static class BodyMotions
+    {
+        public static readonly Vector3D Velocity = new Vector3D(0.3, -0.2, 0.1);
+
+        /// <summary>Turns at a constant rate about a fixed axis, and moves on a line.</summary>
+        /// <param name="rate">Angular velocity about the body's axes, rad/s.</param>
+        public static Func<double, PoseSample> Constant(Vector3D rate)
+        {
+            var start = UnitQuaternion.Exp(new Vector3D(0.4, -1, 0.2));
+            return t => new PoseSample(t, new Vector3D(1, 2, 3) + Velocity * t, start * UnitQuaternion.Exp(rate * t));
+        }
+
+        /// <summary>A hand-held object: sums of sines up to 1 Hz in every component.</summary>
+        public static PoseSample HandHeld(double t)
+        {
+            double Wave(double a, double b, double c) => Math.Sin(a * t) + 0.5 * Math.Sin(b * t + 1) + 0.2 * Math.Sin(c * t + 2);
+            var position = new Vector3D(0.1 * Wave(1.3, 2.9, 5.1), 0.1 * Wave(0.9, 3.3, 6.1), 0.05 * Wave(1.7, 2.1, 4.7));
+            return new PoseSample(t, position, UnitQuaternion.Exp(new Vector3D(0.3 * Wave(1.1, 3.1, 4.3), 0, 0))
+                * UnitQuaternion.Exp(new Vector3D(0, 0.3 * Wave(0.7, 2.3, 5.9), 0.4 * Wave(1.9, 2.7, 3.9))));
+        }
+
+        /// <summary>A turntable that turns for 2 s by a quarter turn and rests for 2 s.</summary>
+        public static PoseSample Turntable(double t)
+        {
+            var share = Math.Min(1, t % 4 / 2);
+            var angle = Math.PI / 2 * (Math.Floor(t / 4) + share * share * share * (10 + share * (6 * share - 15)));
+            return new PoseSample(
+                t, new Vector3D(0.5 * Math.Cos(angle), 0.5 * Math.Sin(angle), 0.9), UnitQuaternion.Exp(new Vector3D(0, 0, angle)));
+        }
+
+        /// <summary>An object at rest.</summary>
+        public static PoseSample Rest(double t) =>
+            new PoseSample(t, new Vector3D(0.1, 0.2, 0.3), UnitQuaternion.Exp(new Vector3D(0.2, 0.3, 1.2)));
+
+        /// <summary>Adds the noise of a tracker: 1 mm and 0.1° in each component, with every third sign of the quaternion reversed.</summary>
+        public static Func<double, PoseSample> WithNoise(Func<double, PoseSample> motion, int seed) => t =>
+        {
+            var sample = motion(t);
+            // The noise depends on the time only, so that the truth can be asked for again.
+            var random = new Random(seed + (int)Math.Round(t * 1000));
+            double Normal() => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
+            Vector3D Vector(double deviation) => new Vector3D(deviation * Normal(), deviation * Normal(), deviation * Normal());
+            var position = sample.Position + Vector(0.001);
+            var rotation = sample.Rotation * UnitQuaternion.Exp(Vector(0.0017));
+            return new PoseSample(t, position, random.Next(3) == 0 ? Negated(rotation) : rotation);
+        };
+
+        public static UnitQuaternion Negated(in UnitQuaternion q)
+        {
+            UnitQuaternion.TryNormalise(-q.X, -q.Y, -q.Z, -q.W, out var negated);
+            return negated;
+        }
+    }
+}

@@ -1,0 +1,231 @@
+using System;
+using Nowpose.Anchoring;
+using Nowpose.Frames;
+using Nowpose.Kinematics;
+using Nowpose.Prediction;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Frames
+{
+    public class BodyPredictorTests
+    {
+        const double Interval = 0.05;
+
+        static BodyPredictor Fed(string name, Func<double, PoseSample> motion, int samples, double blend = 0)
+        {
+            var predictor = new BodyPredictor(name, PredictionLimits.Unlimited, blend);
+            for (var k = 0; k < samples; k++) predictor.Add(motion(k * Interval), k * Interval + 0.1);
+            return predictor;
+        }
+
+        static RigidTransform PoseOf(in PoseSample sample) => sample.Rotation.At(sample.Position.X, sample.Position.Y, sample.Position.Z);
+
+        static void AssertPose(in RigidTransform actual, in RigidTransform expected, double tolerance)
+        {
+            Assert.That(actual.DistanceTo(expected), Is.LessThanOrEqualTo(tolerance), "m");
+            Assert.That(actual.AngleTo(expected), Is.LessThanOrEqualTo(tolerance), "rad");
+        }
+
+        [Test]
+        public void At_BeforeTheFirstSample_IsTheIdentityWithoutAKind()
+        {
+            var pose = new BodyPredictor("adaptive", PredictionLimits.Unlimited).At(1, out var kind);
+
+            Assert.That(kind, Is.EqualTo(PredictionKind.None));
+            AssertPose(pose, RigidTransform.Identity, 0);
+        }
+
+        [TestCase(2)]
+        [TestCase(7)]
+        [TestCase(500)]
+        public void At_LinearWithConstantAngularVelocity_IsExact(int samples)
+        {
+            var motion = BodyMotions.Constant(new Vector3D(3, -4, 12));
+
+            var predictor = Fed("linear", motion, samples);
+
+            foreach (var ahead in new[] { 0, 0.03, 0.1, 0.25 })
+            {
+                var time = (samples - 1) * Interval + ahead;
+                AssertPose(predictor.At(time), PoseOf(motion(time)), 1e-11);
+            }
+        }
+
+        [TestCase("quadratic")]
+        [TestCase("cubic")]
+        [TestCase("quadratic-h4")]
+        [TestCase("gp")]
+        [TestCase("adaptive")]
+        public void At_ConstantAngularVelocity_IsPredictedByEveryPredictor(string name)
+        {
+            var motion = BodyMotions.Constant(new Vector3D(0.3, -0.4, 1.2));
+
+            var predictor = Fed(name, motion, 200);
+
+            var time = 199 * Interval + 0.12;
+            AssertPose(predictor.At(time), PoseOf(motion(time)), 1e-5);
+        }
+
+        [Test]
+        public void At_LinearWithTwoSamples_IsSlerpOfThem()
+        {
+            var (first, second) = (BodyMotions.HandHeld(0), BodyMotions.HandHeld(Interval));
+            var predictor = Fed("linear", BodyMotions.HandHeld, 2);
+
+            var expected = UnitQuaternion.Slerp(first.Rotation, second.Rotation, 3);
+
+            Assert.That(predictor.At(3 * Interval).AngleTo(expected.At(0, 0, 0)), Is.LessThan(1e-14));
+        }
+
+        [Test]
+        public void At_Hold_IsTheNewestSample()
+        {
+            var predictor = Fed("hold", BodyMotions.HandHeld, 20);
+
+            AssertPose(predictor.At(19 * Interval + 0.15), PoseOf(BodyMotions.HandHeld(19 * Interval)), 1e-14);
+            AssertPose(predictor.Hold, PoseOf(BodyMotions.HandHeld(19 * Interval)), 1e-14);
+        }
+
+        [TestCase("linear")]
+        [TestCase("quadratic")]
+        [TestCase("adaptive")]
+        public void At_EndlessTurning_NeverJumps(string name)
+        {
+            var motion = BodyMotions.Constant(new Vector3D(0, 0, 9));
+            var predictor = new BodyPredictor(name, PredictionLimits.Unlimited);
+            var worst = 0.0;
+
+            // 2000 samples are 143 turns.
+            for (var k = 0; k < 2000; k++)
+            {
+                predictor.Add(motion(k * Interval), k * Interval + 0.1);
+                var time = k * Interval + 0.12;
+                if (k > 10) worst = Math.Max(worst, predictor.At(time).AngleTo(PoseOf(motion(time))));
+            }
+
+            Assert.That(worst, Is.LessThan(1e-3), "rad; a turn is 6.28");
+        }
+
+        // Rounding differs with the sign, and the mixture amplifies it.
+        [TestCase("linear", 1e-13)]
+        [TestCase("adaptive", 1e-4)]
+        public void Add_ReversedSigns_GiveTheSamePrediction(string name, double tolerance)
+        {
+            var plain = Fed(name, BodyMotions.HandHeld, 100);
+            var random = new Random(3);
+
+            var reversed = Fed(name, t => Reversed(BodyMotions.HandHeld(t), random.Next(2) == 0), 100);
+
+            AssertPose(reversed.At(99 * Interval + 0.13), plain.At(99 * Interval + 0.13), tolerance);
+        }
+
+        static PoseSample Reversed(in PoseSample sample, bool isReversed) =>
+            isReversed ? new PoseSample(sample.Time, sample.Position, BodyMotions.Negated(sample.Rotation)) : sample;
+
+        [TestCase("hold")]
+        [TestCase("cubic")]
+        [TestCase("gp")]
+        [TestCase("adaptive")]
+        public void At_AnyTime_HasARotationOfUnitLength(string name)
+        {
+            var predictor = Fed(name, BodyMotions.WithNoise(BodyMotions.HandHeld, seed: 5), 60, blend: 0.01);
+
+            for (var time = 0.0; time < 10; time += 0.37)
+            {
+                var pose = predictor.At(time);
+                AssertPose(pose * pose.Inverse, RigidTransform.Identity, 1e-9);
+            }
+        }
+
+        [TestCase("linear", 1e-12)]
+        [TestCase("quadratic", 1e-4)]
+        [TestCase("adaptive", 2e-3)]
+        public void Add_LateSample_GivesTheResultOfTheRightOrder(string name, double tolerance)
+        {
+            var inOrder = Fed(name, BodyMotions.HandHeld, 42);
+            var predictor = Fed(name, BodyMotions.HandHeld, 39);
+
+            Assert.That(predictor.Add(BodyMotions.HandHeld(40 * Interval)), Is.EqualTo(SampleOutcome.Accepted));
+            Assert.That(predictor.Add(BodyMotions.HandHeld(39 * Interval)), Is.EqualTo(SampleOutcome.Late));
+            Assert.That(predictor.Add(BodyMotions.HandHeld(41 * Interval)), Is.EqualTo(SampleOutcome.Accepted));
+
+            AssertPose(predictor.At(41 * Interval + 0.12), inOrder.At(41 * Interval + 0.12), tolerance);
+        }
+
+        [TestCase("linear", 0)]
+        [TestCase("adaptive", 0)]
+        [TestCase("adaptive", 3)]
+        public void Add_RepeatedSample_ChangesNothing(string name, int age)
+        {
+            var predictor = Fed(name, BodyMotions.HandHeld, 40);
+            var before = predictor.At(39 * Interval + 0.12);
+
+            for (var i = 0; i < 10; i++)
+                Assert.That(predictor.Add(BodyMotions.HandHeld((39 - age) * Interval)), Is.EqualTo(SampleOutcome.Duplicate));
+
+            AssertPose(predictor.At(39 * Interval + 0.12), before, 0);
+        }
+
+        [Test]
+        public void Add_ClockWentBack_StartsAnewForTheWholePose()
+        {
+            var predictor = Fed("adaptive", BodyMotions.HandHeld, 200);
+
+            var outcome = SampleOutcome.Accepted;
+            for (var k = 0; k < 6 && outcome != SampleOutcome.StartedAnew; k++)
+            {
+                var sample = BodyMotions.HandHeld(20 + k * Interval);
+                outcome = predictor.Add(new PoseSample(2 + k * Interval, sample.Position, sample.Rotation));
+            }
+
+            Assert.That(outcome, Is.EqualTo(SampleOutcome.StartedAnew));
+            Assert.That(predictor.NewestTime, Is.LessThan(3));
+            Assert.That(predictor.At(2.2, out var kind).IsPose(), Is.True);
+            Assert.That(kind, Is.Not.EqualTo(PredictionKind.None));
+        }
+
+        [Test]
+        public void Reset_AfterSamples_StartsANewHistory()
+        {
+            var predictor = Fed("adaptive", BodyMotions.HandHeld, 200);
+            predictor.Reset();
+            Assert.That(predictor.At(1, out var kind).IsPose(), Is.True);
+            Assert.That(kind, Is.EqualTo(PredictionKind.None));
+
+            for (var k = 0; k < 60; k++) predictor.Add(BodyMotions.Turntable(k * Interval), k * Interval + 0.1);
+
+            var fresh = Fed("adaptive", BodyMotions.Turntable, 60);
+            AssertPose(predictor.At(59 * Interval + 0.1), fresh.At(59 * Interval + 0.1), 0);
+        }
+
+        [Test]
+        public void At_AskedTwice_GivesTheSamePose()
+        {
+            var predictor = Fed("adaptive", BodyMotions.HandHeld, 100, blend: 0.01);
+            var before = predictor.At(99 * Interval + 0.12);
+
+            for (var time = 0.0; time < 12; time += 0.1) predictor.At(time);
+
+            AssertPose(predictor.At(99 * Interval + 0.12), before, 0);
+        }
+
+        [Test]
+        public void At_BetweenTwoSamples_IsBetweenThem()
+        {
+            var predictor = Fed("adaptive", BodyMotions.HandHeld, 100);
+
+            AssertPose(predictor.At(97.5 * Interval), PoseOf(BodyMotions.HandHeld(97.5 * Interval)), 2e-3);
+        }
+
+        [TestCase(double.NaN, 0, 0)]
+        [TestCase(0, double.NaN, 0)]
+        [TestCase(0, double.PositiveInfinity, 0)]
+        [TestCase(0, 0, double.NaN)]
+        public void PoseSample_NotFinite_Throws(double time, double x, double order) =>
+            Assert.That(() => new PoseSample(time, new Vector3D(x, 0, 0), UnitQuaternion.Identity, order), Throws.ArgumentException);
+
+        [Test]
+        public void PoseSample_DefaultRotation_Throws() =>
+            Assert.That(() => new PoseSample(0, default, default), Throws.ArgumentException);
+    }
+}

@@ -1,0 +1,244 @@
+using System;
+using System.Linq;
+using NUnit.Framework;
+using Nowpose.Frames;
+using Nowpose.Kinematics;
+using Nowpose.Prediction;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+using Nowpose.Tests.Core.Session;
+
+namespace Nowpose.Tests.Core.Frames
+{
+    public class FrameTreeTests
+    {
+        const double Sampling = 0.02;
+
+        static FrameTree NewTree() => new FrameTree(() => new BodyPredictor("linear", new PredictionLimits()));
+
+        static ControlTime At(double seconds) => ControlTime.FromSeconds(1000 + seconds);
+
+        static FrameTransform Pose(double t, string parent, string child, double x = 0, double y = 0, double z = 0, UnitQuaternion? turned = null)
+        {
+            var q = turned ?? UnitQuaternion.Identity;
+            return new FrameTransform(At(t), parent, child, x, y, z, q.X, q.Y, q.Z, q.W);
+        }
+
+        static CellFrame FrameOf(FrameTree tree, string name) => tree[tree.IndexOf(name)];
+
+        static double Distance(in RigidTransform a, in RigidTransform b) =>
+            Math.Sqrt((a.X - b.X) * (a.X - b.X) + (a.Y - b.Y) * (a.Y - b.Y) + (a.Z - b.Z) * (a.Z - b.Z));
+
+        /// <summary>The 4×4 matrix of a pose by the textbook's formula, independent of the package's.</summary>
+        static double[,] MatrixOf(in FrameTransform p)
+        {
+            double x = p.Qx, y = p.Qy, z = p.Qz, w = p.Qw;
+            return new[,]
+            {
+                { w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y), p.X },
+                { 2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x), p.Y },
+                { 2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z, p.Z },
+                { 0, 0, 0, 1 },
+            };
+        }
+
+        static double[,] Product(double[,] a, double[,] b)
+        {
+            var product = new double[4, 4];
+            for (var i = 0; i < 4; i++)
+                for (var j = 0; j < 4; j++)
+                    for (var k = 0; k < 4; k++) product[i, j] += a[i, k] * b[k, j];
+            return product;
+        }
+
+        static UnitQuaternion Turned(double x, double y, double z) => UnitQuaternion.Exp(new Vector3D(x, y, z));
+
+        [Test]
+        public void World_ChainOfFrames_IsTheProductOfTheirMatrices()
+        {
+            const int seed = 5;
+            var random = new Random(seed);
+            double Next() => 4 * random.NextDouble() - 2;
+            var tree = NewTree();
+            var poses = Enumerable.Range(0, ProtocolLimits.FrameDepth)
+                .Select(i => Pose(0, i == 0 ? "world" : "f" + (i - 1), "f" + i, Next(), Next(), Next(), Turned(Next(), Next(), Next()))).ToArray();
+            // Children first: their parents become known later.
+            foreach (var pose in poses.Reverse()) Assert.That(tree.Add(pose, isStationary: true), Is.EqualTo(DropReason.None));
+
+            tree.Evaluate(At(0));
+
+            var expected = MatrixOf(poses[0]);
+            for (var i = 0; i < poses.Length; i++)
+            {
+                if (i > 0) expected = Product(expected, MatrixOf(poses[i]));
+                var frame = FrameOf(tree, "f" + i);
+                Assert.That(frame.State, Is.EqualTo(FrameState.Current));
+                Assert.That(frame.World.ToRowMajor16(), Is.EqualTo(expected.Cast<double>()).Within(1e-12), "frame " + i + ", seed " + seed);
+            }
+        }
+
+        [Test]
+        public void World_FrameOnALink_MovesExactlyWithIt()
+        {
+            var arm = new MovingLinks("", TestRobot.Model);
+            var tree = NewTree();
+            tree.Add(arm);
+            tree.Add(Pose(0, "tool_centre_point", "part", 0, 0.1, 0, Turned(0, 0, 0.5)), isStationary: true);
+            for (var i = 0; i < 5; i++)
+            {
+                var link = arm.Move(TestRobot.Model.IndexOfLink("tool_centre_point"), Turned(0, 0.1 * i, 0.3 * i).At(i, 0.2, 0));
+
+                tree.Evaluate(At(0.016 * i));
+
+                var expected = link * Turned(0, 0, 0.5).At(0, 0.1, 0);
+                Assert.That(FrameOf(tree, "part").World.ToRowMajor16(), Is.EqualTo(expected.ToRowMajor16()).Within(1e-12));
+            }
+        }
+
+        [Test]
+        public void World_FrameNamedAsARoot_MovesTheRobotAndWhatItHolds()
+        {
+            var arm = new MovingLinks("arm1", TestRobot.Model);
+            var tree = NewTree();
+            tree.Add(arm);
+            arm.Move(TestRobot.Model.IndexOfLink("lower"), UnitQuaternion.Identity.At(0, 0, 1));
+            tree.Add(Pose(0, "arm1/lower", "part"), isStationary: true);
+            tree.Add(Pose(0, "world", "arm1/base", 5, 0, 0), isStationary: true);
+
+            tree.Evaluate(At(0));
+
+            Assert.That(tree.RootOf(arm).X, Is.EqualTo(5));
+            Assert.That((FrameOf(tree, "part").World.X, FrameOf(tree, "part").World.Z), Is.EqualTo((5.0, 1.0)));
+        }
+
+        [Test]
+        public void World_TwoRobotsWithEqualLinks_DoNotMix()
+        {
+            MovingLinks left = new MovingLinks("left", TestRobot.Model), right = new MovingLinks("right", TestRobot.Model);
+            var tree = NewTree();
+            tree.Add(left);
+            tree.Add(right);
+            var tool = TestRobot.Model.IndexOfLink("tool_centre_point");
+            left.Move(tool, UnitQuaternion.Identity.At(-1, 0, 0));
+            right.Move(tool, UnitQuaternion.Identity.At(1, 0, 0));
+            tree.Add(Pose(0, "left/tool_centre_point", "a"), isStationary: true);
+            tree.Add(Pose(0, "right/tool_centre_point", "b"), isStationary: true);
+            tree.Add(Pose(0, "tool_centre_point", "c"), isStationary: true);
+
+            tree.Evaluate(At(0));
+
+            Assert.That((FrameOf(tree, "a").World.X, FrameOf(tree, "b").World.X), Is.EqualTo((-1.0, 1.0)));
+            Assert.That(FrameOf(tree, "c").State, Is.EqualTo(FrameState.Orphan), "no robot without a namespace is there");
+        }
+
+        [Test]
+        public void World_ConstantVelocity_IsThatAtTheDisplayTime()
+        {
+            var tree = NewTree();
+            for (var k = 0; k <= 20; k++) tree.Add(Pose(k * Sampling, "world", "box", 0.5 * k * Sampling), isStationary: false);
+
+            tree.Evaluate(At(20 * Sampling + 0.1));
+
+            Assert.That(FrameOf(tree, "box").World.X, Is.EqualTo(0.5 * (20 * Sampling + 0.1)).Within(1e-9));
+            Assert.That(FrameOf(tree, "box").Newest, Is.EqualTo(At(20 * Sampling)));
+        }
+
+        [Test]
+        public void States_OfSamplesAndParents_AreReported()
+        {
+            var arm = new MovingLinks("", TestRobot.Model);
+            var tree = NewTree();
+            tree.Add(arm);
+            tree.Add(Pose(0, "lower", "part"), isStationary: true);
+            tree.Add(Pose(0, "nowhere", "orphan"), isStationary: true);
+            tree.Add(Pose(0, "orphan", "child"), isStationary: true);
+            for (var k = 0; k <= 5; k++) tree.Add(Pose(k * Sampling, "world", "box"), isStationary: false);
+            tree.Add(Pose(0, "box", "lid"), isStationary: true);
+
+            tree.Evaluate(At(5 * Sampling + 0.1));
+
+            Assert.That(tree.IndexOf("missing"), Is.EqualTo(-1));
+            Assert.That(new[] { "part", "orphan", "child", "box", "lid" }.Select(name => FrameOf(tree, name).State), Is.EqualTo(new[]
+            {
+                FrameState.Current, FrameState.Orphan, FrameState.ParentNotCurrent, FrameState.Current, FrameState.Current,
+            }));
+            arm.IsCurrent = false;
+            tree.Evaluate(At(5 * Sampling + 1));
+            Assert.That(new[] { "part", "box", "lid" }.Select(name => FrameOf(tree, name).State), Is.EqualTo(new[]
+            {
+                FrameState.ParentNotCurrent, FrameState.Held, FrameState.ParentNotCurrent,
+            }));
+        }
+
+        [Test]
+        public void HandOver_FromAConveyorToAGripper_IsContinuousAndThenExact()
+        {
+            const double frameSeconds = 1 / 60.0, speed = 0.3, taken = 1.0;
+            var arm = new MovingLinks("", TestRobot.Model);
+            var tool = TestRobot.Model.IndexOfLink("tool_centre_point");
+            var tree = NewTree();
+            tree.Add(arm);
+            RigidTransform? last = null;
+            var sample = 0;
+            for (var frame = 0; frame * frameSeconds < 2; frame++)
+            {
+                var now = frame * frameSeconds;
+                // The gripper moves with the conveyor, and 5 mm beside the place where the twin has the part in it.
+                var link = arm.Move(tool, UnitQuaternion.Identity.At(speed * now, 0, 0.1));
+                for (; sample * Sampling <= now - 0.1; sample++)
+                {
+                    var t = sample * Sampling;
+                    tree.Add(t < taken ? Pose(t, "world", "part", speed * t) : Pose(t, "tool_centre_point", "part", 0.005, 0, -0.1), isStationary: false);
+                }
+                tree.Evaluate(At(now));
+                if (sample < 3) continue;
+                var world = FrameOf(tree, "part").World;
+                if (last is RigidTransform before)
+                    Assert.That(Distance(before, world), Is.EqualTo(speed * frameSeconds).Within(1e-3), "moved at " + now + " s");
+                last = world;
+                if (now > taken + 0.1 + 2 * Sampling + HandOver.Seconds)
+                    Assert.That(Distance(world, link * UnitQuaternion.Identity.At(0.005, 0, -0.1)), Is.LessThan(1e-9), "at " + now + " s");
+            }
+        }
+
+        [Test]
+        public void Add_FormerParentAfterTheHandOver_IsLate()
+        {
+            var tree = NewTree();
+            tree.Add(Pose(1, "world", "a"), isStationary: false);
+            tree.Add(Pose(1.1, "b", "a"), isStationary: false);
+            tree.Evaluate(At(1.1));
+
+            Assert.That(tree.Add(Pose(1.05, "world", "a"), isStationary: false), Is.EqualTo(DropReason.LateSample));
+            tree.Evaluate(At(1.12));
+            Assert.That(FrameOf(tree, "a").Parent, Is.EqualTo("b"));
+        }
+
+        [Test]
+        public void Add_Cycle_IsRefusedAndTheFormerParentStays()
+        {
+            var tree = NewTree();
+            tree.Add(Pose(0, "world", "a", 1), isStationary: true);
+            tree.Add(Pose(0, "a", "b", 1), isStationary: true);
+
+            Assert.That(tree.Add(Pose(1, "b", "a", 1), isStationary: true), Is.EqualTo(DropReason.FrameCycle));
+            tree.Evaluate(At(1));
+            Assert.That(FrameOf(tree, "b").World.X, Is.EqualTo(2));
+        }
+
+        [Test]
+        public void Reset_TrackedFrame_KeepsItsPlaceAndIsMissingUntilTheNextSample()
+        {
+            var tree = NewTree();
+            tree.Add(Pose(0, "world", "box", 3), isStationary: false);
+            tree.Add(Pose(0, "world", "table", 4), isStationary: true);
+            tree.Evaluate(At(0));
+
+            tree.Reset();
+            tree.Evaluate(At(-500));
+
+            Assert.That((FrameOf(tree, "box").World.X, FrameOf(tree, "box").State), Is.EqualTo((3.0, FrameState.Missing)));
+            Assert.That((FrameOf(tree, "table").World.X, FrameOf(tree, "table").State), Is.EqualTo((4.0, FrameState.Current)));
+        }
+    }
+}

@@ -1,0 +1,33 @@
+using System;
+using Nowpose.Frames;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Frames
+{
+    public class ScatterDetectorTests
+    {
+        static bool Scatters(Func<double, PoseSample> motion, int samples, double interval)
+        {
+            var detector = new ScatterDetector();
+            for (var k = 0; k < samples; k++) detector.Add(motion(k * interval).Position);
+            return detector.Scatters;
+        }
+
+        [TestCase(3, false)]
+        [TestCase(5, true)]
+        [TestCase(40, true)]
+        public void Scatters_NoiseAtRest_IsDetectedFromFourSamples(int samples, bool expected) =>
+            Assert.That(Scatters(BodyMotions.WithNoise(BodyMotions.Rest, seed: 11), samples, 0.02), Is.EqualTo(expected));
+
+        [TestCase(0.02)]
+        [TestCase(0.1)]
+        public void Scatters_SmoothMotion_IsFalse(double interval)
+        {
+            for (var samples = 4; samples < 60; samples++)
+                Assert.That(Scatters(BodyMotions.HandHeld, samples, interval), Is.False, samples + " samples");
+        }
+
+        [Test]
+        public void Scatters_EqualSamples_IsFalse() => Assert.That(Scatters(BodyMotions.Rest, 20, 0.05), Is.False);
+    }
+}

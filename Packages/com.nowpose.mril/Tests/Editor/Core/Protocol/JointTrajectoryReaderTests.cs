@@ -1,0 +1,47 @@
+using System;
+using Nowpose.Protocol;
+using NUnit.Framework;
+using static Nowpose.Tests.Core.Protocol.RosbridgeTexts;
+
+namespace Nowpose.Tests.Core.Protocol
+{
+    /// <summary>Checks the trajectories that the reader accepts and refuses.</summary>
+    public class JointTrajectoryReaderTests
+    {
+        static string TrajectoryPoint(double seconds, string more = "") => FormattableString.Invariant(
+            $"{{\"positions\":[1],\"time_from_start\":{{\"sec\":{Math.Floor(seconds)},\"nanosec\":{(seconds - Math.Floor(seconds)) * 1e9}}}{more}}}");
+
+        static string Trajectory(params string[] points) => Publish(
+            "{" + Stamp + ",\"joint_names\":[\"a\"],\"points\":[" + string.Join(",", points) + "]}", "/joint_trajectory");
+
+        [Test]
+        public void TryRead_TrajectoryPointOfOtherLength_IsRefused()
+        {
+            const string Point = "{\"positions\":[1,2],\"time_from_start\":{\"sec\":0,\"nanosec\":0}}";
+
+            Refuse(Publish("{" + Stamp + ",\"joint_names\":[\"a\"],\"points\":[" + Point + "]}", "/joint_trajectory"), DropReason.LengthMismatch);
+        }
+
+        [Test]
+        public void TryRead_TrajectoryWithoutPoints_IsRead()
+        {
+            Assert.That(RosbridgeReader.TryRead(Trajectory(), out var message, out _), Is.True);
+            Assert.That(message.JointTrajectory.Points, Is.Empty);
+        }
+
+        [TestCase(0, 0)]
+        [TestCase(1, 0.5)]
+        [TestCase(-1, 0)]
+        public void TryRead_TrajectoryTimesNotIncreasing_AreRefused(double first, double second)
+        {
+            Refuse(Trajectory(TrajectoryPoint(first), TrajectoryPoint(second)), DropReason.OutOfRange);
+        }
+
+        [TestCase(",\"accelerations\":[1,2]")]
+        [TestCase(",\"velocities\":[1,2]")]
+        public void TryRead_TrajectoryFieldOfOtherLength_IsRefused(string more)
+        {
+            Refuse(Trajectory(TrajectoryPoint(0, more)), DropReason.LengthMismatch);
+        }
+    }
+}

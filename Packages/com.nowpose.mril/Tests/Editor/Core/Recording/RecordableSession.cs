@@ -1,0 +1,28 @@
+using Newtonsoft.Json;
+using Newtonsoft.Json.Linq;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Recording;
+using Nowpose.Session;
+using Nowpose.Sync;
+using Nowpose.Tests.Core.Session;
+
+namespace Nowpose.Tests.Core.Recording
+{
+    /// <summary>A session to record, and what it receives.</summary>
+    static class RecordableSession
+    {
+        public static readonly HeadsetTime Start = HeadsetTime.FromSeconds(100);
+
+        /// <summary>Creates a session with a secret token and a name that JSON must escape.</summary>
+        public static CompensationSession NewSession() => new CompensationSession(
+            new SessionSettings(
+                new ConnectionSettings("127.0.0.1", token: "very-secret", headsetName: "test \"one\"\n"), new VisualisationLatency(Lengths.Ms(40)),
+                range: new ConstantLatencyRange(15.2, RenderTimeSourceKind.GpuCompletion)),
+            TestRobot.Model, new SetClock());
+
+        /// <summary>Returns an exchange that ends at this time and took 4 ms.</summary>
+        public static SyncExchange Exchange(HeadsetTime at, double resolutionMs = 0) => new SyncExchange(
+            at - Lengths.Ms(2), new ControlTime(at.SinceEpoch), new ControlTime(at.SinceEpoch), at, Lengths.Ms(resolutionMs), Lengths.Ms(0.3));
+    }
+}

@@ -1,0 +1,101 @@
+using System;
+using NUnit.Framework;
+using Nowpose.Signals;
+
+namespace Nowpose.Tests.Core.Signals
+{
+    public class ActuatedStrokeTests
+    {
+        static ControlTime At(double seconds) => ControlTime.FromSeconds(1000 + seconds);
+
+        static ActuatedStroke Open(double strokeSeconds = 0.4)
+        {
+            var stroke = new ActuatedStroke(0.01, 0.05, strokeSeconds);
+            stroke.Change(0, At(0));
+            return stroke;
+        }
+
+        [Test]
+        public void At_WholeStroke_TakesTheStrokeTimeAndIsSymmetric()
+        {
+            var stroke = Open();
+            stroke.Change(1, At(10));
+
+            Assert.That(stroke.At(At(10)), Is.EqualTo(0.01).Within(1e-12));
+            Assert.That(stroke.At(At(10.2)), Is.EqualTo(0.03).Within(1e-9), "half-way after half of the time");
+            Assert.That(stroke.At(At(10.399)), Is.LessThan(0.05));
+            Assert.That(stroke.At(At(10.4 + 1e-6)), Is.EqualTo(0.05).Within(1e-12));
+            for (var t = 0.0; t < 0.2; t += 0.01)
+                Assert.That(stroke.At(At(10.2 + t)) + stroke.At(At(10.2 - t)), Is.EqualTo(0.06).Within(1e-9), t + " s from the middle");
+        }
+
+        [Test]
+        public void Change_LateNews_IsInPhase()
+        {
+            var (inTime, late) = (Open(), Open());
+            inTime.Change(1, At(10));
+
+            late.At(At(10.15));
+            late.Change(1, At(10));
+
+            for (var t = 10.15; t < 10.6; t += 0.01) Assert.That(late.At(At(t)), Is.EqualTo(inTime.At(At(t))).Within(1e-12));
+        }
+
+        [Test]
+        public void Change_DuringAMove_GoesOnFromThatPosition()
+        {
+            var stroke = Open();
+            stroke.Change(1, At(10));
+            var turned = stroke.At(At(10.25));
+
+            stroke.Change(0, At(10.25));
+
+            Assert.That(stroke.At(At(10.25)), Is.EqualTo(turned).Within(1e-12));
+            Assert.That(stroke.At(At(10.7)), Is.EqualTo(0.01).Within(1e-9));
+            Assert.That(stroke.At(At(10.45)), Is.LessThan(turned));
+        }
+
+        [TestCase(0.25, 0.02)]
+        [TestCase(2, 0.05)]
+        [TestCase(-1, 0.01)]
+        public void Change_Number_IsAPositionBetweenTheEnds(double value, double expected)
+        {
+            var stroke = Open();
+            stroke.Change(value, At(10));
+
+            Assert.That(stroke.At(At(11)), Is.EqualTo(expected).Within(1e-9));
+        }
+
+        [Test]
+        public void Change_FirstValue_HasNoMove()
+        {
+            var stroke = new ActuatedStroke(0, 1, 0.4);
+
+            stroke.Change(1, At(10));
+
+            Assert.That(stroke.At(At(10)), Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Change_StrokeTimeZero_Jumps()
+        {
+            var stroke = Open(0);
+
+            stroke.Change(1, At(10));
+
+            Assert.That(stroke.At(At(10)), Is.EqualTo(0.05));
+        }
+
+        [Test]
+        public void Forget_DuringAMove_KeepsThePosition()
+        {
+            var stroke = Open();
+            stroke.Change(1, At(10));
+            var there = stroke.At(At(10.1));
+
+            stroke.Forget(At(10.1));
+
+            Assert.That(stroke.At(At(-300)), Is.EqualTo(there).Within(1e-12));
+        }
+    }
+}

@@ -1,0 +1,78 @@
+using System;
+using System.Collections.Generic;
+using NUnit.Framework;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+using Nowpose.Signals;
+
+namespace Nowpose.Tests.Core.Signals
+{
+    public class SignalTableTests
+    {
+        const double FrameSeconds = 1 / 60.0;
+        const double Visu = 0.04;
+
+        static ControlTime At(double seconds) => ControlTime.FromSeconds(1000 + seconds);
+
+        [TestCase(-0.2)]
+        [TestCase(0)]
+        [TestCase(0.03)]
+        [TestCase(0.1)]
+        [TestCase(0.25)]
+        public void Changed_AtAnyLatency_IsInTheFirstFrameWhoseLightIsNotBeforeTheStamp(double latency)
+        {
+            var table = new SignalTable();
+            var seen = new List<(double Light, double Value)>();
+            var light = 0.0;
+            table.Changed += signal => seen.Add((light, signal.Value));
+            double[] stamps = { 0.5, 0.93, 1.31, 1.32, 1.8 };
+            var sent = 0;
+
+            for (var frame = 0; frame < 150; frame++)
+            {
+                var now = frame * FrameSeconds;
+                for (; sent < stamps.Length && stamps[sent] + latency <= now; sent++) table.Add(At(stamps[sent]), new SignalValue("grip", (sent + 1) % 2));
+                light = now + Visu;
+                table.Evaluate(At(light));
+            }
+
+            Assert.That(seen, Has.Count.EqualTo(stamps.Length));
+            for (var i = 0; i < stamps.Length; i++)
+            {
+                Assert.That(seen[i].Value, Is.EqualTo((i + 1) % 2));
+                // Late news cannot be visible before a frame has begun after its arrival.
+                var possible = Math.Max(stamps[i], stamps[i] + latency + Visu);
+                Assert.That(seen[i].Light - possible, Is.InRange(-1e-9, FrameSeconds + 1e-9), "change " + i);
+            }
+        }
+
+        [Test]
+        public void Add_MoreSignalsThanAllowed_IsRefused()
+        {
+            var table = new SignalTable();
+            for (var i = 0; i < ProtocolLimits.Signals; i++)
+                Assert.That(table.Add(At(0), new SignalValue("s" + i, i)), Is.EqualTo(DropReason.None));
+
+            Assert.That(table.Add(At(0), new SignalValue("one more", 1)), Is.EqualTo(DropReason.TooManySignals));
+            Assert.That(table.Add(At(1), new SignalValue("s7", 1)), Is.EqualTo(DropReason.None), "a known one");
+            Assert.That(table.Count, Is.EqualTo(ProtocolLimits.Signals));
+        }
+
+        [Test]
+        public void Reset_AllSignals_AreUnknownUntilTheirNextValue()
+        {
+            var table = new SignalTable();
+            table.Add(At(0), new SignalValue("grip", 1));
+            table.Evaluate(At(0));
+            Assert.That(table[table.IndexOf("grip")].IsKnown);
+
+            table.Reset();
+            table.Evaluate(At(100));
+            Assert.That(table[table.IndexOf("grip")].IsKnown, Is.False);
+
+            table.Add(At(-500), new SignalValue("grip", 1));
+            table.Evaluate(At(-500));
+            Assert.That(table[table.IndexOf("grip")].Value, Is.EqualTo(1));
+        }
+    }
+}

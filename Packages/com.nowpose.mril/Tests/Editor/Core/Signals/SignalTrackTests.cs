@@ -1,0 +1,86 @@
+using NUnit.Framework;
+using Nowpose.Protocol;
+using Nowpose.Signals;
+
+namespace Nowpose.Tests.Core.Signals
+{
+    public class SignalTrackTests
+    {
+        static ControlTime At(double seconds) => ControlTime.FromSeconds(seconds);
+
+        [Test]
+        public void Next_DisplayTimeBeforeTheStamp_ShowsNothing()
+        {
+            var signal = new SignalTrack("grip");
+            signal.Add(At(10), 1);
+
+            Assert.That(signal.Next(At(9.999)), Is.False);
+            Assert.That((signal.IsKnown, signal.Value, signal.Since), Is.EqualTo((false, 0.0, (ControlTime?)null)));
+            Assert.That(signal.Next(At(10)), Is.True);
+            Assert.That((signal.IsKnown, signal.Value, signal.Since), Is.EqualTo((true, 1.0, (ControlTime?)At(10))));
+        }
+
+        [Test]
+        public void Next_SeveralChanges_ComeInTheOrderOfTheirStamps()
+        {
+            var signal = new SignalTrack("grip");
+            signal.Add(At(12), 0.5);
+            signal.Add(At(10), 1);
+            signal.Add(At(11), 0);
+
+            foreach (var (time, value) in new[] { (10, 1.0), (11, 0.0), (12, 0.5) })
+            {
+                Assert.That(signal.Next(At(20)), Is.True);
+                Assert.That((signal.Since, signal.Value), Is.EqualTo(((ControlTime?)At(time), value)));
+            }
+            Assert.That(signal.Next(At(20)), Is.False);
+        }
+
+        [Test]
+        public void Add_TheSameValueAgain_IsNoChange()
+        {
+            var signal = new SignalTrack("grip");
+            for (var k = 0; k < 500; k++) Assert.That(signal.Add(At(10 + 0.01 * k), 1), Is.EqualTo(DropReason.None));
+
+            Assert.That(signal.Next(At(20)), Is.True);
+            Assert.That((signal.Since, signal.Newest), Is.EqualTo(((ControlTime?)At(10), (ControlTime?)At(14.99))));
+            Assert.That(signal.Next(At(20)), Is.False);
+        }
+
+        [Test]
+        public void Add_EarlierNewsOfAWaitingChange_MovesItForward()
+        {
+            var signal = new SignalTrack("grip");
+            signal.Add(At(10.2), 1);
+            signal.Add(At(10.1), 1);
+
+            Assert.That(signal.Next(At(10.1)), Is.True);
+            Assert.That(signal.Next(At(20)), Is.False);
+        }
+
+        [Test]
+        public void Add_OlderThanTheVisibleChange_IsLate()
+        {
+            var signal = new SignalTrack("grip");
+            signal.Add(At(10), 1);
+            signal.Next(At(10));
+
+            Assert.That(signal.Add(At(9), 0), Is.EqualTo(DropReason.LateSample));
+            Assert.That(signal.Add(At(10), 0), Is.EqualTo(DropReason.DuplicateSample));
+            Assert.That(signal.Value, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Add_MoreChangesThanAreKept_KeepsTheVisibleOneAndTheNewest()
+        {
+            var signal = new SignalTrack("grip");
+            signal.Add(At(1), 7);
+            signal.Next(At(1));
+            for (var k = 0; k < 1000; k++) signal.Add(At(10 + k), k % 2);
+
+            Assert.That(signal.Value, Is.EqualTo(7));
+            while (signal.Next(At(2000))) { }
+            Assert.That((signal.Since, signal.Value), Is.EqualTo(((ControlTime?)At(1009), 1.0)));
+        }
+    }
+}

@@ -1,0 +1,76 @@
+using NUnit.Framework;
+using static Nowpose.Headless.Tests.Cli.UnityManifests;
+
+namespace Nowpose.Headless.Tests.Cli;
+
+/// <summary>Entries of the manifest that differ from those the package needs.</summary>
+public class UnityConflictTests
+{
+    [Test]
+    public async Task Unity_OlderDependency_IsNamedAndHandledAsChosen()
+    {
+        const string manifest = "{\n  \"dependencies\": {\n    \"org.nuget.mathnet.numerics\": \"4.15.0\"\n  }\n}\n";
+        using var project = new UnityProjectFolder(manifest);
+
+        var refused = await project.RunAsync();
+        Assert.That(project.Manifest, Is.EqualTo(manifest));
+        AssertRefused(refused, project.At("Packages/manifest.json") + ":3: org.nuget.mathnet.numerics is 4.15.0; 5.0.0 or newer is needed");
+
+        var kept = await project.RunAsync("--on-conflict", "keep");
+        Assert.That(kept.Errors, Does.Contain("the entry is kept"));
+        Assert.That(Dependencies(project)["org.nuget.mathnet.numerics"], Is.EqualTo("4.15.0"));
+
+        var replaced = await project.RunAsync("--on-conflict", "replace");
+        Assert.That(replaced.Output, Does.Contain("org.nuget.mathnet.numerics 5.0.0 in place of 4.15.0"));
+        Assert.That(Dependencies(project)["org.nuget.mathnet.numerics"], Is.EqualTo("5.0.0"));
+        Assert.That(project.Backups, Is.EqualTo(new[] { "manifest.json.backup", "manifest.json.backup-2" }));
+        Assert.That(project.Read("Packages/manifest.json.backup"), Is.EqualTo(manifest));
+    }
+
+    [Test]
+    public async Task Unity_NewerDependency_IsKept()
+    {
+        using var project = new UnityProjectFolder("""{ "dependencies": { "org.nuget.mathnet.numerics": "6.1.0" } }""");
+
+        var run = await project.RunAsync();
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        Assert.That(Dependencies(project)["org.nuget.mathnet.numerics"], Is.EqualTo("6.1.0"));
+    }
+
+    [Test]
+    public async Task Unity_MovedRegistry_IsNamed()
+    {
+        using var project = new UnityProjectFolder(
+            """{ "scopedRegistries": [{ "name": "x", "url": "https://unitynuget-registry.azurewebsites.net", "scopes": ["org.nuget"] }] }""");
+
+        AssertRefused(
+            await project.RunAsync(), "org.nuget.mathnet.numerics comes from the registry https://unitynuget-registry.azurewebsites.net");
+        Assert.That((await project.RunAsync("--on-conflict", "replace")).ExitStatus, Is.EqualTo(0));
+        Assert.That(project.Manifest, Does.Contain("https://unitynuget-registry.openupm.com").And.Not.Contain("azurewebsites"));
+    }
+
+    [TestCase(
+        """ "url": "https://own.example", "scopes": ["org.nuget"] """, "refuse", "Change it there, or use --on-conflict keep or replace.")]
+    [TestCase(
+        """ "url": "https://own.example", "scopes": ["org.nuget", "a"] """, "refuse", "its url is kept. Change it there, or use --on-conflict keep.")]
+    [TestCase(
+        """ "url": "https://own.example", "scopes": ["org.nuget", "a"] """, "replace", "its url is kept. Change it there, or use --on-conflict keep.")]
+    [TestCase(""" "scopes": ["org.nuget"] """, "replace", "comes from a registry without url; ")]
+    public async Task Unity_OtherRegistry_OffersTheApplicableRules(string registry, string rule, string offer)
+    {
+        using var project = new UnityProjectFolder($$"""{ "scopedRegistries": [{ "name": "x", {{registry}} }] }""");
+
+        AssertRefused(await project.RunAsync("--on-conflict", rule), offer);
+        Assert.That((await project.RunAsync("--on-conflict", "keep")).ExitStatus, Is.EqualTo(0));
+    }
+
+    [Test]
+    public async Task Unity_OlderPackage_IsNamed()
+    {
+        using var project = new UnityProjectFolder(
+            """{ "dependencies": { "com.nowpose.mril": "https://git.example/nowpose.git?path=/Packages/com.nowpose.mril#v0.0.9" } }""");
+
+        AssertRefused(await project.RunAsync(), "#v0.0.9; 0.1.0 or newer is needed");
+    }
+}

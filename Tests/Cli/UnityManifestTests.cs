@@ -1,0 +1,136 @@
+using NUnit.Framework;
+using static Nowpose.Headless.Tests.Cli.UnityManifests;
+
+namespace Nowpose.Headless.Tests.Cli;
+
+/// <summary>Reading and writing the file of the manifest.</summary>
+public class UnityManifestTests
+{
+    [TestCase("{\n  \"dependencies\": {\n    \"a\": \"1.0.0\",\n  }\n}", ":4: not a JSON object: a name in double quotes is expected")]
+    [TestCase("{\n  // packages\n  \"dependencies\": {}\n}", ":2: not a JSON object: a name in double quotes is expected (JSON has no comments)")]
+    [TestCase("", ":1: not a JSON object: { is expected")]
+    public async Task Unity_InvalidManifest_IsNamedWithItsLineAndUnchanged(string manifest, string reason)
+    {
+        using var project = new UnityProjectFolder(manifest);
+
+        var run = await project.RunAsync();
+
+        AssertRefused(run, project.At("Packages/manifest.json") + reason);
+        Assert.That(project.Manifest, Is.EqualTo(manifest));
+        Assert.That(project.Backups, Is.Empty);
+    }
+
+    [Test]
+    public async Task Unity_ManifestNotUtf8_IsRefused()
+    {
+        using var project = new UnityProjectFolder(Empty);
+        project.Write("Packages/manifest.json", System.Text.Encoding.Unicode.GetPreamble());
+
+        AssertRefused(await project.RunAsync(), "the file is not UTF-8");
+    }
+
+    [Test]
+    public async Task Unity_ReadOnlyManifest_IsNamedAndUnchanged()
+    {
+        using var project = new UnityProjectFolder(Empty);
+        var manifest = project.At("Packages/manifest.json");
+        File.SetAttributes(manifest, FileAttributes.ReadOnly);
+
+        var run = await project.RunAsync("--sample", "Virtual Robot Cell");
+        var check = await project.RunAsync("--check");
+        File.SetAttributes(manifest, FileAttributes.Normal);
+        var writable = await project.RunAsync("--check");
+
+        AssertRefused(run, manifest + ": the file is read-only");
+        Assert.That(check.ExitStatus, Is.EqualTo(1));
+        Assert.That(check.Errors, Does.Contain("without --check this would fail: " + manifest + ": the file is read-only"));
+        Assert.That(writable.Errors, Is.Empty);
+        Assert.That(project.Manifest, Is.EqualTo(Empty));
+        Assert.That(Directory.Exists(project.At("Assets")), Is.False, "nothing of the rest is done");
+    }
+
+    [Test]
+    public async Task Unity_ManifestIsALink_WritesItsTarget()
+    {
+        using var project = new UnityProjectFolder(Empty);
+        var link = project.At("Packages/manifest.json");
+        var target = project.At("shared.json");
+        File.Move(link, target);
+        try
+        {
+            File.CreateSymbolicLink(link, target);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            Assert.Ignore("this account must not create symbolic links: " + e.Message);
+        }
+
+        var run = await project.RunAsync();
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        Assert.That(new FileInfo(link).LinkTarget, Is.EqualTo(target));
+        Assert.That(project.Read("shared.json"), Does.Contain("org.nuget.mathnet.numerics"));
+        Assert.That(project.Read("Packages/manifest.json.backup"), Is.EqualTo(Empty));
+    }
+
+    [Test]
+    public async Task Unity_NewFileCannotBeWritten_KeepsTheManifest()
+    {
+        using var project = new UnityProjectFolder(Empty);
+        Directory.CreateDirectory(project.At("Packages/manifest.json.nowpose-new"));
+
+        var run = await project.RunAsync();
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(project.Manifest, Is.EqualTo(Empty));
+    }
+
+    [Test]
+    public async Task Unity_NewFileOfAnInterruptedRun_IsReplaced()
+    {
+        using var project = new UnityProjectFolder(Empty);
+        project.Write("Packages/manifest.json.nowpose-new", new string('x', 10000));
+
+        var run = await project.RunAsync();
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        Assert.That(() => Dependencies(project), Throws.Nothing);
+        Assert.That(project.Backups, Is.EqualTo(new[] { "manifest.json.backup" }));
+    }
+
+    [Test]
+    public async Task Unity_BackupOfAnotherContent_IsKept()
+    {
+        using var project = new UnityProjectFolder(Empty);
+        project.Write("Packages/manifest.json.backup", "precious");
+
+        var run = await project.RunAsync("--json");
+
+        Assert.That(project.Read("Packages/manifest.json.backup"), Is.EqualTo("precious"));
+        Assert.That(Json(run.Output).GetProperty("backup").GetString(), Is.EqualTo(project.At("Packages/manifest.json.backup-2")));
+        Assert.That(project.Read("Packages/manifest.json.backup-2"), Is.EqualTo(Empty));
+    }
+
+    [TestCase("\r\n", "\t", true)]
+    [TestCase("\r\n", "    ", false)]
+    [TestCase("\n", "\t", true)]
+    public async Task Unity_LineEndsIndentAndMark_AreKept(string newLine, string indent, bool hasMark)
+    {
+        byte[] mark = hasMark ? [0xEF, 0xBB, 0xBF] : [];
+        var text = Empty.ReplaceLineEndings("\n").TrimEnd()
+            .Replace("  ", indent, StringComparison.Ordinal).Replace("\n", newLine, StringComparison.Ordinal);
+        using var project = new UnityProjectFolder(Empty);
+        project.Write("Packages/manifest.json", [.. mark, .. System.Text.Encoding.UTF8.GetBytes(text)]);
+
+        await project.RunAsync();
+
+        var bytes = File.ReadAllBytes(project.At("Packages/manifest.json"));
+        var after = System.Text.Encoding.UTF8.GetString(bytes, mark.Length, bytes.Length - mark.Length);
+        Assert.That(bytes.Take(mark.Length), Is.EqualTo(mark));
+        Assert.That(after.Replace(newLine, "", StringComparison.Ordinal), Does.Not.Contain('\n').And.Not.Contain('\r'));
+        Assert.That(after, Does.Contain($"{newLine}{indent}{indent}\"org.nuget.mathnet.numerics\": \"5.0.0\"{newLine}{indent}}},{newLine}"));
+        Assert.That(after, Does.EndWith(newLine + "}"), "no line end is added behind the last brace");
+        foreach (var line in text.Split(newLine).Where(l => l.Contains(':', StringComparison.Ordinal)))
+            Assert.That(after, Does.Contain(newLine + line.TrimEnd(',')));
+    }
+}

@@ -1,0 +1,101 @@
+using Nowpose.Editor.Setup;
+using NUnit.Framework;
+using static Nowpose.Headless.Tests.Cli.UnityManifests;
+
+namespace Nowpose.Headless.Tests.Cli;
+
+/// <summary>The package that the manifest names, and what it needs.</summary>
+public class UnityPackageTests
+{
+    [TestCase("https://git.example/me/nowpose.git", "https://git.example/me/nowpose.git?path=/Packages/com.nowpose.mril#v0.1.0")]
+    [TestCase("https://git.example/me/nowpose.git#main", "https://git.example/me/nowpose.git?path=/Packages/com.nowpose.mril#main")]
+    [TestCase(
+        "git@git.example:me/nowpose.git?path=/Packages/com.nowpose.mril#main",
+        "git@git.example:me/nowpose.git?path=/Packages/com.nowpose.mril#main")]
+    public async Task Unity_PackageByGit_IsWrittenAndKept(string given, string written)
+    {
+        using var project = new UnityProjectFolder(Empty);
+
+        await project.RunAsync("--package", given);
+        var again = await project.RunAsync("--check");
+
+        Assert.That(Dependencies(project)["com.nowpose.mril"], Is.EqualTo(written));
+        Assert.That(again.ExitStatus, Is.EqualTo(0), again.Output);
+    }
+
+    [Test]
+    public async Task Unity_PackageByFolder_IsWrittenAbsoluteOrAsGiven()
+    {
+        using var project = new UnityProjectFolder(Empty);
+        var relative = "file:" + Path.GetRelativePath(project.At("Packages"), OwnPackage).Replace('\\', '/');
+
+        await project.RunAsync("--package", OwnPackage);
+        Assert.That(Dependencies(project)["com.nowpose.mril"], Is.EqualTo("file:" + OwnPackage));
+
+        AssertRefused(await project.RunAsync("--package", relative), $"com.nowpose.mril is file:{OwnPackage}; {relative} is needed");
+        await project.RunAsync("--package", relative, "--on-conflict", "replace");
+        Assert.That(Dependencies(project)["com.nowpose.mril"], Is.EqualTo(relative));
+    }
+
+    [TestCase("https://github.com/OWNER/nowpose.git", "replace OWNER")]
+    [TestCase("no-such-folder", "is neither a git address nor a folder or tarball with the package com.nowpose.mril")]
+    [TestCase("file:../nowhere", "is neither a git address nor a folder or tarball with the package com.nowpose.mril")]
+    public async Task Unity_MissingPackage_IsRefused(string given, string reason)
+    {
+        using var project = new UnityProjectFolder(Empty);
+
+        AssertRefused(await project.RunAsync("--package", given), "--package: ");
+        AssertRefused(await project.RunAsync("--package", given), reason);
+    }
+
+    [TestCase("{ 'name': ", ":1: not a JSON object")]
+    [TestCase("[]", ": a JSON object is expected")]
+    [TestCase("{ 'displayName': 'x' }", ": name must be a string")]
+    [TestCase("{ 'name': '\\ud800' }", ": name must be a string")]
+    [TestCase("{ 'name': 'com.nowpose.mril', 'displayName': 'x', 'version': 1 }", ": version must be a string")]
+    [TestCase("{ 'name': 'com.nowpose.mril', 'displayName': 'x', 'version': '1.0.0', 'samples': {} }", ": samples must be an array")]
+    [TestCase("{ 'name': 'com.nowpose.mril', 'displayName': 'x', 'version': '1.0.0', 'samples': [1] }", ": samples[0] must be an object")]
+    [TestCase(
+        "{ 'name': 'com.nowpose.mril', 'displayName': 'x', 'version': '1.0.0', 'samples': [{ 'displayName': 'a', 'description': 'b' }] }",
+        ": samples[0].path must be a string")]
+    public async Task Unity_InvalidPackageJson_IsNamedWithFileAndField(string json, string reason)
+    {
+        using var project = new UnityProjectFolder(Empty);
+        project.Write("package/package.json", json.Replace('\'', '"'));
+
+        AssertRefused(await project.RunAsync("--package", project.At("package")), project.At("package/package.json") + reason);
+        Assert.That(project.Manifest, Is.EqualTo(Empty));
+    }
+
+    [Test]
+    public async Task Unity_PackageWithoutSamples_IsAccepted()
+    {
+        using var project = new UnityProjectFolder(Empty);
+        project.Write("package/package.json", """{ "name": "com.nowpose.mril", "displayName": "Nowpose", "version": "0.1.0" }""");
+
+        var run = await project.RunAsync("--package", project.At("package"));
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+    }
+
+    [Test]
+    public void Needs_Package_MatchThePackageJson()
+    {
+        var declared = Json(RepositoryFiles.Read(RepositoryFiles.Package + "/package.json")).GetProperty("dependencies").EnumerateObject()
+            .Where(d => !d.Name.StartsWith("com.unity.modules.", StringComparison.Ordinal)).Select(d => d.Name + " " + d.Value.GetString());
+
+        var needed = ProjectNeeds.Always.Where(p => p.Name != "com.unity.test-framework").Select(p => p.Name + " " + p.Reference);
+
+        Assert.That(needed, Is.EquivalentTo(declared));
+    }
+
+    [Test]
+    public void Needs_ByGit_ArePinned()
+    {
+        var addresses = ProjectNeeds.HoloLensWithMrtk3.Append(ProjectNeeds.NativeWebSocket).Select(p => p.Reference)
+            .Where(reference => reference.StartsWith("https://", StringComparison.Ordinal)).ToList();
+
+        Assert.That(addresses, Has.Count.EqualTo(9));
+        Assert.That(addresses, Has.All.Matches("#([0-9a-f]{40}|(.+-)?v[0-9]+\\.[0-9]+\\.[0-9]+)$"));
+    }
+}

@@ -1,0 +1,87 @@
+using Nowpose.Editor.Setup;
+using NUnit.Framework;
+using static Nowpose.Headless.Tests.Cli.UnityManifests;
+
+namespace Nowpose.Headless.Tests.Cli;
+
+/// <summary>Copies of samples in the project.</summary>
+public class UnitySampleTests
+{
+    [TestCase("Virtual Robot Cell")]
+    [TestCase("hololens 2 (mrtk3)")]
+    public async Task Sample_NewOrPartlyCopied_IsCopiedCompletely(string name)
+    {
+        using var project = new UnityProjectFolder(Empty);
+
+        var run = await project.RunAsync("--sample", name);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        var copy = Directory.EnumerateDirectories(project.At("Assets/Samples/Nowpose/0.1.0")).Single();
+        var source = Path.Combine(OwnPackage, "Samples~", Path.GetFileName(copy));
+        Assert.That(Files(copy), Is.EqualTo(Files(source)));
+        Assert.That(Files(copy).Select(f => f.Path), Has.Some.EndsWith(".unity.meta"));
+
+        File.Delete(Path.Combine(copy, "README.md"));
+        await project.RunAsync("--sample", name);
+        Assert.That(Files(copy), Is.EqualTo(Files(source)));
+    }
+
+    [Test]
+    public async Task Sample_ChangedByTheUser_IsNeverOverwritten()
+    {
+        using var project = new UnityProjectFolder(Empty);
+        await project.RunAsync("--sample", "Virtual Robot Cell");
+        const string changed = "Assets/Samples/Nowpose/0.1.0/Virtual Robot Cell/README.md";
+        project.Write(changed, "mine");
+
+        var run = await project.RunAsync("--sample", "Virtual Robot Cell");
+
+        AssertRefused(run, project.At(changed) + ": differs from the sample's file");
+        Assert.That(project.Read(changed), Is.EqualTo("mine"));
+    }
+
+    [TestCase("Assets/Samples", "--check")]
+    [TestCase("Assets/Samples")]
+    [TestCase("Assets/Samples/Nowpose/0.1.0/Virtual Robot Cell")]
+    public async Task Sample_FileInsteadOfAFolder_IsReportedWithoutChanges(string path, params string[] options)
+    {
+        using var project = new UnityProjectFolder(Empty);
+        project.Write(path, "mine");
+
+        var run = await project.RunAsync(["--sample", "Virtual Robot Cell", .. options]);
+
+        AssertRefused(run, project.At(path) + ": is a file where the sample needs a folder; rename or delete it");
+        Assert.That(project.Manifest, Is.EqualTo(Empty));
+        Assert.That(project.Backups, Is.Empty);
+    }
+
+    [Test]
+    public async Task Sample_CannotBeCopied_LeavesTheManifestUnchanged()
+    {
+        using var project = new UnityProjectFolder(Empty);
+        // A file with the name of the folder into which the sample is first copied.
+        project.Write("Assets/Samples/Nowpose/0.1.0/.Virtual Robot Cell", "mine");
+
+        var run = await project.RunAsync("--sample", "Virtual Robot Cell");
+
+        AssertRefused(run, "the sample 'Virtual Robot Cell' cannot be copied: ");
+        Assert.That(run.Errors, Does.Contain("the manifest is not changed; remove the cause, and try again"));
+        Assert.That(project.Manifest, Is.EqualTo(Empty));
+        Assert.That(project.Backups, Is.Empty);
+    }
+
+    [Test]
+    public async Task Sample_Unknown_ListsTheSamplesWithoutChanges()
+    {
+        using var project = new UnityProjectFolder(Empty);
+
+        var run = await project.RunAsync("--sample", "Virtual");
+
+        AssertRefused(run, "'Virtual' is not a sample of the package; allowed are Virtual Robot Cell, Connect to a Gateway, ");
+        Assert.That(project.Manifest, Is.EqualTo(Empty));
+    }
+
+    static IEnumerable<(string Path, string Content)> Files(string folder) =>
+        Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories).Order(StringComparer.Ordinal)
+            .Select(file => (Path.GetRelativePath(folder, file), File.ReadAllText(file)));
+}

@@ -1,0 +1,91 @@
+using NUnit.Framework;
+using static Nowpose.Headless.Tests.Cli.UnityManifests;
+
+namespace Nowpose.Headless.Tests.Cli;
+
+/// <summary>The versions and folders that the verb accepts.</summary>
+public class UnityVersionTests
+{
+    [TestCase("2020.3.48f1", "is older than 2021.3", "--check")]
+    [TestCase("2021.3.21f1", "is older than 2021.3.26, the oldest that MRTK3 accepts", "--mrtk3")]
+    [TestCase("6000.3.2f1", "Microsoft's Mixed Reality OpenXR 1.11.2 does not compile in Unity 6.3", "--mrtk3")]
+    public async Task Unity_VersionOutOfBounds_IsRefused(string version, string reason, string option)
+    {
+        using var project = new UnityProjectFolder(Empty, version);
+
+        var run = await project.RunAsync(option);
+
+        AssertRefused(run, project.At("ProjectSettings/ProjectVersion.txt") + ": Unity " + version);
+        Assert.That(run.Errors, Does.Contain(reason));
+        Assert.That(project.Manifest, Is.EqualTo(Empty));
+    }
+
+    [Test]
+    public async Task Unity_InstalledPlugInDoesNotCompileInUnity63_IsRefused()
+    {
+        using var project = new UnityProjectFolder(WithMrtk3, "6000.3.0f1");
+
+        AssertRefused(await project.RunAsync(), "does not compile in Unity 6.3");
+    }
+
+    [TestCase("6000.3.2f1", "not compiled against this release")]
+    [TestCase("6000.0.78f1", "not tested on a device")]
+    public async Task Unity_UntestedVersion_IsNoted(string version, string note)
+    {
+        using var project = new UnityProjectFolder(Empty, version);
+
+        var run = await project.RunAsync();
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0));
+        Assert.That(run.Errors, Does.Contain(note));
+    }
+
+    [Test]
+    public async Task Unity_Mrtk4_IsNotedAndRefusedWithTheOption()
+    {
+        const string manifest =
+            """{ "dependencies": { "org.mixedrealitytoolkit.core": "4.0.0-pre.2", "com.unity.xr.interaction.toolkit": "3.0.4" } }""";
+        using var project = new UnityProjectFolder(manifest);
+
+        var refused = await project.RunAsync("--mrtk3");
+        var noted = await project.RunAsync();
+
+        AssertRefused(refused, "org.mixedrealitytoolkit.core is 4.0.0-pre.2; 3.0.0 or newer, but older than 4.0.0 is needed");
+        Assert.That(noted.ExitStatus, Is.EqualTo(0));
+        Assert.That(noted.Errors, Does.Contain("com.unity.xr.interaction.toolkit 3.0.4 is not supported"));
+    }
+
+    [TestCase(null, "Packages/manifest.json", "Packages/manifest.json is missing")]
+    [TestCase(Empty, "ProjectSettings/ProjectVersion.txt", "ProjectSettings/ProjectVersion.txt is missing")]
+    public async Task Unity_NotAProject_IsRefused(string manifest, string without, string reason)
+    {
+        using var project = new UnityProjectFolder(manifest);
+        File.Delete(project.At(without).Replace("Packages/manifest.json", "Packages", StringComparison.Ordinal));
+
+        AssertRefused(await project.RunAsync(), "not a Unity project: " + reason.Replace('/', Path.DirectorySeparatorChar));
+    }
+
+    [Test]
+    public async Task Unity_InvalidPath_IsRefused()
+    {
+        using var project = new UnityProjectFolder(Empty);
+        Directory.CreateDirectory(project.At("Assets"));
+
+        AssertRefused(await CliRun.OfAsync("unity", project.At("Assets")), "; the project is " + project.Root);
+        AssertRefused(await CliRun.OfAsync("unity", project.At("Packages/manifest.json")), "is a file; the folder of a Unity project is needed");
+        AssertRefused(await CliRun.OfAsync("unity", project.At("nowhere")), "folder not found");
+        AssertRefused(await CliRun.OfAsync("unity", ""), "PATH is empty");
+        AssertRefused(await CliRun.OfAsync("unity"), "argument");
+        AssertRefused(await project.RunAsync("--on-conflict", "maybe"), "maybe");
+    }
+
+    [TestCase("m_EditorVersion: soon")]
+    [TestCase("")]
+    public async Task Unity_NoVersion_IsRefused(string text)
+    {
+        using var project = new UnityProjectFolder(Empty);
+        project.Write("ProjectSettings/ProjectVersion.txt", text);
+
+        AssertRefused(await project.RunAsync(), "no line 'm_EditorVersion: VERSION'");
+    }
+}

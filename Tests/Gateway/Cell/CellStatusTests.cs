@@ -1,0 +1,125 @@
+using System.Text.Json;
+using Nowpose.Gateway;
+using Nowpose.Protocol;
+using NUnit.Framework;
+using static Nowpose.Headless.Tests.Gateway.Cell.CellTexts;
+
+namespace Nowpose.Headless.Tests.Gateway.Cell;
+
+/// <summary>State and metrics of a gateway with frames, signals and robots in namespaces.</summary>
+public class CellStatusTests
+{
+    GatewayServer _gateway;
+    RawRosbridgeClient _source;
+
+    [SetUp]
+    public async Task StartAsync()
+    {
+        _gateway = await Gateways.StartAsync();
+        _source = await RawRosbridgeClient.ConnectAsync(_gateway);
+    }
+
+    [TearDown]
+    public async Task StopAsync()
+    {
+        _source.Dispose();
+        await _gateway.DisposeAsync();
+    }
+
+    async Task<string> GetAsync(string path)
+    {
+        using var http = new HttpClient();
+        return await http.GetStringAsync(new UriBuilder(_gateway.WebSocketUri()) { Scheme = "http", Path = path }.Uri).Bounded();
+    }
+
+    async Task<JsonElement> StateAsync() => JsonDocument.Parse(await GetAsync("/operations/state")).RootElement;
+
+    static string State(string robot, ControlTime stamp, double position = 1) => RosbridgeWriter.PublishJointState(
+        RobotTopic.NameOf(robot, RosTopics.JointStates), new JointStateMessage(stamp, ["a"], [position]), RosTimeForm.Sec);
+
+    [Test]
+    public async Task State_TwoRobots_ListsTheJointsOfEach()
+    {
+        await _source.SendAsync(State("arm1", Gateways.Start));
+        await _source.SendAsync(State("arm2", Gateways.Start));
+        await _source.SendAsync(State("", Gateways.Start));
+        await _source.RoundTripAsync();
+
+        var state = await StateAsync();
+
+        var joints = state.GetProperty("joints").EnumerateArray().Select(joint => joint.GetProperty("name").GetString());
+        Assert.That(joints, Is.EqualTo(new[] { "a", "arm1/a", "arm2/a" }));
+        var messages = state.GetProperty("messages");
+        Assert.That(messages.GetProperty("/joint_states").GetInt64(), Is.EqualTo(1));
+        Assert.That(messages.GetProperty("/*/joint_states").GetInt64(), Is.EqualTo(2));
+    }
+
+    [Test]
+    public async Task State_InvalidSampleOfARobot_ConcernsOnlyThatRobot()
+    {
+        using var other = await RawRosbridgeClient.ConnectAsync(_gateway);
+        await _source.SendAsync(State("arm1", Gateways.Start));
+        await _source.RoundTripAsync();
+
+        await other.SendAsync(State("arm2", Gateways.Start).Replace("[1.0]", "[null]"));
+        await other.ExpectErrorAsync("NotFinite");
+
+        var states = (await StateAsync()).GetProperty("joints").EnumerateArray()
+            .ToDictionary(joint => joint.GetProperty("name").GetString(), joint => joint.GetProperty("state").GetString());
+        Assert.That(states["arm1/a"], Is.EqualTo("live"));
+        Assert.That(states["arm2/a"], Is.EqualTo("refused"));
+    }
+
+    [Test]
+    public async Task Metrics_FramesAndSignals_AreCountedByTopicAndReason()
+    {
+        await _source.SendAsync(Tf(Frame("a")));
+        await _source.SendAsync(TfStatic(Frame("b", "a")));
+        await _source.SendAsync(SignalsText(("grip", 1)));
+        await _source.RoundTripAsync();
+        await _source.SendAsync(Tf(Frame("a", "b")));
+        await _source.ExpectErrorAsync("FrameCycle");
+
+        var metrics = await GetAsync("/metrics");
+
+        foreach (var topic in new[] { "/tf", "/tf_static", "/signals" })
+            Assert.That(metrics, Does.Contain($"nowpose_messages_total{{topic=\"{topic}\"}} 1\n"));
+        Assert.That(metrics, Does.Contain("nowpose_drops_total{reason=\"FrameCycle\"} 1\n"));
+        Assert.That(metrics, Does.Contain("nowpose_messages_total{topic=\"/*/robot_description\"} 0\n"));
+    }
+
+    [TestCase("frames", true)]
+    [TestCase("signals", true)]
+    [TestCase("stationary frames", false)]
+    public async Task Stamps_InFuture_AreEvidenceAboutTheClock(string kind, bool expected)
+    {
+        var stamp = Gateways.Start + TimeSpan.FromMinutes(10);
+        var text = kind == "frames" ? Tf(Frame("a", stamp: stamp)) : kind == "signals" ? SignalsAt(stamp, ("grip", 1)) : TfStatic(Frame("a", stamp: stamp));
+
+        for (var i = 0; i < 10; i++)
+        {
+            await _source.SendAsync(text);
+            await _source.ExpectErrorAsync("StampInFuture");
+        }
+
+        _gateway.Clock.Stamps.Look(_ => { });
+        Assert.That(_gateway.Clock.Stamps.IsContradicted, Is.EqualTo(expected));
+    }
+
+    [Test]
+    public async Task Stamps_FramesOfAnotherSource_AreNoEvidenceAboutTheClock()
+    {
+        using var second = await RawRosbridgeClient.ConnectAsync(_gateway);
+        await _source.SendAsync(Tf(Frame("a")));
+        await _source.RoundTripAsync();
+
+        for (var i = 0; i < 10; i++)
+        {
+            await second.SendAsync(Tf(Frame("a", stamp: Gateways.Start + TimeSpan.FromMinutes(10))));
+            await second.ExpectErrorAsync("StampInFuture");
+        }
+
+        _gateway.Clock.Stamps.Look(_ => { });
+        Assert.That(_gateway.Clock.Stamps.IsContradicted, Is.False);
+    }
+}

@@ -1,0 +1,223 @@
+using Nowpose.Gateway;
+using Nowpose.Protocol;
+using NUnit.Framework;
+using static Nowpose.Headless.Tests.Gateway.Cell.CellTexts;
+
+namespace Nowpose.Headless.Tests.Gateway.Cell;
+
+public class FrameTopicTests
+{
+    GatewayServer _gateway;
+    RawRosbridgeClient _source, _headset;
+
+    [SetUp]
+    public async Task StartAsync()
+    {
+        _gateway = await Gateways.StartAsync();
+        _source = await RawRosbridgeClient.ConnectAsync(_gateway);
+        _headset = await RawRosbridgeClient.ConnectAsync(_gateway);
+    }
+
+    [TearDown]
+    public async Task StopAsync()
+    {
+        _source.Dispose();
+        _headset.Dispose();
+        await _gateway.DisposeAsync();
+    }
+
+    async Task<string> NextFramesAsync() => (await _headset.ReceiveAsync()).Transforms.Text();
+
+    // Sends a message that the gateway must accept without a status.
+    async Task SendAsync(string text)
+    {
+        await _source.SendAsync(text);
+        await _source.RoundTripAsync();
+    }
+
+    [TestCase(RosTopics.Tf, "tf2_msgs/TFMessage", "\"secs\":5000")]
+    [TestCase(RosTopics.Tf, "tf2_msgs/msg/TFMessage", "\"sec\":5000")]
+    [TestCase(RosTopics.TfStatic, "tf2_msgs/TFMessage", "\"secs\":5000")]
+    [TestCase(RosTopics.TfStatic, null, "\"sec\":5000")]
+    public async Task Publish_Frames_ReachSubscribersInTheirTimeFormat(string topic, string type, string expected)
+    {
+        await _headset.SubscribeAsync(topic, type);
+        await _source.SendAsync(RosbridgeWriter.Advertise(topic, "tf2_msgs/TFMessage"));
+
+        await SendAsync(topic == RosTopics.Tf ? Tf(Frame("box", "belt", 0.5), Frame("belt")) : TfStatic(Frame("box", "belt", 0.5), Frame("belt")));
+
+        var text = await _headset.ReceiveTextAsync();
+        Assert.That(text, Does.Contain(expected).And.Contain("\"topic\":\"" + topic + "\""));
+        Assert.That(RosbridgeReader.TryRead(text, out var message, out _), Is.True);
+        Assert.That(message.Transforms.Text(), Is.EqualTo("box=0.5 belt=0"));
+    }
+
+    [TestCase("\"rotation\":{\"x\":0,\"y\":0,\"z\":0,\"w\":1.02}", DropReason.NotUnitQuaternion, "frame box has a rotation with the norm 1.02; it must be 1 within 0.001")]
+    [TestCase("\"rotation\":{\"x\":0,\"y\":NaN,\"z\":0,\"w\":1}", DropReason.NotFinite, "frame box has rotation.y NaN")]
+    [TestCase("\"rotation\":{\"x\":0,\"y\":0,\"z\":0}", DropReason.MissingField, "missing")]
+    public async Task Publish_InvalidRotation_IsDroppedWithItsValue(string rotation, object reason, string part)
+    {
+        await _headset.SubscribeAsync(RosTopics.Tf);
+
+        await _source.SendAsync(Tf(Frame("box")).Replace("\"rotation\":{\"x\":0.0,\"y\":0.0,\"z\":0.0,\"w\":1.0}", rotation));
+
+        await _source.ExpectErrorAsync(part);
+        Assert.That(_gateway.Drops[(DropReason)reason], Is.EqualTo(1));
+        await SendAsync(Tf(Frame("box", x: 2)));
+        Assert.That(await NextFramesAsync(), Is.EqualTo("box=2"));
+    }
+
+    [Test]
+    public async Task Publish_InvalidFrames_AreDroppedWithTheFrame()
+    {
+        await _source.SendAsync(Tf(Frame("box", "box")));
+        await _source.ExpectErrorAsync("frame box is its own parent (OwnParent)");
+        await _source.SendAsync(Tf(Frame("box"), Frame("box")));
+        await _source.ExpectErrorAsync("frame box occurs twice as child_frame_id (DuplicateName)");
+        await _source.SendAsync(Tf(Frame("box", stamp: default(ControlTime))));
+        await _source.ExpectErrorAsync("frame box has a zero stamp (StampZero)");
+        await _source.SendAsync(Tf(Frame("belt"), Frame("box", stamp: ControlTime.FromSeconds(5100))));
+        await _source.ExpectErrorAsync("frame box: the time stamp is later than the control time (StampInFuture)");
+        await _source.SendAsync(TfStatic(Frame("box", stamp: ControlTime.FromSeconds(5100))));
+        await _source.ExpectErrorAsync("(StampInFuture)");
+        await _source.SendAsync(Tf(Frame("world", "map")));
+        await _source.ExpectErrorAsync("frame world with parent map is not possible: world is the root of all frames, so it has no parent (WorldAsChild)");
+
+        await SendAsync(TfStatic(Frame("box", stamp: default(ControlTime))));
+        Assert.That(_gateway.Drops.Total, Is.EqualTo(6));
+    }
+
+    [Test]
+    public async Task Publish_CycleOverTwoSources_LeavesOutThatFrame()
+    {
+        using var other = await RawRosbridgeClient.ConnectAsync(_gateway);
+        await other.SendAsync(TfStatic(Frame("a", "c")));
+        await other.RoundTripAsync();
+        await _headset.SubscribeAsync(RosTopics.Tf);
+
+        await _source.SendAsync(Tf(Frame("b", "a", 1), Frame("c", "b", 2), Frame("d", "b", 3)));
+
+        await _source.ExpectErrorAsync("publish /tf dropped: frame c with parent b is a cycle: its parent depends on the frame itself (FrameCycle)");
+        Assert.That(await NextFramesAsync(), Is.EqualTo("b=1 d=3"));
+        Assert.That(_gateway.Drops[DropReason.FrameCycle], Is.EqualTo(1));
+        await _source.RoundTripAsync();
+    }
+
+    [Test]
+    public async Task Publish_ChainOf17_LeavesOutTheDeepest()
+    {
+        await _headset.SubscribeAsync(RosTopics.Tf);
+
+        await _source.SendAsync(Tf([.. Enumerable.Range(1, 18).Select(i => Frame("f" + i, i == 1 ? "world" : $"f{i - 1}"))]));
+
+        // f17 is too deep. Its parent is then unknown, so f18 is the child of a root.
+        await _source.ExpectErrorAsync("frame f17 with parent f16 is deeper than 16 transforms below the root (FrameTooDeep)");
+        Assert.That((await _headset.ReceiveAsync()).Transforms.Count, Is.EqualTo(17));
+    }
+
+    [Test]
+    public async Task Publish_FramesOfSeveralSources_AreAcceptedUpTo256()
+    {
+        using var other = await RawRosbridgeClient.ConnectAsync(_gateway);
+        await other.SendAsync(Tf([.. Enumerable.Range(0, 200).Select(i => Frame("a" + i))]));
+        await other.RoundTripAsync();
+        await _headset.SubscribeAsync(RosTopics.Tf);
+
+        await _source.SendAsync(Tf([.. Enumerable.Range(0, 60).Select(i => Frame("b" + i))]));
+
+        await _source.ExpectErrorAsync("frame b56 with parent world exceeds the maximum of 256 frames; 3 more likewise (TooManyFrames)");
+        Assert.That((await _headset.ReceiveAsync()).Transforms.Count, Is.EqualTo(56));
+        Assert.That(_gateway.Drops[DropReason.TooManyFrames], Is.EqualTo(4), "each is counted");
+    }
+
+    [Test]
+    public async Task Publish_CycleThroughADescribedRobot_LeavesOutThatFrame()
+    {
+        const string Urdf = "<robot name='r'><link name='base'/><link name='tool0'/><joint name='j' type='fixed'><parent link='base'/><child link='tool0'/></joint></robot>";
+        await SendAsync(RosbridgeWriter.PublishString("/arm1/robot_description", Urdf));
+        await _gateway.Hub.Links.Read.Bounded();
+        await SendAsync(Tf(Frame("box", "arm1/tool0")));
+
+        await _source.SendAsync(Tf(Frame("arm1/base", "box")));
+
+        await _source.ExpectErrorAsync("FrameCycle");
+        await SendAsync(Tf(Frame("arm1/base", "world")));
+    }
+
+    [TestCase(true)]
+    [TestCase(false)]
+    public async Task Source_SecondForAChild_IsRefusedUntilTheFirstEnds(bool isStatic)
+    {
+        using var second = await RawRosbridgeClient.ConnectAsync(_gateway);
+        await SendAsync(isStatic ? TfStatic(Frame("box")) : Tf(Frame("box")));
+
+        foreach (var text in new[] { Tf(Frame("belt"), Frame("box")), TfStatic(Frame("box")) })
+        {
+            await second.SendAsync(text);
+            await second.ExpectErrorAsync("frame box belongs to another source, rosbridge 127.0.0.1 (FrameTaken)");
+        }
+
+        await second.SendAsync(Tf(Frame("belt")));
+        await second.RoundTripAsync();
+        Assert.That(_gateway.Drops[DropReason.FrameTaken], Is.EqualTo(2));
+        await _source.SendAsync(RosbridgeWriter.Advertise(isStatic ? RosTopics.TfStatic : RosTopics.Tf, null));
+        await SendAsync(RosbridgeWriter.Unadvertise(isStatic ? RosTopics.TfStatic : RosTopics.Tf));
+        await second.SendAsync(Tf(Frame("box")));
+        await second.RoundTripAsync();
+    }
+
+    [Test]
+    public async Task Subscribe_StationaryFrames_ReceivesTheNewestOfEachChildAlsoAfterTheirSource()
+    {
+        await SendAsync(TfStatic(Frame("belt", x: 1), Frame("fixture", x: 2)));
+        await SendAsync(TfStatic(Frame("belt", x: 3)));
+        await SendAsync(Tf(Frame("box", x: 4)));
+
+        await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.TfStatic));
+
+        Assert.That(new[] { await NextFramesAsync(), await NextFramesAsync() }, Is.EqualTo(new[] { "fixture=2", "belt=3" }));
+        await _headset.RoundTripAsync();
+        _source.Dispose();
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the source has gone");
+        using var late = await RawRosbridgeClient.ConnectAsync(_gateway);
+        await late.SendAsync(RosbridgeWriter.Subscribe(RosTopics.TfStatic));
+        Assert.That((await late.ReceiveAsync()).Transforms.Text(), Is.EqualTo("fixture=2"));
+        Assert.That((await late.ReceiveAsync()).Transforms.Text(), Is.EqualTo("belt=3"));
+        // Another source takes it over as a moving frame.
+        await late.SendAsync(Tf(Frame("belt")));
+        await late.RoundTripAsync();
+        await _headset.SubscribeAsync(RosTopics.Tf);
+        await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.TfStatic, null, "again"));
+        Assert.That(await NextFramesAsync(), Is.EqualTo("fixture=2"));
+        await _headset.RoundTripAsync();
+    }
+
+    [Test]
+    public async Task Subscribe_MovingFrames_ReceivesOnlyLaterOnes()
+    {
+        await SendAsync(Tf(Frame("box", x: 1)));
+        await _headset.SubscribeAsync(RosTopics.Tf);
+
+        await SendAsync(Tf(Frame("box", x: 2)));
+
+        Assert.That(await NextFramesAsync(), Is.EqualTo("box=2"));
+    }
+
+    [Test]
+    public async Task Publish_LongMessage_IsForwardedInPartsOf64KiB()
+    {
+        await _headset.SubscribeAsync(RosTopics.Tf, "tf2_msgs/TFMessage");
+        var frames = Enumerable.Range(0, 256).Select(i => Frame($"{new string('f', 60)}_{i}", i % 2 == 0 ? "world" : "belt", 0.1 + i)).ToArray();
+        // Without blanks, decimals and optional fields, it is shorter than the gateway's own text.
+        var text = Tf(frames).Replace(".0,", ",").Replace(".0}", "}");
+        Assert.That(text.Length, Is.InRange(50_000, 64 * 1024));
+
+        await SendAsync(text);
+
+        var read = 0;
+        // A client refuses a longer message.
+        while (read < frames.Length) read += (await _headset.ReceiveAsync()).Transforms.Count;
+        Assert.That(read, Is.EqualTo(frames.Length));
+        Assert.That(_gateway.Drops.Total, Is.Zero);
+    }
+}

@@ -1,0 +1,141 @@
+using System.Diagnostics;
+using System.Text;
+using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Rosbridge;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Cell;
+
+/// <summary>The messages that a subscriber to a latched topic gets when it is slow.</summary>
+public class LatchedQueueTests
+{
+    readonly MessageHub _hub = new();
+    readonly DropCounters _drops = new();
+
+    void Publish(HubSource source, string name, double value, long? receivedAt = null) => Assert.That(
+        source.Publish(new SignalsMessage(Gateways.Start, new SignalValue(name, value)), [], receivedAt), Is.Null);
+
+    // Lets the subscription send until it has sent a text.
+    static async Task<List<string>> SentAsync(Subscription subscription, string last, bool isReaderSlow)
+    {
+        var sent = new List<string>();
+        var isDone = new TaskCompletionSource();
+        _ = subscription.PumpAsync(
+            next =>
+            {
+                var utf8 = next(isReaderSlow ? Stopwatch.GetTimestamp() : long.MinValue);
+                if (!utf8.IsEmpty && RosbridgeReader.TryRead(Encoding.UTF8.GetString(utf8.Span), out var message, out _)) sent.Add(message.Signals.Text());
+                if (sent.Contains(last)) isDone.TrySetResult();
+                return Task.CompletedTask;
+            },
+            CancellationToken.None);
+        await isDone.Task.Bounded();
+        subscription.Dispose();
+        return sent;
+    }
+
+    [Test]
+    public async Task Pump_QueueOverflows_SendsTheNewestOfEachName()
+    {
+        using var source = _hub.OpenSource();
+        using var subscription = new Subscription(_hub, RosTopics.Signals, default, 4, _drops);
+        Publish(source, "grip", 1);
+        for (var i = 1; i <= 20; i++) Publish(source, "s" + i % 3, i);
+
+        var sent = await SentAsync(subscription, "s2=20", isReaderSlow: false);
+
+        Assert.That(sent, Is.EqualTo(new[] { "grip=1", "s0=18", "s1=19", "s2=20" }));
+    }
+
+    [Test]
+    public async Task Pump_MessagesWaitedForTheClient_SendsTheNewestOfEachName()
+    {
+        using var source = _hub.OpenSource();
+        using var subscription = new Subscription(_hub, RosTopics.Signals, default, 16, _drops);
+        var old = Stopwatch.GetTimestamp() - Stopwatch.Frequency;
+        Publish(source, "grip", 1, old);
+        for (var i = 1; i <= 9; i++) Publish(source, "s", i, old);
+
+        var sent = await SentAsync(subscription, "s=9", isReaderSlow: true);
+
+        Assert.That(sent, Is.EqualTo(new[] { "grip=1", "s=9" }));
+        Assert.That(_drops[DropReason.SlowReader], Is.EqualTo(8));
+    }
+
+    [Test]
+    public async Task Pump_NotSlow_SendsEachChangeInOrder()
+    {
+        using var source = _hub.OpenSource();
+        using var subscription = new Subscription(_hub, RosTopics.Signals, default, 16, _drops);
+        var sending = SentAsync(subscription, "s=9", isReaderSlow: false);
+
+        for (var i = 1; i <= 9; i++)
+        {
+            Publish(source, "s", i);
+            Publish(source, "t", i);
+        }
+
+        var sent = await sending;
+
+        Assert.That(sent.Where(text => text[0] == 's').Select(text => int.Parse(text[2..])), Is.Ordered);
+        Assert.That(sent[^1], Is.EqualTo("s=9"));
+    }
+
+    [Test]
+    public async Task Pump_MessageWithSeveralNames_SendsThoseThatAreCurrent()
+    {
+        using var source = _hub.OpenSource();
+        source.Publish(new SignalsMessage(Gateways.Start, new SignalValue("a", 1), new SignalValue("b", 1), new SignalValue("c", 1)), []);
+        Publish(source, "b", 2);
+        using var subscription = new Subscription(_hub, RosTopics.Signals, default, 16, _drops);
+
+        var sent = await SentAsync(subscription, "b=2", isReaderSlow: false);
+
+        Assert.That(sent, Is.EqualTo(new[] { "a=1 c=1", "b=2" }));
+    }
+
+    [Test]
+    public async Task Dispose_WithWaitingValues_EndsThePump()
+    {
+        using var source = _hub.OpenSource();
+        for (var i = 0; i < 100; i++) Publish(source, "s" + i, i);
+        var subscription = new Subscription(_hub, RosTopics.Signals, default, 16, _drops);
+        var sent = 0;
+
+        await subscription.PumpAsync(
+            next =>
+            {
+                if (!next(long.MinValue).IsEmpty && ++sent == 5) subscription.Dispose();
+                return Task.CompletedTask;
+            },
+            CancellationToken.None).Bounded();
+
+        Assert.That(sent, Is.EqualTo(5));
+    }
+
+    [Test]
+    public void MessageParts_LongNames_AreSplitWithinTheLimit()
+    {
+        // A backslash has the length of six characters at most; two characters here.
+        var names = Enumerable.Range(0, 256).Select(i => new string('\\', 124) + i.ToString("000")).ToArray();
+        var signals = new SignalsMessage(Gateways.Start, [.. names.Select(name => new SignalValue(name, -1.0 / 3e-300))]);
+        var frames = new TransformsMessage([.. names.Select(name => CellTexts.Frame(name, "world", -1.0 / 3e-300))]);
+
+        var parts = MessageParts.Of(signals).ToList();
+        var frameParts = MessageParts.Of(frames).ToList();
+
+        Assert.That(parts.Sum(part => part.Count), Is.EqualTo(256));
+        Assert.That(frameParts.Sum(part => part.Count), Is.EqualTo(256));
+        Assert.That(parts, Has.Count.GreaterThan(1));
+        foreach (var part in parts)
+            Assert.That(
+                Encoding.UTF8.GetByteCount(RosbridgeWriter.PublishSignals(RosTopics.Signals, part, RosTimeForm.Secs)),
+                Is.LessThanOrEqualTo(ProtocolLimits.MessageBytes));
+        foreach (var part in frameParts)
+            Assert.That(
+                Encoding.UTF8.GetByteCount(RosbridgeWriter.PublishTransforms(RosTopics.TfStatic, part, RosTimeForm.Secs)),
+                Is.LessThanOrEqualTo(ProtocolLimits.MessageBytes));
+    }
+}

@@ -1,0 +1,203 @@
+using Nowpose.Gateway;
+using Nowpose.Protocol;
+using NUnit.Framework;
+using static Nowpose.Headless.Tests.Gateway.Cell.CellTexts;
+
+namespace Nowpose.Headless.Tests.Gateway.Cell;
+
+public class SignalTopicTests
+{
+    GatewayServer _gateway;
+    RawRosbridgeClient _source, _headset;
+
+    [SetUp]
+    public async Task StartAsync()
+    {
+        _gateway = await Gateways.StartAsync();
+        _source = await RawRosbridgeClient.ConnectAsync(_gateway);
+        _headset = await RawRosbridgeClient.ConnectAsync(_gateway);
+    }
+
+    [TearDown]
+    public async Task StopAsync()
+    {
+        _source.Dispose();
+        _headset.Dispose();
+        await _gateway.DisposeAsync();
+    }
+
+    async Task SendAsync(string text)
+    {
+        await _source.SendAsync(text);
+        await _source.RoundTripAsync();
+    }
+
+    [TestCase("nowpose_msgs/Signals", "\"secs\":5000")]
+    [TestCase("nowpose_msgs/msg/Signals", "\"sec\":5000")]
+    [TestCase(null, "\"sec\":5000")]
+    public async Task Publish_Signals_ReachSubscribersInTheirTimeFormat(string type, string expected)
+    {
+        await _headset.SubscribeAsync(RosTopics.Signals, type);
+
+        await SendAsync(SignalsText(("grip", 1), ("belt.speed", -0.25)));
+
+        var text = await _headset.ReceiveTextAsync();
+        Assert.That(text, Does.Contain(expected));
+        Assert.That(RosbridgeReader.TryRead(text, out var message, out _), Is.True);
+        Assert.That(message.Signals.Text(), Is.EqualTo("grip=1 belt.speed=-0.25"));
+    }
+
+    [Test]
+    public async Task Subscribe_Late_ReceivesTheNewestOfEachSignalWithItsOwnStamp()
+    {
+        await SendAsync(SignalsAt(ControlTime.FromSeconds(4000), ("grip", 1), ("lamp", 1), ("door", 0)));
+        await SendAsync(SignalsAt(ControlTime.FromSeconds(4001), ("grip", 0)));
+        await SendAsync(SignalsAt(ControlTime.FromSeconds(4002), ("lamp", 2)));
+
+        await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.Signals, "nowpose_msgs/Signals"));
+
+        var received = new List<(string, double)>();
+        while (received.Count < 3)
+        {
+            var signals = (await _headset.ReceiveAsync()).Signals;
+            received.Add((signals.Text(), signals.Stamp.SinceEpoch.TotalSeconds));
+        }
+
+        Assert.That(received, Is.EqualTo(new[] { ("door=0", 4000.0), ("grip=0", 4001.0), ("lamp=2", 4002.0) }));
+        await _headset.RoundTripAsync();
+        await SendAsync(SignalsText(("door", 1)));
+        Assert.That((await _headset.ReceiveAsync()).Signals.Text(), Is.EqualTo("door=1"));
+    }
+
+    [Test]
+    public async Task Subscribe_MoreSignalsThanTheQueueHolds_ReceivesAll()
+    {
+        for (var i = 0; i < 256; i++) await _source.SendAsync(SignalsAt(ControlTime.FromSeconds(4000 + i), ($"s{i}", i)));
+        await _source.RoundTripAsync();
+
+        await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.Signals, null, null, 0, 1));
+
+        for (var i = 0; i < 256; i++) Assert.That((await _headset.ReceiveAsync()).Signals.Text(), Is.EqualTo($"s{i}={i}"));
+        await _headset.RoundTripAsync();
+        Assert.That(_gateway.Drops.Total, Is.Zero);
+    }
+
+    [Test]
+    public async Task Subscribe_AfterTheSourceEnded_ReceivesNoSignal()
+    {
+        await SendAsync(SignalsText(("grip", 1)));
+        _source.Dispose();
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the source has gone");
+
+        await _headset.SubscribeAsync(RosTopics.Signals);
+
+        await _headset.RoundTripAsync();
+    }
+
+    [Test]
+    public async Task Status_SourceEnded_NamesItsSignalsUntilTheyHaveASourceAgain()
+    {
+        await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.SignalStatus, "diagnostic_msgs/DiagnosticArray"));
+        Assert.That((await _headset.ReceiveAsync()).SignalStatus.Joints, Is.Empty);
+        await SendAsync(SignalsText(("grip", 1), ("lamp", 1)));
+
+        _source.Dispose();
+
+        var ended = (await _headset.ReceiveAsync()).SignalStatus.Joints;
+        Assert.That(ended.Select(one => one.Joint), Is.EquivalentTo(new[] { "grip", "lamp" }));
+        Assert.That(ended[0].State, Is.EqualTo(JointDataState.Stale));
+        Assert.That(ended[0].Reason, Is.EqualTo("its source rosbridge 127.0.0.1 has ended"));
+        Assert.That(ended[0].Since, Is.GreaterThanOrEqualTo(Gateways.Start));
+        using var late = await RawRosbridgeClient.ConnectAsync(_gateway);
+        await late.SendAsync(RosbridgeWriter.Subscribe(RosTopics.SignalStatus));
+        Assert.That((await late.ReceiveAsync()).SignalStatus.Joints, Has.Count.EqualTo(2));
+        await late.SendAsync(SignalsText(("grip", 1)));
+        Assert.That((await late.ReceiveAsync()).SignalStatus.Joints.Single().Joint, Is.EqualTo("lamp"));
+        Assert.That((await _headset.ReceiveAsync()).SignalStatus.Joints.Single().Joint, Is.EqualTo("lamp"));
+    }
+
+    [Test]
+    public async Task Source_SecondForASignal_IsRefusedUntilTheFirstEnds()
+    {
+        using var second = await RawRosbridgeClient.ConnectAsync(_gateway);
+        await SendAsync(SignalsText(("grip", 1)));
+
+        await second.SendAsync(SignalsText(("lamp", 1), ("grip", 0)));
+
+        await second.ExpectErrorAsync("signal grip belongs to another source, rosbridge 127.0.0.1 (SignalTaken)");
+        Assert.That(_gateway.Drops[DropReason.SignalTaken], Is.EqualTo(1));
+        _source.Dispose();
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 2, "the first has gone");
+        await second.SendAsync(SignalsText(("lamp", 1), ("grip", 0)));
+        await second.RoundTripAsync();
+    }
+
+    [Test]
+    public async Task Publish_SignalsOfSeveralSources_AreAcceptedUpTo256()
+    {
+        using var other = await RawRosbridgeClient.ConnectAsync(_gateway);
+        await other.SendAsync(SignalsText([.. Enumerable.Range(0, 255).Select(i => ("a" + i, 0.0))]));
+        await other.RoundTripAsync();
+        await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.Signals));
+        Assert.That((await _headset.ReceiveAsync()).Signals.Count, Is.EqualTo(255));
+
+        await _source.SendAsync(SignalsText(("b", 1), ("c", 2), ("d", 3)));
+
+        await _source.ExpectErrorAsync("signal c exceeds the maximum of 256 signals; 1 more likewise (TooManySignals)");
+        Assert.That((await _headset.ReceiveAsync()).Signals.Text(), Is.EqualTo("b=1"));
+        Assert.That(_gateway.Drops[DropReason.TooManySignals], Is.EqualTo(2));
+    }
+
+    [TestCase("\"value\":[NaN]", DropReason.NotFinite, "value of signal grip is NaN (NotFinite)")]
+    [TestCase("\"value\":[1.0,2.0]", DropReason.LengthMismatch, "length")]
+    [TestCase("\"value\":[true]", DropReason.WrongType, "type")]
+    public async Task Publish_InvalidSignals_AreDroppedWithTheReason(string value, object reason, string part)
+    {
+        await _source.SendAsync(SignalsText(("grip", 1)).Replace("\"value\":[1.0]", value));
+
+        await _source.ExpectErrorAsync(part);
+        Assert.That(_gateway.Drops[(DropReason)reason], Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Publish_StampInFuture_IsDropped()
+    {
+        await _source.SendAsync(SignalsAt(ControlTime.FromSeconds(5100), ("grip", 1)));
+
+        await _source.ExpectErrorAsync("later than the control time");
+        Assert.That(_gateway.Drops[DropReason.StampInFuture], Is.EqualTo(1));
+    }
+
+    // A signal may not change again for hours.
+    [Test]
+    public async Task Reader_Slow_ReceivesTheNewestOfEachSignal()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { PongTimeout = TimeSpan.FromMinutes(1) });
+        using var slow = await RawRosbridgeClient.ConnectAsync(gateway, options => options.SetBuffer(1024, 1024));
+        await slow.SubscribeAsync(RosTopics.Signals);
+        using var source = gateway.Hub.OpenSource();
+
+        // The first change is followed by many of other signals, until messages are lost.
+        var sent = 0;
+        Publish("grip", 1);
+        while (gateway.Drops[DropReason.SlowReader] < 100) Publish($"s{++sent % 100}", sent);
+        Publish("last", 1);
+
+        var values = new Dictionary<string, double>();
+        while (!values.ContainsKey("last"))
+        {
+            var signals = (await slow.ReceiveAsync()).Signals;
+            for (var i = 0; i < signals.Count; i++)
+            {
+                Assert.That(signals[i].Value, Is.GreaterThanOrEqualTo(values.GetValueOrDefault(signals[i].Name)), "never an older one");
+                values[signals[i].Name] = signals[i].Value;
+            }
+        }
+
+        Assert.That(values["grip"], Is.EqualTo(1));
+        for (var i = 0; i < 100; i++) Assert.That(values[$"s{(sent - i) % 100}"], Is.EqualTo(sent - i));
+
+        void Publish(string name, double value) => Assert.That(
+            source.Publish(new Nowpose.Protocol.Cell.SignalsMessage(Gateways.Start, new Nowpose.Protocol.Cell.SignalValue(name, value)), []), Is.Null);
+    }
+}

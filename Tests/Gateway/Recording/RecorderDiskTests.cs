@@ -1,0 +1,163 @@
+using System.Diagnostics;
+using System.Text.Json;
+using Nowpose.Gateway.Plants;
+using Nowpose.Gateway.Recording;
+using Nowpose.Protocol;
+using NUnit.Framework;
+using static Nowpose.Headless.Tests.Gateway.Recording.RecorderCell;
+
+namespace Nowpose.Headless.Tests.Gateway.Recording;
+
+/// <summary>A recording on a disk that is full, slow or missing.</summary>
+public class RecorderDiskTests
+{
+    RecorderCell _cell;
+
+    [SetUp]
+    public void SetUp() => _cell = new RecorderCell();
+
+    [TearDown]
+    public void TearDown() => _cell.Dispose();
+
+    [Test]
+    public async Task Record_DiskFull_ReportsTheLossAndContinuesOnceThereIsSpace()
+    {
+        const int Published = 500;
+        var disks = new Queue<SmallDisk>([new SmallDisk(20_000), new SmallDisk(10_000_000)]);
+        var first = disks.Peek();
+        await using var recorder = _cell.Open(_ => new LineFile(disks.Dequeue()));
+        recorder.SwitchOn();
+        _cell.Publish(Published, "a");
+        await Soon.BecomesAsync(() => recorder.Status.Problem != null, "the failure");
+        _cell.Publish(10, "a");
+        await Soon.BecomesAsync(() => _cell.CountLogged("No space left") > 0, "the line in the log");
+
+        var status = recorder.Status;
+        Assert.That(status.On, Is.False);
+        Assert.That(status.Problem, Does.Contain("No space left"));
+        var kept = first.Text.Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        Assert.That(kept.Select(line => JsonDocument.Parse(line)), Is.All.Not.Null, "no torn line");
+        Assert.That(status.Lines, Is.EqualTo(kept.Length - 1));
+        Assert.That(status.Lines + status.Lost, Is.InRange(Published + 10, Published + 40), "samples, and a few lines a second of the clock");
+
+        recorder.SwitchOn();
+        _cell.Publish(10, "a");
+        await recorder.SwitchOffAsync().Bounded();
+        Assert.That(_cell.CountLogged("No space left"), Is.EqualTo(1), "said once");
+        Assert.That(recorder.Status.Problem, Is.Null);
+        Assert.That(recorder.Status.Lost, Is.Zero);
+        Assert.That(recorder.Status.Lines, Is.GreaterThanOrEqualTo(10));
+    }
+
+    [Test]
+    public async Task Record_FolderMissing_IsReportedAndContinuesOnceRestored()
+    {
+        await using var recorder = _cell.Open();
+        Directory.Delete(_cell.Folder);
+        recorder.SwitchOn();
+        await Soon.BecomesAsync(() => recorder.Status.Problem != null, "the failure");
+        _cell.Publish(5, "a");
+        Assert.That(recorder.Status.Lost, Is.GreaterThanOrEqualTo(5));
+
+        Directory.CreateDirectory(_cell.Folder);
+        recorder.SwitchOn();
+        _cell.Publish(5, "a");
+        await recorder.SwitchOffAsync().Bounded();
+
+        Assert.That(Count(Lines(_cell.Files().Single()), "sample"), Is.EqualTo(5));
+    }
+
+    [Test]
+    public async Task Record_DiskHangs_DelaysNoMessagesAndCountsTheLoss()
+    {
+        using var goOn = new ManualResetEventSlim();
+        await using var recorder = _cell.Open(path =>
+        {
+            goOn.Wait();
+            return LineFile.Create(path);
+        });
+        recorder.SwitchOn();
+
+        var since = Stopwatch.GetTimestamp();
+        for (var i = 0; i < 20_000; i++) _cell.Source.TryPublish(new JointStateMessage(Gateways.Start, ["a"], [i]));
+        var took = Stopwatch.GetElapsedTime(since);
+        var lost = recorder.Status.Lost;
+        goOn.Set();
+        await recorder.SwitchOffAsync().Bounded();
+
+        Assert.That(lost, Is.GreaterThan(10_000));
+        Assert.That(took, Is.LessThan(TimeSpan.FromSeconds(5)), "writers are not blocked");
+        var lines = Lines(recorder.Path);
+        var noted = lines.Where(line => line.GetProperty("kind").GetString() == "lost").Sum(line => line.GetProperty("count").GetInt64());
+        Assert.That(Count(lines, "sample") + noted, Is.InRange(20_000, 20_100));
+        Assert.That(recorder.Status.Lost, Is.EqualTo(lost).Within(50));
+    }
+
+    [Test]
+    public async Task Record_DiskFailsBeyondTheMaximumSize_RequestsNoFurtherFile()
+    {
+        var time = new CountedTime();
+        using var goOn = new ManualResetEventSlim();
+        await using var recorder = _cell.Open(_ =>
+        {
+            goOn.Wait();
+            return new LineFile(new SmallDisk(100_000));
+        }, time, maxBytes: 80_000);
+        recorder.SwitchOn();
+        // More data than fits already waits, so that its maximum size is not reached before the disk fails.
+        _cell.Publish(2000, "a");
+        goOn.Set();
+        await Soon.BecomesAsync(() => recorder.Status.Problem != null, "the disk is full");
+        _cell.Publish(1, "a");
+        await Soon.BecomesAsync(() => time.Asked == 2, "for the first file, and for one beyond the greatest size");
+
+        _cell.Publish(2000, "a");
+        // Waits behind all work items that these messages put into the pool's queue.
+        var isTheirTurnOver = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+        ThreadPool.UnsafeQueueUserWorkItem(_ => isTheirTurnOver.SetResult(), null);
+        await isTheirTurnOver.Task.Bounded();
+
+        Assert.That(time.Asked, Is.EqualTo(2));
+    }
+
+    [Test]
+    public async Task SwitchOn_AfterADiskFailure_EndsTheFormerFile()
+    {
+        var first = new SmallDisk(10_000_000);
+        var files = 0;
+        await using var recorder = _cell.Open(_ => Interlocked.Increment(ref files) switch
+        {
+            1 => new LineFile(first),
+            2 => throw new IOException("No space left on device"),
+            _ => new LineFile(new SmallDisk(10_000_000)),
+        });
+        recorder.SwitchOn();
+        // Each file is opened by its own thread. The second file must not be opened before the first.
+        await Soon.BecomesAsync(() => Volatile.Read(ref files) == 1, "the first file is opened");
+        _cell.Publish(5, "a");
+        _cell.Source.TryDescribe(RobotFiles.LoadText("youbot"));
+        await Soon.BecomesAsync(() => recorder.Status.Problem != null, "the second file fails");
+
+        recorder.SwitchOn();
+
+        await Soon.BecomesAsync(() => first.IsDisposed, "the first file ends");
+        var lines = first.Text.Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        Assert.That(lines[^1], Does.Contain("\"end\""));
+        Assert.That(lines.Count(line => line.Contains("\"sample\"")), Is.EqualTo(5));
+        await recorder.SwitchOffAsync().Bounded();
+        Assert.That(recorder.Status.Problem, Is.Null);
+    }
+
+    sealed class CountedTime : TimeProvider
+    {
+        int _asked;
+
+        public int Asked => Volatile.Read(ref _asked);
+
+        public override DateTimeOffset GetUtcNow()
+        {
+            Interlocked.Increment(ref _asked);
+            return base.GetUtcNow();
+        }
+    }
+}

@@ -1,0 +1,125 @@
+using Nowpose.Gateway;
+using Nowpose.Gateway.Plants;
+using Nowpose.Gateway.Recording;
+using NUnit.Framework;
+using static Nowpose.Headless.Tests.Gateway.Recording.RecorderCell;
+
+namespace Nowpose.Headless.Tests.Gateway.Recording;
+
+/// <summary>The files into which a recording is divided.</summary>
+public class RecorderFileTests
+{
+    RecorderCell _cell;
+
+    [SetUp]
+    public void SetUp() => _cell = new RecorderCell();
+
+    [TearDown]
+    public void TearDown() => _cell.Dispose();
+
+    [Test]
+    public async Task Describe_WhileAFileIsCreated_DoesNotWait()
+    {
+        using var isBeginning = new ManualResetEventSlim();
+        using var mayGoOn = new ManualResetEventSlim();
+        var options = new GatewayOptions { Recordings = _cell.Folder };
+        await using var recorder = new Recorder(options, _cell.Hub, _cell.Clock, _cell.Plant, _cell.Drops, line =>
+        {
+            // Simulates a slow log or disk, during which its lock is held.
+            if (isBeginning.IsSet) return;
+            isBeginning.Set();
+            mayGoOn.Wait(Soon.Limit);
+        });
+        var switching = Task.Run(recorder.SwitchOn);
+        Assert.That(isBeginning.Wait(Soon.Limit), Is.True);
+
+        var describing = Task.Run(() => _cell.Source.TryDescribe(RobotFiles.LoadText("youbot")));
+
+        var first = await Task.WhenAny(describing, Task.Delay(Soon.Limit / 2));
+        mayGoOn.Set();
+        await Task.WhenAll(describing, switching).Bounded();
+        Assert.That(first, Is.SameAs(describing), "the hub's lock is held as long");
+        await Soon.BecomesAsync(() => _cell.Files().Length == 2, "the robot came too late for the first file");
+        await recorder.SwitchOffAsync().Bounded();
+        Assert.That(File.ReadAllText(recorder.Path), Does.Contain("arm_joint_1"));
+    }
+
+    [Test]
+    public async Task Record_AnotherRobot_StartsAnotherFileWithoutLoss()
+    {
+        _cell.Source.TryDescribe(RobotFiles.LoadText("youbot"));
+        await using var recorder = _cell.Open();
+        recorder.SwitchOn();
+        _cell.Publish(50, "a");
+        _cell.Source.TryDescribe(RobotFiles.LoadText("ur5"));
+        await Soon.BecomesAsync(() => _cell.Files().Length == 2, "the second file");
+        _cell.Publish(50, "a");
+        await recorder.SwitchOffAsync().Bounded();
+
+        var files = _cell.Files().Select(Lines).ToArray();
+        Assert.That(files.Sum(lines => Count(lines, "sample")), Is.EqualTo(100));
+        Assert.That(files.Select(lines => lines[0].GetProperty("robot").GetProperty("description_sha256").GetString()), Is.Unique);
+        Assert.That(files.Select(lines => lines[^1].GetProperty("kind").GetString()), Is.All.EqualTo("end"));
+        Assert.That(recorder.Status.Lines, Is.EqualTo(files.Sum(lines => lines.Length - 2)));
+        Assert.That(recorder.Status.Lost, Is.Zero);
+    }
+
+    [Test]
+    public async Task SwitchOn_Twice_CreatesTwoFiles()
+    {
+        await using var recorder = _cell.Open();
+        for (var i = 0; i < 2; i++)
+        {
+            recorder.SwitchOn();
+            recorder.SwitchOn();
+            _cell.Publish(3, "a");
+            await recorder.SwitchOffAsync().Bounded();
+        }
+
+        Assert.That(_cell.Files().Select(file => Count(Lines(file), "sample")), Is.EqualTo(new[] { 3, 3 }));
+    }
+
+    [Test]
+    public async Task Record_ThreeFilesWithinASecondOnASlowDisk_HaveUniqueNames()
+    {
+        using var goOn = new ManualResetEventSlim();
+        await using var recorder = _cell.Open(path =>
+        {
+            goOn.Wait();
+            return LineFile.Create(path);
+        }, new SteppedTime());
+        recorder.SwitchOn();
+        foreach (var robot in new[] { "youbot", "ur5" })
+        {
+            var former = recorder.Path;
+            _cell.Source.TryDescribe(RobotFiles.LoadText(robot));
+            await Soon.BecomesAsync(() => recorder.Path != former, "the next file");
+        }
+
+        goOn.Set();
+        _cell.Publish(3, "a");
+        await recorder.SwitchOffAsync().Bounded();
+
+        Assert.That(recorder.Status.Problem, Is.Null);
+        Assert.That(_cell.Files(), Has.Length.EqualTo(3));
+        Assert.That(_cell.Files().Select(file => Lines(file)[^1].GetProperty("kind").GetString()), Is.All.EqualTo("end"));
+    }
+
+    [Test]
+    public async Task Record_BeyondTheMaximumSize_StartsAnotherFileWithoutLoss()
+    {
+        await using var recorder = _cell.Open(maxBytes: 20_000);
+        recorder.SwitchOn();
+        var published = 0;
+        await Soon.BecomesAsync(() =>
+        {
+            _cell.Publish(10, "a");
+            published += 10;
+            return _cell.Files().Length >= 3;
+        }, "the third file");
+        await recorder.SwitchOffAsync().Bounded();
+
+        Assert.That(_cell.Files().Sum(file => Count(Lines(file), "sample")), Is.EqualTo(published));
+        Assert.That(recorder.Status.Lost, Is.Zero);
+    }
+}

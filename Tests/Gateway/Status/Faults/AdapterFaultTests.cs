@@ -1,0 +1,111 @@
+using System.Net;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Plants;
+using Nowpose.Gateway.Status.Events;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Status.Faults;
+
+/// <summary>Adapters that are not connected or do not report, as the state, /readyz and the list of events report them.</summary>
+public class AdapterFaultTests
+{
+    MonitoredGateway _gateway;
+
+    [SetUp]
+    public void SetUp() => _gateway = new MonitoredGateway();
+
+    [TearDown]
+    public Task Close() => _gateway.DisposeAsync().AsTask();
+
+    [Test]
+    public async Task Observer_WithTheNameOfAnAdapter_IsRefused()
+    {
+        await _gateway.StartAsync(options => options with { Tokens = Gateways.Tokens });
+        using var client = await RawRosbridgeClient.ConnectAsync(
+            _gateway.Server, set => set.SetRequestHeader("Authorization", $"Bearer {Gateways.ObserverToken}"));
+
+        await client.SendAsync(RosbridgeWriter.PublishDiagnostics(
+            RosTopics.Diagnostics,
+            new DiagnosticsMessage(default, "adapter/press", [KeyValuePair.Create("joint/a", $"fault {_gateway.Since()} made up")]),
+            RosTimeForm.Sec));
+
+        Assert.That((await client.ReceiveAsync()).Text, Does.Contain("NotAllowed"));
+        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
+    }
+
+    [Test]
+    public async Task Adapter_NotConnectedThenSilent_AddsTwoEvents()
+    {
+        await _gateway.StartAsync();
+        _gateway.Time.Advance(EventList.StartGrace);
+        _gateway.Report("adapter/press", ("state", "refused"), ("reason", "the certificate is not trusted"));
+        await _gateway.BeginsAsync("adapter", "press");
+        Assert.That(
+            (await _gateway.EventAsync("adapter", "press")).GetProperty("reason").GetString(), Is.EqualTo("refused: the certificate is not trusted"));
+
+        _gateway.Time.Advance(TimeSpan.FromMinutes(5));
+
+        await Soon.BecomesAsync(
+            () => _gateway.EventAsync("adapter", "press").Result.GetProperty("what").GetString() == "does not report", "it is silent");
+        Assert.That(
+            (await _gateway.StateAsync()).GetProperty("adapters").GetArrayLength(), Is.EqualTo(1), "an adapter that is gone stays in the state");
+    }
+
+    [Test]
+    public async Task Adapters_OneOfTwoNeverReports_GatewayIsNotReady()
+    {
+        await _gateway.StartAsync(options => options with { ExpectsSources = true });
+        var lathe = new AdapterState("lathe", null, "status 1");
+        _gateway.Server.Expect([() => new AdapterState("press", TimeSpan.FromSeconds(10), null), () => lathe]);
+        _gateway.Report("plant/press", ("state", "connected"), ("samples", "7"), ("joint/a", $"live {_gateway.Since()} "));
+        _gateway.Publish("a");
+        await _gateway.BeginsAsync("adapter", "lathe");
+        string[] expected =
+        [
+            "waiting",
+            "adapter lathe does not report: its program ended with status 1 and is started again (since 2026-11-20 12:00:00 UTC). "
+                + "Read its lines in the gateway's log.",
+        ];
+
+        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(expected));
+        lathe = lathe with { RunTime = TimeSpan.FromSeconds(0.2) };
+        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(expected), "it runs, but has not reported");
+        Assert.That((await _gateway.StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("error"));
+
+        _gateway.Report("plant/lathe", ("state", "connected"), ("samples", "0"));
+        // Both reports come from one source here, which gets the name of the last report.
+        _gateway.Report("plant/press", ("state", "connected"), ("samples", "7"), ("joint/a", $"live {_gateway.Since()} "));
+
+        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
+        await _gateway.EndsAsync("adapter", "lathe");
+    }
+
+    [Test]
+    public async Task Start_PlantConnectsWithinTheGracePeriod_AddsNoEvent()
+    {
+        await _gateway.StartAsync(
+            options => options with { ExpectsSources = true }, new StopwatchControlClock(Gateways.Start) { IsSynchronised = false });
+        _gateway.Report("adapter/press", ("state", "connecting"), ("samples", "0"), ("joint/a", $"missing {_gateway.Since()} no value yet"));
+        _gateway.Report("adapter/lathe", ("state", "waiting"), ("samples", "7"));
+        await _gateway.BeginsAsync("adapter", "lathe");
+
+        Assert.That(
+            (await _gateway.StateAsync()).GetProperty("events").EnumerateArray().Select(one => one.GetProperty("which").GetString()),
+            Is.EqualTo(new[] { "lathe" }),
+            "an adapter that has published samples was connected before");
+        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable), Has.Length.EqualTo(3), "the clock and the joint");
+        Assert.That((await _gateway.StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("error"));
+
+        _gateway.Report("adapter/press", ("state", "connected"), ("samples", "1"), ("joint/a", $"live {_gateway.Since()} "));
+        _gateway.Publish("a");
+        _gateway.Time.Advance(EventList.StartGrace);
+        await _gateway.BeginsAsync("clock", "own");
+
+        Assert.That(
+            (await _gateway.StateAsync()).GetProperty("events").EnumerateArray().Select(one => one.GetProperty("kind").GetString()),
+            Does.Not.Contain("source"));
+        Assert.That(_gateway.Logged("is missing"), Is.False);
+        Assert.That(_gateway.Logged("adapter press is not connected"), Is.False);
+    }
+}

@@ -1,0 +1,98 @@
+using System.Net;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Status.Faults;
+
+/// <summary>Headsets without a current pose and lost headsets, as the state and the list of events report them.</summary>
+public class HeadsetFaultTests
+{
+    MonitoredGateway _gateway;
+
+    [SetUp]
+    public void SetUp() => _gateway = new MonitoredGateway();
+
+    [TearDown]
+    public Task Close() => _gateway.DisposeAsync().AsTask();
+
+    [Test]
+    public async Task Headset_NotCurrentThenLost_AddsTwoEventsAndNoReason()
+    {
+        await _gateway.StartAsync();
+        _gateway.Report("goggles", ("pose", "incomplete"), ("missing_joints", "a,b"));
+        await _gateway.BeginsAsync("headset", "goggles");
+        Assert.That((await _gateway.EventAsync("headset", "goggles")).GetProperty("reason").GetString(), Does.Contain("a,b"));
+        Assert.That((await _gateway.StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("warning"));
+        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }), "other headsets can be served");
+
+        _gateway.Report("goggles", ("pose", "coarse"));
+        await _gateway.EndsAsync("headset", "goggles");
+        _gateway.Time.Advance(TimeSpan.FromSeconds(4));
+
+        await Soon.BecomesAsync(() => _gateway.EventAsync("headset", "goggles").Result.GetProperty("what").GetString() == "is lost", "it is lost");
+    }
+
+    [TestCase("held", "a", "the pose is held; missing joints: a. Check the sources of these joints.")]
+    [TestCase("incomplete", "a", "the pose is incomplete; missing joints: a. Check the sources of these joints.")]
+    [TestCase("held", "", "the pose is held. Check that samples reach the headset in time.")]
+    public async Task Headset_PoseNotCurrent_RemedyNamesTheCause(string pose, string missing, string expected)
+    {
+        await _gateway.StartAsync();
+
+        _gateway.Report("goggles", ("pose", pose), ("missing_joints", missing));
+
+        await _gateway.BeginsAsync("headset", "goggles");
+        Assert.That(
+            (await _gateway.EventAsync("headset", "goggles")).GetProperty("text").GetString(),
+            Is.EqualTo($"headset goggles shows no current pose: {expected}"));
+    }
+
+    [Test]
+    public async Task Headset_LinkDisposedWhileReceiving_IsNotLost()
+    {
+        await _gateway.StartAsync();
+        var settings = new ConnectionSettings("127.0.0.1", webSocketPort: _gateway.Server.WebSocketEndPoint.Port);
+        using var link = new ClientWebSocketLink(settings, new StopwatchHeadsetClock());
+        await link.OpenAsync(CancellationToken.None).Bounded();
+        await link.SendAsync(
+            RosbridgeWriter.PublishDiagnostics(
+                RosTopics.Diagnostics, new DiagnosticsMessage(Gateways.Start, "goggles", [KeyValuePair.Create("pose", "current")]), RosTimeForm.Sec),
+            CancellationToken.None).Bounded();
+        await Soon.BecomesAsync(() => _gateway.StateAsync().Result.GetProperty("headsets").GetArrayLength() == 1, "it is known");
+        using var stop = new CancellationTokenSource();
+        var receiving = link.ReceiveAsync(_ => { }, stop.Token);
+
+        await stop.CancelAsync();
+        Assert.That(async () => await receiving.Bounded(), Throws.InstanceOf<OperationCanceledException>());
+        link.Dispose();
+
+        await Soon.BecomesAsync(() => _gateway.StateAsync().Result.GetProperty("headsets").GetArrayLength() == 0, "it has left");
+    }
+
+    // RFC 6455, 7.4.1: normal closure, client going away, close without a code, and a client error. Null closes without a close frame.
+    [TestCase("03E8", "ok")]
+    [TestCase("03E9", "ok")]
+    [TestCase("", "ok")]
+    [TestCase("03F3", "warning")]
+    [TestCase(null, "warning")]
+    public async Task Headset_ConnectionEnds_IsLostUnlessItClosedInOrder(string close, string level)
+    {
+        await _gateway.StartAsync();
+        using var client = await RawWebSocket.OpenAsync(_gateway.Server);
+        await client.SendTextAsync(RosbridgeWriter.PublishDiagnostics(
+            RosTopics.Diagnostics, new DiagnosticsMessage(Gateways.Start, "goggles", [KeyValuePair.Create("pose", "current")]), RosTimeForm.Sec));
+        await Soon.BecomesAsync(() => _gateway.StateAsync().Result.GetProperty("headsets").GetArrayLength() == 1, "it is known");
+
+        if (close != null) await client.SendFrameAsync(RawWebSocket.Close, Convert.FromHexString(close));
+        client.EndSending();
+        await Soon.BecomesAsync(() => _gateway.Server.WebSocketConnections.Open == 0, "the connection is over");
+        _gateway.Time.Advance(TimeSpan.FromSeconds(4));
+
+        var state = await _gateway.StateAsync();
+        Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo(level), state.GetRawText());
+        Assert.That(state.GetProperty("headsets").GetArrayLength(), Is.EqualTo(level == "ok" ? 0 : 1));
+        if (level != "ok") Assert.That(
+            state.GetProperty("status").GetProperty("text").GetString(), Does.Contain("its reports stopped without a normal end"));
+    }
+}

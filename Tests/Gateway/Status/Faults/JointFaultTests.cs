@@ -1,0 +1,237 @@
+using System.Net;
+using System.Text.Json;
+using Nowpose.Gateway.Plants;
+using Nowpose.Gateway.Status.Joints;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Status.Faults;
+
+/// <summary>Joints without current samples, as the state, /readyz, the metrics and the list of events report them.</summary>
+public class JointFaultTests
+{
+    MonitoredGateway _gateway;
+
+    [SetUp]
+    public void SetUp() => _gateway = new MonitoredGateway();
+
+    [TearDown]
+    public Task Close() => _gateway.DisposeAsync().AsTask();
+
+    [Test]
+    public async Task Joint_SamplesStop_IsReportedEverywhereWithinTwoSecondsAndRecoversImmediately()
+    {
+        await _gateway.StartAsync();
+        _gateway.Publish("a", "b");
+        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
+
+        _gateway.Time.Advance(TimeSpan.FromSeconds(1));
+        _gateway.Publish("b");
+        _gateway.Time.Advance(TimeSpan.FromSeconds(1));
+
+        var lines = await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable);
+        Assert.That(lines, Has.Length.EqualTo(2), "the other joint goes on");
+        Assert.That(lines[0], Is.EqualTo("waiting"));
+        Assert.That(lines[1], Does.StartWith("joint a (gateway) is stale: "));
+        var state = await _gateway.StateAsync();
+        var joint = state.GetProperty("joints")[0];
+        Assert.That(joint.GetProperty("state").GetString(), Is.EqualTo("stale"));
+        Assert.That(joint.GetProperty("since_utc").GetString(), Is.EqualTo("2026-11-20T12:00:00.000Z"));
+        Assert.That(joint.GetProperty("reason").GetString(), Is.Not.Empty);
+        Assert.That(state.GetProperty("joints")[1].GetProperty("state").GetString(), Is.EqualTo("live"));
+        Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("error"));
+        Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.Contain("joint a"));
+        var metrics = (await _gateway.GetAsync("/metrics")).Text;
+        Assert.That(metrics, Does.Contain("nowpose_joint_state{joint=\"a\",source=\"gateway\",state=\"stale\"} 1"));
+        Assert.That(metrics, Does.Contain("nowpose_ready 0"));
+        await _gateway.BeginsAsync("joint", "a (gateway)");
+
+        _gateway.Publish("a");
+
+        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
+        Assert.That((await _gateway.StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("ok"));
+        await _gateway.EndsAsync("joint", "a (gateway)");
+        Assert.That(_gateway.Log.Count(line => line.Contains("joint a (gateway) is stale")), Is.EqualTo(2), string.Join('\n', _gateway.Log));
+    }
+
+    [TestCase("refused", "is refused", "Check the values that its source sends.")]
+    [TestCase("missing", "is missing", "Check that the plant offers the joint's value and that the plant's configuration names it correctly.")]
+    [TestCase("fault", "is in fault", "Check the plant and its connection.")]
+    public async Task Joint_AdapterReportsAFault_IsNamedWithReasonSinceAndRemedy(string word, string what, string remedy)
+    {
+        await _gateway.StartAsync(options => options with { ExpectsSources = true });
+        _gateway.Publish("a", "b");
+
+        _gateway.Report(
+            "adapter/press", ("state", "connected"), ("joint/a", $"{word} {_gateway.Since(90)} the node ns=2;s=Axis1 is gone"),
+            ("joint/b", $"live {_gateway.Since()} "));
+
+        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(new[]
+        {
+            "waiting", $"joint a (press) {what}: the node ns=2;s=Axis1 is gone (since 2026-11-20 11:58:30 UTC). {remedy}",
+        }));
+        var joints = (await _gateway.StateAsync()).GetProperty("joints");
+        Assert.That(joints.GetArrayLength(), Is.EqualTo(2));
+        Assert.That(joints[0].GetProperty("source").GetString(), Is.EqualTo("press"));
+        Assert.That(joints[0].GetProperty("since_utc").GetString(), Is.EqualTo("2026-11-20T11:58:30.000Z"));
+        Assert.That(joints[1].GetProperty("state").GetString(), Is.EqualTo("live"));
+        Assert.That(
+            (await _gateway.GetAsync("/metrics")).Text, Does.Contain($"nowpose_joint_state{{joint=\"a\",source=\"press\",state=\"{word}\"}} 1"));
+    }
+
+    [Test]
+    public async Task Joint_AtRest_IsReady()
+    {
+        await _gateway.StartAsync(options => options with { ExpectsSources = true });
+        _gateway.Publish("a");
+        _gateway.Time.Advance(TimeSpan.FromSeconds(100));
+
+        _gateway.Report("adapter/press", ("state", "connected"), ("joint/a", $"rest {_gateway.Since(99)} assumed at rest"));
+
+        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
+        Assert.That((await _gateway.StateAsync()).GetProperty("joints")[0].GetProperty("state").GetString(), Is.EqualTo("rest"));
+        Assert.That((await _gateway.StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("ok"));
+    }
+
+    [Test]
+    public async Task Joint_RestUncertain_IsAWarningUntilItMoves()
+    {
+        await _gateway.StartAsync(options => options with { ExpectsSources = true });
+        _gateway.Publish("a");
+
+        _gateway.Report(
+            "adapter/press", ("state", "connected"), ("joint/a", $"rest {_gateway.Since(3)} assumed at rest"),
+            ("uncertain/a", "the stop itself was not observed"));
+
+        await _gateway.BeginsAsync("joint", "a (press)");
+        var status = (await _gateway.StateAsync()).GetProperty("status");
+        Assert.That(
+            (await _gateway.StateAsync()).GetProperty("joints")[0].GetProperty("uncertain").GetString(),
+            Is.EqualTo("the stop itself was not observed"));
+        Assert.That((await _gateway.GetAsync("/metrics")).Text, Does.Contain("nowpose_joint_rest_uncertain{joint=\"a\",source=\"press\"} 1"));
+        Assert.That(status.GetProperty("level").GetString(), Is.EqualTo("warning"));
+        Assert.That(status.GetProperty("text").GetString(), Is.EqualTo(
+            "joint a (press) may not be at rest: the stop itself was not observed (since 2026-11-20 11:59:57 UTC). "
+                + "Check that the joint is at rest; if it is, set its max_deceleration in the plant's configuration."));
+        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
+
+        _gateway.Report("adapter/press", ("state", "connected"), ("joint/a", $"live {_gateway.Since()} "));
+
+        await _gateway.EndsAsync("joint", "a (press)");
+        Assert.That((await _gateway.StateAsync()).GetProperty("joints")[0].TryGetProperty("uncertain", out _), Is.False);
+        Assert.That((await _gateway.GetAsync("/metrics")).Text, Does.Contain("nowpose_joint_rest_uncertain{joint=\"a\",source=\"press\"} 0"));
+    }
+
+    [Test]
+    public async Task Joint_RestUncertainWithAdapterRemedy_HasOnlyThatRemedy()
+    {
+        await _gateway.StartAsync();
+        _gateway.Publish("a");
+
+        _gateway.Report(
+            "adapter/press", ("state", "connected"), ("joint/a", $"rest {_gateway.Since(3)} assumed at rest"),
+            ("uncertain/a", "nothing confirms it; set silence"));
+
+        await _gateway.BeginsAsync("joint", "a (press)");
+        Assert.That(
+            (await _gateway.StateAsync()).GetProperty("status").GetProperty("text").GetString(),
+            Does.EndWith("UTC). Check that the joint is at rest."));
+    }
+
+    [TestCase(null, "error")]
+    [TestCase("03F3", "error")]
+    [TestCase("03E8", "ok")]
+    public async Task Joint_ClientDisconnected_StaysInFaultUnlessClosedNormally(string close, string level)
+    {
+        await _gateway.StartAsync();
+        using var client = await RawWebSocket.OpenAsync(_gateway.Server);
+        await client.SendTextAsync(Gateways.StateText(1));
+        await Soon.BecomesAsync(() => _gateway.StateAsync().Result.GetProperty("joints").GetArrayLength() == 1, "it is published");
+
+        if (close != null) await client.SendFrameAsync(RawWebSocket.Close, Convert.FromHexString(close));
+        client.EndSending();
+        await Soon.BecomesAsync(() => _gateway.Server.WebSocketConnections.Open == 0, "the connection is over");
+        _gateway.Time.Advance(TimeSpan.FromHours(30));
+
+        var state = await _gateway.StateAsync();
+        Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo(level), state.GetRawText());
+        Assert.That(state.GetProperty("joints").GetArrayLength(), Is.EqualTo(level == "ok" ? 0 : 1));
+    }
+
+    [Test]
+    public async Task JointStatus_Subscribed_ContainsTheJointsThatAreNotLive()
+    {
+        await _gateway.StartAsync();
+        _gateway.Publish("a", "b");
+        _gateway.Report(
+            "adapter/press", ("state", "connected"), ("joint/a", $"refused {_gateway.Since(5)} status Bad"),
+            ("joint/b", $"live {_gateway.Since()} "));
+        using var client = await RawRosbridgeClient.ConnectAsync(_gateway.Server);
+        // The gateway may publish the status before it answers a request.
+        await client.SendAsync(RosbridgeWriter.Subscribe(RosTopics.JointStatus, "diagnostic_msgs/DiagnosticArray"));
+
+        JsonElement told;
+        do told = JsonDocument.Parse(await client.ReceiveTextAsync()).RootElement.GetProperty("msg").GetProperty("status")[0];
+        while (told.GetProperty("values").GetArrayLength() == 0);
+
+        Assert.That(told.GetProperty("hardware_id").GetString(), Is.EqualTo("gateway"));
+        var value = told.GetProperty("values").EnumerateArray().Single();
+        Assert.That(value.GetProperty("key").GetString(), Is.EqualTo("a"));
+        var words = value.GetProperty("value").GetString().Split(' ', 3);
+        Assert.That((words[0], words[2]), Is.EqualTo(("refused", "status Bad")));
+        var since = double.Parse(words[1], System.Globalization.CultureInfo.InvariantCulture);
+        Assert.That(
+            since, Is.InRange(Gateways.Start.SinceEpoch.TotalSeconds - 5.01, _gateway.Server.Clock.Now.SinceEpoch.TotalSeconds - 4.9),
+            "on the control clock");
+    }
+
+    [Test]
+    public async Task Joint_OutsideItsLimits_IsNamedWithPositionLimitsAndUnit()
+    {
+        await _gateway.StartAsync();
+        using var description = _gateway.Server.Hub.OpenSource();
+        description.TryDescribe(RobotFiles.LoadText("youbot"));
+
+        await Soon.BecomesAsync(
+            () =>
+            {
+                _gateway.Source.TryPublish(Gateways.State(200, "arm_joint_3"));
+                return _gateway.EventAsync("limit", "arm_joint_3").Result.ValueKind == JsonValueKind.Object;
+            },
+            "the joint is outside its limits");
+
+        var one = await _gateway.EventAsync("limit", "arm_joint_3");
+        Assert.That(one.GetProperty("what").GetString(), Is.EqualTo("is exceeded"));
+        Assert.That(one.GetProperty("text").GetString(), Does.Match(
+            "^joint arm_joint_3 is outside the limits of the robot description: its position was 200 rad; allowed are [-0-9.]+ to [-0-9.]+ rad[.] "
+                + "Check that the description belongs to this robot and that the source sends rad, not degrees[.]$"));
+    }
+
+    [Test]
+    public async Task Ready_JointOfTheRobotWithoutASource_IsReportedEverywhere()
+    {
+        await _gateway.StartAsync();
+        _gateway.Source.TryDescribe(RobotFiles.LoadText("youbot"));
+        string[] all = [.. UnpublishedJoints.NamesOf(RobotFiles.Load("youbot"))];
+        _gateway.Publish(all[1..]);
+        await Soon.BecomesAsync(() => IsDescribed(all), "the description is read");
+        _gateway.Time.Advance(UnpublishedJoints.Patience);
+        _gateway.Publish(all[1..]);
+
+        var reasons = await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable);
+
+        Assert.That(reasons[1..], Has.Length.EqualTo(1).And.Some.Contains($"joint {all[0]} (no source) is missing"));
+        Assert.That((await _gateway.StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("error"));
+        Assert.That((await _gateway.GetAsync("/metrics")).Text, Does.Contain($"joint=\"{all[0]}\",source=\"no source\",state=\"missing\"}} 1"));
+        _gateway.Publish(all);
+        await _gateway.ReadyAsync(HttpStatusCode.OK);
+    }
+
+    // Advances the time so that the joint without a source is seen as soon as the robot is known.
+    bool IsDescribed(string[] all)
+    {
+        _gateway.Time.Advance(TimeSpan.FromMilliseconds(100));
+        _gateway.Publish(all[1..]);
+        return _gateway.StateAsync().Result.GetProperty("joints").GetArrayLength() == all.Length;
+    }
+}

@@ -1,0 +1,150 @@
+using System.Net;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Status.Faults;
+
+/// <summary>Sources that are missing, invalid, or second for a joint, as the state, /readyz and the list of events report them.</summary>
+public class SourceFaultTests
+{
+    MonitoredGateway _gateway;
+
+    [SetUp]
+    public void SetUp() => _gateway = new MonitoredGateway();
+
+    [TearDown]
+    public Task Close() => _gateway.DisposeAsync().AsTask();
+
+    [TestCase("null", 5000, "position of joint b is null (NotFinite)")]
+    [TestCase("NaN", 5000, "position of joint b is NaN (NotFinite)")]
+    [TestCase("\"1\"", 5000, "position of joint b is \"1\" (WrongType)")]
+    [TestCase("1.5", 50000, "the time stamp is later than the control time (StampInFuture)")]
+    public async Task Joints_SourceWithInvalidSamples_AreRefusedWithTheJointsName(string position, int seconds, string reason)
+    {
+        await _gateway.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(_gateway.Server);
+        await client.SendAsync(RosbridgeWriter.PublishJointState(RosTopics.JointStates, Gateways.State(1, "a", "b"), RosTimeForm.Sec));
+        await Soon.BecomesAsync(() => _gateway.StateAsync().Result.GetProperty("joints").GetArrayLength() == 2, "both joints are known");
+        _gateway.Time.Advance(TimeSpan.FromSeconds(2));
+
+        await client.SendAsync("{\"op\":\"publish\",\"topic\":\"/joint_states\",\"msg\":{\"header\":{\"stamp\":{\"sec\":" + seconds
+            + ",\"nanosec\":0}},\"name\":[\"a\",\"b\"],\"position\":[0.5," + position + "]}}");
+        Assert.That((await client.ReceiveAsync()).Text, Does.Contain("dropped"));
+
+        await Soon.BecomesAsync(
+            () => _gateway.StateAsync().Result.GetProperty("joints").EnumerateArray()
+                .All(joint => joint.GetProperty("state").GetString() == "refused"),
+            "both are refused");
+        var lines = await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable);
+        Assert.That(lines, Has.Length.EqualTo(3));
+        Assert.That(
+            lines[1], Does.StartWith($"joint a (rosbridge) is refused: the gateway drops the samples of rosbridge 127.0.0.1: {reason} (since "));
+    }
+
+    // The stamp of the second case is 30 s ahead of the control clock.
+    [TestCase("NaN", 5000, "position of joint c is NaN (NotFinite)")]
+    [TestCase("1.5", 5030, "the time stamp is later than the control time (StampInFuture)")]
+    public async Task Joints_SourceWithoutValidSamples_AreRefusedWhileAnotherIsLive(string position, int seconds, string reason)
+    {
+        await _gateway.StartAsync();
+        _gateway.Publish("a");
+        using var client = await RawRosbridgeClient.ConnectAsync(_gateway.Server);
+
+        await client.SendAsync(Invalid("c", seconds, position));
+        Assert.That((await client.ReceiveAsync()).Text, Does.Contain("dropped"));
+
+        var lines = await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable);
+        Assert.That(lines, Has.Length.EqualTo(2));
+        Assert.That(
+            lines[1], Does.StartWith($"joint c (rosbridge) is refused: the gateway drops the samples of rosbridge 127.0.0.1: {reason} (since "));
+        var joints = (await _gateway.StateAsync()).GetProperty("joints").EnumerateArray();
+        Assert.That(joints.Select(joint => joint.GetProperty("state").GetString()), Is.EqualTo(new[] { "live", "refused" }));
+        await _gateway.BeginsAsync("joint", "c (rosbridge)");
+    }
+
+    [TestCase("NaN", 5000)]
+    [TestCase("1.5", 5030)]
+    public async Task Joint_InInvalidSamplesOfAnotherSource_StaysLive(string position, int seconds)
+    {
+        await _gateway.StartAsync();
+        _gateway.Publish("a");
+        using var client = await RawRosbridgeClient.ConnectAsync(_gateway.Server);
+
+        await client.SendAsync(Invalid("a", seconds, position));
+        Assert.That((await client.ReceiveAsync()).Text, Does.Contain("dropped"));
+
+        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
+        // The gateway counts the refusal after it has answered the client.
+        const string Expected = "source rosbridge 127.0.0.1 is refused for joint a: the source gateway already publishes this joint";
+        string Text() => _gateway.StateAsync().Result.GetProperty("status").GetProperty("text").GetString();
+        await Soon.BecomesAsync(() => Text().StartsWith(Expected, StringComparison.Ordinal), () => Text());
+    }
+
+    static string Invalid(string joint, int seconds, string position) =>
+        "{\"op\":\"publish\",\"topic\":\"/joint_states\",\"msg\":{\"header\":{\"stamp\":{\"sec\":" + seconds
+        + ",\"nanosec\":0}},\"name\":[\"" + joint + "\"],\"position\":[" + position + "]}}";
+
+    [Test]
+    public async Task Source_SecondForAJoint_AddsAnEventThatEnds()
+    {
+        await _gateway.StartAsync();
+        _gateway.Publish("a");
+        using var second = _gateway.Server.Hub.OpenSource();
+        second.Name = "copy";
+
+        Assert.That(second.TryPublish(Gateways.State(1, "a")), Is.EqualTo("a"));
+
+        await _gateway.BeginsAsync("source", "copy of joint a");
+        _gateway.Time.Advance(TimeSpan.FromSeconds(6));
+        await _gateway.EndsAsync("source", "copy of joint a");
+    }
+
+    [Test]
+    public async Task Source_SecondWithoutAName_IsRefusedWithItsAddress()
+    {
+        await _gateway.StartAsync();
+        using var first = await RawRosbridgeClient.ConnectAsync(_gateway.Server);
+        using var second = await RawRosbridgeClient.ConnectAsync(_gateway.Server);
+        await first.SendAsync(Gateways.StateText(1));
+        await first.RoundTripAsync();
+        await second.SendAsync(Gateways.StateText(1));
+        await second.ExpectErrorAsync("another source");
+
+        Assert.That(
+            (await _gateway.StateAsync()).GetProperty("status").GetProperty("text").GetString(),
+            Does.Match("^source rosbridge 127[.]0[.]0[.]1 is refused for joint a: "
+                + "the source rosbridge 127[.]0[.]0[.]1 already publishes this joint [(]since .*[)][.] Stop one of the two sources[.]$"));
+    }
+
+    [Test]
+    public async Task Source_RefusedWithoutANameAndReconnects_IsOneEvent()
+    {
+        await _gateway.StartAsync();
+        _gateway.Publish("a");
+        for (var i = 0; i < 12; i++)
+        {
+            using var client = await RawRosbridgeClient.ConnectAsync(_gateway.Server);
+            await client.SendAsync(Gateways.StateText(1));
+            await client.ExpectErrorAsync("another source");
+        }
+
+        await _gateway.BeginsAsync("source", "rosbridge 127.0.0.1 of joint a");
+        Assert.That((await _gateway.StateAsync()).GetProperty("events").GetArrayLength(), Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Ready_NoSourceYet_ContainsStartTimeAndRemedy()
+    {
+        await _gateway.StartAsync(options => options with { ExpectsSources = true });
+        // The first complete check publishes the state of the joints.
+        var looked = new TaskCompletionSource();
+        using var listening = _gateway.Server.Hub.Subscribe(RosTopics.JointStatus, _ => looked.TrySetResult());
+        await looked.Task.Bounded();
+        _gateway.Time.Advance(TimeSpan.FromSeconds(75));
+        await _gateway.BeginsAsync("source", "of joint positions");
+
+        Assert.That((await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable))[1], Is.EqualTo(
+            "a source of joint positions is missing: no adapter has reported a joint and no sample has arrived (since 2026-11-20 12:00:00 UTC). "
+                + "Check that the adapter of each plant runs and is connected."));
+    }
+}

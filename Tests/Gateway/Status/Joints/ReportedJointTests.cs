@@ -1,0 +1,139 @@
+using Nowpose.Gateway.Hub;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Status.Joints;
+
+/// <summary>The states of joints that an adapter reports.</summary>
+public class ReportedJointTests
+{
+    SampledBoard _joints;
+
+    [SetUp]
+    public void Open() => _joints = new SampledBoard();
+
+    [Test]
+    public void Read_SamplesStopAndTheAdapterReportsRest_IsRest()
+    {
+        _joints.Source.Name = "press";
+        _joints.Send(3, "a");
+        var since = _joints.Time.GetUtcNow();
+        _joints.Report("press", ("a", "rest", "no change since then"));
+
+        for (var second = 0; second < 30; second++)
+        {
+            _joints.Time.Advance(TimeSpan.FromSeconds(1));
+            _joints.Board.Report("press", [KeyValuePair.Create("joint/a", $"rest {since.ToUnixTimeSeconds()}.000 no change since then")]);
+            Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Rest));
+        }
+
+        Assert.That(_joints.Joint("a").Since, Is.EqualTo(since).Within(TimeSpan.FromSeconds(1)));
+        Assert.That(_joints.Joint("a").Age.Value.TotalSeconds, Is.GreaterThan(29));
+    }
+
+    [Test]
+    public void Read_RestThenAdapterSilent_IsStale()
+    {
+        _joints.Source.Name = "press";
+        _joints.Send(3, "a");
+        _joints.Report("press", ("a", "rest", ""));
+
+        _joints.Time.Advance(TimeSpan.FromSeconds(3));
+
+        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Stale), "no adapter vouches for the rest");
+        Assert.That(_joints.Joint("a").Reason, Does.Contain("press"));
+    }
+
+    [TestCase("refused")]
+    [TestCase("fault")]
+    [TestCase("missing")]
+    public void Read_AdapterReportsAFault_ReturnsTheFaultWithItsReason(string word)
+    {
+        _joints.Source.Name = "press";
+        _joints.Send(3, "a", "b");
+
+        _joints.Report("press", ("a", word, "status Bad"), ("b", "live", ""));
+
+        Assert.That(_joints.Joint("a").Word, Is.EqualTo(word));
+        Assert.That(_joints.Joint("a").Reason, Is.EqualTo("status Bad"));
+        Assert.That(_joints.Joint("b").State, Is.EqualTo(JointDataState.Live));
+    }
+
+    [Test]
+    public void Read_AdapterReportsLiveWithoutSamples_IsMissingThenStale()
+    {
+        _joints.Report("press", ("a", "live", ""));
+        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Missing));
+
+        _joints.Source.Name = "press";
+        _joints.Send(2, "a");
+        _joints.Report("press", ("a", "live", ""));
+        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Live));
+        _joints.Time.Advance(TimeSpan.FromSeconds(1.9));
+        _joints.Report("press", ("a", "live", ""));
+
+        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Stale));
+    }
+
+    [Test]
+    public void Read_AdapterReconnectedWithoutAReport_KeepsItsJoint()
+    {
+        _joints.Source.Name = "press";
+        _joints.Send(2, "a");
+        _joints.Report("press", ("a", "live", ""));
+
+        _joints.Source = _joints.Hub.OpenSource();
+        _joints.Source.Name = HubSource.Unnamed;
+        _joints.Send(1, "a");
+
+        Assert.That(_joints.Board.Read().Single().Source, Is.EqualTo("press"));
+        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Live));
+    }
+
+    [Test]
+    public void Read_AdapterNoLongerHasTheJoint_RemovesTheJoint()
+    {
+        _joints.Report("press", ("a", "missing", ""), ("b", "missing", ""));
+
+        _joints.Report("press", ("b", "missing", ""));
+
+        Assert.That(_joints.Board.Read().Select(joint => joint.Name), Is.EqualTo(new[] { "b" }));
+    }
+
+    [Test]
+    public void Read_ConfiguredJointOfALostAdapter_IsKept()
+    {
+        _joints.Report("press", ("a", "live", ""));
+        _joints.Send(2, "client joint");
+        _joints.Board.Leave(_joints.Source);
+
+        _joints.Time.Advance(TimeSpan.FromDays(3));
+
+        var joint = _joints.Board.Read().Single();
+        Assert.That(joint.Name, Is.EqualTo("a"));
+        Assert.That(joint.IsGood, Is.False);
+    }
+
+    [TestCase(true)]
+    [TestCase(false)]
+    public void Read_AdapterReportsWithoutAPublishedJoint_IsRemovedOnlyInTheSameRun(bool isSameRun)
+    {
+        _joints.Source.Name = "press";
+        _joints.Send(2, "a");
+        _joints.Board.Report("press", [KeyValuePair.Create("joint/a", "live 1790000000.000")], _joints.Source);
+
+        // An adapter that finds its joints itself has none directly after its start.
+        _joints.Board.Report("press", [], isSameRun ? _joints.Source : _joints.Hub.OpenSource());
+        _joints.Time.Advance(TimeSpan.FromHours(1));
+
+        Assert.That(_joints.Board.Read().Select(joint => joint.State), Is.EqualTo(isSameRun ? [] : new[] { JointDataState.Stale }));
+    }
+
+    [Test]
+    public void Read_SinceInTheFuture_IsNow()
+    {
+        _joints.Board.Report("press", [KeyValuePair.Create("joint/a", "fault 9999999999.000 a wrong clock")]);
+
+        Assert.That(_joints.Joint("a").Since, Is.EqualTo(_joints.Time.GetUtcNow()));
+    }
+}

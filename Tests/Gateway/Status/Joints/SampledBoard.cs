@@ -1,0 +1,43 @@
+using System.Globalization;
+using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Status.Joints;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Headless.Tests.Gateway.Status.Joints;
+
+/// <summary>A board of joints in stepped time, with samples of one source and reports of adapters.</summary>
+sealed class SampledBoard
+{
+    public SampledBoard(Func<RobotModel> robot = null)
+    {
+        Board = new JointBoard(Time, robot);
+        Source = Hub.OpenSource();
+    }
+
+    public SteppedTime Time { get; } = new();
+    public MessageHub Hub { get; } = new();
+    public JointBoard Board { get; }
+
+    /// <summary>The source of the samples that <see cref="Send"/> adds.</summary>
+    public HubSource Source { get; set; }
+
+    /// <summary>Adds 20 samples per second, each 70 ms old when received.</summary>
+    public void Send(double seconds, params string[] names)
+    {
+        for (var i = 0; i < seconds * 20; i++)
+        {
+            Board.Add(Source, names, TimeSpan.FromMilliseconds(70));
+            Time.Advance(TimeSpan.FromMilliseconds(50));
+        }
+    }
+
+    public void Report(string adapter, params (string Joint, string State, string Reason)[] joints)
+    {
+        var since = Time.GetUtcNow().ToUnixTimeMilliseconds() / 1000.0;
+        Board.Report(adapter, [.. joints.Select(joint => KeyValuePair.Create(
+            $"joint/{joint.Joint}", string.Create(CultureInfo.InvariantCulture, $"{joint.State} {since:0.000} {joint.Reason}")))]);
+    }
+
+    public JointStatus Joint(string name, string source = null) =>
+        Board.Read().Single(joint => joint.Name == name && (source == null || joint.Source == source));
+}

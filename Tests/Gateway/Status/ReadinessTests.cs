@@ -1,0 +1,80 @@
+using System.Net;
+using System.Net.Http.Headers;
+using Nowpose.Gateway.Clock;
+using Nowpose.Protocol;
+using NUnit.Framework;
+using static Nowpose.Headless.Tests.Gateway.Status.StatusRequests;
+
+namespace Nowpose.Headless.Tests.Gateway.Status;
+
+/// <summary>The conditions under which the gateway is ready.</summary>
+public class ReadinessTests
+{
+    [Test]
+    public async Task Ready_SourceStampsWithACorrectedSystemClock_IsNotReadyWithTheReason()
+    {
+        // One hour behind, as after a correction of the system clock that the gateway's own clock did not follow.
+        var behind = new StopwatchControlClock(new ControlTime(DateTime.UtcNow - DateTime.UnixEpoch - TimeSpan.FromHours(1)));
+        await using var gateway = await Gateways.StartAsync(clock: behind);
+        using var source = await RawRosbridgeClient.ConnectAsync(gateway);
+        Assert.That((await GetAsync(gateway, "/readyz")).Status, Is.EqualTo(HttpStatusCode.OK));
+
+        var answer = default((HttpStatusCode Status, string Text, HttpContentHeaders Headers));
+        await Soon.BecomesAsync(
+            () =>
+            {
+                var stamp = new ControlTime(DateTime.UtcNow - DateTime.UnixEpoch);
+                source.SendAsync(RosbridgeWriter.PublishJointState(
+                    RosTopics.JointStates, new JointStateMessage(stamp, ["a"], [0.5]), RosTimeForm.Sec)).GetAwaiter().GetResult();
+                answer = GetAsync(gateway, "/readyz").GetAwaiter().GetResult();
+                return answer.Status == HttpStatusCode.ServiceUnavailable && answer.Text.Contains("contradict", StringComparison.Ordinal);
+            },
+            "not ready");
+
+        Assert.That(answer.Text, Does.StartWith("waiting").And.Contain("stamps").And.Contain("--own-clock system"));
+        Assert.That((await StateAsync(gateway)).GetProperty("clock").GetProperty("warning").GetString(), Does.Contain("system clock"));
+        Assert.That((await GetAsync(gateway, "/metrics")).Text, Does.Contain("\nnowpose_clock_warning 1\n"));
+    }
+
+    [Test]
+    public async Task Ready_SystemClockServedAndSourceStampsWithIt_IsReady()
+    {
+        await using var gateway = await Gateways.StartAsync(clock: new SystemControlClock());
+        using var source = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        for (var i = 0; i < 50; i++)
+        {
+            var stamp = new ControlTime(DateTime.UtcNow - DateTime.UnixEpoch);
+            await source.SendAsync(RosbridgeWriter.PublishJointState(
+                RosTopics.JointStates, new JointStateMessage(stamp, ["a"], [0.5]), RosTimeForm.Sec));
+        }
+
+        await source.RoundTripAsync();
+        Assert.That(gateway.Drops.Total, Is.Zero);
+        Assert.That((await GetAsync(gateway, "/readyz")).Text, Is.EqualTo("ready\n"));
+    }
+
+    [Test]
+    public async Task Ready_ClockUnsynchronised_IsNotReady()
+    {
+        await using var gateway = await Gateways.StartAsync(clock: new StopwatchControlClock(Gateways.Start) { IsSynchronised = false });
+
+        var (status, text, _) = await GetAsync(gateway, "/readyz");
+
+        Assert.That(status, Is.EqualTo(HttpStatusCode.ServiceUnavailable));
+        Assert.That(text, Does.StartWith("waiting\nthe gateway's own control clock is not served"));
+        Assert.That((await GetAsync(gateway, "/healthz")).Status, Is.EqualTo(HttpStatusCode.OK), "it lives all the same");
+    }
+
+    [Test]
+    public async Task Ready_SourcesExpected_IsNotReadyBeforeTheFirst()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { ExpectsSources = true });
+        Assert.That((await GetAsync(gateway, "/readyz")).Status, Is.EqualTo(HttpStatusCode.ServiceUnavailable));
+
+        using var source = gateway.Hub.OpenSource();
+        source.TryPublish(Gateways.State(1, "a"));
+
+        Assert.That((await GetAsync(gateway, "/readyz")).Status, Is.EqualTo(HttpStatusCode.OK));
+    }
+}

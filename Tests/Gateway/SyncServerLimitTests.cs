@@ -1,0 +1,112 @@
+using Nowpose.Gateway;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+/// <summary>The frames, rates and connections for which the sync port closes a connection.</summary>
+public class SyncServerLimitTests
+{
+    /// <summary>A limit long enough for answers on a busy machine and short enough for a test to wait for.</summary>
+    static readonly TimeSpan LongToAnswer = TimeSpan.FromSeconds(1.5);
+
+    [TestCase(0, "magic")]
+    [TestCase(4, "version")]
+    [TestCase(5, "kind")]
+    public async Task Frame_Malformed_ClosesAndIsCounted(int at, string what)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawSyncClient.ConnectAsync(gateway);
+        var bytes = new byte[SyncFrame.Size];
+        SyncFrame.Request(1, 2).Write(bytes);
+        bytes[at] ^= 0x40;
+
+        await client.SendAsync(bytes);
+
+        Assert.That(await client.ReceiveAsync(), Is.Null, what);
+        Assert.That(gateway.SyncConnections[Closure.MalformedFrame], Is.EqualTo(1));
+    }
+
+    [TestCase(SyncFrameKind.Reply)]
+    [TestCase(SyncFrameKind.TokenReply)]
+    public async Task Frame_OfAServer_ClosesTheConnection(object kind)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawSyncClient.ConnectAsync(gateway);
+
+        Assert.That(await client.ExchangeAsync(new SyncFrame((SyncFrameKind)kind, 0, 0, 0, 0, 0, 0, 0)), Is.Null);
+        Assert.That(gateway.SyncConnections[Closure.MalformedFrame], Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Requests_FasterThanAllowed_Close()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawSyncClient.ConnectAsync(gateway);
+
+        var answered = 0;
+        while (answered <= 1000 && await client.ExchangeAsync(SyncFrame.Request(1, 2)) != null)
+            answered++;
+
+        Assert.That(answered, Is.GreaterThanOrEqualTo(100).And.LessThan(1000));
+        Assert.That(gateway.SyncConnections[Closure.TooManyRequests], Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Connection_Silent_IsClosed()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { SyncSilence = LongToAnswer });
+        using var client = await RawSyncClient.ConnectAsync(gateway);
+        Assert.That(await client.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
+
+        Assert.That(await client.ReceiveAsync(), Is.Null);
+        await Soon.BecomesAsync(() => gateway.SyncConnections[Closure.Silence] == 1, "counted");
+    }
+
+    [TestCase(true)]
+    [TestCase(false)]
+    public async Task Frame_SentByteByByteWithoutTokens_ClosesTheConnection(bool isFirst)
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { TokenTimeout = LongToAnswer });
+        using var client = await RawSyncClient.ConnectAsync(gateway);
+        if (!isFirst)
+            Assert.That(await client.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
+        var frame = new byte[SyncFrame.Size];
+        SyncFrame.Request(2, 2).Write(frame);
+
+        // Valid frames, never silent, but each takes about five times as long as allowed.
+        for (var i = 0; i < 10 * SyncFrame.Size && gateway.SyncConnections[Closure.Silence] == 0; i++)
+        {
+            await TrySendAsync(client, [frame[i % SyncFrame.Size]]);
+            await Task.Delay(LongToAnswer / 10);
+        }
+
+        Assert.That(gateway.SyncConnections[Closure.Silence], Is.EqualTo(1));
+    }
+
+    static async Task TrySendAsync(RawSyncClient client, byte[] bytes)
+    {
+        try
+        {
+            await client.SendAsync(bytes);
+        }
+        catch (IOException)
+        {
+            // The gateway has closed the connection.
+        }
+    }
+
+    [Test]
+    public async Task Connections_BeyondTheLimit_AreRefusedAndOthersServed()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 1 });
+        using var first = await RawSyncClient.ConnectAsync(gateway);
+        Assert.That(await first.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
+
+        using var second = await RawSyncClient.ConnectAsync(gateway);
+
+        Assert.That(await second.ReceiveAsync(), Is.Null);
+        Assert.That(gateway.SyncConnections[Closure.ConnectionLimit], Is.EqualTo(1));
+        Assert.That(await first.ExchangeAsync(SyncFrame.Request(2, 2)), Is.Not.Null);
+    }
+}

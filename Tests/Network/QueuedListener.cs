@@ -1,0 +1,40 @@
+using System.Collections.Concurrent;
+using Nowpose.Network;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Network;
+
+/// <summary>Queues all that a client receives.</summary>
+sealed class QueuedListener : IRosbridgeListener
+{
+    public ConcurrentQueue<JointStateMessage> Messages { get; } = [];
+    public ConcurrentQueue<DropReason> Drops { get; } = [];
+    public ConcurrentQueue<string> Descriptions { get; } = [];
+
+    public ConcurrentQueue<JointTrajectoryMessage> Plans { get; } = [];
+
+    public void Received(JointStateMessage message, HeadsetTime arrival) => Messages.Enqueue(message);
+
+    public void Planned(JointTrajectoryMessage message, HeadsetTime arrival) => Plans.Enqueue(message);
+
+    public ConcurrentQueue<JointStatusMessage> Statuses { get; } = [];
+
+    public void StatusReceived(JointStatusMessage message, HeadsetTime arrival) => Statuses.Enqueue(message);
+
+    public void Described(string urdf)
+    {
+        Descriptions.Enqueue(urdf);
+        Describing?.Invoke(urdf);
+    }
+
+    public void Dropped(DropReason reason) => Drops.Enqueue(reason);
+    public Action<string> Describing { get; set; }
+    public bool FailDiagnostics { get; set; }
+
+    public ConcurrentQueue<JointStateMessage> Displays { get; } = [];
+    public JointStateMessage Displayed() => Displays.TryDequeue(out var shown) ? shown : null;
+
+    public DiagnosticsMessage Report { get; set; }
+
+    public DiagnosticsMessage Diagnostics() => FailDiagnostics ? throw new InvalidOperationException("no diagnostics today") : Report;
+}

@@ -1,0 +1,150 @@
+using Nowpose.Latency;
+using Nowpose.Latency.Sweep;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests.Calibration;
+
+/// <summary>Sweeps that end early: stopped, disabled, or without a load, a folder or a valid plan.</summary>
+public sealed class LoadSweepEndTests
+{
+    PlayedSweep _played;
+
+    [SetUp]
+    public void Begin() => _played = new PlayedSweep();
+
+    [TearDown]
+    public async Task End() => await _played.DisposeAsync();
+
+    [Test]
+    public void Reprojection_ChangesDuringTheSweep_EndsIt()
+    {
+        _played.Play();
+        _played.Session.Reprojection = ReprojectionMode.Depth;
+        _played.Run(5);
+        _played.Sweep.StartSweep();
+        _played.Run(0.5);
+
+        _played.Session.Reprojection = ReprojectionMode.None;
+        _played.Run(5);
+
+        Assert.That(_played.Sweep.IsRunning, Is.False);
+        Assert.That(_played.Sweep.Problem, Is.EqualTo(
+            "load sweep stopped: reprojection mode changed from 'depth' to 'none' during the sweep; do not change it and sweep again"));
+    }
+
+    [Test]
+    public async Task Stop_DuringTheSweep_KeepsTheLoggedRows()
+    {
+        _played.Play();
+        _played.Sweep.StartSweep();
+        _played.Run(6.5);
+        var path = _played.Sweep.Path;
+
+        _played.Sweep.StopSweep();
+        _played.Run(0.1);
+
+        Assert.That(_played.Sweep.IsRunning, Is.False);
+        Assert.That(_played.Sweep.Words, Is.EqualTo("sweep stopped"));
+        Assert.That(_played.Load.Vertices, Is.EqualTo(7777));
+        await Soon.BecomesAsync(() => File.Exists(path) && SweepLogReader.Read(path).Count > 30, "the log is written");
+        _played.Run(1);
+        Assert.That(_played.Sweep.Verdict, Is.Null);
+    }
+
+    [Test]
+    public void Disable_DuringTheSweep_StopsAndUnsubscribes()
+    {
+        _played.Play();
+        _played.Sweep.StartSweep();
+        _played.Run(5);
+
+        _played.Sweep.enabled = false;
+        _played.Run(1);
+
+        Assert.That(_played.Sweep.IsRunning, Is.False);
+        Assert.That(_played.Cell.Messages.Where(m => m.Contains("Exception", StringComparison.Ordinal)), Is.Empty);
+    }
+
+    [Test]
+    public async Task Folder_CannotBeCreated_IsLoggedOnceAndEndsTheSweep()
+    {
+        File.WriteAllText(_played.Folder, "a file where the folder should be");
+        _played.Play();
+        _played.Sweep.StartSweep();
+        _played.Run(12);
+        await _played.Judged();
+
+        Assert.That(_played.Sweep.Problem, Does.StartWith("sweep log " + _played.Sweep.Path + " cannot be written: "));
+        Assert.That(_played.Cell.Messages.Count(m => m.Contains("cannot be written", StringComparison.Ordinal)), Is.EqualTo(1));
+        Assert.That(_played.Load.Vertices, Is.EqualTo(7777));
+    }
+
+    [Test]
+    public void Load_CannotBeDrawn_EndsTheSweepWithItsProblem()
+    {
+        _played.Play(isPainted: false);
+        _played.Sweep.StartSweep();
+
+        _played.Run(5);
+
+        Assert.That(_played.Sweep.IsRunning, Is.False);
+        Assert.That(_played.Sweep.Problem, Is.EqualTo("load generator 'Load' has no material; assign one"));
+        Assert.That(_played.Sweep.Words, Is.EqualTo("sweep stopped"));
+    }
+
+    [Test]
+    public async Task Load_DisabledDuringTheSweep_EndsItAndKeepsTheLoggedRows()
+    {
+        _played.Play();
+        _played.Sweep.StartSweep();
+        _played.Run(6.5);
+
+        _played.Load.enabled = false;
+        _played.Run(1);
+
+        Assert.That(_played.Sweep.IsRunning, Is.False);
+        Assert.That(_played.Sweep.Problem, Is.EqualTo("load generator 'Load' is switched off; the sweep needs it"));
+        Assert.That(_played.Cell.Messages.Count(m => m.Contains("switched off", StringComparison.Ordinal)), Is.EqualTo(1));
+        Assert.That(_played.Load.Vertices, Is.EqualTo(7777), "as before");
+        await Soon.BecomesAsync(() => File.Exists(_played.Sweep.Path) && SweepLogReader.Read(_played.Sweep.Path).Count > 30, "the log is written");
+    }
+
+    [Test]
+    public void Load_DestroyedDuringTheSweep_EndsIt()
+    {
+        _played.Play();
+        _played.Sweep.StartSweep();
+        _played.Run(5);
+
+        UnityEngine.Object.Destroy(_played.Load.gameObject);
+        _played.Run(1, gpuSeesLoad: false);
+
+        Assert.That(_played.Sweep.IsRunning, Is.False);
+        Assert.That(_played.Sweep.Problem, Does.EndWith("has lost its load generator; its log is kept"));
+        Assert.That(_played.Cell.Messages.Where(m => m.Contains("Exception", StringComparison.Ordinal)), Is.Empty);
+    }
+
+    [Test]
+    public void Parts_Missing_AreReported()
+    {
+        var sweep = new GameObject("Alone").AddComponent<LoadSweep>();
+
+        sweep.StartSweep();
+
+        Assert.That(sweep.Problem, Is.EqualTo("load sweep 'Alone' has no session on its object or a parent; assign one"));
+        Assert.That(sweep.IsRunning, Is.False);
+    }
+
+    [Test]
+    public void Plan_OutOfRange_IsReported()
+    {
+        _played.Play();
+        _played.Sweep.With("_steps", 1);
+
+        _played.Sweep.StartSweep();
+
+        Assert.That(_played.Sweep.Problem, Does.Contain("steps of the sweep: 1 is out of range"));
+    }
+}

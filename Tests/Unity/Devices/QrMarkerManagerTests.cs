@@ -1,0 +1,135 @@
+using Microsoft.MixedReality.OpenXR;
+using Microsoft.MixedReality.OpenXR.ARSubsystems;
+using Nowpose.Anchoring;
+using Nowpose.OpenXR;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.XR.ARSubsystems;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.Unity.Tests.Devices;
+
+/// <summary>The manager that the component adds or uses, and the problems that it reports.</summary>
+public sealed class QrMarkerManagerTests
+{
+    PlayedCodes _played;
+
+    [SetUp]
+    public void SetUp() => _played = new PlayedCodes();
+
+    [TearDown]
+    public void TearDown() => _played.Dispose();
+
+    [Test]
+    public void Manager_NoneOnTheOrigin_IsAddedForCodesInCornerMode()
+    {
+        var manager = _played.Origin.Origin.GetComponent<ARMarkerManager>();
+
+        Assert.That(manager, Is.Not.Null);
+        Assert.That(manager.enabledMarkerTypes, Is.EqualTo(new[] { ARMarkerType.QRCode }));
+        Assert.That(manager.defaultTransformMode, Is.EqualTo(TransformMode.MostStable));
+        Assert.That(_played.Cell.Messages, Has.None.Contains("QR markers"));
+    }
+
+    [Test]
+    public void Manager_UsersCentreMode_IsChangedAndLogged()
+    {
+        var manager = _played.Origin.Origin.GetComponent<ARMarkerManager>();
+        manager.defaultTransformMode = TransformMode.Center;
+        manager.enabledMarkerTypes = [];
+        var second = new GameObject("Second").AddComponent<QrMarkers>();
+
+        _played.Cell.Frame(_played.Session);
+
+        Assert.That(second.Problem, Is.Null);
+        Assert.That(manager.defaultTransformMode, Is.EqualTo(TransformMode.MostStable));
+        Assert.That(manager.enabledMarkerTypes, Is.EqualTo(new[] { ARMarkerType.QRCode }));
+        Assert.That(_played.Cell.Messages.Count(m => m.Contains("'Second': the marker manager's mode was Center")), Is.EqualTo(1));
+    }
+
+    [Test]
+    public void Manager_Disabled_StopsUnlessUserOwned()
+    {
+        var manager = _played.Origin.Origin.GetComponent<ARMarkerManager>();
+        var second = new GameObject("Second").AddComponent<QrMarkers>();
+        _played.Cell.Frame(_played.Session);
+
+        second.enabled = false;
+        var ofAnother = manager.enabled;
+        _played.Markers.enabled = false;
+        var meanwhile = manager.enabled;
+        _played.Markers.enabled = true;
+        _played.Report();
+
+        Assert.That(ofAnother);
+        Assert.That(meanwhile, Is.False);
+        Assert.That(_played.ReadOne().Tracking, Is.EqualTo(MarkerTracking.Tracking));
+    }
+
+    [Test]
+    public void Problem_DeviceWithoutCodes_IsLoggedOnceAfterATimeout()
+    {
+        _played.Origin.Device.Dispose();
+        var manager = _played.Origin.Origin.GetComponent<ARMarkerManager>();
+        manager.enabled = false;
+        manager.enabled = true;
+
+        _played.Cell.Run(2, _played.Session);
+        var early = _played.Markers.Problem;
+        _played.Cell.Run(10, _played.Session);
+
+        Assert.That(early, Is.Null, "everything may still start");
+        Assert.That(_played.Markers.Problem, Does.Contain("WebCam"));
+        Assert.That(
+            _played.Cell.Messages.Count(m => m.StartsWith("[Nowpose] QR markers 'Cell': the device's XR runtime does not offer it", StringComparison.Ordinal)),
+            Is.EqualTo(1));
+        Assert.That(_played.Read(), Is.Empty);
+    }
+
+    [Test]
+    public void Problem_NoArSession_IsReported()
+    {
+        _played.Origin.Device.SessionState = 0;
+
+        _played.Cell.Run(4, _played.Session);
+
+        Assert.That(_played.Markers.Problem, Does.StartWith("there is no AR Session in the scene"));
+    }
+
+    [Test]
+    public void Problem_NoOrigin_IsReportedUntilThereIsOne()
+    {
+        Object.Destroy(_played.Origin.Origin.GetComponent<ARMarkerManager>());
+        _played.Origin.Head.SetParent(null, false);
+        _played.Cell.Run(4, _played.Session);
+        var problem = _played.Markers.Problem;
+
+        _played.Origin.Head.SetParent(_played.Origin.Origin.transform, false);
+        _played.Cell.Run(1, _played.Session);
+
+        Assert.That(problem, Does.StartWith("there is no XR Origin above the main camera"));
+        Assert.That(_played.Markers.Problem, Is.Null);
+        Assert.That(_played.Origin.Origin.GetComponent<ARMarkerManager>(), Is.Not.Null);
+    }
+
+    [Test]
+    public void Manager_XrStartsLater_IsEnabledAgainOnce()
+    {
+        _played.Origin.Device.Dispose();
+        var manager = _played.Origin.Origin.GetComponent<ARMarkerManager>();
+        manager.enabled = false;
+        manager.enabled = true;
+        _played.Cell.Run(1, _played.Session);
+
+        using var device = new ArDevice();
+        var codes = device.Offer<XRMarkerSubsystem>();
+        _played.Cell.Run(1, _played.Session);
+        var before = manager.subsystem;
+        _played.Cell.Player.ReportGpuTime(TimeSpan.FromMilliseconds(5));
+        _played.Cell.Run(1, _played.Session);
+
+        Assert.That(before, Is.Null, "nothing tells of it before a display runs");
+        Assert.That(manager.subsystem, Is.SameAs(codes));
+        Assert.That(_played.Markers.Problem, Is.Null);
+    }
+}

@@ -1,0 +1,180 @@
+using Nowpose.Editor.Setup;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEditor.PackageManager;
+using PackageInfo = UnityEditor.PackageManager.PackageInfo;
+
+namespace Nowpose.Unity.Tests.Editor;
+
+/// <summary>The checks of the packages that a project needs.</summary>
+public sealed class PackageChecksTests : EditorFixture
+{
+    ReviewedProject _reviewed;
+
+    [SetUp]
+    public void SetUp() => _reviewed = new ReviewedProject(this);
+
+    [Test]
+    public void Package_OfUnity_IsRequestedByNameAndFoundOnceInstalled()
+    {
+        var check = _reviewed.IndexOf("OpenXR");
+        Assert.That(_reviewed.Review.Results[check].Found, Is.EqualTo("com.unity.xr.openxr is not installed"));
+
+        _reviewed.Review.Fix(check);
+        Assert.That(Client.Asked, Is.EqualTo(new[] { "com.unity.xr.openxr" }));
+        Assert.That(_reviewed.Settings.Activity, Is.EqualTo("adding com.unity.xr.openxr …"));
+
+        Client.Newest.Succeed();
+        PackageInfo.Registered.Add(new PackageInfo("com.unity.xr.openxr", "1.13.0"));
+        _reviewed.Review.Refresh();
+
+        Assert.That(_reviewed.Settings.Activity, Is.Null);
+        Assert.That(_reviewed.Review.Results[check].Found, Is.EqualTo("com.unity.xr.openxr 1.13.0"));
+        Assert.That(_reviewed.Review.Results[check].State, Is.EqualTo(CheckState.Good));
+    }
+
+    [Test]
+    public void Package_WithVersion_IsRequestedWithTheVersion()
+    {
+        _reviewed.Review.Fix(_reviewed.IndexOf("AR Foundation"));
+
+        Assert.That(Client.Asked, Is.EqualTo(new[] { "com.unity.xr.arfoundation@5.1.5" }));
+        Assert.That(_reviewed.Settings.Activity, Is.EqualTo("adding com.unity.xr.arfoundation …"));
+    }
+
+    [Test]
+    public void Package_TooOld_IsRecommendedAgain()
+    {
+        PackageInfo.Registered.Add(new PackageInfo("com.unity.xr.arfoundation", "4.1.7"));
+        PackageInfo.Registered.Add(new PackageInfo("com.microsoft.mixedreality.openxr", "1.11.1-preview"));
+        _reviewed.Review.Refresh();
+
+        var found = _reviewed.Review.Results[_reviewed.IndexOf("AR Foundation")];
+        Assert.That(found.State, Is.EqualTo(CheckState.Advice));
+        Assert.That(found.Found, Is.EqualTo("com.unity.xr.arfoundation 4.1.7 is too old; allowed is 5.0.0 or newer, but older than 7.0.0"));
+        Assert.That(_reviewed.Review.Results[_reviewed.IndexOf("Mixed Reality OpenXR")].State, Is.EqualTo(CheckState.Good));
+    }
+
+    [Test]
+    public void Package_CannotBeAdded_StatesTheReason()
+    {
+        _reviewed.Review.Fix(_reviewed.IndexOf("NativeWebSocket (optional)"));
+        Client.Newest.Fail("no git");
+
+        Assert.That(_reviewed.Settings.Trouble, Is.EqualTo("com.endel.nativewebsocket could not be added: no git"));
+        Assert.That(_reviewed.Settings.Activity, Is.Null);
+    }
+
+    [Test]
+    public void Package_OfMicrosoft_IsAddedToTheManifestWithItsRegistry()
+    {
+        using var folder = new ProjectFolder();
+        folder.Write("Packages/manifest.json", "{ \"dependencies\": {} }");
+        Project.Open(folder.Root);
+
+        Project.InRoot(() =>
+        {
+            _reviewed.Review.Fix(_reviewed.IndexOf("Mixed Reality OpenXR"));
+            return true;
+        });
+
+        Assert.That(folder.Read("Packages/manifest.json"), Does.Contain("\"com.microsoft.mixedreality.openxr\": \"1.11.2\""));
+        Assert.That(folder.Read("Packages/manifest.json"), Does.Contain("pkgs.dev.azure.com"));
+        Assert.That(Client.Resolved, Is.EqualTo(1));
+        Assert.That(_reviewed.Settings.Trouble, Is.Null);
+    }
+
+    [TestCase(null, "com.microsoft.mixedreality.openxr could not be added: Could not find file")]
+    [TestCase("nothing", "com.microsoft.mixedreality.openxr could not be added: Packages/manifest.json:1: not a JSON object")]
+    public void Package_ManifestInvalid_StatesTheReasonAndChangesNothing(string manifest, string trouble)
+    {
+        using var folder = new ProjectFolder();
+        folder.Write("Packages/other.txt", "");
+        if (manifest != null) folder.Write("Packages/manifest.json", manifest);
+        Project.Open(folder.Root);
+
+        Project.InRoot(() =>
+        {
+            _reviewed.Review.Fix(_reviewed.IndexOf("Mixed Reality OpenXR"));
+            return true;
+        });
+
+        Assert.That(_reviewed.Settings.Trouble, Does.StartWith(trouble));
+        Assert.That(Client.Resolved, Is.Zero);
+        if (manifest != null) Assert.That(folder.Read("Packages/manifest.json"), Is.EqualTo(manifest));
+    }
+
+    [Test]
+    public void Checks_OfPackages_ExcludeDependenciesOfThePackage()
+    {
+        var manifest = RepositoryFiles.Read(RepositoryFiles.Package + "/package.json");
+
+        var needed = ProjectChecks.ForHoloLens().OfType<PackageCheck>().Select(c => c.FixLabel?.Substring("Add ".Length))
+            .Where(name => name != null && manifest.Contains("\"" + name + "\""));
+
+        Assert.That(needed, Is.Empty);
+    }
+
+    [Test]
+    public void Package_Optional_IsOnlyRecommended()
+    {
+        var check = _reviewed.IndexOf("MRTK3 (optional)");
+
+        Assert.That(_reviewed.Review.Results[check].State, Is.EqualTo(CheckState.Advice));
+        Assert.That(_reviewed.Review.Checks[check].FixLabel, Is.Null);
+        Assert.That(_reviewed.Review.Results[check].Found, Does.Contain("github.com/MixedRealityToolkit"));
+    }
+
+    [Test]
+    public void Mrtk3_PartInstalled_NamesTheMissingPackages()
+    {
+        foreach (var part in new[] { "core", "uxcore", "standardassets", "uxcomponents", "spatialmanipulation", "input" })
+            PackageInfo.Registered.Add(new PackageInfo("org.mixedrealitytoolkit." + part, "3.3.0"));
+        _reviewed.Review.Refresh();
+        Assert.That(
+            _reviewed.Review.Results[_reviewed.IndexOf("MRTK3 (optional)")].Found,
+            Does.StartWith("org.mixedrealitytoolkit.windowsspeech is not installed"));
+
+        PackageInfo.Registered.Add(new PackageInfo("org.mixedrealitytoolkit.windowsspeech", "3.0.4"));
+        _reviewed.Review.Refresh();
+        Assert.That(_reviewed.Review.Results[_reviewed.IndexOf("MRTK3 (optional)")].State, Is.EqualTo(CheckState.Good));
+
+        PackageInfo.Registered.RemoveAll(p => p.name == "org.mixedrealitytoolkit.uxcomponents");
+        PackageInfo.Registered.Add(new PackageInfo("org.mixedrealitytoolkit.uxcomponents", "3.2.9"));
+        _reviewed.Review.Refresh();
+        Assert.That(
+            _reviewed.Review.Results[_reviewed.IndexOf("MRTK3 (optional)")].Found,
+            Is.EqualTo("org.mixedrealitytoolkit.uxcomponents 3.2.9 is too old; allowed is 3.3.0 or newer, but older than 4.0.0"));
+    }
+
+    [Test]
+    public void Mrtk3_AllInstalled_IsGood()
+    {
+        foreach (var part in new[] { "core", "uxcore", "standardassets", "uxcomponents", "spatialmanipulation", "input", "windowsspeech" })
+            PackageInfo.Registered.Add(new PackageInfo("org.mixedrealitytoolkit." + part, "3.4.0"));
+
+        _reviewed.Review.Refresh();
+
+        Assert.That(_reviewed.Review.Results[_reviewed.IndexOf("MRTK3 (optional)")].State, Is.EqualTo(CheckState.Good));
+    }
+
+    [Test]
+    public void Package_OfMicrosoft_KeepsTheManifestsFormatAndABackup()
+    {
+        using var folder = new ProjectFolder();
+        const string before = "{\r\n\t\"dependencies\": {\r\n\t}\r\n}\r\n";
+        folder.Write("Packages/manifest.json", [0xEF, 0xBB, 0xBF, .. System.Text.Encoding.UTF8.GetBytes(before)]);
+        Project.Open(folder.Root);
+
+        Project.InRoot(() =>
+        {
+            _reviewed.Review.Fix(_reviewed.IndexOf("Mixed Reality OpenXR"));
+            return true;
+        });
+
+        var after = File.ReadAllBytes(Path.Combine(folder.Root, "Packages/manifest.json"));
+        Assert.That(after.Take(3), Is.EqualTo(new byte[] { 0xEF, 0xBB, 0xBF }));
+        Assert.That(System.Text.Encoding.UTF8.GetString(after), Does.Contain("{\r\n\t\t\"com.microsoft.mixedreality.openxr\": \"1.11.2\"\r\n\t}"));
+        Assert.That(folder.Read("Packages/manifest.json.backup"), Is.EqualTo(before));
+    }
+}

@@ -1,0 +1,53 @@
+using Nowpose.Unity;
+using Nowpose.Unity.Tests;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests.Editor;
+
+/// <summary>Inspectors of the components of a running cell, closed when disposed.</summary>
+sealed class PlayedInspectors : IDisposable
+{
+    public PlayedInspectors() => Cell = new PlayedCell();
+
+    public PlayedCell Cell { get; }
+    public List<UnityEditor.Editor> Editors { get; } = new();
+
+    public UnityEditor.Editor Inspect(params Component[] components)
+    {
+        var editor = UnityEditor.Editor.CreateEditor(components);
+        Editors.Add(editor);
+        return editor;
+    }
+
+    public void Play(MrilSession session, double seconds) => Cell.Run(seconds, session, () =>
+    {
+        EditorApplication.Now = Cell.Now;
+        EditorApplication.update?.Invoke();
+    });
+
+    public static VirtualGripper Gripper(RobotRig rig, params string[] joints)
+    {
+        var gripper = new GameObject("Gripper");
+        gripper.transform.SetParent(rig.transform);
+        var fingers = joints.Select(joint => new GripperFinger(joint, new GameObject("Finger").transform)).ToList();
+        foreach (var finger in fingers) finger.Finger.SetParent(gripper.transform);
+        return gripper.AddComponent<VirtualGripper>().With("_fingers", fingers);
+    }
+
+    public static T Below<T>(MrilSession session) where T : Component
+    {
+        var child = new GameObject(typeof(T).Name);
+        child.transform.SetParent(session.transform);
+        return child.AddComponent<T>();
+    }
+
+    public void Dispose()
+    {
+        foreach (var editor in Editors) UnityEngine.Object.DestroyImmediate(editor);
+        Editors.Clear();
+        Cell.Dispose();
+        Assert.That(EditorApplication.update, Is.Null, "an inspector that is closed leaves nothing behind");
+    }
+}

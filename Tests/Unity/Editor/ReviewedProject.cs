@@ -1,0 +1,36 @@
+using Nowpose.Editor.Setup;
+using UnityEditor;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Nowpose.Unity.Tests.Editor;
+
+/// <summary>A project on the editor's stand-in with a camera, and the review of its checks for HoloLens 2.</summary>
+sealed class ReviewedProject
+{
+    public ReviewedProject(EditorFixture fixture)
+    {
+        OpenXrAssets.Put(fixture.Keep, BuildTargetGroup.WSA, BuildTargetGroup.Android);
+        var player = fixture.Keep(ScriptableObject.CreateInstance<PlayerAssetOfATest>());
+        player.activeInputHandler = 0;
+        Project.Put("ProjectSettings/ProjectSettings.asset", player);
+        Camera = fixture.Keep(new GameObject("Camera") { tag = "MainCamera" }).AddComponent<Camera>();
+        Camera.nearClipPlane = 0.02f;
+        Settings = new UnityProjectSettings(HeadsetPlatform.HoloLens2);
+        Review = new ProjectReview(ProjectChecks.ForHoloLens(), Settings);
+    }
+
+    public UnityProjectSettings Settings { get; set; }
+    public ProjectReview Review { get; set; }
+    public Camera Camera { get; }
+
+    public int IndexOf(string title) => IndexIn(Review, title);
+
+    public static int IndexIn(ProjectReview review, string title) => review.Checks.Select(c => c.Title).ToList().IndexOf(title);
+
+    // The field of ProjectSettings.asset that the checks read.
+    sealed class PlayerAssetOfATest : ScriptableObject
+    {
+        public int activeInputHandler;
+    }
+}

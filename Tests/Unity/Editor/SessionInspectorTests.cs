@@ -1,0 +1,203 @@
+using Nowpose.Editor.Inspectors;
+using Nowpose.Editor.Setup;
+using Nowpose.Unity;
+using Nowpose.Unity.Tests;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests.Editor;
+
+/// <summary>The inspectors of a session and its settings in play mode, drawn on the editor's stand-in.</summary>
+public sealed class SessionInspectorTests : EditorFixture
+{
+    PlayedInspectors _played;
+
+    [SetUp]
+    public void SetUp() => _played = new PlayedInspectors();
+
+    [TearDown]
+    public void TearDown() => _played.Dispose();
+
+    [Test]
+    public void Session_Playing_ShowsItsValuesAndPlots()
+    {
+        var session = _played.Cell.Play();
+        var editor = _played.Inspect(session);
+        _played.Play(session, 8);
+
+        editor.OnInspectorGUI();
+
+        Assert.That(editor, Is.InstanceOf<MrilSessionEditor>());
+        Assert.That(editor.RequiresConstantRepaint());
+        Assert.That(GuiRecorder.Texts, Does.Contain("Robot: –, youbot"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Pose: current"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("L_visu: 40.0 ms, as set"));
+        Assert.That(GuiRecorder.Texts.Single(t => t.StartsWith("End to end: 12", StringComparison.Ordinal)), Does.EndWith(" ms"));
+        Assert.That(GuiRecorder.Texts.Single(t => t.StartsWith("L_app 8", StringComparison.Ordinal)), Does.EndWith("ms   (100 ms at the top)"));
+        Assert.That(GuiRecorder.Properties, Does.Contain("_settings"));
+        Assert.That(GuiRecorder.Lines, Has.Count.EqualTo(3), "latency, horizon, error");
+    }
+
+    [Test]
+    public void LatencyNudge_Playing_ShowsSpeedShiftAndMarks()
+    {
+        var session = _played.Cell.NewSession();
+        var nudge = session.gameObject.AddComponent<LatencyNudge>();
+        session.gameObject.SetActive(true);
+        var editor = _played.Inspect(nudge);
+        _played.Play(session, 8);
+        nudge.Step(2);
+
+        editor.OnInspectorGUI();
+
+        Assert.That(editor, Is.InstanceOf<LatencyNudgeEditor>());
+        Assert.That(GuiRecorder.Texts, Does.Contain("Shifted by: 2.0 mm"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Marks: 0 forward, 0 backward"));
+    }
+
+    [Test]
+    public void LatencyProfileLoader_Playing_ShowsTheUsedProfile()
+    {
+        var session = _played.Cell.NewSession();
+        var loader = session.gameObject.AddComponent<LatencyProfileLoader>().With("_fileName", "none-" + Guid.NewGuid());
+        session.gameObject.SetActive(true);
+        var editor = _played.Inspect(loader);
+        _played.Play(session, 1);
+
+        editor.OnInspectorGUI();
+
+        Assert.That(editor, Is.InstanceOf<LatencyProfileLoaderEditor>());
+        Assert.That(GuiRecorder.Texts, Does.Contain("Profile: none; the settings apply"));
+    }
+
+    [Test]
+    public void CellPairing_CodeOnTheClipboard_AsksAndAcceptsTheAnswer()
+    {
+        var session = _played.Cell.NewSession();
+        var file = Path.Combine(Path.GetTempPath(), "none-" + Guid.NewGuid());
+        var pairing = session.gameObject.AddComponent<CellPairing>().With("_fileName", file);
+        session.gameObject.SetActive(true);
+        var editor = _played.Inspect(pairing);
+        _played.Play(session, 1);
+        EditorGUIUtility.systemCopyBuffer = " nowpose:cell/1?n=desk&h=localhost\n";
+
+        GuiRecorder.Click = "Read the code on the clipboard";
+        editor.OnInspectorGUI();
+        GuiRecorder.Click = "Refuse";
+        editor.OnInspectorGUI();
+
+        Assert.That(editor, Is.InstanceOf<CellPairingEditor>());
+        Assert.That(GuiRecorder.Texts, Has.Some.Contains("Connect to cell 'desk'?"));
+        Assert.That(pairing.Question, Is.Null);
+        Assert.That(File.Exists(file), Is.False, "what was refused is not kept");
+    }
+
+    [Test]
+    public void Session_Playing_PlotsLinesWithinTheirStrips()
+    {
+        var session = _played.Cell.Play();
+        var editor = _played.Inspect(session);
+        _played.Play(session, 15);
+
+        editor.OnInspectorGUI();
+
+        var latency = GuiRecorder.Lines[0];
+        Assert.That(latency.Select(p => p.x), Is.Ordered.Ascending.And.All.InRange(0, 300));
+        Assert.That(latency[^1].x - latency[0].x, Is.EqualTo(300).Within(1), "ten seconds wide");
+        Assert.That(latency.Select(p => p.y), Is.All.EqualTo(54 * (1 - 0.8)).Within(2), "80 of 100 ms, from the bottom");
+    }
+
+    [Test]
+    public void Session_WithoutData_ShowsDashesAndNoPlots()
+    {
+        var session = _played.Cell.Play();
+        _played.Cell.IsSyncUp = _played.Cell.IsPlantUp = false;
+        var editor = _played.Inspect(session);
+        _played.Play(session, 1);
+
+        editor.OnInspectorGUI();
+
+        Assert.That(GuiRecorder.Texts, Does.Contain("Horizon: –"));
+        Assert.That(GuiRecorder.Texts.Single(t => t.StartsWith("L_app –", StringComparison.Ordinal)), Is.Not.Empty);
+        Assert.That(GuiRecorder.Lines, Is.Empty);
+    }
+
+    [Test]
+    public void Session_CannotStart_ShowsTheReason()
+    {
+        var session = new GameObject("Cell").AddComponent<MrilSession>();
+
+        _played.Inspect(session).OnInspectorGUI();
+
+        Assert.That(string.Join("\n", GuiRecorder.Texts).Replace('\n', ' '), Does.Contain("! " + session.Problem));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Pose: –"));
+    }
+
+    [Test]
+    public void Session_Disabled_ShowsADash()
+    {
+        var session = _played.Cell.Play();
+        var editor = _played.Inspect(session);
+        _played.Play(session, 1);
+        session.enabled = false;
+        _played.Play(session, 1);
+
+        editor.OnInspectorGUI();
+
+        Assert.That(GuiRecorder.Texts, Does.Contain("Pose: –"));
+        Assert.That(GuiRecorder.Lines, Is.Empty);
+    }
+
+    [Test]
+    public void Sampling_OfAPlayingSession_AllocatesNothing()
+    {
+        var session = _played.Cell.Play();
+        _played.Inspect(session);
+        _played.Play(session, 12);
+        var before = GC.GetAllocatedBytesForCurrentThread();
+
+        for (var i = 0; i < 1000; i++)
+        {
+            EditorApplication.Now += 0.02;
+            EditorApplication.update();
+        }
+
+        Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
+    }
+
+    [Test]
+    public void Several_Selected_AreEditedTogetherWithoutLiveValues()
+    {
+        MrilSession one = _played.Cell.Play(), two = _played.Cell.Play();
+        var editor = _played.Inspect(one, two);
+        _played.Play(one, 1);
+
+        editor.OnInspectorGUI();
+
+        Assert.That(editor, Is.InstanceOf<MrilSessionEditor>());
+        Assert.That(editor.serializedObject.isEditingMultipleObjects);
+        Assert.That(GuiRecorder.Properties, Does.Contain("_settings"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Live values are shown for one object at a time."));
+        Assert.That(GuiRecorder.Lines, Is.Empty);
+        Assert.That(editor.RequiresConstantRepaint(), Is.False);
+    }
+
+    [Test]
+    public void Fix_OfAMissingReference_IsAppliedByTheClickWithUndo()
+    {
+        var session = _played.Cell.NewSession();
+        var rig = new GameObject("Robot").AddComponent<RobotRig>();
+        var editor = _played.Inspect(rig);
+        editor.OnInspectorGUI();
+        Assert.That(GuiRecorder.Buttons, Is.EqualTo(new[] { "Use 'Cell'" }));
+        Assert.That(Undo.Steps, Is.Empty, "nothing is changed without the click");
+
+        GuiRecorder.Clear();
+        GuiRecorder.Click = "Use 'Cell'";
+        editor.OnInspectorGUI();
+
+        Assert.That(editor.serializedObject.FindProperty("_session").objectReferenceValue, Is.SameAs(session));
+        Assert.That(Undo.Steps, Has.Count.EqualTo(1));
+    }
+}

@@ -1,0 +1,147 @@
+using Nowpose.Anchoring;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.Events;
+using static Nowpose.Unity.Tests.Pairing.PlayedPairing;
+
+namespace Nowpose.Unity.Tests.Pairing;
+
+/// <summary>Listeners of the pairing, the actions that ask to forget it, and codes that do not start it.</summary>
+public class PairingEventsTests
+{
+    PlayedPairing _played;
+
+    [SetUp]
+    public void Start() => _played = new PlayedPairing();
+
+    [TearDown]
+    public void Stop() => _played.Dispose();
+
+    [Test]
+    public void ForgetCell_OfTheActions_AsksAndForgetsIfAccepted()
+    {
+        var actions = _played.Session.gameObject.AddComponent<CellActions>();
+        _played.Shown.Texts.Add(Desk);
+        _played.Frames();
+        _played.Pairing.Accept();
+        _played.Frames();
+        _played.Shown.Texts.Clear();
+
+        actions.ForgetCell();
+        _played.Frames();
+        Assert.That(_played.Pairing.Question, Does.StartWith("Forget cell 'desk'?"));
+        Assert.That(_played.Pairing.Cell, Is.EqualTo("desk"));
+        _played.Pairing.Accept();
+        _played.Frames();
+
+        Assert.That(_played.Pairing.Cell, Is.Null);
+        Assert.That(_played.Session.IsConnecting, Is.False);
+    }
+
+    [Test]
+    public void ForgetCell_NoPairing_IsLogged()
+    {
+        var actions = _played.Session.gameObject.AddComponent<CellActions>();
+        UnityEngine.Object.Destroy(_played.Pairing);
+        _played.Frames();
+
+        actions.ForgetCell();
+
+        Assert.That(_played.Cell.Messages, Has.Some.Contains("have no cell pairing; assign one"));
+    }
+
+    [Test]
+    public void Events_OfQuestionAndProblem_AreRaisedOnce()
+    {
+        int asked = 0, problems = 0;
+        UnityEvent onAsked = new(), onProblem = new();
+        onAsked.AddListener(() => asked++);
+        onProblem.AddListener(() => problems++);
+        _played.Pairing.With("_onAsked", onAsked).With("_onProblem", onProblem);
+        _played.Shown.Texts.AddRange([Desk, "nowpose:cell/1?n=a"]);
+
+        _played.Frames(10);
+
+        Assert.That(asked, Is.EqualTo(1));
+        Assert.That(problems, Is.EqualTo(1));
+    }
+
+    [Test]
+    public void Listener_DisablesThePairing_CompletesTheEvent()
+    {
+        var onAsked = new UnityEvent();
+        onAsked.AddListener(() => _played.Pairing.enabled = false);
+        _played.Pairing.With("_onAsked", onAsked);
+        _played.Shown.Texts.Add(Desk);
+
+        _played.Frames(10);
+
+        Assert.That(_played.Pairing.Question, Is.Null);
+        Assert.That(_played.Cell.Player.Logs.Select(log => log.Type), Has.None.EqualTo(LogType.Exception));
+    }
+
+    [Test]
+    public void Listener_AnchorThrows_PairingCompletes()
+    {
+        var changes = 0;
+        _played.Anchor.StateChanged += () => throw new InvalidOperationException("a listener's own fault");
+        _played.Shown.Texts.Add(Desk);
+        _played.Frames();
+        _played.Pairing.Changed += () => changes++;
+
+        _played.Pairing.Accept();
+        _played.Frames();
+
+        Assert.That(File.ReadAllText(_played.FilePath), Does.Contain("desk"));
+        Assert.That(changes, Is.GreaterThan(0));
+        Assert.That(_played.Session.IsConnecting, Is.True);
+    }
+
+    [Test]
+    public void Listener_AnchorDisablesThePairing_PairingCompletes()
+    {
+        _played.Anchor.StateChanged += () => _played.Pairing.enabled = false;
+        _played.Shown.Texts.Add(Desk);
+        _played.Frames();
+
+        _played.Pairing.Accept();
+        _played.Frames();
+
+        Assert.That(File.ReadAllText(_played.FilePath), Does.Contain("desk"));
+        Assert.That(_played.Cell.Player.Logs.Select(log => log.Type), Has.None.EqualTo(LogType.Exception));
+    }
+
+    [Test]
+    public void Code_SeenLongAgo_DoesNotAsk()
+    {
+        _played.Shown.Texts.Add(Desk);
+        _played.Shown.Seen = _played.Cell.Clock.Now - TimeSpan.FromSeconds(10);
+
+        for (var i = 0; i < 10; i++) _played.Cell.Frame(_played.Session);
+
+        Assert.That(_played.Pairing.Question, Is.Null);
+    }
+
+    [Test]
+    public void Code_NotTracked_DoesNotAsk()
+    {
+        _played.Shown.Texts.Add(Desk);
+        _played.Shown.Tracking = MarkerTracking.None;
+
+        _played.Frames(10);
+
+        Assert.That(_played.Pairing.Question, Is.Null);
+    }
+
+    [Test]
+    public void Code_Malformed_IsLoggedOnce()
+    {
+        _played.Shown.Texts.Add("nowpose:cell/1?n=a");
+        _played.Shown.Texts.Add("https://example.org/");
+
+        _played.Frames(10);
+
+        Assert.That(_played.Cell.Messages.Where(m => m.Contains("code")), Has.Exactly(1).Items.And.All.Contains("[Nowpose] cell code: h is missing"));
+    }
+}

@@ -1,0 +1,154 @@
+using Nowpose.Session;
+using Nowpose.Unity;
+using Nowpose.UnityPlayer;
+using NUnit.Framework;
+using UnityEngine;
+using static Nowpose.Unity.Tests.PlayedRig;
+
+namespace Nowpose.Unity.Tests;
+
+/// <summary>Gripper and ghost below a running session.</summary>
+public class PlayedGripperTests
+{
+    PlayedRig _played;
+
+    [SetUp]
+    public void Start() => _played = new PlayedRig();
+
+    [TearDown]
+    public void Stop() => _played.Dispose();
+
+    [Test]
+    public void Gripper_FingerDestroyed_TheOtherStillMoves()
+    {
+        var gripper = Below<VirtualGripper>("Virtual Gripper", _played.Rig.transform);
+        var lost = Below<FrameProbe>("Left", gripper.transform).transform;
+        var kept = Below<FrameProbe>("Right", gripper.transform).transform;
+        gripper.With("_fingers", new List<GripperFinger> { new("gripper_finger_joint_l", lost), new("gripper_finger_joint_r", kept) });
+        _played.Play();
+
+        UnityEngine.Object.Destroy(lost.gameObject);
+        _played.Cell.Run(1, _played.Session);
+
+        Assert.That(_played.Cell.Player.Logs.Where(log => log.Type == LogType.Exception), Is.Empty);
+        var joint = _played.Session.Robot.IndexOfMovingJoint("gripper_finger_joint_r");
+        Assert.That(kept.localPosition.magnitude, Is.EqualTo(Math.Abs(_played.Session.Frame.Joints[joint])).Within(1e-6));
+    }
+
+    [Test]
+    public void Gripper_EnabledBeforeTheRig_HasNoDelay()
+    {
+        _played.Rig.enabled = false;
+        var gripper = Below<VirtualGripper>("Virtual Gripper", _played.Rig.transform);
+        _played.Play(0.1);
+        _played.Rig.enabled = true;
+
+        var worst = 0f;
+        _played.Cell.Run(
+            3, _played.Session, () => worst = Math.Max(worst, Vector3.Distance(gripper.transform.position, _played.Rig.Flange.position)));
+
+        Assert.That(gripper.Flange, Is.SameAs(_played.Rig.Link("arm_link_5")));
+        Assert.That(worst, Is.LessThan(1e-6));
+        Assert.That(_played.Rig.Flange.position, Is.Not.EqualTo(_played.Rig.transform.position));
+    }
+
+    [Test]
+    public void Gripper_FingerJointMoves_OpensAndCloses()
+    {
+        var gripper = Below<VirtualGripper>("Virtual Gripper", _played.Rig.transform);
+        var finger = Below<FrameProbe>("Finger", gripper.transform).transform;
+        gripper.With("_fingers", new List<GripperFinger> { new("gripper_finger_joint_l", finger) });
+        _played.Session.gameObject.SetActive(true);
+        var (min, max) = (1f, 0f);
+
+        _played.Cell.Run(12, _played.Session, () =>
+        {
+            if (_played.Session.Frame.State != PoseState.Current) return;
+            min = Math.Min(min, finger.localPosition.magnitude);
+            max = Math.Max(max, finger.localPosition.magnitude);
+            var joint = _played.Session.Robot.IndexOfMovingJoint("gripper_finger_joint_l");
+            Assert.That(finger.localPosition.magnitude, Is.EqualTo(_played.Session.Frame.Joints[joint]).Within(1e-6));
+        });
+
+        Assert.That(min, Is.LessThan(0.0015));
+        Assert.That(max, Is.GreaterThan(0.0085));
+    }
+
+    [Test]
+    public void Gripper_NoRigAbove_NamesTheRemedy()
+    {
+        var gripper = new GameObject("Lost Gripper").AddComponent<VirtualGripper>();
+
+        _played.Cell.Frame(null);
+
+        var fault = _played.Cell.Player.Logs.Single();
+        Assert.That(fault.Type, Is.EqualTo(LogType.Error));
+        Assert.That(fault.Message, Does.Contain("'Lost Gripper'").And.Contain("assign a rig"));
+        Assert.That(fault.Context, Is.SameAs(gripper));
+    }
+
+    [Test]
+    public void Gripper_RobotWithoutItsJoints_IsLoggedOnceWithoutAWarning()
+    {
+        var gripper = Below<VirtualGripper>("Virtual Gripper", _played.Rig.transform);
+        var finger = Below<FrameProbe>("Finger", gripper.transform).transform;
+        gripper.With("_fingers", new List<GripperFinger> { new("left_joint", finger), new("gripper_finger_joint_l", finger), new("right_joint", finger) });
+
+        _played.Play(0.5);
+
+        var said = _played.Cell.Player.Logs.Single(l => l.Message.Contains("gripper"));
+        Assert.That(said.Type, Is.EqualTo(LogType.Log));
+        Assert.That(said.Message, Is.EqualTo(
+            "[Nowpose] gripper 'Virtual Gripper': robot 'youbot' has no moving joint 'left_joint' and no 'right_joint', so its finger does not move"));
+        Assert.That(said.Context, Is.SameAs(gripper));
+    }
+
+    [Test]
+    public void Gripper_FlangeUnknown_IsLoggedOnce()
+    {
+        Below<VirtualGripper>("Virtual Gripper", _played.Rig.transform).With("_flangeLink", "hand");
+
+        _played.Play(0.5);
+
+        Assert.That(_played.Cell.Messages.Single(), Does.Contain("'youbot'").And.Contain("'hand'"));
+    }
+
+    [Test]
+    public void Ghost_Shown_HasThePoseOfTheSamples()
+    {
+        var ghost = _played.NewGhost();
+        Assert.That(ghost.GapMetres, Is.Null);
+
+        _played.Play();
+
+        var gap = Vector3.Distance(_played.ToolOf(_played.Session.Frame.HeldJoints), _played.ToolOf(_played.Session.Frame.Joints));
+        Assert.That(ghost.GapMetres, Is.EqualTo(gap).Within(1e-5));
+        Assert.That(gap, Is.GreaterThan(1e-4));
+    }
+
+    [Test]
+    public void Ghost_HiddenAndShownAgain_FollowsAgain()
+    {
+        var ghost = _played.NewGhost();
+        _played.Play();
+
+        ghost.Visible = false;
+        Assert.That(ghost.Visible, Is.False);
+        Assert.That(ghost.GapMetres, Is.Null);
+        _played.Cell.Run(0.5, _played.Session);
+        ghost.Visible = true;
+        _played.Cell.Run(0.5, _played.Session);
+
+        Assert.That(
+            Vector3.Distance(ghost.GetComponent<RobotRig>().Tool.position, _played.ToolOf(_played.Session.Frame.HeldJoints)), Is.LessThan(1e-5));
+    }
+
+    [Test]
+    public void Ghost_NoRigBeside_IsLogged()
+    {
+        var ghost = new GameObject("Lone Ghost").AddComponent<Ghost>();
+
+        Assert.That(_played.Cell.Player.Logs.Single().Context, Is.SameAs(ghost));
+        Assert.That(ghost.GapMetres, Is.Null);
+    }
+}

@@ -1,0 +1,139 @@
+using System.Reflection;
+using NUnit.Framework;
+using UnityEngine;
+using static Nowpose.Unity.Tests.Rendering.PlayedAppearance;
+
+namespace Nowpose.Unity.Tests.Rendering;
+
+/// <summary>The look of the parts after the appearance is disabled, enabled again, refreshed or destroyed.</summary>
+public class AppearanceLifeTests
+{
+    PlayedAppearance _played;
+
+    [SetUp]
+    public void Begin() => _played = new PlayedAppearance();
+
+    [TearDown]
+    public void End() => _played.Dispose();
+
+    [Test]
+    public void Refresh_RigBuiltAtRunTime_IncludesItsParts()
+    {
+        _played.Cell.IsPlantUp = false;
+
+        _played.Play(0.5);
+
+        var built = _played.Rig.GetComponentsInChildren<Renderer>()
+            .Where(r => r != _played.Tool && r.gameObject != _played.Words.gameObject).ToList();
+        Assert.That(_played.Rig.Model, Is.Not.Null);
+        Assert.That(built.Select(r => r.isVisible), Is.All.False);
+    }
+
+    [Test]
+    public void OnDisable_WhileFaint_RestoresTheRenderers()
+    {
+        _played.Cell.IsPlantUp = false;
+        _played.Play(1);
+
+        _played.Appearance.enabled = false;
+
+        Assert.That(_played.Tool.isVisible, Is.True);
+        Assert.That(_played.Look(_played.Tool), Is.EqualTo((0f, 0f)));
+        Assert.That(_played.Words.text, Is.Empty);
+    }
+
+    [Test]
+    public void OnDisable_UsersOwnLook_IsRestored()
+    {
+        var block = new MaterialPropertyBlock();
+        block.SetFloat("_Fade", 0.25f);
+        block.SetFloat("_Hatch", 1);
+        _played.Tool.SetPropertyBlock(block);
+        var hidden = Child("Hidden", _played.Rig.transform).AddComponent<MeshRenderer>();
+        hidden.forceRenderingOff = true;
+        var material = new Material((Shader)null);
+        material.SetFloat("_Fade", 0.75f);
+        material.SetFloat("_Hatch", 0);
+        hidden.sharedMaterial = material;
+        _played.BeCurrent();
+        var current = (_played.Look(_played.Tool), hidden.forceRenderingOff);
+        _played.Cell.IsPlantUp = false;
+        _played.Run(1);
+        var held = _played.Look(_played.Tool).Fade;
+
+        _played.Appearance.enabled = false;
+
+        Assert.That(current, Is.EqualTo(((0.25f, 1f), true)), "a current pose looks as the user wants it");
+        Assert.That(held, Is.EqualTo(0.5f));
+        Assert.That(_played.Look(_played.Tool), Is.EqualTo((0.25f, 1f)));
+        Assert.That(hidden.forceRenderingOff, Is.True);
+        Assert.That(_played.Look(hidden).Fade, Is.EqualTo(0.75f));
+    }
+
+    [Test]
+    public void Refresh_RendererMovedAway_IsRestored()
+    {
+        _played.Cell.IsPlantUp = false;
+        _played.Play(0.5);
+        Assert.That(_played.Tool.isVisible, Is.False);
+
+        _played.Tool.transform.SetParent(null);
+        _played.Appearance.Refresh();
+
+        Assert.That(_played.Tool.isVisible, Is.True);
+        Assert.That(_played.Look(_played.Tool), Is.EqualTo((0f, 0f)));
+    }
+
+    [Test]
+    public void OnEnable_Again_LooksLikeThePose()
+    {
+        _played.BeCurrent();
+        _played.Cell.IsPlantUp = false;
+        _played.Appearance.enabled = false;
+        _played.Run(1);
+
+        _played.Appearance.enabled = true;
+        var words = _played.Words.text;
+
+        Assert.That(words, Is.EqualTo("held"), "before the next frame");
+    }
+
+    static int Listeners(object source, string name) =>
+        ((Delegate)source.GetType().GetField(name, BindingFlags.Instance | BindingFlags.NonPublic).GetValue(source))?.GetInvocationList().Length ?? 0;
+
+    [Test]
+    public void OnDisable_AtAnyFrame_RemovesItsListeners([Values(0, 1, 2, 300)] int frames, [Values] bool destroyed)
+    {
+        int[] Count() => [Listeners(_played.Session, "Shown"), Listeners(_played.Session, "Hidden"), Listeners(_played.Rig, "Bound")];
+        _played.Appearance.enabled = false;
+        _played.Play(0);
+        for (var i = 0; i < frames; i++) _played.Cell.Frame(_played.Session);
+        var before = Count();
+        _played.Appearance.enabled = true;
+        var during = Count();
+        for (var i = 0; i < frames; i++) _played.Cell.Frame(_played.Session);
+
+        if (destroyed) UnityEngine.Object.Destroy(_played.Appearance);
+        else _played.Appearance.enabled = false;
+        _played.Cell.Frame(_played.Session);
+
+        Assert.That(during, Is.EqualTo(before.Select(count => count + 1)));
+        Assert.That(Count(), Is.EqualTo(before));
+    }
+
+    [Test]
+    public void OnDestroy_AtAnyFrame_DoesNotThrowLater([Values(0, 1, 2, 300)] int frames, [Values] bool words)
+    {
+        _played.Play(0);
+        for (var i = 0; i < frames; i++) _played.Cell.Frame(_played.Session);
+
+        UnityEngine.Object.Destroy(words ? _played.Words.gameObject : _played.Appearance);
+        _played.Run(1);
+        _played.Cell.Player.Pause(true);
+        _played.Cell.Player.Pause(false);
+        _played.Cell.IsPlantUp = false;
+        _played.Run(1);
+
+        Assert.That(_played.Cell.Player.Logs.Where(l => l.Exception != null), Is.Empty);
+    }
+}

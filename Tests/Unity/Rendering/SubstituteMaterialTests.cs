@@ -1,0 +1,134 @@
+using Nowpose.Unity;
+using Nowpose.UnityPlayer;
+using NUnit.Framework;
+using UnityEngine;
+using static Nowpose.Unity.Tests.Rendering.PlayedMaterials;
+using static Nowpose.Unity.Tests.Rendering.UserMaterials;
+
+namespace Nowpose.Unity.Tests.Rendering;
+
+/// <summary>Opaque materials are drawn with the striped substitute while the pose is not current.</summary>
+public sealed class SubstituteMaterialTests
+{
+    PlayedMaterials _played;
+
+    [SetUp]
+    public void Begin() => _played = new PlayedMaterials();
+
+    [TearDown]
+    public void End() => _played.Dispose();
+
+    /// <summary>Graphics Tools Standard has a property _Fade with the opposite meaning of this package's: 1 is fully visible.</summary>
+    [Test]
+    public void Show_FadeWithoutHatch_IsUnchanged([Values] bool several)
+    {
+        var brass = NewMaterial("Brass", ("_Fade", 1));
+        _played.Tool.sharedMaterials = several ? [NewMaterial("Hologram", ("_Fade", 0), ("_Hatch", 0)), brass] : [brass];
+        _played.BeCurrent();
+        Assert.That(_played.Tool.HasPropertyBlock(), Is.False);
+
+        _played.Hold();
+        Assert.That(_played.Seen(), Does.EndWith("Substitute _Fade0.5 _Hatch1"), "as faint as the state says, not as the user's _Fade");
+        if (several) Assert.That(_played.Seen(), Does.StartWith("Hologram _Fade0.5 _Hatch1"));
+        _played.Cell.IsPlantUp = true;
+        _played.Run(1);
+        brass.SetFloat("_Fade", 0.5f);
+
+        Assert.That(_played.Seen(), Does.EndWith("Brass _Fade0.5"), "the material's own value counts");
+    }
+
+    [Test]
+    public void Show_SubstituteWithFade_KeepsTheFade()
+    {
+        _played.Substitute.SetFloat("_Fade", 0.7f);
+        _played.Tool.sharedMaterial = NewMaterial("Brass", ("_Fade", 1));
+        _played.BeCurrent();
+
+        _played.Hold();
+
+        Assert.That(_played.Seen(), Is.EqualTo("Substitute _Fade0.7 _Hatch1"));
+    }
+
+    [Test]
+    public void Show_OpaqueWithUserPropertyBlocks_RestoresThem([Values] bool changed)
+    {
+        _played.Tool.sharedMaterials = [NewMaterial("Brass", ("_Fade", 1)), NewMaterial("Steel")];
+        var (whole, single) = (new MaterialPropertyBlock(), new MaterialPropertyBlock());
+        whole.SetFloat("_Fade", 0.75f);
+        single.SetFloat("_Fade", 0.25f);
+        _played.Tool.SetPropertyBlock(whole);
+        _played.Tool.SetPropertyBlock(single, 1);
+        _played.BeCurrent();
+
+        _played.Hold();
+        Assert.That(_played.Seen(), Is.EqualTo("Substitute _Fade0.5 _Hatch1 | Substitute _Fade0.5 _Hatch1"));
+        if (changed) _played.Tool.sharedMaterials = [NewMaterial("Paint", ("_Fade", 1)), NewMaterial("Paint", ("_Fade", 1))];
+        _played.Cell.IsPlantUp = true;
+        _played.Run(1);
+
+        var block = new MaterialPropertyBlock();
+        _played.Tool.GetPropertyBlock(block);
+        Assert.That(block.GetFloat("_Fade"), Is.EqualTo(0.75f));
+        Assert.That(block.HasFloat(Shader.PropertyToID("_Hatch")), Is.False);
+        _played.Tool.GetPropertyBlock(block, 0);
+        Assert.That(block.isEmpty, Is.True);
+        _played.Tool.GetPropertyBlock(block, 1);
+        Assert.That(block.GetFloat("_Fade"), Is.EqualTo(0.25f));
+    }
+
+    [Test]
+    public void Show_MissingMaterial_WarnsWithThePartsName([Values] bool substitute)
+    {
+        if (!substitute) _played.Appearance.With("_substitute", null);
+        _played.BeCurrent();
+
+        _played.Hold();
+
+        Assert.That(_played.Seen(), Is.EqualTo(substitute ? "Substitute _Fade0.5 _Hatch1" : "nothing"));
+        var said = _played.Cell.Player.Logs.Where(l => l.Message.Contains("a material of 'Tool' is missing", StringComparison.Ordinal));
+        Assert.That(said.Count(), Is.EqualTo(1));
+    }
+
+    [Test]
+    public void Show_Opaque_IsDrawnWithTheStripedSubstituteAndLogsOnce()
+    {
+        _played.Tool.sharedMaterial = NewMaterial("Steel");
+        _played.BeCurrent();
+
+        _played.Hold();
+        _played.Appearance.Refresh();
+
+        Assert.That(_played.Seen(), Is.EqualTo("Substitute _Fade0.5 _Hatch1"));
+        var said = _played.Cell.Player.Logs.Where(l => l.Message.Contains("'Steel'", StringComparison.Ordinal)).ToList();
+        Assert.That(said, Has.Count.EqualTo(1));
+        Assert.That(said[0].Type, Is.EqualTo(LogType.Log));
+        Assert.That(said[0].Message, Does.Contain("'Substitute'").And.Contain("NowposePose.hlsl"));
+    }
+
+    [Test]
+    public void Show_OpaqueWithoutASubstitute_IsHiddenAndWarnsOnce()
+    {
+        _played.Appearance.With("_substitute", null);
+        _played.Tool.sharedMaterial = NewMaterial("Steel");
+        _played.BeCurrent();
+        Assert.That(_played.Tool.isVisible, Is.True);
+
+        _played.Hold();
+
+        Assert.That(_played.Tool.isVisible, Is.False);
+        var warnings = _played.Cell.Player.Logs.Where(l => l.Type == LogType.Warning && l.Message.Contains("'Steel'", StringComparison.Ordinal));
+        Assert.That(warnings.Count(), Is.EqualTo(1));
+    }
+
+    [Test]
+    public void Show_SubstituteWithoutAPattern_IsNotUsed()
+    {
+        _played.Appearance.With("_substitute", NewMaterial("Paint"));
+        _played.Tool.sharedMaterial = NewMaterial("Steel");
+        _played.BeCurrent();
+
+        _played.Hold();
+
+        Assert.That(_played.Tool.isVisible, Is.False);
+    }
+}

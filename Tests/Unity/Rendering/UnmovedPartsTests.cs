@@ -1,0 +1,154 @@
+using Nowpose.Session;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+using static Nowpose.Unity.Tests.Rendering.PlayedAppearance;
+
+namespace Nowpose.Unity.Tests.Rendering;
+
+/// <summary>Parts that follow no robot are not drawn: the rig or the gripper is missing, disabled or refused.</summary>
+public class UnmovedPartsTests
+{
+    PlayedAppearance _played;
+
+    [SetUp]
+    public void Begin() => _played = new PlayedAppearance();
+
+    [TearDown]
+    public void End() => _played.Dispose();
+
+    [Test]
+    public void Show_RigCannotShowTheRobot_IsNotDrawn()
+    {
+        // The root link alone counts as a hierarchy, with missing links.
+        Child("arm_link_0", _played.Rig.transform);
+
+        _played.Play(5);
+
+        Assert.That(_played.Session.Frame.State, Is.EqualTo(PoseState.Current));
+        Assert.That(_played.Tool.isVisible, Is.False);
+        Assert.That(_played.Words.text, Is.EqualTo("rig not moved"));
+    }
+
+    [Test]
+    public void Show_RigDisabled_IsNotDrawnUntilEnabled()
+    {
+        _played.BeCurrent();
+
+        _played.Rig.enabled = false;
+        _played.Run(0.1);
+        Assert.That(_played.Tool.isVisible, Is.False);
+        _played.Rig.enabled = true;
+        _played.Run(0.1);
+
+        Assert.That(_played.Tool.isVisible, Is.True);
+        Assert.That(_played.Words.text, Is.Empty);
+    }
+
+    [TestCase(false, false)]
+    [TestCase(true, false)]
+    [TestCase(false, true)]
+    public void Show_RigDestroyed_ItsPartsAreNotDrawn(bool refreshed, bool enabledAgain)
+    {
+        _played.BeCurrent();
+        var arm = _played.Rig.Link("arm_link_2").GetComponentInChildren<MeshRenderer>();
+        Assert.That(arm.isVisible, Is.True);
+
+        UnityEngine.Object.Destroy(_played.Rig);
+        _played.Run(0.1);
+        if (refreshed) _played.Appearance.Refresh();
+        if (enabledAgain) _played.Appearance.enabled = false;
+        if (enabledAgain) _played.Appearance.enabled = true;
+        _played.Run(0.1);
+
+        Assert.That(_played.Session.Frame.State, Is.EqualTo(PoseState.Current));
+        Assert.That(_played.Tool.isVisible, Is.False);
+        Assert.That(_played.Words.text, Is.EqualTo("rig not moved"));
+    }
+
+    [Test]
+    public void Show_WithoutRig_DrawsAccordingToThePose()
+    {
+        var sign = Part("Sign", _played.Session.transform);
+        sign.gameObject.AddComponent<PoseAppearance>();
+
+        _played.BeCurrent();
+
+        Assert.That(sign.isVisible, Is.True);
+    }
+
+    /// <summary>Mounts a gripper with its own appearance outside the rig's hierarchy.</summary>
+    (VirtualGripper Gripper, Renderer Part, TextMesh Words) MountElsewhere(string flange = "")
+    {
+        var gripper = Child("Gripper", _played.Session.transform).AddComponent<VirtualGripper>()
+            .With("_rig", _played.Rig).With("_flangeLink", flange);
+        var part = Part("Palm", gripper.transform);
+        var words = Child("Gripper's Words", gripper.transform).AddComponent<TextMesh>();
+        words.gameObject.AddComponent<MeshRenderer>();
+        gripper.gameObject.AddComponent<PoseAppearance>().With("_words", words);
+        return (gripper, part, words);
+    }
+
+    [Test]
+    public void Show_GripperOnAnotherRig_DrawsAccordingToThePose()
+    {
+        var (_, part, words) = MountElsewhere();
+
+        _played.BeCurrent();
+
+        Assert.That(part.isVisible, Is.True);
+        Assert.That(words.text, Is.Empty);
+    }
+
+    [TestCase("rig disabled")]
+    [TestCase("rig destroyed")]
+    [TestCase("rig refused")]
+    [TestCase("flange unknown")]
+    [TestCase("gripper disabled")]
+    [TestCase("gripper destroyed")]
+    public void Show_GripperOnARigThatDoesNotFollow_IsNotDrawn(string trouble)
+    {
+        if (trouble == "rig refused") Child("arm_link_0", _played.Rig.transform);
+        var (gripper, part, words) = MountElsewhere(trouble == "flange unknown" ? "hand" : "");
+
+        _played.BeCurrent();
+        if (trouble == "rig disabled") _played.Rig.enabled = false;
+        if (trouble == "rig destroyed") UnityEngine.Object.Destroy(_played.Rig);
+        if (trouble == "gripper disabled") gripper.enabled = false;
+        if (trouble == "gripper destroyed") UnityEngine.Object.Destroy(gripper);
+        _played.Run(0.1);
+
+        Assert.That(part.isVisible, Is.False);
+        Assert.That(words.text, Is.EqualTo("gripper not moved"));
+    }
+
+    [Test]
+    public void Show_GripperBelowTheRigIsDisabled_DrawsOnlyTheArm([Values] bool destroyed)
+    {
+        var gripper = Child("Gripper", _played.Rig.transform).AddComponent<VirtualGripper>();
+        var part = Part("Palm", gripper.transform);
+        _played.BeCurrent();
+        Assert.That(part.isVisible, Is.True);
+
+        if (destroyed) UnityEngine.Object.Destroy(gripper);
+        else gripper.enabled = false;
+        _played.Run(0.1);
+        _played.Appearance.Refresh();
+
+        Assert.That(part.isVisible, Is.False);
+        Assert.That(_played.Tool.isVisible, Is.True);
+        Assert.That(_played.Words.text, Is.EqualTo("gripper not moved"));
+    }
+
+    [Test]
+    public void Show_GripperObjectInactive_HasNoWords()
+    {
+        var gripper = Child("Gripper", _played.Rig.transform).AddComponent<VirtualGripper>();
+        _played.BeCurrent();
+
+        gripper.gameObject.SetActive(false);
+        _played.Run(0.1);
+
+        Assert.That(_played.Words.text, Is.Empty);
+    }
+}

@@ -1,0 +1,190 @@
+// Faults on the operations page.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { becomes, cells, gateway, open } from './page.mjs';
+
+describe('faults', () => {
+  const ago = seconds => new Date(Date.now() - 1000 * seconds).toISOString();
+  const refused = { state: 'refused', since_utc: ago(95), age_s: 95.2, rate_hz: 0, reason: 'status Bad of node ns=2;s=Axis3' };
+  const event = (id, level, more = {}) => ({
+    id, kind: 'joint', which: 'arm_joint_3 (press)', what: 'is refused', reason: refused.reason, level, since_utc: ago(95), ...more,
+  });
+
+  /** Cells of the joint's row: source, state, since, rate, age. */
+  const jointCells = (page, name) => page.locator(`[aria-label="Joints"] tr:has(th:text-is("${name}")) td`).allInnerTexts();
+
+  function fail() {
+    Object.assign(gateway.state.joints[2], refused);
+    gateway.state.status = { level: 'error', text: `joint arm_joint_3 (press) is refused: ${refused.reason}` };
+    gateway.state.events = [event(7, 'error')];
+  }
+
+  it('are absent: title, place and status line show OK', async () => {
+    const page = await open();
+
+    assert.equal(await page.title(), 'Press 3 · cell-pc · Nowpose 0.1.0');
+    assert.equal(await page.textContent('#place'), 'host cell-pc · Nowpose gateway 0.1.0');
+    assert.equal(await page.textContent('#status'), 'OK: 5 joints live, 2 headsets');
+    assert.equal(await page.getAttribute('#status', 'class'), 'level ok');
+    assert.ok(await page.locator('#alarms').isHidden());
+    assert.match(await page.textContent('#events'), /Nothing has gone wrong/);
+    const headings = await page.locator('#content h2').allInnerTexts();
+    assert.equal(headings[0], 'Plants');
+  });
+
+  it('of a joint are named in title, status line, alarms and table, with reason and start', async () => {
+    fail();
+    const page = await open();
+
+    assert.match(await page.title(), /^Fault: Press 3/);
+    assert.match(await page.textContent('#status'), /^Fault: joint arm_joint_3 \(press\) is refused: status Bad/);
+    assert.match(await page.textContent('#alarms'), /arm_joint_3 \(press\) is refused: status Bad of node ns=2;s=Axis3 – since \d\d:\d\d:\d\d/);
+    const [source, state, since, rate, age] = await jointCells(page, 'arm_joint_3');
+    assert.deepEqual([source, state, rate, age], ['press', 'refused', '0', '95\u00a0s']);
+    assert.match(since, /\d\d:\d\d:\d\d$/);
+    assert.equal(await page.locator('[aria-label="Joints"] tbody:has(th:text-is("arm_joint_3")) .note').innerText(), refused.reason);
+    assert.deepEqual((await jointCells(page, 'arm_joint_2')).slice(0, 2), ['press', 'live'], 'the other joints stay live');
+
+    Object.assign(gateway.state.joints[2], gateway.state.joints[1], { name: 'arm_joint_3' });
+    gateway.state.status = { level: 'ok', text: '5 joints live, 2 headsets' };
+    gateway.state.events = [event(7, 'error', { until_utc: ago(0) })];
+    await becomes(page, '#status', 'OK');
+    assert.ok(await page.locator('#alarms').isHidden());
+    assert.match(await page.textContent('#events'), /over.*arm_joint_3 \(press\) is refused/);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it('are shown with the gateway\'s text', async () => {
+    gateway.state.events = [event(7, 'warning', { kind: 'limit', which: 'arm_joint_3', what: 'is exceeded', text: 'joint arm_joint_3 is outside its limits. Check it.' })];
+    const page = await open();
+
+    assert.match(await page.textContent('#alarms'), /^joint arm_joint_3 is outside its limits\. Check it\. – since/);
+    assert.match(await page.textContent('#events'), /joint arm_joint_3 is outside its limits\. Check it\./);
+    assert.doesNotMatch(await page.textContent('#content'), /limit arm_joint_3/);
+  });
+
+  it('that have ended stay in the list, below active ones', async () => {
+    gateway.state.events = [event(9, 'error', { until_utc: ago(10) }), event(8, 'warning'), event(7, 'error', { until_utc: ago(90) })];
+    const page = await open();
+
+    const rows = await page.locator('#events tbody tr:not(.note)').evaluateAll(all => all.map(row => row.querySelector('th').textContent));
+    assert.deepEqual(rows, ['8', '9', '7']);
+    const [over] = await page.locator('#events tr:has(th:text-is("7"))').locator('td').evaluateAll(cells => [cells.map(cell => cell.innerText)]);
+    assert.deepEqual([over[0], over[3]], ['over', '5\u00a0s']);
+  });
+
+  it('are downloaded as CSV and as JSON', async () => {
+    const page = await open();
+
+    for (const format of ['csv', 'json']) {
+      const [download] = await Promise.all([page.waitForEvent('download'), page.click(`.downloads a[href$="format=${format}"]`)]);
+      assert.equal(download.suggestedFilename(), `nowpose-events.${format}`);
+    }
+  });
+
+  it('include an uncertain rest with its reason but not a certain one', async () => {
+    const why = 'the stop itself was not observed';
+    Object.assign(gateway.state.joints[0], { state: 'rest', reason: 'no change is reported', uncertain: why });
+    Object.assign(gateway.state.joints[1], { state: 'rest', reason: 'no change is reported' });
+    const page = await open();
+    const badge = name => page.locator(`[aria-label="Joints"] tr:has(th:text-is("${name}")) .level`);
+    const note = name => page.locator(`[aria-label="Joints"] tbody:has(th:text-is("${name}")) .note`).innerText();
+
+    assert.deepEqual([await badge('arm_joint_1').innerText(), await badge('arm_joint_1').getAttribute('class')], ['may not be at rest', 'level warning']);
+    assert.equal(await note('arm_joint_1'), `no change is reported; ${why}`);
+    assert.deepEqual([await badge('arm_joint_2').innerText(), await badge('arm_joint_2').getAttribute('class')], ['assumed at rest', 'level rest']);
+
+    Object.assign(gateway.state.joints[0], { state: 'live', reason: '', uncertain: null });
+    await badge('arm_joint_1').and(page.locator('.ok')).waitFor();
+    assert.equal(await badge('arm_joint_1').innerText(), 'live');
+  });
+
+  it('have words, icon and colour, readable on light and dark', async () => {
+    fail();
+    gateway.state.events.push(event(6, 'warning', { kind: 'headset', which: 'left door' }));
+    gateway.state.joints[0].state = 'rest';
+    for (const colorScheme of ['light', 'dark']) {
+      const page = await open({ colorScheme });
+      await page.waitForSelector('#alarms .warning');
+      const levels = await page.evaluate(() => {
+        const channels = colour => colour.match(/[\d.]+/g).map(Number);
+        const luminance = colour => channels(colour).slice(0, 3).map(c => c / 255).map(c => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4))
+          .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+        const backOf = element => {
+          for (let at = element; at; at = at.parentElement) {
+            const back = getComputedStyle(at).backgroundColor;
+            if ((channels(back)[3] ?? 1) === 1) return back;
+          }
+          throw new Error('no background');
+        };
+        return [...document.querySelectorAll('.level')].filter(e => e.checkVisibility()).map(e => {
+          const [a, b] = [luminance(getComputedStyle(e).color), luminance(backOf(e))];
+          return { level: e.className, text: e.textContent, icon: getComputedStyle(e, '::before').content, contrast: (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05) };
+        });
+      });
+
+      assert.ok(['level ok', 'level rest', 'level warning', 'level error'].every(level => levels.some(one => one.level === level)), JSON.stringify(levels));
+      for (const { level, text, icon, contrast } of levels) {
+        assert.ok(contrast > 4.5, `${colorScheme} ${level}: ${contrast}`);
+        assert.ok(text.length > 1 && icon !== 'none', `${level}: words and an icon`);
+      }
+    }
+  });
+
+  it('fit into a narrow window', async () => {
+    fail();
+    gateway.state.events[0].reason = 'x'.repeat(300);
+    const page = await open({ viewport: { width: 390, height: 844 } });
+    await page.waitForSelector('#alarms li');
+
+    const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+    assert.ok(content <= window, `${content} px of content`);
+  });
+
+  it('of a headset are shown in its row', async () => {
+    Object.assign(gateway.state.headsets[0], { pose: 'incomplete', missing_joints: 'a,b', current_share: 0.4, profile_mismatch: 'made for HoloLens 2' });
+    const page = await open();
+
+    assert.deepEqual((await cells(page, 'left door')).slice(1, 3), ['incomplete', '40']);
+    const note = await page.locator('#headsets .note p').first().innerText();
+    assert.equal(note, 'missing joints: a, b; the latency profile does not match this headset: made for HoloLens 2');
+  });
+
+  it('do not include a coarse clock, which is shown with its ±', async () => {
+    Object.assign(gateway.state.headsets[0], { state: 'coarse', pose: 'coarse', error_bound_us: 9000, estimated_error_us: 3000 });
+    Object.assign(gateway.state.clock, { state: 'coarse', estimated_error_us: 4000, error_bound_us: 7000 });
+    Object.assign(gateway.state.plant_clocks[0], { state: 'coarse', estimated_error_us: 4000, error_bound_us: 7000 });
+    const page = await open();
+
+    assert.deepEqual((await cells(page, 'left door')).slice(0, 2), Array(2).fill('coarse, ±\u00a03\u00a0ms'));
+    assert.equal(await page.textContent('#clock'), 'coarse, ±\u00a04\u00a0ms, of press');
+    assert.equal((await page.locator('[aria-label="Clocks of the plant"] tr:has(th:text-is("press")) td').allInnerTexts())[1], 'coarse, ±\u00a04\u00a0ms');
+    assert.equal(await page.locator('#headsets tr:has-text("left door") .level').getAttribute('class'), 'level ok');
+  });
+
+  it('of an adapter are counted by reason', async () => {
+    Object.assign(gateway.state.adapters[0], { 'refused/bad_status': 7, 'refused/nan': 2, 'refused/late': 0 });
+    const page = await open();
+
+    assert.equal(await page.locator('[aria-label="Plant connections"] .note p').first().innerText(), 'refused values: bad_status 7, nan 2');
+  });
+
+  it('of the gateway itself replace the OK', async () => {
+    const page = await open();
+
+    gateway.isSilent = true;
+
+    await becomes(page, '#status', 'Not known');
+    assert.match(await page.title(), /^Not known: Press 3/);
+    assert.equal(await page.getAttribute('#status', 'class'), 'level unknown');
+  });
+
+  it('explain their terms and units on hover', async () => {
+    const page = await open();
+
+    for (const term of ['RTT (ms)', 'L_app (ms)', 'L_visu (ms)', 'Drift against it (ppm)', 'P95 (ms)', 'Age', 'Pose', 'Control clock']) {
+      const title = await page.locator('abbr', { hasText: new RegExp(`^${term.replace(/[()]/g, '\\$&')}$`) }).first().getAttribute('title');
+      assert.ok(title.length > 10, term);
+    }
+  });
+});
