@@ -15,7 +15,8 @@ export function requireCertificate(file: YamlFile, entry: Path, value: string): 
 
 /** Reports an invalid certificate or key of a user, and a pair that does not match. */
 export function requirePair(file: YamlFile, user: Path, { certificate, key }: { certificate: string; key: string }): void {
-  const found = certificateIn(file, [...user, 'certificate'], certificate), secret = keyIn(file, [...user, 'key'], key);
+  const found = certificateIn(file, [...user, 'certificate'], certificate);
+  const secret = keyIn(file, [...user, 'key'], key);
   if (found !== null && secret !== null && !found.checkPrivateKey(secret))
     file.report([...user, 'key'], 'it is not the key of plant.user.certificate; name a certificate and its key');
 }
@@ -33,8 +34,12 @@ function keyIn(file: YamlFile, entry: Path, text: string): KeyObject | null {
   try {
     return createPrivateKey(text);
   } catch {
-    file.report(entry, /ENCRYPTED/.test(text) ? 'the key is encrypted with a password, which cannot be entered at startup; name an unencrypted key'
-      : 'the file contains no private key; name one in PEM (-----BEGIN PRIVATE KEY-----)');
+    file.report(
+      entry,
+      /ENCRYPTED/.test(text)
+        ? 'the key is encrypted with a password, which cannot be entered at startup; name an unencrypted key'
+        : 'the file contains no private key; name one in PEM (-----BEGIN PRIVATE KEY-----)',
+    );
     return null;
   }
 }

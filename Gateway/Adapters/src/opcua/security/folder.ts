@@ -4,10 +4,12 @@ import { dirname, join } from 'node:path';
 /** Subfolders of the certificate folder. */
 export const PARTS = ['own', 'trusted', 'rejected'];
 
-/** Gets the reason why certificates cannot be stored there, with the remedy. */
+/** Gets the reason why the certificate folder cannot be used, with the remedy. */
 export function folderTrouble(folder: string, error: Error): string {
-  const why = (error as NodeJS.ErrnoException).code ?? error.message;
-  return `certificates cannot be stored in ${folder} (${why}); give this user write access, or set plant.security.folder to another`;
+  const why = (error as NodeJS.ErrnoException).code;
+  return why === undefined
+    ? error.message
+    : `certificates cannot be stored in ${folder} (${why}); give this user write access, or set plant.security.folder to another`;
 }
 
 /**

@@ -1,9 +1,12 @@
-import { chmodSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { createPrivateKey, randomUUID, X509Certificate } from 'node:crypto';
+import { chmodSync, existsSync, linkSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { hostname } from 'node:os';
 import { join } from 'node:path';
 import { crypto_utils as pki } from 'node-opcua-client';
 
-const APPLICATION = 'Nowpose', DAYS = 10 * 365, KEY_BITS = 2048;
+const APPLICATION = 'Nowpose';
+const DAYS = 10 * 365;
+const KEY_BITS = 2048;
 
 /** Name of this application in its certificate and in connections: servers compare the two. */
 export const applicationUri = (): string => `urn:${hostname().toLowerCase()}:nowpose:gateway`;
@@ -15,21 +18,27 @@ export interface OwnCertificate {
   getPrivateKey(): ReturnType<typeof pki.makePrivateKeyFromPem>;
 }
 
-/** Gets the certificate of this application; created the first time, with a key that only its owner can read. */
+/**
+ * Gets the certificate of this application; created the first time, with a key that only its owner can read.
+ * Adapters that start together with one folder agree on the key and certificate that are written first.
+ * @throws Error The folder cannot be used, or its key and certificate do not belong together.
+ */
 export async function ownCertificate(folder: string): Promise<OwnCertificate> {
   const own = join(folder, 'own');
-  const file = join(own, 'nowpose.der'), keyFile = join(own, 'nowpose-key.pem');
+  const file = join(own, 'nowpose.der');
+  const keyFile = join(own, 'nowpose-key.pem');
   mkdirSync(own, { recursive: true, mode: 0o700 });
-  if (!existsSync(file) || !existsSync(keyFile)) await make(file, keyFile);
+  if (!existsSync(keyFile)) writeFirst(keyFile, (await pki.privateKeyToPEM(await pki.generatePrivateKey(KEY_BITS))).privPem);
   chmodSync(keyFile, 0o600);
-  const certificate = readFileSync(file), key = pki.makePrivateKeyFromPem(readFileSync(keyFile, 'utf8'));
+  if (!existsSync(file)) writeFirst(file, await certify(keyFile));
+  const { certificate, pem } = requirePair(file, keyFile);
+  const key = pki.makePrivateKeyFromPem(pem);
   return { file, getCertificate: () => certificate, getCertificateChain: () => [certificate], getPrivateKey: () => key };
 }
 
-async function make(file: string, keyFile: string): Promise<void> {
-  const key = await pki.generatePrivateKey(KEY_BITS);
+async function certify(keyFile: string): Promise<Buffer> {
   const { cert } = await pki.createSelfSignedCertificate({
-    privateKey: key,
+    privateKey: await pki.pemToPrivateKey(readFileSync(keyFile, 'utf8')),
     subject: `/CN=${APPLICATION}@${hostname()}/O=${APPLICATION}`,
     applicationUri: applicationUri(),
     dns: [hostname()],
@@ -37,8 +46,36 @@ async function make(file: string, keyFile: string): Promise<void> {
     validity: DAYS,
     purpose: pki.CertificatePurpose.ForApplication,
   });
-  const { privPem } = await pki.privateKeyToPEM(key);
-  // Created with its mode, so that the key is never readable by others.
-  writeFileSync(keyFile, privPem, { mode: 0o600 });
-  writeFileSync(file, pki.convertPEMtoDER(cert));
+  return pki.convertPEMtoDER(cert);
+}
+
+function requirePair(file: string, keyFile: string): { certificate: Buffer; pem: string } {
+  const certificate = readFileSync(file);
+  const pem = readFileSync(keyFile, 'utf8');
+  if (!fits(certificate, pem))
+    throw new Error(
+      `${file} is not the certificate of the key ${keyFile}; delete both to create others, and let the server trust the new certificate`,
+    );
+  return { certificate, pem };
+}
+
+function fits(certificate: Buffer, pem: string): boolean {
+  try {
+    return new X509Certificate(certificate).checkPrivateKey(createPrivateKey(pem));
+  } catch {
+    return false;
+  }
+}
+
+/** Writes a file with all of its content at once, unless another program was first; only its owner can read it. */
+function writeFirst(file: string, content: string | Buffer): void {
+  const draft = `${file}.${randomUUID()}`;
+  try {
+    writeFileSync(draft, content, { mode: 0o600 });
+    linkSync(draft, file);
+  } catch (error) {
+    if ((error as NodeJS.ErrnoException).code !== 'EEXIST') throw error;
+  } finally {
+    rmSync(draft, { force: true });
+  }
 }

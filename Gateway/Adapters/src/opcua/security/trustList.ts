@@ -23,7 +23,10 @@ export class TrustList {
   readonly #trusted: string;
   readonly #rejected: string;
 
-  constructor(readonly settings: SecuritySettings, readonly now: () => Date = () => new Date()) {
+  constructor(
+    readonly settings: SecuritySettings,
+    readonly now: () => Date = () => new Date(),
+  ) {
     this.#trusted = join(settings.folder, 'trusted');
     this.#rejected = join(settings.folder, 'rejected');
   }
@@ -35,24 +38,31 @@ export class TrustList {
   async dispose(): Promise<void> {}
 
   async checkCertificate(certificate: Buffer | Buffer[]): Promise<StatusCode> {
-    const der = leaf(certificate), prints = thumbprints(der);
+    const der = leaf(certificate);
+    const prints = thumbprints(der);
     this.refusal = null;
     if (!this.#knows(prints)) {
-      this.refusal = `the server's certificate is not trusted; its thumbprint is ${prints.sha1} (SHA-1), ${prints.sha256} (SHA-256). `
+      this.refusal =
+        `the server's certificate is not trusted; its thumbprint is ${prints.sha1} (SHA-1), ${prints.sha256} (SHA-256). `
         + this.#cure(der, prints.sha1);
       return StatusCodes.BadCertificateUntrusted;
     }
     const { validFrom, validTo } = new X509Certificate(der);
     if (this.now() < new Date(validFrom) || this.now() > new Date(validTo)) {
-      this.refusal = `the server's certificate ${prints.sha1} is valid only from ${validFrom} to ${validTo}; `
+      this.refusal =
+        `the server's certificate ${prints.sha1} is valid only from ${validFrom} to ${validTo}; `
         + 'renew it at the server, then trust the new certificate';
       return StatusCodes.BadCertificateTimeInvalid;
     }
     return StatusCodes.Good;
   }
 
-  async verifyCertificate(): Promise<string> { return 'Good'; }
-  async getTrustStatus(certificate: Buffer): Promise<StatusCode> { return this.checkCertificate(certificate); }
+  async verifyCertificate(): Promise<string> {
+    return 'Good';
+  }
+  async getTrustStatus(certificate: Buffer): Promise<StatusCode> {
+    return this.checkCertificate(certificate);
+  }
 
   // The library may call these; only a person changes the list.
   async trustCertificate(): Promise<void> {}
@@ -63,7 +73,9 @@ export class TrustList {
   #knows({ sha1, sha256 }: { sha1: string; sha256: string }): boolean {
     const { thumbprint, serverCertificate } = this.settings;
     if (thumbprint === sha1 || thumbprint === sha256) return true;
-    const files = readdirSync(this.#trusted).map(name => join(this.#trusted, name)).concat(serverCertificate ?? []);
+    const files = readdirSync(this.#trusted)
+      .map(name => join(this.#trusted, name))
+      .concat(serverCertificate ?? []);
     return files.some(file => thumbprints(derOf(file)).sha256 === sha256);
   }
 
@@ -73,8 +85,10 @@ export class TrustList {
       writeFileSync(file, der);
       this.#forgetOldest();
     } catch (error) {
-      return `It could not be stored (${(error as Error).message}). If the thumbprint is that of your server, `
-        + 'add it to the configuration as plant.security.thumbprint';
+      return (
+        `It could not be stored (${(error as Error).message}). If the thumbprint is that of your server, `
+        + 'add it to the configuration as plant.security.thumbprint'
+      );
     }
     return `If this is the certificate of your server, move ${file} to ${this.#trusted}, or add plant.security.thumbprint to the configuration`;
   }
