@@ -15,11 +15,12 @@ sealed class PlayedServer : IDisposable
         Listener = new QueuedListener();
         var clock = new StopwatchHeadsetClock();
         var settings = new ConnectionSettings("127.0.0.1", webSocketPort: Server.Port);
-        Client = new RosbridgeClient(() => WebSocketLinks.Create(settings, clock), clock, Listener);
+        Client = new RosbridgeClient(() => WebSocketLinks.Create(settings, clock), clock, Listener, Subscriptions);
     }
 
     public FakeWebSocketServer Server { get; }
     public QueuedListener Listener { get; }
+    public Subscriptions Subscriptions { get; } = Subscribed.ToRobot();
     public RosbridgeClient Client { get; }
 
     public static Task Send(WebSocket socket, string text, WebSocketMessageType type = WebSocketMessageType.Text, bool end = true) =>

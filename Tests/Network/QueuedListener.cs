@@ -1,6 +1,7 @@
 using System.Collections.Concurrent;
 using Nowpose.Network;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Headless.Tests.Network;
 
@@ -13,15 +14,34 @@ sealed class QueuedListener : IRosbridgeListener
 
     public ConcurrentQueue<JointTrajectoryMessage> Plans { get; } = [];
 
-    public void Received(JointStateMessage message, HeadsetTime arrival) => Messages.Enqueue(message);
+    public void Received(JointStateMessage message, HeadsetTime arrival, string robot)
+    {
+        Messages.Enqueue(message);
+        Robots.Enqueue(robot);
+    }
 
-    public void Planned(JointTrajectoryMessage message, HeadsetTime arrival) => Plans.Enqueue(message);
+    /// <summary>Namespaces of the robots in the order of <see cref="Messages"/>.</summary>
+    public ConcurrentQueue<string> Robots { get; } = [];
+
+    public void Planned(JointTrajectoryMessage message, HeadsetTime arrival, string robot) => Plans.Enqueue(message);
+
+    public ConcurrentQueue<(TransformsMessage Message, bool IsStationary)> Frames { get; } = [];
+
+    public void FramesReceived(TransformsMessage message, bool isStationary, HeadsetTime arrival) => Frames.Enqueue((message, isStationary));
+
+    public ConcurrentQueue<SignalsMessage> Signals { get; } = [];
+
+    public void SignalsReceived(SignalsMessage message, HeadsetTime arrival) => Signals.Enqueue(message);
+
+    public ConcurrentQueue<JointStatusMessage> SignalStatuses { get; } = [];
+
+    public void SignalStatusReceived(JointStatusMessage message, HeadsetTime arrival) => SignalStatuses.Enqueue(message);
 
     public ConcurrentQueue<JointStatusMessage> Statuses { get; } = [];
 
     public void StatusReceived(JointStatusMessage message, HeadsetTime arrival) => Statuses.Enqueue(message);
 
-    public void Described(string urdf)
+    public void Described(string urdf, string robot)
     {
         Descriptions.Enqueue(urdf);
         Describing?.Invoke(urdf);

@@ -157,7 +157,7 @@ public class RosbridgeConnectionTests
         _played.Listener.Displays.Enqueue(new JointStateMessage(ControlTime.FromSeconds(5), ["a"], [0.5], frameId: "left door"));
         _played.Listener.Report = new DiagnosticsMessage(default, "left door", []);
         using var client = new RosbridgeClient(
-            () => WebSocketLinks.Create(settings, clock), clock, _played.Listener, settings.PublishesDisplayed);
+            () => WebSocketLinks.Create(settings, clock), clock, _played.Listener, Subscribed.ToRobot(), settings.PublishesDisplayed);
         var socket = await server.AcceptAsync();
 
         var sent = new List<string>();
@@ -193,7 +193,7 @@ public class RosbridgeConnectionTests
         await _played.Server.AcceptAsync();
         var clock = new StuckClock();
         var settings = new ConnectionSettings("127.0.0.1", webSocketPort: _played.Server.Port);
-        var client = new RosbridgeClient(() => WebSocketLinks.Create(settings, clock), clock, _played.Listener);
+        var client = new RosbridgeClient(() => WebSocketLinks.Create(settings, clock), clock, _played.Listener, Subscribed.ToRobot());
         await _played.Server.AcceptAsync();
         await clock.Asked.Bounded();
 

@@ -1,6 +1,7 @@
 using System.Text;
 using Nowpose.Network;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 using Nowpose.Sync;
 using NUnit.Framework;
 
@@ -30,7 +31,7 @@ public class StuckSendTests
         // The second link fails at once, because a status of its own would hide the reason why the first one ended.
         IWebSocketLink Next() => Interlocked.Increment(ref links) == 1 ? new StuckLink(clock, taken, hears) : new ClosedDoor();
 
-        using var client = new RosbridgeClient(Next, clock, new Listener(), true, exchanges);
+        using var client = new RosbridgeClient(Next, clock, new Listener(), Subscribed.ToRobot(), true, exchanges);
 
         await Soon.BecomesAsync(() => Volatile.Read(ref links) > 1, "another connection");
         Assert.That(client.Status.Detail, Does.Contain(reason));
@@ -77,10 +78,13 @@ public class StuckSendTests
 
     sealed class Listener : IRosbridgeListener
     {
-        public void Received(JointStateMessage message, HeadsetTime arrival) { }
-        public void Planned(JointTrajectoryMessage message, HeadsetTime arrival) { }
+        public void Received(JointStateMessage message, HeadsetTime arrival, string robot) { }
+        public void Planned(JointTrajectoryMessage message, HeadsetTime arrival, string robot) { }
+        public void FramesReceived(TransformsMessage message, bool isStationary, HeadsetTime arrival) { }
+        public void SignalsReceived(SignalsMessage message, HeadsetTime arrival) { }
         public void StatusReceived(JointStatusMessage message, HeadsetTime arrival) { }
-        public void Described(string urdf) { }
+        public void SignalStatusReceived(JointStatusMessage message, HeadsetTime arrival) { }
+        public void Described(string urdf, string robot) { }
         public void Dropped(DropReason reason) { }
         public DiagnosticsMessage Diagnostics() => null;
         public JointStateMessage Displayed() => new(ControlTime.FromSeconds(5), ["a"], [0.5]);

@@ -1,6 +1,7 @@
 using System.Net.WebSockets;
 using System.Text;
 using Nowpose.Gateway.Plants;
+using Nowpose.Headless.Tests.Network;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Prediction;
@@ -44,7 +45,7 @@ public class ReceiveAllocationTests
             if (i == Warm) before = GC.GetAllocatedBytesForCurrentThread();
             if (i == texts.Length) after = GC.GetAllocatedBytesForCurrentThread();
         });
-        using var client = new RosbridgeClient(() => new MemoryLink(socket, clock), clock, session.Listener, publishesDisplayed: false);
+        using var client = new RosbridgeClient(() => new MemoryLink(socket, clock), clock, session.Listener, Subscribed.ToRobot(), publishesDisplayed: false);
 
         await socket.Ended.Bounded();
 
@@ -73,7 +74,7 @@ public class ReceiveAllocationTests
             if (i == 0) Synchronise(session, clock.Now);
             session.Tick(clock.Now);
         });
-        using var client = new RosbridgeClient(() => new MemoryLink(socket, clock), clock, session.Listener, publishesDisplayed: false);
+        using var client = new RosbridgeClient(() => new MemoryLink(socket, clock), clock, session.Listener, Subscribed.ToRobot(), publishesDisplayed: false);
 
         await socket.Ended.Bounded();
 

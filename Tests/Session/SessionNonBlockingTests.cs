@@ -124,7 +124,7 @@ public class SessionNonBlockingTests
         var synchroniser = new ClockSynchroniser(
             new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
         var sync = new SyncClient(settings, clock, synchroniser, new SyncFaultCounters(), new ExchangePace(TimeSpan.FromMilliseconds(200), TimeSpan.FromSeconds(2), new Random(1)));
-        var rosbridge = new RosbridgeClient(() => WebSocketLinks.Create(settings, clock), clock, Session("127.0.0.1", 1, 1).Listener);
+        var rosbridge = new RosbridgeClient(() => WebSocketLinks.Create(settings, clock), clock, Session("127.0.0.1", 1, 1).Listener, Subscribed.ToRobot());
         await Task.Run(AMoment);
 
         sync.Dispose();

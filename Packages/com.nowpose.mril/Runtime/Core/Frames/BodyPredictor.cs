@@ -72,6 +72,14 @@ namespace Nowpose.Frames
                 : PoseOf(_rotations.RotationOf(_angles.At(time), time), _position.At(time));
         }
 
+        /// <summary>Returns <see cref="Hold"/>, because the time to predict to is unknown.</summary>
+        /// <param name="kind">Held, or <see cref="PredictionKind.None"/> before the first sample.</param>
+        public RigidTransform Newest(out PredictionKind kind)
+        {
+            kind = double.IsNegativeInfinity(NewestTime) ? PredictionKind.None : PredictionKind.Held;
+            return Hold;
+        }
+
         /// <summary>Discards all samples and what was learned from them: after a restart of the source, or for another parent.</summary>
         public void Reset()
         {

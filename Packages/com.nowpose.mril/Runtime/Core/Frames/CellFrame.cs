@@ -73,12 +73,12 @@ namespace Nowpose.Frames
         }
 
         /// <summary>Computes the displayed pose.</summary>
-        /// <param name="time">Display time since the epoch, s.</param>
+        /// <param name="time">Display time since the epoch, s; NaN while it is unknown.</param>
         /// <param name="parent">Displayed pose of the parent in the world.</param>
         public void Evaluate(double time, in RigidTransform parent, bool isParentCurrent)
         {
             var kind = PredictionKind.Interpolated;
-            var pose = IsStationary ? _fixed : _predictor.At(time, out kind);
+            var pose = IsStationary ? _fixed : double.IsNaN(time) ? _predictor.Newest(out kind) : _predictor.At(time, out kind);
             State = kind == PredictionKind.None ? FrameState.Missing
                 : kind == PredictionKind.Held ? FrameState.Held
                 : isParentCurrent ? FrameState.Current : FrameState.ParentNotCurrent;
@@ -92,12 +92,6 @@ namespace Nowpose.Frames
 
         /// <summary>The parent is unknown: keeps the pose that was shown last.</summary>
         public void Orphan() => State = FrameState.Orphan;
-
-        /// <summary>The display time is unknown: keeps the pose that was shown last.</summary>
-        public void Hold()
-        {
-            if (State == FrameState.Current || State == FrameState.ParentNotCurrent) State = FrameState.Held;
-        }
 
         /// <summary>Discards the poses of a tracked frame, because their times are not valid any more. The displayed pose is kept.</summary>
         public void Reset()
@@ -121,12 +115,12 @@ namespace Nowpose.Frames
 
         DropReason Take(in FrameTransform pose, ControlTime epoch)
         {
-            UnitQuaternion.TryNormalise(pose.Qx, pose.Qy, pose.Qz, pose.Qw, out var rotation);
             if (IsStationary)
             {
-                _fixed = rotation.At(pose.X, pose.Y, pose.Z);
+                _fixed = pose.ToPose();
                 return DropReason.None;
             }
+            UnitQuaternion.TryNormalise(pose.Qx, pose.Qy, pose.Qz, pose.Qw, out var rotation);
             var outcome = _predictor.Add(new PoseSample(
                 ClockTicks.Seconds(pose.Stamp - epoch), new Vector3D(pose.X, pose.Y, pose.Z), rotation));
             if (!(pose.Stamp <= _newest) || outcome == SampleOutcome.StartedAnew) _newest = pose.Stamp;

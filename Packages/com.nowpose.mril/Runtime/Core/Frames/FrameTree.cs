@@ -70,20 +70,15 @@ namespace Nowpose.Frames
             return reason;
         }
 
-        /// <summary>Computes the poses of all frames at a display time; call it after the robots have computed theirs.</summary>
-        public void Evaluate(ControlTime at)
+        /// <summary>Computes the poses of all frames; call it after the robots have computed theirs.</summary>
+        /// <param name="at">Display time; null while it is unknown: then tracked frames have their newest poses, as the robots do.</param>
+        public void Evaluate(ControlTime? at)
         {
-            var time = ClockTicks.Seconds(at - (_epoch ?? at));
+            var time = at.HasValue ? ClockTicks.Seconds(at.Value - (_epoch ?? at.Value)) : double.NaN;
             if (_isHandedOver) HandOver(time);
             if (_isChanged) _order.Arrange();
             _isChanged = false;
             EvaluateAll(time);
-        }
-
-        /// <summary>Keeps all poses, because the display time is unknown.</summary>
-        public void Hold()
-        {
-            foreach (var frame in _frames) frame.Hold();
         }
 
         /// <summary>Discards all poses of tracked frames, because their times are not valid any more. The displayed poses are kept.</summary>

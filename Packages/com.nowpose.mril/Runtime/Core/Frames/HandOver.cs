@@ -30,7 +30,8 @@ namespace Nowpose.Frames
             _isOpen = true;
         }
 
-        public bool IsOverAt(double time) => !_isOpen || time >= _start + Seconds;
+        // Also true if one of the times is unknown.
+        public bool IsOverAt(double time) => !_isOpen || !(time < _start + Seconds);
 
         /// <param name="now">Pose that the new parent gives at the time.</param>
         public RigidTransform At(double time, in RigidTransform now)

@@ -1,4 +1,5 @@
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Network
 {
@@ -10,21 +11,38 @@ namespace Nowpose.Network
         /// once a frame has used its samples: a listener that passes it to a session must copy the values that it keeps.
         /// </param>
         /// <param name="arrival">Time at which its last byte was read.</param>
-        void Received(JointStateMessage message, HeadsetTime arrival);
+        /// <param name="robot">Namespace of the robot; empty for the robot without one.</param>
+        void Received(JointStateMessage message, HeadsetTime arrival, string robot = "");
 
         /// <summary>Receives set-points that the control system publishes ahead of time.</summary>
+        /// <inheritdoc cref="Received"/>
+        void Planned(JointTrajectoryMessage message, HeadsetTime arrival, string robot = "");
+
+        /// <summary>Receives poses of the cell's frames.</summary>
+        /// <param name="message">As in <see cref="Received"/>.</param>
+        /// <param name="isStationary">Whether the poses are those of stationary frames.</param>
+        /// <param name="arrival">Time at which its last byte was read.</param>
+        void FramesReceived(TransformsMessage message, bool isStationary, HeadsetTime arrival);
+
+        /// <summary>Receives values of the cell's signals.</summary>
         /// <param name="message">As in <see cref="Received"/>.</param>
         /// <param name="arrival">Time at which its last byte was read.</param>
-        void Planned(JointTrajectoryMessage message, HeadsetTime arrival);
+        void SignalsReceived(SignalsMessage message, HeadsetTime arrival);
 
         /// <summary>Receives the gateway's status of the joints that are not live.</summary>
         /// <param name="message">As in <see cref="Received"/>.</param>
         /// <param name="arrival">Time at which its last byte was read.</param>
         void StatusReceived(JointStatusMessage message, HeadsetTime arrival);
 
+        /// <summary>Receives the gateway's status of the signals whose source has ended.</summary>
+        /// <param name="message">As in <see cref="Received"/>, with signals in place of joints.</param>
+        /// <param name="arrival">Time at which its last byte was read.</param>
+        void SignalStatusReceived(JointStatusMessage message, HeadsetTime arrival);
+
         /// <summary>Receives a robot description. May block, because samples do not wait for it.</summary>
         /// <param name="urdf">Text within the length limit; not checked otherwise.</param>
-        void Described(string urdf);
+        /// <param name="robot">Namespace of the robot; empty for the robot without one.</param>
+        void Described(string urdf, string robot = "");
 
         void Dropped(DropReason reason);
 

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Runtime.ExceptionServices;
 using System.Threading;
@@ -8,8 +9,8 @@ using Nowpose.Protocol;
 namespace Nowpose.Network
 {
     /// <summary>
-    /// Subscribes to the joint positions, the set-points ahead, the status of joints and the robot description over rosbridge, and publishes
-    /// this headset's diagnostics and its displayed joints. Reconnects after every failure.
+    /// Subscribes over rosbridge to topics of robots and of the cell, and publishes this headset's diagnostics and its displayed joints.
+    /// Reconnects after every failure.
     /// </summary>
     sealed class RosbridgeClient : IDisposable
     {
@@ -26,7 +27,8 @@ namespace Nowpose.Network
         readonly bool _publishesDisplayed;
         readonly RosTimeExchanges _rosTime;
         readonly CancellationTokenSource _stop = new CancellationTokenSource();
-        readonly NewestInBackground _descriptions;
+        readonly Subscriptions _subscriptions;
+        readonly Dictionary<string, NewestInBackground> _descriptions = new Dictionary<string, NewestInBackground>(StringComparer.Ordinal);
         readonly Task _running;
         volatile LinkStatus _status = LinkStatus.Connecting;
         volatile Task _ending;
@@ -34,20 +36,19 @@ namespace Nowpose.Network
 
         /// <summary>Starts at once, on the thread pool; frames never wait for it.</summary>
         /// <param name="newLink">Creates the link of each attempt.</param>
+        /// <param name="subscriptions">Topics to subscribe to, also while the client runs.</param>
         /// <param name="publishesDisplayed">Whether to publish the listener's displayed joints.</param>
-        public RosbridgeClient(Func<IWebSocketLink> newLink, IHeadsetClock clock, IRosbridgeListener listener, bool publishesDisplayed = true)
-            : this(newLink, clock, listener, publishesDisplayed, null) { }
-
         /// <param name="rosTime">Exchanges timestamps with the same server; null if the control time has another source.</param>
-        internal RosbridgeClient(
-            Func<IWebSocketLink> newLink, IHeadsetClock clock, IRosbridgeListener listener, bool publishesDisplayed, RosTimeExchanges rosTime)
+        public RosbridgeClient(
+            Func<IWebSocketLink> newLink, IHeadsetClock clock, IRosbridgeListener listener, Subscriptions subscriptions,
+            bool publishesDisplayed = true, RosTimeExchanges rosTime = null)
         {
+            _subscriptions = subscriptions;
             _publishesDisplayed = publishesDisplayed;
             _newLink = newLink;
             _clock = clock;
             _listener = listener;
             _rosTime = rosTime;
-            _descriptions = new NewestInBackground(Describe);
             // Runs outside the caller's synchronisation context, because under Unity its continuations would wait for the next frame.
             _running = Task.Run(RunAsync);
         }
@@ -115,11 +116,11 @@ namespace Nowpose.Network
             using (var end = CancellationTokenSource.CreateLinkedTokenSource(_stop.Token))
             {
                 await OpenAsync(link).ConfigureAwait(false);
-                await SubscribeAsync(sender, end.Token).ConfigureAwait(false);
+                var subscribing = SubscribeAsync(sender, end.Token);
                 var receiving = ReceiveAsync(link, backoff, end.Token);
                 var tending = TendAsync(sender, end.Token);
                 var asking = _rosTime == null ? tending : _rosTime.RunAsync(sender, end.Token);
-                var all = new[] { receiving, tending, asking, WatchAsync(end.Token) };
+                var all = new[] { receiving, subscribing, tending, asking, WatchAsync(end.Token) };
                 var first = await Task.WhenAny(all).ConfigureAwait(false);
                 end.Cancel();
                 link.Dispose();
@@ -150,11 +151,15 @@ namespace Nowpose.Network
 
         async Task SubscribeAsync(LinkSender sender, CancellationToken cancel)
         {
-            await sender.SendAsync(RosbridgeWriter.Subscribe(RosTopics.JointStates, RosTopics.JointStateType), cancel).ConfigureAwait(false);
-            await sender.SendAsync(
-                RosbridgeWriter.Subscribe(RosTopics.JointTrajectory, RosTopics.JointTrajectoryType), cancel).ConfigureAwait(false);
-            await sender.SendAsync(RosbridgeWriter.Subscribe(RosTopics.RobotDescription, RosTopics.StringType), cancel).ConfigureAwait(false);
-            await sender.SendAsync(RosbridgeWriter.Subscribe(RosTopics.JointStatus, RosTopics.DiagnosticsType), cancel).ConfigureAwait(false);
+            for (var i = 0; ; i++)
+            {
+                var (topic, type) = await _subscriptions.At(i, cancel).ConfigureAwait(false);
+                await sender.SendAsync(RosbridgeWriter.Subscribe(topic, type), cancel).ConfigureAwait(false);
+            }
+        }
+
+        async Task AdvertiseAsync(LinkSender sender, CancellationToken cancel)
+        {
             await sender.SendAsync(RosbridgeWriter.Advertise(RosTopics.Diagnostics, RosTopics.DiagnosticsType), cancel).ConfigureAwait(false);
             if (_publishesDisplayed)
                 await sender.SendAsync(RosbridgeWriter.Advertise(RosTopics.Displayed, RosTopics.JointStateType), cancel).ConfigureAwait(false);
@@ -189,20 +194,31 @@ namespace Nowpose.Network
             var isRead = reader.TryRead(received.Utf8.Span, out var message, out var reason);
             if (message?.Op == RosbridgeOp.ServiceResponse) _rosTime?.Answered(message, reason, received.Arrival);
             if (!isRead) _listener.Dropped(reason);
-            // A robot in a namespace is another one.
-            else if (message.RobotTopic?.Robot.Length > 0) return;
-            else if (message.JointState != null) _listener.Received(message.JointState, received.Arrival);
-            else if (message.JointTrajectory != null) _listener.Planned(message.JointTrajectory, received.Arrival);
+            else if (message.JointState != null) _listener.Received(message.JointState, received.Arrival, message.RobotTopic.Robot);
+            else if (message.JointTrajectory != null) _listener.Planned(message.JointTrajectory, received.Arrival, message.RobotTopic.Robot);
+            else if (message.Transforms != null)
+                _listener.FramesReceived(message.Transforms, isStationary: message.Topic == RosTopics.TfStatic, received.Arrival);
+            else if (message.Signals != null) _listener.SignalsReceived(message.Signals, received.Arrival);
             else if (message.JointStatus != null) _listener.StatusReceived(message.JointStatus, received.Arrival);
-            else if (message.Data != null) _descriptions.Add(message.Data);
+            else if (message.SignalStatus != null) _listener.SignalStatusReceived(message.SignalStatus, received.Arrival);
+            else if (message.Data != null) DescriptionsOf(message.RobotTopic.Robot).Add(message.Data);
+        }
+
+        // On the receiving thread of one connection after the other.
+        NewestInBackground DescriptionsOf(string robot)
+        {
+            if (_descriptions.TryGetValue(robot, out var known)) return known;
+            var descriptions = new NewestInBackground(urdf => Describe(urdf, robot));
+            _descriptions.Add(robot, descriptions);
+            return descriptions;
         }
 
         // Catches every exception: an invalid description must not prevent reading the next one.
-        void Describe(string urdf)
+        void Describe(string urdf, string robot)
         {
             try
             {
-                _listener.Described(urdf);
+                _listener.Described(urdf, robot);
             }
             catch (Exception)
             {
@@ -212,6 +228,7 @@ namespace Nowpose.Network
 
         async Task TendAsync(LinkSender sender, CancellationToken cancel)
         {
+            await AdvertiseAsync(sender, cancel).ConfigureAwait(false);
             var next = _clock.Now + DiagnosticsInterval;
             while (true)
             {

@@ -6,6 +6,7 @@ using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Network;
 using Nowpose.Protocol;
+using Nowpose.Session.Cell;
 using Nowpose.Session.Hindcast;
 using Nowpose.Sync;
 
@@ -22,18 +23,16 @@ namespace Nowpose.Session
     {
         readonly ClockSynchroniser _synchroniser;
         readonly DisplayClock _displayClock = new DisplayClock();
-        readonly JointTracks _tracks;
-        readonly DisplayFrame _frame;
-        readonly JointWatch _joints;
+        readonly Subscriptions _subscriptions = new Subscriptions();
+        readonly SessionRobot _main;
         readonly CurrentShare _currentShare = new CurrentShare();
-        readonly HindcastMonitor _hindcast;
         readonly SessionMeasurements _measurements;
         readonly ApplicationLatency _latency = new ApplicationLatency();
         readonly object _gate = new object();
         readonly SessionDisplay _display;
-        readonly ReceivedDescription _description;
         readonly SessionConnections _connections;
-        readonly DisplayedJoints _displayed;
+        // Replaced as a whole, because network threads read it.
+        volatile SessionRobot[] _robots = Array.Empty<SessionRobot>();
 
         /// <param name="robot">Robot whose moving joints are matched with the names in the samples.</param>
         /// <param name="clock">Clock for time stamps of received messages.</param>
@@ -47,49 +46,53 @@ namespace Nowpose.Session
             SessionSettings settings, RobotModel robot, IHeadsetClock clock, Func<ConnectionSettings, IHeadsetClock, IWebSocketLink> newLink)
         {
             Settings = settings;
-            Robot = robot;
-            _description = new ReceivedDescription(robot);
             _display = new SessionDisplay(settings, _gate);
             _synchroniser = new ClockSynchroniser(settings.CreateClockEstimator(), settings.Clock);
-            _tracks = new JointTracks(robot, settings.Prediction);
-            _frame = new DisplayFrame(robot, _tracks, settings.OutsideRange);
-            _displayed = new DisplayedJoints(robot, _frame, settings.Connection.HeadsetName);
-            _joints = new JointWatch(robot, _tracks, settings.Prediction.HorizonCap);
-            _hindcast = new HindcastMonitor(robot, settings.Prediction.MaximumGap);
-            _tracks.Restarted += _hindcast.Restart;
-            _measurements = new SessionMeasurements(_synchroniser, _latency, _display, _frame, _hindcast);
-            Intake = new SessionIntake(robot, _tracks, _hindcast, _latency, settings.Prediction.FollowsPlans);
-            Listener = new SessionListener(this, Intake, _joints, clock);
-            _connections = new SessionConnections(settings, clock, newLink, Listener, _synchroniser, SyncFaults);
+            Frames = new SessionFrames(settings.Prediction, _subscriptions, Drops);
+            Signals = new SessionSignals(_subscriptions, Drops);
+            _main = AddRobot(settings.RobotNamespace, robot);
+            _measurements = new SessionMeasurements(_synchroniser, _latency, _display, _main.Frame, _main.Hindcast);
+            Listener = new SessionListener(this, clock);
+            _connections = new SessionConnections(settings, clock, newLink, Listener, _subscriptions, _synchroniser, SyncFaults);
         }
 
-        public RobotModel Robot { get; }
+        /// <summary>The robot of <see cref="SessionSettings.RobotNamespace"/>, of which the session's statistics and frames are.</summary>
+        public RobotModel Robot => _main.Robot;
+
+        /// <summary>All robots of the cell, that robot first. Thread-safe; replaced when a robot is added.</summary>
+        internal IReadOnlyList<SessionRobot> Robots => _robots;
+
+        /// <summary>Objects of the cell. On the thread of <see cref="Tick"/>.</summary>
+        internal SessionFrames Frames { get; }
+
+        /// <summary>Signals of the cell. On the thread of <see cref="Tick"/>.</summary>
+        internal SessionSignals Signals { get; }
 
         /// <summary>Receives messages from the network or from a simulation. Thread-safe.</summary>
         internal IRosbridgeListener Listener { get; }
 
         /// <summary>Queues of messages for the next frame.</summary>
-        internal SessionIntake Intake { get; }
+        internal SessionIntake Intake => _main.Intake;
 
         public SessionSettings Settings { get; }
 
         /// <summary>URDF text of the robot from the gateway, the newest valid one; null before. Thread-safe.</summary>
-        public string RobotDescription => _description.Text;
+        public string RobotDescription => _main.Description.Text;
 
         /// <summary>Robot model of <see cref="RobotDescription"/>; null before. Thread-safe.</summary>
-        public RobotModel DescribedRobot => _description.Model;
+        public RobotModel DescribedRobot => _main.Description.Model;
 
         /// <summary>Whether <see cref="Robot"/> was read from the same text. Thread-safe.</summary>
-        internal RobotDescriptionMatch RobotDescriptionMatch => _description.Match;
+        internal RobotDescriptionMatch RobotDescriptionMatch => _main.Description.Match;
 
         /// <summary>Reason why the newest description could not be read, in one line; null without an error or description. Thread-safe.</summary>
-        public string RobotDescriptionFault => _description.Fault;
+        public string RobotDescriptionFault => _main.Description.Fault;
 
         /// <summary>
         /// Joints with samples outside the robot's limits, which are therefore drawn in another position, in the order of detection, each
         /// once. On the thread of <see cref="Tick"/>.
         /// </summary>
-        public IReadOnlyList<JointBeyondLimits> BeyondLimits => _tracks.Limits.Found;
+        public IReadOnlyList<JointBeyondLimits> BeyondLimits => _main.Limits.Found;
 
         /// <summary>Clock synchroniser, fed by the network or a test. Frames follow it without going back in time.</summary>
         internal ClockSynchroniser Clock => _synchroniser;
@@ -116,12 +119,12 @@ namespace Nowpose.Session
         /// <summary>Forwards <see cref="HindcastMonitor.ToolJudged"/>; raised within <see cref="Tick"/>.</summary>
         internal event Action<ControlTime, PoseState, ErrorSample> ToolJudged
         {
-            add => _hindcast.ToolJudged += value;
-            remove => _hindcast.ToolJudged -= value;
+            add => _main.Hindcast.ToolJudged += value;
+            remove => _main.Hindcast.ToolJudged -= value;
         }
 
         /// <summary>Counts of dropped messages by reason.</summary>
-        internal DropCounters Drops => Intake.Drops;
+        internal DropCounters Drops { get; } = new DropCounters();
 
         /// <summary>Counts of dropped sync exchanges by reason.</summary>
         internal SyncFaultCounters SyncFaults { get; } = new SyncFaultCounters();
@@ -205,18 +208,22 @@ namespace Nowpose.Session
             {
                 var clock = _displayClock.Follow(_synchroniser.ModelAt(start), start);
                 if (_displayClock.IsRestarted) Restart(start, clock);
-                Intake.TakeAll(clock);
+                foreach (var robot in _robots) robot.Intake.TakeAll(clock);
                 var seen = _display.Light.LightOf(start, isComparable: isLast && _display.RenderTimes.State != RangeState.Outside);
                 var light = clock.IsKnown ? clock.ToControl(seen) : (ControlTime?)null;
-                _frame.IsDisplayTimeImplausible = _display.Light.IsImplausible;
-                _frame.IsBeyondCalibration = _display.RenderTimes.IsBeyond;
-                _frame.Update(start, light, clock, Settings.Clock.Trusts(clock), _display.RenderTimes.State, _display.Light.IsInconsistent,
-                    _joints.IsAnyReportedMissing(start));
-                if (isLast) _currentShare.Add(start, _frame.State == PoseState.Current);
-                _hindcast.Shown(_frame, clock.ErrorBound);
-                Ticked?.Invoke(_frame);
-                return _frame;
+                Show(new DisplayMoment(start, light, clock, Settings.Clock.Trusts(clock), _display.Light, _display.RenderTimes));
+                if (isLast) _currentShare.Add(start, _main.IsCurrent);
+                Ticked?.Invoke(_main.Frame);
+                return _main.Frame;
             }
+        }
+
+        void Show(in DisplayMoment moment)
+        {
+            foreach (var robot in _robots) robot.Show(moment);
+            Frames.Show(moment);
+            foreach (var robot in _robots) robot.RootPose = Frames.Tree.RootOf(robot);
+            Signals.Show(moment);
         }
 
         /// <summary>
@@ -235,15 +242,42 @@ namespace Nowpose.Session
         public void Rendered(TimeSpan renderTime, RenderTimeSourceKind source) => _display.Rendered(renderTime, source);
 
         /// <summary>Reads a received robot description, which may take some time. Thread-safe.</summary>
-        public void Described(string urdf)
+        public void Described(string urdf) => Listener.Described(urdf, _main.Namespace);
+
+        /// <summary>Adds a robot to the cell, which is received and shown from then on. On the thread of <see cref="Tick"/>.</summary>
+        /// <param name="name">Namespace of the robot, or empty for the robot without one.</param>
+        /// <returns>The known robot if the session has one with that namespace and the same description.</returns>
+        /// <exception cref="InputException">It is no namespace, or another robot has it.</exception>
+        internal SessionRobot AddRobot(string name, RobotModel robot)
         {
-            if (!_description.Receive(urdf)) Drops.Count(DropReason.NotUrdf);
+            if (name.Length > 0) RobotTopic.RequireNamespace(name);
+            var known = RobotOf(name);
+            if (known?.Robot.SourceHash == robot.SourceHash) return known;
+            if (known != null) throw new InputException("robot namespace '" + name + "': is that of the robot " + known.Robot.Name);
+            if (_robots.Length >= ProtocolLimits.Robots)
+                throw new InputException("robot namespace '" + name + "': the cell has " + ProtocolLimits.Robots + " robots, which is the maximum");
+            var added = new SessionRobot(name, robot, Settings, _latency, Drops);
+            lock (_gate)
+            {
+                Frames.Add(added);
+                _robots = new List<SessionRobot>(_robots) { added }.ToArray();
+            }
+            _subscriptions.AddRobot(name);
+            return added;
+        }
+
+        /// <summary>Returns the robot with a namespace; null if the session has none. Thread-safe.</summary>
+        internal SessionRobot RobotOf(string name)
+        {
+            foreach (var robot in _robots)
+                if (robot.Namespace == name) return robot;
+            return null;
         }
 
         /// <summary>Starts a new run of <see cref="SessionStatistics.ToolErrorOfRun"/> with the next frame. Thread-safe.</summary>
         public void RestartErrorRun()
         {
-            lock (_gate) _hindcast.RestartRun();
+            lock (_gate) _main.Hindcast.RestartRun();
         }
 
         /// <summary>Returns a snapshot for panels and reports; allocates. Thread-safe.</summary>
@@ -262,9 +296,9 @@ namespace Nowpose.Session
             lock (_gate)
             {
                 _measurements.Fill(into, now, this);
-                into.BeyondLimits = _tracks.Limits.Present;
+                into.BeyondLimits = _main.Limits.Present;
                 into.CurrentShare = _currentShare.Value;
-                _joints.Fill(into.ChangeableJointStatuses, now, into.Clock, _frame.DisplayTime);
+                _main.Joints.Fill(into.ChangeableJointStatuses, now, into.Clock, _main.Frame.DisplayTime);
             }
         }
 
@@ -274,16 +308,17 @@ namespace Nowpose.Session
         /// </summary>
         public JointStateMessage Displayed()
         {
-            lock (_gate) return _displayed.Take();
+            lock (_gate) return _main.Displayed();
         }
 
         // Time stamps from before a step belong to another time line, and those from before the first exchange were not validated: one
         // from the future would hold the pose until that time.
         void Restart(HeadsetTime now, in ClockModel clock)
         {
-            _tracks.Reset();
             _latency.Reset();
-            _hindcast.Reset();
+            foreach (var robot in _robots) robot.Restart();
+            Frames.Restart();
+            Signals.Table.Restart();
             Restarted?.Invoke(now, clock);
         }
     }

@@ -53,7 +53,7 @@ namespace Nowpose.Session
         public RangeState Range { get; private set; }
 
         /// <summary>Whether the render time is beyond the calibrated range, with a limit or without, so that the display time is unknown.</summary>
-        internal bool IsBeyondCalibration { get; set; }
+        internal bool IsBeyondCalibration { get; private set; }
 
         /// <summary>Display of the robot while <see cref="State"/> is <see cref="PoseState.OutsideRange"/>.</summary>
         public OutsideRangeResponse OutsideRange { get; }
@@ -65,7 +65,7 @@ namespace Nowpose.Session
         public bool IsDisplayTimeDoubted => IsDisplayTimeInconsistent;
 
         /// <summary>Whether the runtime's display times have been implausible for a second, see <see cref="SessionChange"/>.</summary>
-        public bool IsDisplayTimeImplausible { get; internal set; }
+        public bool IsDisplayTimeImplausible { get; private set; }
 
         /// <summary>Displayed joint positions, one per moving joint in the robot's order, rad or m, including mimic joints.</summary>
         public ReadOnlySpan<double> Joints => _tracks.Positions;
@@ -82,22 +82,21 @@ namespace Nowpose.Session
         /// <summary>Pose of the tool centre point, or of the flange if the robot has no tool, in the robot's base frame.</summary>
         public ref readonly RigidTransform ToolPose => ref _linkPoses[_toolLink];
 
-        /// <param name="displayTime">Null while the clock is unsynchronised.</param>
         /// <param name="isJointReportedMissing">Whether the gateway reports that a joint of the robot has no data.</param>
-        internal void Update(
-            HeadsetTime start, ControlTime? displayTime, in ClockModel clock, bool isTimeTrusted, RangeState range, bool isDisplayTimeInconsistent,
-            bool isJointReportedMissing)
+        internal void Update(in DisplayMoment moment, bool isJointReportedMissing)
         {
-            ClockState = clock.State;
-            ClockError = clock.EstimatedError;
-            IsDisplayTimeInconsistent = isDisplayTimeInconsistent;
-            Start = start;
-            IsTimeTrusted = isTimeTrusted;
-            Range = range;
-            DisplayTime = displayTime;
-            if (displayTime.HasValue) _tracks.Predict(displayTime.Value);
+            ClockState = moment.Clock.State;
+            ClockError = moment.Clock.EstimatedError;
+            IsDisplayTimeInconsistent = moment.IsInconsistent;
+            IsDisplayTimeImplausible = moment.IsImplausible;
+            IsBeyondCalibration = moment.IsBeyondCalibration;
+            Start = moment.Start;
+            IsTimeTrusted = moment.IsTrusted;
+            Range = moment.Range;
+            DisplayTime = moment.DisplayTime;
+            if (moment.DisplayTime is ControlTime light) _tracks.Predict(light);
             else _tracks.Hold();
-            Horizon = displayTime - _tracks.Newest;
+            Horizon = DisplayTime - _tracks.Newest;
             State = JudgeState(isJointReportedMissing);
             // After the state is determined: a pose that is held on purpose is not stale.
             if (State == PoseState.OutsideRange && OutsideRange == OutsideRangeResponse.Hold) _tracks.Hold();

@@ -18,15 +18,18 @@ namespace Nowpose.Session
         /// <summary>A report of rest explains missing samples only while the gateway repeats it; one repetition may be lost.</summary>
         static readonly TimeSpan RestLifetime = TimeSpan.FromMilliseconds(2500);
 
+        readonly string _prefix;
         readonly RobotModel _robot;
         readonly JointTracks _tracks;
         readonly TimeSpan _horizonCap;
         readonly bool[] _isToolJoint;
         volatile Reports _newest;
 
+        /// <param name="name">Namespace of the robot, which precedes the joint's name in reports; empty for the robot without one.</param>
         /// <param name="horizonCap">Maximum age of a joint's newest sample at the display time; an older one means no data.</param>
-        public JointWatch(RobotModel robot, JointTracks tracks, TimeSpan horizonCap)
+        public JointWatch(string name, RobotModel robot, JointTracks tracks, TimeSpan horizonCap)
         {
+            _prefix = RobotTopic.Qualified(name, "");
             _robot = robot;
             _tracks = tracks;
             _horizonCap = horizonCap;
@@ -40,7 +43,8 @@ namespace Nowpose.Session
             var reports = new Reports(arrival, _robot.MovingJoints.Count);
             foreach (var report in message.Joints)
             {
-                var joint = _robot.IndexOfMovingJoint(report.Joint);
+                if (!report.Joint.StartsWith(_prefix, StringComparison.Ordinal)) continue;
+                var joint = _robot.IndexOfMovingJoint(report.Joint.Substring(_prefix.Length));
                 if (joint < 0) continue;
                 reports.OfJoint[joint] = report;
                 // A gripper may send samples only when it moves. If they stop for an unknown reason, it is listed and the arm's pose stays current.

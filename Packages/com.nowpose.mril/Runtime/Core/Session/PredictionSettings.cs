@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Prediction;
 
@@ -80,6 +81,10 @@ namespace Nowpose.Session
         /// <param name="limits">Result of <see cref="Bounded"/>.</param>
         public JointPredictor Create(in JointLimits limits) =>
             Predictors.Create(Predictor, LimitsOf(limits), IsHold ? 0 : ClockTicks.Seconds(Blend));
+
+        /// <summary>Creates a predictor for an object of the cell, which has no limits.</summary>
+        internal BodyPredictor CreateBody() =>
+            new BodyPredictor(Predictor, LimitsOf(JointLimits.None), IsHold ? 0 : ClockTicks.Seconds(Blend));
 
         /// <summary>Combines a joint's limits with those of these settings.</summary>
         /// <param name="isRevolute">Whether acceleration and jerk limits of these settings apply to the joint.</param>

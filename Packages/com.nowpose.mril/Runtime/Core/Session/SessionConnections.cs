@@ -13,6 +13,7 @@ namespace Nowpose.Session
         readonly IHeadsetClock _clock;
         readonly Func<ConnectionSettings, IHeadsetClock, IWebSocketLink> _newLink;
         readonly IRosbridgeListener _listener;
+        readonly Subscriptions _subscriptions;
         readonly ClockSynchroniser _synchroniser;
         readonly SyncFaultCounters _faults;
         SyncClient _syncClient;
@@ -20,16 +21,18 @@ namespace Nowpose.Session
 
         /// <param name="newLink">Creates the WebSocket for each connection attempt.</param>
         /// <param name="listener">Receives the messages.</param>
+        /// <param name="subscriptions">Topics of the messages.</param>
         /// <param name="synchroniser">Receives the sync exchanges.</param>
         /// <param name="faults">Counts of dropped exchanges.</param>
         public SessionConnections(
             SessionSettings settings, IHeadsetClock clock, Func<ConnectionSettings, IHeadsetClock, IWebSocketLink> newLink,
-            IRosbridgeListener listener, ClockSynchroniser synchroniser, SyncFaultCounters faults)
+            IRosbridgeListener listener, Subscriptions subscriptions, ClockSynchroniser synchroniser, SyncFaultCounters faults)
         {
             _settings = settings;
             _clock = clock;
             _newLink = newLink;
             _listener = listener;
+            _subscriptions = subscriptions;
             _synchroniser = synchroniser;
             _faults = faults;
         }
@@ -50,7 +53,7 @@ namespace Nowpose.Session
             var isRos = connection.ClockSource == ControlClockSource.RosTime;
             if (!isRos) _syncClient = new SyncClient(connection, _clock, _synchroniser, _faults, pace);
             _rosbridgeClient = new RosbridgeClient(
-                () => _newLink(connection, _clock), _clock, _listener, connection.PublishesDisplayed,
+                () => _newLink(connection, _clock), _clock, _listener, _subscriptions, connection.PublishesDisplayed,
                 isRos ? new RosTimeExchanges(_clock, _synchroniser, _faults, pace) : null);
         }
 

@@ -8,7 +8,7 @@ using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Session
 {
-    /// <summary>Queues messages from network threads for the next frame, validates them, and passes them to the joints.</summary>
+    /// <summary>Queues a robot's messages from network threads for the next frame, validates them, and passes them to the joints.</summary>
     sealed class SessionIntake
     {
         /// <summary>
@@ -28,13 +28,17 @@ namespace Nowpose.Session
         readonly JointTracks _tracks;
         readonly HindcastMonitor _hindcast;
         readonly ApplicationLatency _latency;
+        readonly DropCounters _drops;
         readonly bool _followsPlans;
 
         /// <param name="tracks">Predictors that receive the samples.</param>
         /// <param name="hindcast">Compares the samples with displayed frames.</param>
         /// <param name="latency">Statistics of L_app, updated with each sample.</param>
-        public SessionIntake(RobotModel robot, JointTracks tracks, HindcastMonitor hindcast, ApplicationLatency latency, bool followsPlans)
+        /// <param name="drops">Counts of dropped messages by reason.</param>
+        public SessionIntake(
+            RobotModel robot, JointTracks tracks, HindcastMonitor hindcast, ApplicationLatency latency, DropCounters drops, bool followsPlans)
         {
+            _drops = drops;
             _robot = robot;
             _tracks = tracks;
             _hindcast = hindcast;
@@ -62,9 +66,6 @@ namespace Nowpose.Session
         /// </summary>
         /// <remarks>The rules for handlers are those of <see cref="SampleTaken"/>.</remarks>
         public event Action<PlanArrival, DropReason> PlanJudged;
-
-        /// <summary>Counts of dropped messages by reason.</summary>
-        public DropCounters Drops { get; } = new DropCounters();
 
         /// <summary>Number of used messages.</summary>
         public long Samples { get; private set; }
@@ -140,13 +141,13 @@ namespace Nowpose.Session
 
         void Judged(in SampleArrival arrival, DropReason reason)
         {
-            Drops.Count(reason);
+            _drops.Count(reason);
             SampleJudged?.Invoke(arrival, reason);
         }
 
         void Judged(in PlanArrival arrival, DropReason reason)
         {
-            Drops.Count(reason);
+            _drops.Count(reason);
             PlanJudged?.Invoke(arrival, reason);
         }
     }

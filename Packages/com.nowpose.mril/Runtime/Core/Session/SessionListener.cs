@@ -1,5 +1,6 @@
 using Nowpose.Network;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Session
 {
@@ -7,28 +8,44 @@ namespace Nowpose.Session
     sealed class SessionListener : IRosbridgeListener
     {
         readonly CompensationSession _session;
-        readonly SessionIntake _intake;
-        readonly JointWatch _joints;
         readonly IHeadsetClock _clock;
 
         /// <param name="clock">Clock for time stamps of the diagnostics.</param>
-        public SessionListener(CompensationSession session, SessionIntake intake, JointWatch joints, IHeadsetClock clock)
+        public SessionListener(CompensationSession session, IHeadsetClock clock)
         {
             _session = session;
-            _intake = intake;
-            _joints = joints;
             _clock = clock;
         }
 
-        public void Received(JointStateMessage message, HeadsetTime arrival) => _intake.Add(message, arrival);
+        public void Received(JointStateMessage message, HeadsetTime arrival, string robot = "")
+        {
+            var receiver = _session.RobotOf(robot);
+            if (receiver != null) receiver.Intake.Add(message, arrival);
+            else message.Release();
+        }
 
-        public void Planned(JointTrajectoryMessage message, HeadsetTime arrival) => _intake.Add(message, arrival);
+        public void Planned(JointTrajectoryMessage message, HeadsetTime arrival, string robot = "") =>
+            _session.RobotOf(robot)?.Intake.Add(message, arrival);
 
-        public void StatusReceived(JointStatusMessage message, HeadsetTime arrival) => _joints.Take(message, arrival);
+        public void FramesReceived(TransformsMessage message, bool isStationary, HeadsetTime arrival) =>
+            _session.Frames.Add(message, isStationary, arrival);
 
-        public void Described(string urdf) => _session.Described(urdf);
+        public void SignalsReceived(SignalsMessage message, HeadsetTime arrival) => _session.Signals.Add(message, arrival);
 
-        public void Dropped(DropReason reason) => _intake.Drops.Count(reason);
+        public void StatusReceived(JointStatusMessage message, HeadsetTime arrival)
+        {
+            foreach (var robot in _session.Robots) robot.Joints.Take(message, arrival);
+        }
+
+        public void SignalStatusReceived(JointStatusMessage message, HeadsetTime arrival) => _session.Signals.Take(message);
+
+        public void Described(string urdf, string robot = "")
+        {
+            var receiver = _session.RobotOf(robot);
+            if (receiver != null && !receiver.Description.Receive(urdf)) Dropped(DropReason.NotUrdf);
+        }
+
+        public void Dropped(DropReason reason) => _session.Drops.Count(reason);
 
         public JointStateMessage Displayed() => _session.Displayed();
 

@@ -25,13 +25,16 @@ namespace Nowpose.Session
         /// </param>
         /// <param name="outsideRange">Display of the robot while the render time is outside the range.</param>
         /// <param name="rewriteBeforeRender">Value of <see cref="RewriteBeforeRender"/>; calibrate L_visu with the same setting.</param>
+        /// <param name="robotNamespace">Value of <see cref="RobotNamespace"/>.</param>
+        /// <exception cref="InputException">A value is out of range.</exception>
         public SessionSettings(
             ConnectionSettings connection, VisualisationLatency visualisation, PredictionSettings prediction = null,
             ClockSettings clock = null, RansacSettings ransac = null, double syncIntervalMs = ProtocolLimits.SyncIntervalMs,
             ConstantLatencyRange range = null, bool rewriteBeforeRender = false,
             string clockEstimator = ClockEstimators.Default, LatencyProfile profile = null,
-            OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade)
+            OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade, string robotNamespace = "")
         {
+            RobotNamespace = string.IsNullOrEmpty(robotNamespace) ? "" : RobotTopic.RequireNamespace(robotNamespace);
             Profile = profile;
             OutsideRange = outsideRange;
             Range = profile?.WatchedRange ?? range;
@@ -49,6 +52,10 @@ namespace Nowpose.Session
         }
 
         public ConnectionSettings Connection { get; }
+
+        /// <summary>Namespace of the robot in the cell, such as arm1 for the topic /arm1/joint_states; empty for the robot without one.</summary>
+        public string RobotNamespace { get; }
+
         public VisualisationLatency Visualisation { get; }
         public PredictionSettings Prediction { get; }
         public ClockSettings Clock { get; }
@@ -72,7 +79,7 @@ namespace Nowpose.Session
         /// <summary>Returns the same settings for another gateway.</summary>
         public SessionSettings With(ConnectionSettings connection) => new SessionSettings(
             connection, Visualisation, Prediction, Clock, Ransac, SyncInterval.TotalMilliseconds, Range, RewriteBeforeRender, ClockEstimator,
-            Profile, OutsideRange)
+            Profile, OutsideRange, RobotNamespace)
         {
             IsSyncIntervalConstant = IsSyncIntervalConstant,
         };

@@ -48,10 +48,10 @@ namespace Nowpose.Signals
                 while (signal.Next(at)) Changed?.Invoke(signal);
         }
 
-        /// <summary>Discards all values, because their times are not valid any more.</summary>
-        public void Reset()
+        /// <summary>Forgets all times, because they are not valid any more, see <see cref="SignalTrack.Restart"/>.</summary>
+        public void Restart()
         {
-            foreach (var signal in _signals) signal.Reset();
+            foreach (var signal in _signals) signal.Restart();
         }
     }
 }

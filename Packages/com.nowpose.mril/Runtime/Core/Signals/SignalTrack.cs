@@ -8,6 +8,9 @@ namespace Nowpose.Signals
         /// <summary>Maximum number of kept changes; more than a second of a signal that changes in each 60th of a second.</summary>
         const int Capacity = 64;
 
+        /// <summary>Stamp of a value whose time is not valid any more: before all stamps, which are positive.</summary>
+        static ControlTime Always => default;
+
         // Oldest first. The first is the visible one, once a display time has reached it.
         readonly Change[] _changes = new Change[Capacity];
         int _count;
@@ -23,8 +26,8 @@ namespace Nowpose.Signals
         /// <summary>The visible value; 0 while none is.</summary>
         public double Value => _isVisible ? _changes[0].Value : 0;
 
-        /// <summary>Control time from which the signal has had the visible value; null while none is visible.</summary>
-        public ControlTime? Since => _isVisible ? _changes[0].Stamp : (ControlTime?)null;
+        /// <summary>Control time from which the signal has had the visible value; null while none is visible, or after <see cref="Restart"/>.</summary>
+        public ControlTime? Since => _isVisible && _changes[0].Stamp > Always ? _changes[0].Stamp : (ControlTime?)null;
 
         /// <summary>Stamp of the newest message, changed or not; null before the first.</summary>
         public ControlTime? Newest { get; private set; }
@@ -55,11 +58,17 @@ namespace Nowpose.Signals
             return true;
         }
 
-        /// <summary>Discards all changes except the visible one, because their times are not valid any more.</summary>
-        public void Reset()
+        /// <summary>
+        /// Forgets all times, because they are not valid any more. The newest value becomes the visible one: it is still the last that is known,
+        /// and a source that publishes changes only will not repeat it.
+        /// </summary>
+        public void Restart()
         {
+            if (_count == 0) return;
+            var newest = _changes[_count - 1].Value;
             _count = 0;
-            _isVisible = false;
+            if (_isVisible) _changes[_count++] = new Change(Always, _changes[0].Value);
+            if (!_isVisible || _changes[0].Value != newest) _changes[_count++] = new Change(Always, newest);
             Newest = null;
         }
 

@@ -59,20 +59,48 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
-        public void Reset_AllSignals_AreUnknownUntilTheirNextValue()
+        public void Restart_SourceInAnotherTime_KeepsTheValueUntilTheNextOne()
         {
             var table = new SignalTable();
-            table.Add(At(0), new SignalValue("grip", 1));
-            table.Evaluate(At(0));
-            Assert.That(table[table.IndexOf("grip")].IsKnown);
+            table.Add(At(1000), new SignalValue("grip", 1));
+            table.Evaluate(At(1000));
 
-            table.Reset();
-            table.Evaluate(At(100));
-            Assert.That(table[table.IndexOf("grip")].IsKnown, Is.False);
+            table.Restart();
+            table.Evaluate(At(3));
 
-            table.Add(At(-500), new SignalValue("grip", 1));
-            table.Evaluate(At(-500));
-            Assert.That(table[table.IndexOf("grip")].Value, Is.EqualTo(1));
+            var grip = table[table.IndexOf("grip")];
+            Assert.That((grip.Value, grip.Since), Is.EqualTo((1.0, (ControlTime?)null)));
+            table.Add(At(5), new SignalValue("grip", 0));
+            table.Evaluate(At(4));
+            Assert.That(grip.Value, Is.EqualTo(1));
+            table.Evaluate(At(5));
+            Assert.That((grip.Value, grip.Since), Is.EqualTo((0.0, (ControlTime?)At(5))));
+        }
+
+        [Test]
+        public void Restart_ChangeNotYetVisible_BecomesVisible()
+        {
+            var table = new SignalTable();
+            var seen = new List<double>();
+            table.Changed += signal => seen.Add(signal.Value);
+            table.Add(At(1000), new SignalValue("grip", 1));
+            table.Evaluate(At(1000));
+            table.Add(At(1010), new SignalValue("grip", 0));
+
+            table.Restart();
+            table.Evaluate(At(3));
+
+            Assert.That(seen, Is.EqualTo(new[] { 1.0, 0.0 }));
+        }
+
+        [Test]
+        public void Restart_NeverReceived_StaysUnknown()
+        {
+            var track = new SignalTrack("grip");
+
+            track.Restart();
+
+            Assert.That(track.IsKnown, Is.False);
         }
     }
 }

@@ -1,0 +1,57 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Frames;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+
+namespace Nowpose.Session.Cell
+{
+    /// <summary>Predicts only frames that are shown, and those above them. Of all others, it keeps the newest pose.</summary>
+    /// <remarks>A ROS system publishes the links of its robots on /tf too, and each predicted frame needs memory and time.</remarks>
+    sealed class NeededFrames
+    {
+        readonly FrameTree _tree;
+        readonly HashSet<string> _needed = new HashSet<string>(StringComparer.Ordinal);
+        readonly Dictionary<string, (FrameTransform Pose, bool IsStationary)> _others =
+            new Dictionary<string, (FrameTransform, bool)>(StringComparer.Ordinal);
+
+        public NeededFrames(FrameTree tree) => _tree = tree;
+
+        /// <summary>Shows a frame from now on, whether a pose of it has been received or not.</summary>
+        public void Need(string name)
+        {
+            if (!_needed.Add(name) || !_others.TryGetValue(name, out var kept)) return;
+            _others.Remove(name);
+            Add(kept.Pose, kept.IsStationary);
+        }
+
+        /// <inheritdoc cref="FrameTree.Add(in FrameTransform, bool)"/>
+        public DropReason Add(in FrameTransform pose, bool isStationary)
+        {
+            if (!_needed.Contains(pose.Child)) return Keep(pose, isStationary);
+            var reason = _tree.Add(pose, isStationary);
+            if (reason == DropReason.None) Need(pose.Parent);
+            return reason;
+        }
+
+        /// <summary>Discards the kept poses of tracked frames, because their times are not valid any more.</summary>
+        public void Restart()
+        {
+            var stale = new List<string>();
+            foreach (var other in _others)
+                if (!other.Value.IsStationary) stale.Add(other.Key);
+            foreach (var name in stale) _others.Remove(name);
+        }
+
+        DropReason Keep(in FrameTransform pose, bool isStationary)
+        {
+            if (_others.TryGetValue(pose.Child, out var kept))
+            {
+                if (!isStationary && !kept.IsStationary && pose.Stamp <= kept.Pose.Stamp) return DropReason.LateSample;
+            }
+            else if (_others.Count + _tree.Count >= ProtocolLimits.Frames) return DropReason.TooManyFrames;
+            _others[pose.Child] = (pose, isStationary);
+            return DropReason.None;
+        }
+    }
+}

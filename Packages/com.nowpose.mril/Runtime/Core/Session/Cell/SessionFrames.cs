@@ -1,0 +1,103 @@
+using Nowpose.Frames;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+
+namespace Nowpose.Session.Cell
+{
+    /// <summary>Frames of a session's cell: received, predicted to the display time, and judged like the pose of a robot.</summary>
+    sealed class SessionFrames
+    {
+        /// <summary>Maximum number of messages of tracked frames that wait for the next display frame with a known control time.</summary>
+        const int QueueLength = 1000;
+
+        /// <summary>The same of stationary frames, whose poses are sent only once: one message per frame.</summary>
+        const int StationaryQueueLength = ProtocolLimits.Frames;
+
+        readonly Arrivals<TransformsMessage> _tracked = new Arrivals<TransformsMessage>(QueueLength);
+        readonly Arrivals<TransformsMessage> _stationary = new Arrivals<TransformsMessage>(StationaryQueueLength);
+        readonly NeededFrames _needed;
+        readonly DropCounters _drops;
+        DisplayMoment _moment;
+
+        public SessionFrames(PredictionSettings prediction, Subscriptions subscriptions, DropCounters drops)
+        {
+            _drops = drops;
+            Tree = new FrameTree(prediction.CreateBody);
+            _needed = new NeededFrames(Tree);
+            subscriptions.Add(RosTopics.Tf, RosTopics.TransformsType);
+            subscriptions.Add(RosTopics.TfStatic, RosTopics.TransformsType);
+        }
+
+        public FrameTree Tree { get; }
+
+        /// <summary>Adds a robot, whose links can be parents, and whose root link may be a frame of the cell.</summary>
+        public void Add(SessionRobot robot)
+        {
+            Tree.Add(robot);
+            _needed.Need(RobotTopic.Qualified(robot.Namespace, robot.Robot.Root.Name));
+        }
+
+        /// <summary>Predicts a frame from now on, whether a pose of it has been received or not.</summary>
+        public void Need(string name) => _needed.Need(name);
+
+        /// <summary>Returns a frame; null if no pose of it has been received since <see cref="Need"/>.</summary>
+        public CellFrame Find(string name)
+        {
+            var index = Tree.IndexOf(name);
+            return index < 0 ? null : Tree[index];
+        }
+
+        /// <summary>Returns whether a frame is shown where it is at the display time, in the words of a robot's pose.</summary>
+        /// <param name="frame">A frame of <see cref="Tree"/>; null for an unknown one.</param>
+        public PoseState StateOf(CellFrame frame)
+        {
+            if (frame == null || frame.State == FrameState.Missing || frame.State == FrameState.Orphan) return PoseState.Incomplete;
+            if (frame.IsStationary && frame.Parent == FrameParents.World) return PoseState.Current;
+            if (!_moment.IsTrusted) return PoseState.Unsynchronised;
+            if (frame.State != FrameState.Current && _moment.Range != Latency.RangeState.Outside) return PoseState.Held;
+            return _moment.Range == Latency.RangeState.Outside ? PoseState.OutsideRange : PoseState.Current;
+        }
+
+        /// <summary>Queues a message for the next frame with a known control time. Thread-safe.</summary>
+        public void Add(TransformsMessage message, bool isStationary, HeadsetTime arrival)
+        {
+            if (!(isStationary ? _stationary : _tracked).Add(message, arrival, out var oldest)) return;
+            _drops.Count(DropReason.SlowReader);
+            oldest.Release();
+        }
+
+        /// <summary>Processes the queued messages, and computes all poses; call it after the robots have computed theirs.</summary>
+        public void Show(in DisplayMoment moment)
+        {
+            _moment = moment;
+            while (_stationary.TryTake(out var message, out _)) Take(message);
+            while (moment.Clock.IsKnown && _tracked.TryTake(out var message, out var arrival)) Take(message, moment.Clock, arrival);
+            Tree.Evaluate(moment.DisplayTime);
+        }
+
+        /// <summary>Discards the poses of tracked frames, because their times are not valid any more.</summary>
+        public void Restart()
+        {
+            Tree.Reset();
+            _needed.Restart();
+        }
+
+        void Take(TransformsMessage message)
+        {
+            for (var i = 0; i < message.Count; i++) _drops.Count(_needed.Add(message[i], isStationary: true));
+            message.Release();
+        }
+
+        void Take(TransformsMessage message, in ClockModel clock, HeadsetTime arrival)
+        {
+            var now = clock.ToControl(arrival);
+            for (var i = 0; i < message.Count; i++)
+            {
+                var isInFuture = StampRule.IsInFuture(message[i].Stamp, now, clock.ErrorBound);
+                _drops.Count(isInFuture ? DropReason.StampInFuture : _needed.Add(message[i], isStationary: false));
+            }
+            message.Release();
+        }
+    }
+}

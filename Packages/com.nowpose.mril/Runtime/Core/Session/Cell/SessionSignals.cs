@@ -1,0 +1,80 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+using Nowpose.Signals;
+
+namespace Nowpose.Session.Cell
+{
+    /// <summary>Signals of a session's cell: read at the display time, with their state.</summary>
+    sealed class SessionSignals
+    {
+        /// <summary>Maximum number of messages that wait for the next frame with a known control time.</summary>
+        const int QueueLength = 1000;
+
+        readonly Arrivals<SignalsMessage> _arrivals = new Arrivals<SignalsMessage>(QueueLength);
+        readonly Subscriptions _subscriptions;
+        readonly DropCounters _drops;
+        // Replaced as a whole by the receiving thread.
+        volatile Dictionary<string, string> _ended = new Dictionary<string, string>(StringComparer.Ordinal);
+
+        public SessionSignals(Subscriptions subscriptions, DropCounters drops)
+        {
+            _subscriptions = subscriptions;
+            _drops = drops;
+        }
+
+        public SignalTable Table { get; } = new SignalTable();
+
+        /// <summary>Receives signals from now on. A session that shows none does not subscribe, as a ROS system need not know the type.</summary>
+        public void Need()
+        {
+            _subscriptions.Add(RosTopics.Signals, RosTopics.SignalsType);
+            _subscriptions.Add(RosTopics.SignalStatus, RosTopics.DiagnosticsType);
+        }
+
+        /// <summary>Queues a message for the next frame with a known control time. Thread-safe.</summary>
+        public void Add(SignalsMessage message, HeadsetTime arrival)
+        {
+            if (!_arrivals.Add(message, arrival, out var oldest)) return;
+            _drops.Count(DropReason.SlowReader);
+            oldest.Release();
+        }
+
+        /// <summary>Receives the signals whose source has ended. Thread-safe.</summary>
+        public void Take(JointStatusMessage message)
+        {
+            var ended = new Dictionary<string, string>(StringComparer.Ordinal);
+            foreach (var report in message.Joints)
+                if (!report.State.IsGood()) ended[report.Joint] = report.Reason;
+            _ended = ended;
+        }
+
+        /// <summary>Returns why a signal's value is not current, in one line; null if it is.</summary>
+        /// <param name="isConnected">Whether messages can arrive.</param>
+        public string FaultOf(string signal, bool isConnected)
+        {
+            if (!isConnected) return "no connection";
+            if (_ended.TryGetValue(signal, out var reason)) return reason;
+            var index = Table.IndexOf(signal);
+            return index < 0 || !Table[index].IsKnown ? "no value received" : null;
+        }
+
+        /// <summary>Processes the queued messages, and shows the changes that the display time has reached.</summary>
+        public void Show(in DisplayMoment moment)
+        {
+            if (!(moment.DisplayTime is ControlTime light)) return;
+            while (_arrivals.TryTake(out var message, out var arrival)) Take(message, moment.Clock, arrival);
+            Table.Evaluate(light);
+        }
+
+        void Take(SignalsMessage message, in ClockModel clock, HeadsetTime arrival)
+        {
+            var isInFuture = StampRule.IsInFuture(message.Stamp, clock.ToControl(arrival), clock.ErrorBound);
+            for (var i = 0; i < message.Count; i++)
+                _drops.Count(isInFuture ? DropReason.StampInFuture : Table.Add(message.Stamp, message[i]));
+            message.Release();
+        }
+    }
+}

@@ -1,0 +1,50 @@
+using Nowpose.Latency;
+using Nowpose.Latency.DisplayTime;
+
+namespace Nowpose.Session
+{
+    /// <summary>Time of one displayed frame, and how well it is known; the same for all robots and objects in it.</summary>
+    readonly struct DisplayMoment
+    {
+        /// <param name="displayTime">Null while the clock is unsynchronised.</param>
+        /// <param name="isTrusted">Whether the display time is accurate enough to show a pose as current.</param>
+        /// <param name="light">How the display time was determined.</param>
+        /// <param name="renderTimes">The render times of the previous frames.</param>
+        public DisplayMoment(
+            HeadsetTime start, ControlTime? displayTime, in ClockModel clock, bool isTrusted, DisplayTimeSelector light,
+            ConstantLatencyMonitor renderTimes)
+        {
+            Start = start;
+            DisplayTime = displayTime;
+            Clock = clock;
+            IsTrusted = isTrusted;
+            IsInconsistent = light.IsInconsistent;
+            IsImplausible = light.IsImplausible;
+            Range = renderTimes.State;
+            IsBeyondCalibration = renderTimes.IsBeyond;
+        }
+
+        /// <summary>Start of the frame on the headset clock.</summary>
+        public HeadsetTime Start { get; }
+
+        /// <summary>Display time on the control clock; null while the clock is unsynchronised.</summary>
+        public ControlTime? DisplayTime { get; }
+
+        public ClockModel Clock { get; }
+
+        /// <summary>Whether the display time is accurate enough to show a pose as current.</summary>
+        public bool IsTrusted { get; }
+
+        /// <summary>Whether the render time of the previous frames is in the range in which the display time is known.</summary>
+        public RangeState Range { get; }
+
+        /// <summary>See <see cref="DisplayFrame.IsBeyondCalibration"/>.</summary>
+        public bool IsBeyondCalibration { get; }
+
+        /// <summary>See <see cref="DisplayFrame.IsDisplayTimeInconsistent"/>.</summary>
+        public bool IsInconsistent { get; }
+
+        /// <summary>See <see cref="DisplayFrame.IsDisplayTimeImplausible"/>.</summary>
+        public bool IsImplausible { get; }
+    }
+}

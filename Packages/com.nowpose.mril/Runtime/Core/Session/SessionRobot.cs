@@ -1,0 +1,80 @@
+using System;
+using Nowpose.Frames;
+using Nowpose.Kinematics;
+using Nowpose.Latency;
+using Nowpose.Protocol;
+using Nowpose.Session.Hindcast;
+
+namespace Nowpose.Session
+{
+    /// <summary>One robot of a session: its received samples, its predicted joints, and the pose that is displayed.</summary>
+    /// <remarks>Joints belong to their robot, so two robots may have joints with the same name.</remarks>
+    sealed class SessionRobot : IRobotLinks
+    {
+        readonly JointTracks _tracks;
+        readonly DisplayedJoints _displayed;
+
+        /// <param name="name">Namespace of the robot; empty for the robot without one.</param>
+        /// <param name="latency">Statistics of L_app, updated with each sample.</param>
+        /// <param name="drops">Counts of dropped messages.</param>
+        public SessionRobot(string name, RobotModel robot, SessionSettings settings, ApplicationLatency latency, DropCounters drops)
+        {
+            Namespace = name;
+            Robot = robot;
+            Description = new ReceivedDescription(robot);
+            _tracks = new JointTracks(robot, settings.Prediction);
+            Frame = new DisplayFrame(robot, _tracks, settings.OutsideRange);
+            _displayed = new DisplayedJoints(robot, Frame, settings.Connection.HeadsetName);
+            Joints = new JointWatch(name, robot, _tracks, settings.Prediction.HorizonCap);
+            Hindcast = new HindcastMonitor(robot, settings.Prediction.MaximumGap);
+            _tracks.Restarted += Hindcast.Restart;
+            Intake = new SessionIntake(robot, _tracks, Hindcast, latency, drops, settings.Prediction.FollowsPlans);
+        }
+
+        public string Namespace { get; }
+
+        public RobotModel Robot { get; }
+
+        /// <summary>The description that the gateway sends for this robot. Thread-safe.</summary>
+        public ReceivedDescription Description { get; }
+
+        /// <summary>Queues of messages for the next frame.</summary>
+        public SessionIntake Intake { get; }
+
+        /// <summary>The joints without current data.</summary>
+        public JointWatch Joints { get; }
+
+        /// <summary>Compares samples with displayed frames.</summary>
+        public HindcastMonitor Hindcast { get; }
+
+        /// <summary>Joints with samples outside the robot's limits.</summary>
+        public LimitWatch Limits => _tracks.Limits;
+
+        /// <summary>The displayed frame, which the next tick overwrites.</summary>
+        public DisplayFrame Frame { get; }
+
+        /// <summary>Displayed pose of the root link in the cell; the identity unless a frame of the cell has the root link's name.</summary>
+        public RigidTransform RootPose { get; set; } = RigidTransform.Identity;
+
+        public bool IsCurrent => Frame.State == PoseState.Current;
+
+        public ReadOnlySpan<RigidTransform> Poses => Frame.LinkPoses;
+
+        /// <summary>Predicts the joints to the display time of a frame.</summary>
+        public void Show(in DisplayMoment moment)
+        {
+            Frame.Update(moment, Joints.IsAnyReportedMissing(moment.Start));
+            Hindcast.Shown(Frame, moment.Clock.ErrorBound);
+        }
+
+        /// <summary>Discards all samples, because their times are not valid any more.</summary>
+        public void Restart()
+        {
+            _tracks.Reset();
+            Hindcast.Reset();
+        }
+
+        /// <inheritdoc cref="CompensationSession.Displayed"/>
+        public JointStateMessage Displayed() => _displayed.Take();
+    }
+}

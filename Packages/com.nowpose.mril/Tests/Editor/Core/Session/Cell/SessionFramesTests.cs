@@ -1,0 +1,190 @@
+using System;
+using Nowpose.Frames;
+using Nowpose.Kinematics;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+using Nowpose.Session;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Session.Cell
+{
+    public class SessionFramesTests
+    {
+        static RigidTransform Along(double x) => RigidTransform.FromXyzRpy(x, 0, 0, 0, 0, 0);
+
+        static double Distance(in RigidTransform a, in RigidTransform b) =>
+            Math.Sqrt((a.X - b.X) * (a.X - b.X) + (a.Y - b.Y) * (a.Y - b.Y) + (a.Z - b.Z) * (a.Z - b.Z));
+
+        [Test]
+        public void Frame_MovingEvenly_IsShownWhereItIsAtTheDisplayTime()
+        {
+            var cell = new CellSession();
+            cell.Session.Frames.Need("box");
+            cell.Sampling = t => cell.Send("world", "box", t, RigidTransform.FromXyzRpy(0.2 * t, 0, 0, 0, 0, 0.5 * t));
+            cell.Run(1);
+
+            cell.Run(1, light =>
+            {
+                var box = cell.Session.Frames.Find("box");
+                var truth = RigidTransform.FromXyzRpy(0.2 * light, 0, 0, 0, 0, 0.5 * light);
+                Assert.That(Distance(box.World, truth), Is.LessThan(1e-6));
+                Assert.That(UnitQuaternion.Of(box.World.Inverse * truth).Log().Length, Is.LessThan(1e-6));
+                Assert.That(cell.Session.Frames.StateOf(box), Is.EqualTo(PoseState.Current));
+            });
+        }
+
+        [Test]
+        public void Frame_OfNoObject_IsNotPredicted()
+        {
+            var cell = new CellSession();
+            cell.Sampling = t => cell.Send("world", "elsewhere", t, Along(t));
+            cell.Run(1);
+            Assert.That(cell.Session.Frames.Tree.Count, Is.Zero);
+
+            cell.Session.Frames.Need("elsewhere");
+            cell.Sampling = null;
+            cell.Run(0.02);
+
+            Assert.That(cell.Session.Frames.Find("elsewhere").World.X, Is.EqualTo(20.9).Within(0.06), "the newest pose was kept");
+        }
+
+        [Test]
+        public void Frame_WithParents_NeedsThemToo()
+        {
+            var cell = new CellSession();
+            cell.Sampling = t =>
+            {
+                cell.Send("world", "table", t, Along(1));
+                cell.Send("table", "plate", t, Along(0.1));
+            };
+            cell.Send("plate", "screw", 19, Along(0.01), isStationary: true);
+            cell.Run(0.2);
+
+            cell.Session.Frames.Need("screw");
+            cell.Run(0.3);
+
+            Assert.That(cell.Session.Frames.Find("screw").World.X, Is.EqualTo(1.11).Within(1e-9));
+            Assert.That(cell.Session.Frames.StateOf(cell.Session.Frames.Find("screw")), Is.EqualTo(PoseState.Current));
+        }
+
+        [Test]
+        public void Frame_ParentIsALink_MovesExactlyWithTheDisplayedRobot()
+        {
+            var cell = new CellSession();
+            cell.Session.Frames.Need("part");
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Math.Sin(2 * t), Math.Cos(3 * t));
+                cell.Send("tool_centre_point", "part", t, Along(0.03));
+            };
+            cell.Run(1);
+
+            cell.Run(2, _ => AssertInGripper(cell));
+        }
+
+        [Test]
+        public void Frame_ClockUnknown_StaysInTheGripperOfTheHeldRobot()
+        {
+            var cell = new CellSession(isClockKnown: false);
+            cell.Session.Frames.Need("part");
+            cell.Send("tool_centre_point", "part", 0, Along(0.03), isStationary: true);
+            cell.Sampling = t => cell.SendJoints(t, Math.Sin(2 * t), 0);
+            cell.Run(0.5);
+
+            cell.Run(1, _ =>
+            {
+                AssertInGripper(cell);
+                Assert.That(cell.Session.Frames.StateOf(cell.Session.Frames.Find("part")), Is.EqualTo(PoseState.Unsynchronised));
+            });
+        }
+
+        static void AssertInGripper(CellSession cell)
+        {
+            var robot = cell.Session.Robots[0];
+            var tool = robot.Poses[robot.Robot.IndexOfLink("tool_centre_point")];
+            Assert.That(Distance(cell.Session.Frames.Find("part").World, tool * Along(0.03)), Is.LessThan(1e-9));
+        }
+
+        [Test]
+        public void Frame_NoLongerSent_IsHeld()
+        {
+            var cell = new CellSession();
+            cell.Session.Frames.Need("box");
+            cell.Sampling = t => cell.Send("world", "box", t, Along(t));
+            cell.Run(0.5);
+
+            cell.Sampling = null;
+            cell.Run(1);
+
+            Assert.That(cell.Session.Frames.StateOf(cell.Session.Frames.Find("box")), Is.EqualTo(PoseState.Held));
+        }
+
+        [Test]
+        public void StateOf_NeverReceivedOrWithoutParent_IsIncomplete()
+        {
+            var cell = new CellSession();
+            cell.Session.Frames.Need("lost");
+            cell.Session.Frames.Need("never");
+            cell.Sampling = t => cell.Send("unknown parent", "lost", t, Along(t));
+            cell.Run(0.5);
+
+            Assert.That(cell.Session.Frames.StateOf(cell.Session.Frames.Find("lost")), Is.EqualTo(PoseState.Incomplete));
+            Assert.That(cell.Session.Frames.StateOf(cell.Session.Frames.Find("never")), Is.EqualTo(PoseState.Incomplete));
+        }
+
+        [Test]
+        public void StateOf_StationaryInTheWorld_IsCurrentWithoutAClock()
+        {
+            var cell = new CellSession(isClockKnown: false);
+            cell.Session.Frames.Need("fixture");
+            cell.Send("world", "fixture", 0, Along(0.5), isStationary: true);
+            cell.Run(0.1);
+
+            Assert.That(cell.Session.Frames.Find("fixture").World.X, Is.EqualTo(0.5));
+            Assert.That(cell.Session.Frames.StateOf(cell.Session.Frames.Find("fixture")), Is.EqualTo(PoseState.Current));
+        }
+
+        [Test]
+        public void Frame_SentBeforeTheClockIsKnown_WaitsForIt()
+        {
+            var cell = new CellSession(isClockKnown: false);
+            cell.Session.Frames.Need("box");
+            cell.Sampling = t => cell.Send("world", "box", t, Along(t));
+            cell.Run(0.3);
+            Assert.That(cell.Session.Frames.Find("box"), Is.Null);
+
+            cell.Synchronise();
+            cell.Run(0.3, null);
+
+            Assert.That(cell.Session.Frames.StateOf(cell.Session.Frames.Find("box")), Is.EqualTo(PoseState.Current));
+        }
+
+        [Test]
+        public void Frame_StampInTheFuture_IsDroppedAndCounted()
+        {
+            var cell = new CellSession();
+            cell.Session.Frames.Need("box");
+            cell.Sampling = t => cell.Send("world", "box", t, Along(t));
+            cell.Run(0.5);
+
+            cell.Session.Listener.FramesReceived(
+                new TransformsMessage(Along(99).ToTransform(ControlTime.FromSeconds(cell.Now + 5), "world", "box")), false,
+                HeadsetTime.FromSeconds(cell.Now));
+            cell.Run(0.3);
+
+            Assert.That(cell.Session.Drops[DropReason.StampInFuture], Is.EqualTo(1));
+            Assert.That(cell.Session.Frames.StateOf(cell.Session.Frames.Find("box")), Is.EqualTo(PoseState.Current));
+        }
+
+        [Test]
+        public void Frames_MoreThanAllowed_AreDroppedAndCounted()
+        {
+            var cell = new CellSession();
+            for (var i = 0; i < ProtocolLimits.Frames + 3; i++) cell.Send("world", "f" + i, 0, Along(i), isStationary: true);
+
+            cell.Run(0.1);
+
+            Assert.That(cell.Session.Drops[DropReason.TooManyFrames] + cell.Session.Drops[DropReason.SlowReader], Is.EqualTo(3));
+        }
+    }
+}

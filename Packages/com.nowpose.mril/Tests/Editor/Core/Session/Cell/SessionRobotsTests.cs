@@ -1,0 +1,142 @@
+using System;
+using System.Linq;
+using Nowpose.Kinematics;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Session.Cell
+{
+    public class SessionRobotsTests
+    {
+        [Test]
+        public void Robots_EqualJointNames_DoNotMix()
+        {
+            var cell = new CellSession();
+            var second = cell.Session.AddRobot("arm2", TestRobot.Model);
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, 0.1 * (t - 20), 0);
+                cell.SendJoints(t, -0.2 * (t - 20), 1, "arm2");
+                cell.SendJoints(t, 3, 3, "of nobody");
+            };
+            cell.Run(1);
+
+            cell.Run(1, light =>
+            {
+                var main = cell.Session.Robots[0].Frame;
+                Assert.That(main.Joints[0], Is.EqualTo(0.1 * (light - 20)).Within(1e-6));
+                Assert.That(second.Frame.Joints[0], Is.EqualTo(-0.2 * (light - 20)).Within(1e-6));
+                Assert.That(second.Frame.Joints[1], Is.EqualTo(1).Within(1e-6));
+                Assert.That(second.Frame.DisplayTime, Is.EqualTo(main.DisplayTime), "one time for the whole cell");
+            });
+        }
+
+        [Test]
+        public void Robot_WithoutSamples_IsNotCurrentWhileTheOtherIs()
+        {
+            var cell = new CellSession();
+            var second = cell.Session.AddRobot("arm2", TestRobot.Model);
+            cell.Sampling = t => cell.SendJoints(t, 0.5, 0.5);
+
+            cell.Run(1);
+
+            Assert.That(cell.Session.Robots[0].Frame.State, Is.EqualTo(PoseState.Current));
+            Assert.That(second.Frame.State, Is.EqualTo(PoseState.Incomplete));
+        }
+
+        [Test]
+        public void Session_OfANamespace_ReceivesThatRobotOnly()
+        {
+            var cell = new CellSession(robotNamespace: "arm1");
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, 0.3, 0, "arm1");
+                cell.SendJoints(t, 0.9, 0);
+            };
+
+            cell.Run(1);
+
+            Assert.That(cell.Session.Robots.Single().Frame.Joints[0], Is.EqualTo(0.3).Within(1e-9));
+        }
+
+        [Test]
+        public void Reports_OfQualifiedJoints_BelongToTheirRobot()
+        {
+            var cell = new CellSession();
+            var second = cell.Session.AddRobot("arm2", TestRobot.Model);
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, 0, 0);
+                cell.SendJoints(t, 0, 0, "arm2");
+            };
+            cell.Session.Listener.StatusReceived(
+                new JointStatusMessage(new[] { new JointReport("arm2/elbow", JointDataState.Fault, default, "") }), HeadsetTime.FromSeconds(20));
+
+            cell.Run(1);
+
+            Assert.That(cell.Session.Robots[0].Frame.State, Is.EqualTo(PoseState.Current));
+            Assert.That(second.Frame.State, Is.EqualTo(PoseState.Held));
+        }
+
+        [Test]
+        public void RootPose_RootLinkIsAFrame_FollowsIt()
+        {
+            var cell = new CellSession();
+            var second = cell.Session.AddRobot("cart", TestRobot.Model);
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, 0, 0);
+                cell.SendJoints(t, 0, 0, "cart");
+                cell.Send("world", "cart/base", t, RigidTransform.FromXyzRpy(0.3 * t, 2, 0, 0, 0, 0));
+            };
+            cell.Run(1);
+
+            cell.Run(1, light =>
+            {
+                Assert.That(cell.Session.Robots[0].RootPose.X, Is.Zero);
+                Assert.That((second.RootPose.X, second.RootPose.Y), Is.EqualTo((0.3 * light, 2.0)).Using<(double, double)>(
+                    (a, b) => Math.Abs(a.Item1 - b.Item1) < 1e-6 && Math.Abs(a.Item2 - b.Item2) < 1e-6 ? 0 : 1));
+            });
+        }
+
+        [TestCase("")]
+        [TestCase("1st")]
+        [TestCase("arm 2")]
+        [TestCase("an_arm_with_a_name_that_is_too_long")]
+        public void AddRobot_InvalidOrTakenNamespace_Throws(string name)
+        {
+            var session = new CellSession().Session;
+
+            var refused = Assert.Throws<InputException>(() => session.AddRobot(name, Other()));
+
+            Assert.That(refused.Message, Does.StartWith("robot namespace").And.Contain("'" + name + "'"));
+        }
+
+        [Test]
+        public void AddRobot_SameAgain_IsTheKnownOne()
+        {
+            var session = new CellSession().Session;
+
+            Assert.That(session.AddRobot("arm2", TestRobot.Model), Is.SameAs(session.AddRobot("arm2", TestRobot.Model)));
+        }
+
+        [Test]
+        public void AddRobot_MoreThanAllowed_Throws()
+        {
+            var session = new CellSession().Session;
+            for (var i = 1; i < ProtocolLimits.Robots; i++) session.AddRobot("arm" + i, TestRobot.Model);
+
+            Assert.Throws<InputException>(() => session.AddRobot("one_more", TestRobot.Model));
+        }
+
+        [TestCase("1st")]
+        [TestCase("a/b")]
+        public void Settings_InvalidNamespace_Throw(string name) =>
+            Assert.That(
+                () => new CellSession(robotNamespace: name),
+                Throws.TypeOf<InputException>().With.Message.Contains("'" + name + "'").And.Message.Contains("32"));
+
+        static RobotModel Other() => UrdfReader.Read("<robot name='other'><link name='base'/></robot>", "test");
+    }
+}

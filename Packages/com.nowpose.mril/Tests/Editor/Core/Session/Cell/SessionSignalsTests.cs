@@ -1,0 +1,73 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Session.Cell
+{
+    public class SessionSignalsTests
+    {
+        [Test]
+        public void Signal_ChangedInTime_ShowsInTheFrameOfItsStamp()
+        {
+            var cell = new CellSession();
+            var shown = new List<(double Light, double Value)>();
+            cell.Send("grip", 19.5, 0);
+            cell.Run(0.5);
+            // The news arrives before light of that time is shown: the display latency is longer than the rest of the way.
+            cell.Session.Listener.SignalsReceived(
+                new SignalsMessage(ControlTime.FromSeconds(20.7), new SignalValue("grip", 1)), HeadsetTime.FromSeconds(20.62));
+
+            cell.Run(0.5, light => shown.Add((light, ValueOf(cell, "grip"))));
+
+            foreach (var (light, value) in shown) Assert.That(value, Is.EqualTo(light >= 20.7 ? 1 : 0), light + " s");
+        }
+
+        [Test]
+        public void Signal_BeforeTheClockIsKnown_WaitsForIt()
+        {
+            var cell = new CellSession(isClockKnown: false);
+            cell.Send("grip", 19.5, 1);
+            cell.Run(0.2);
+            Assert.That(cell.Session.Signals.Table.Count, Is.Zero);
+
+            cell.Synchronise();
+            cell.Run(0.1);
+
+            Assert.That(ValueOf(cell, "grip"), Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Signal_StampInTheFuture_IsDroppedAndCounted()
+        {
+            var cell = new CellSession();
+            cell.Session.Listener.SignalsReceived(
+                new SignalsMessage(ControlTime.FromSeconds(60), new SignalValue("grip", 1)), HeadsetTime.FromSeconds(20));
+
+            cell.Run(0.2);
+
+            Assert.That(cell.Session.Drops[DropReason.StampInFuture], Is.EqualTo(1));
+        }
+
+        [Test]
+        public void FaultOf_EachState_IsNamed()
+        {
+            var cell = new CellSession();
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo("no value received"));
+            cell.Send("grip", 19.5, 1);
+            cell.Run(0.1);
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.Null);
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: false), Is.EqualTo("no connection"));
+
+            cell.Session.Listener.SignalStatusReceived(
+                new JointStatusMessage(new[] { new JointReport("grip", JointDataState.Stale, default, "its source has ended") }), default);
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.EqualTo("its source has ended"));
+
+            cell.Session.Listener.SignalStatusReceived(new JointStatusMessage(Array.Empty<JointReport>()), default);
+            Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.Null);
+        }
+
+        static double ValueOf(CellSession cell, string signal) => cell.Session.Signals.Table[cell.Session.Signals.Table.IndexOf(signal)].Value;
+    }
+}

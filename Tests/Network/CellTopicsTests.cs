@@ -1,0 +1,72 @@
+using System.Net.WebSockets;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+using NUnit.Framework;
+using static Nowpose.Headless.Tests.Network.PlayedServer;
+
+namespace Nowpose.Headless.Tests.Network;
+
+/// <summary>The topics of several robots and of the cell's objects and signals, on one connection.</summary>
+public class CellTopicsTests
+{
+    PlayedServer _played;
+
+    [SetUp]
+    public void Start() => _played = new PlayedServer();
+
+    [TearDown]
+    public void Stop() => _played.Dispose();
+
+    [Test]
+    public async Task Subscribe_TopicAddedWhileConnected_IsSentAtOnceAndAgainAfterAReconnection()
+    {
+        var socket = await _played.Server.AcceptAsync();
+        await NextAsync(socket, RosTopics.JointStatus);
+
+        _played.Subscriptions.AddRobot("arm2");
+        _played.Subscriptions.AddRobot("arm2");
+
+        await NextAsync(socket, "/arm2/robot_description");
+        await socket.CloseOutputAsync(WebSocketCloseStatus.NormalClosure, "", CancellationToken.None);
+        var second = await _played.Server.AcceptAsync();
+        foreach (var topic in new[] { RosTopics.JointStates, RosTopics.JointStatus, "/arm2/joint_states", "/arm2/joint_trajectory" })
+            await NextAsync(second, topic);
+    }
+
+    [Test]
+    public async Task Receive_RobotInANamespace_IsNotTheOtherOne()
+    {
+        var socket = await _played.Server.AcceptAsync();
+
+        await Send(socket, Good.Replace("/joint_states", "/arm2/joint_states"));
+        await Send(socket, Good);
+
+        await Soon.BecomesAsync(() => _played.Listener.Messages.Count == 2, "two messages");
+        Assert.That(_played.Listener.Robots, Is.EqualTo(new[] { "arm2", "" }));
+    }
+
+    [Test]
+    public async Task Receive_FramesAndSignals_AreDistinguished()
+    {
+        var socket = await _played.Server.AcceptAsync();
+        var pose = new FrameTransform(ControlTime.FromSeconds(5), "world", "box", 1, 2, 3, 0, 0, 0, 1);
+
+        await Send(socket, RosbridgeWriter.PublishTransforms(RosTopics.Tf, new TransformsMessage(pose), RosTimeForm.Sec));
+        await Send(socket, RosbridgeWriter.PublishTransforms(RosTopics.TfStatic, new TransformsMessage(pose), RosTimeForm.Sec));
+        await Send(socket, RosbridgeWriter.PublishSignals(
+            RosTopics.Signals, new SignalsMessage(ControlTime.FromSeconds(5), new SignalValue("grip", 1)), RosTimeForm.Sec));
+
+        await Soon.BecomesAsync(() => !_played.Listener.Signals.IsEmpty, "a signal");
+        Assert.That(_played.Listener.Frames.Select(frame => frame.IsStationary), Is.EqualTo(new[] { false, true }));
+        Assert.That(_played.Listener.Frames.First().Message[0].Child, Is.EqualTo("box"));
+        Assert.That(_played.Listener.Signals.Single()[0].Value, Is.EqualTo(1));
+    }
+
+    static async Task NextAsync(WebSocket socket, string topic)
+    {
+        string text;
+        do text = await ReceiveAsync(socket);
+        while (!text.Contains("\"subscribe\"") || !text.Contains($"\"{topic}\""));
+    }
+}
