@@ -62,12 +62,18 @@ public sealed class VisionPoolTests
             using var pool = new VisionPool(2, script);
             File.WriteAllText(script, "console.error('no memory'); process.exit(7);");
             Assert.That(
-                () => pool.Look(Enumerable.Repeat(PictureRequest.File("a.png"), 40), (_, _) => { }, default), Throws.InstanceOf<InvalidOperationException>().With.Message.Contains("no memory"));
+                () => pool.Look(WithoutEnd(), (_, _) => { }, default), Throws.InstanceOf<InvalidOperationException>().With.Message.Contains("no memory"));
         }
         finally
         {
             File.Delete(script);
         }
+    }
+
+    // The second worker gets a picture at some time.
+    static IEnumerable<PictureRequest> WithoutEnd()
+    {
+        while (true) yield return PictureRequest.File("a.png");
     }
 
     [Test]
