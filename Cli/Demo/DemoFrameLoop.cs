@@ -10,9 +10,14 @@ sealed class DemoFrameLoop(DemoSettings settings, IDemoHeadset headset, IHeadset
 {
     readonly DemoDisplay _display = new(settings);
 
+    readonly DemoBodies _bodies = settings.Work == null ? null : new DemoBodies(settings.Robot);
+
     bool _isScored;
 
     public DemoFrames Frames { get; } = new(settings.Robot.MovingJoints.Count, (int)(settings.Seconds * DemoDisplay.FramesPerSecond) + 1);
+
+    /// <summary>The displayed objects; null if the cell has none.</summary>
+    public DemoBodies Bodies => _bodies;
 
     /// <param name="report">Receives the finished seconds and a status text.</param>
     public void Run(Action<double, Func<string>> report, CancellationToken cancel)
@@ -35,12 +40,14 @@ sealed class DemoFrameLoop(DemoSettings settings, IDemoHeadset headset, IHeadset
         var start = clock.Now;
         BeginScoring(start, start - begin);
         if (_display.DriverTime is TimeSpan gpu) headset.ReportGpuTime(gpu);
+        _bodies?.Follow(headset.Session);
         var bytes = GC.GetAllocatedBytesForCurrentThread();
         var count = Stopwatch.GetTimestamp();
         headset.Step((start - begin).TotalSeconds);
         var cpu = Stopwatch.GetElapsedTime(count);
         bytes = GC.GetAllocatedBytesForCurrentThread() - bytes;
         var frame = headset.Frame;
+        _bodies?.Add(frame);
         var model = headset.Session.Clock.ModelAt(start);
         var offsetErrorUs = model.IsKnown ? (model.OffsetAt(start) - truth.OffsetAt(start)).TotalMicroseconds : double.NaN;
         Frames.Add(frame == null ? [] : frame.Joints, frame == null ? [] : frame.HeldJoints, new DemoFrames.Row(

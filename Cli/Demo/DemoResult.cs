@@ -7,7 +7,7 @@ namespace Nowpose.Cli.Demo;
 sealed record DemoResult(
     double Seconds, int Frames, long Samples, long Dropped, string Network,
     DemoResult.Latencies LatencyMs, DemoResult.ClockErrors Clock, DemoResult.ToolErrors ToolErrorMm, DemoResult.FrameCost Frame,
-    DemoResult.Hindcasts Hindcast, DemoResult.Ranges Range, DemoResult.LightErrors LightErrorMs)
+    DemoResult.Hindcasts Hindcast, DemoResult.Ranges Range, DemoResult.LightErrors LightErrorMs, DemoResult.BodyErrors Bodies)
 {
     /// <summary>The paper's claims with this run's numbers; null without <c>--paper</c>.</summary>
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
@@ -24,6 +24,11 @@ sealed record DemoResult(
     public sealed record ClockErrors(
         double? OffsetErrorUsP50, double? OffsetErrorUsP95, double? OffsetErrorUsMax, double? SkewErrorPpm, double? ConvergedS,
         [property: JsonIgnore] double? StatedErrorUsP50, [property: JsonIgnore] double? WithinStatedShare);
+
+    /// <summary>Errors of the cell's objects while they move.</summary>
+    public sealed record BodyErrors(PoseErrors ErrorMm, PoseErrors ErrorDeg);
+
+    public sealed record PoseErrors(double? HoldRms, double? Rms, double? P95, double? Reduction);
 
     public sealed record ToolErrors(
         double? HoldRms, double? HoldMax, double? Rms, double? P95, double? Max,

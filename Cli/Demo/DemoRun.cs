@@ -12,6 +12,9 @@ sealed record DemoRun(
     DemoSettings Settings, IDemoTruth Truth, DemoFrames Frames, IReadOnlyList<TimeSpan> ApplicationLatencies, SessionStatistics Statistics,
     TimeSpan? Limit = null, int Alarms = 0)
 {
+    /// <summary>The displayed objects; null for none.</summary>
+    public DemoBodies Bodies { get; init; }
+
     /// <summary>The sync exchanges that the runtime received, in order.</summary>
     public IReadOnlyList<SyncExchange> Exchanges { get; init; } = [];
 

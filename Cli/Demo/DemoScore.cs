@@ -24,6 +24,9 @@ sealed class DemoScore
     /// <summary>P95 of the uncompensated error, mm; null when no frame was scored.</summary>
     public double? HoldP95Mm => Percentile(Errors.Select(e => e.HoldMm), 0.95);
 
+    /// <summary>Comparison of the objects.</summary>
+    public BodyScore Bodies => new(_run, ScoredFrames());
+
     public DemoRange Range => new(_run, Errors);
 
     public DemoResult Result()
@@ -31,7 +34,7 @@ sealed class DemoScore
         var statistics = _run.Statistics;
         return new DemoResult(
             Seconds(), _run.Frames.Rows.Count, statistics.Samples, statistics.Dropped,
-            _run.Settings.Network.Name, Latencies(), Clock(), Tool(), Frame(), Hindcast(), Range.Result(), LightErrors());
+            _run.Settings.Network.Name, Latencies(), Clock(), Tool(), Frame(), Hindcast(), Range.Result(), LightErrors(), Bodies.Result());
     }
 
     // 60 frames a second, unless a load slows the display.

@@ -4,6 +4,7 @@ using Nowpose.Latency;
 using Nowpose.Motion;
 using Nowpose.Session;
 using Nowpose.Simulation;
+using Nowpose.Simulation.Work;
 using Nowpose.Sync;
 
 namespace Nowpose.Cli.Demo;
@@ -20,6 +21,9 @@ sealed record DemoSettings
 
     /// <summary>The true motion of the robot.</summary>
     public IMotion Motion { get; init; }
+
+    /// <summary>The work of the robot, which moves objects; null for a motion that is not known to grip.</summary>
+    public CellWork Work { get; init; }
 
     /// <summary>Name of the motion in the report.</summary>
     public string MotionName { get; init; }

@@ -26,7 +26,7 @@ static class DemoStage
         await using var gateway = await GatewayServer.StartAsync(options, control, cancellation: cancel);
         using var source = gateway.Hub.OpenSource();
         source.TryDescribe(settings.RobotText);
-        using var cell = new SimulatedCell(settings.Motion, control, Timing(settings), settings.Seed, settings.PublishesPlan);
+        using var cell = new SimulatedCell(settings.Motion, control, Timing(settings), settings.Seed, settings.PublishesPlan, settings.Work);
         cell.PublishInto(gateway.Hub);
         using var syncRelay = new DelayRelay(gateway.SyncEndPoint, settings.Network, settings.Seed * 1000 + 1);
         using var webSocketRelay = new DelayRelay(gateway.WebSocketEndPoint, settings.Network, settings.Seed * 1000 + 501);
@@ -65,6 +65,6 @@ static class DemoStage
         if (headset.Complaint is string complaint) throw new DemoFailedException("the scene logged an error: " + complaint);
         return new DemoRun(settings, truth, loop.Frames, headset.Log.ApplicationLatencies, headset.Session.Statistics(clock.Now),
             session.Range?.Limit, headset.Alarms)
-        { Exchanges = headset.Log.Exchanges() };
+        { Bodies = loop.Bodies, Exchanges = headset.Log.Exchanges() };
     }
 }

@@ -8,6 +8,7 @@ using Nowpose.Latency.Sweep;
 using Nowpose.Motion;
 using Nowpose.Prediction;
 using Nowpose.Simulation;
+using Nowpose.Simulation.Work;
 
 namespace Nowpose.Cli.Demo;
 
@@ -110,13 +111,15 @@ static class DemoVerb
         if (IsGiven(parsed, Repeats) && !parsed.GetValue(Paper)) throw new InputException("--repeats: needs --paper");
         var robot = RobotFiles.Load(parsed.GetValue(Robot), out var urdf);
         var recording = parsed.GetValue(Recording);
+        var picking = recording == null ? new PickAndPlaceMotion(robot) : null;
         return new DemoSettings
         {
             Seconds = parsed.GetValue(Seconds),
             Network = NetworkProfile.Named(parsed.GetValue(Network)),
             Robot = robot,
             RobotText = urdf,
-            Motion = recording == null ? new PickAndPlaceMotion(robot) : new RecordedMotion(MotionRecording.Read(recording), robot),
+            Motion = picking ?? (IMotion)new RecordedMotion(MotionRecording.Read(recording), robot),
+            Work = picking == null ? null : new CellWork(robot, picking),
             MotionName = recording == null
                 ? "pick-and-place cycle of 7-phase moves" : $"recording {Path.GetFileName(recording)}, forward and backward",
             Predictor = parsed.GetValue(Predictor),

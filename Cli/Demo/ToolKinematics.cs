@@ -10,10 +10,12 @@ sealed class ToolKinematics(RobotModel robot)
     readonly double[] _joints = new double[robot.MovingJoints.Count];
     readonly int _tool = robot.IndexOfLink(robot.ToolLink.Name);
 
-    public ToolPosition At(ReadOnlySpan<double> positions)
+    public ToolPosition At(ReadOnlySpan<double> positions) => ToolPosition.Of(PoseAt(positions));
+
+    public RigidTransform PoseAt(ReadOnlySpan<double> positions)
     {
         _kinematics.Compute(positions, _poses);
-        return ToolPosition.Of(_poses[_tool]);
+        return _poses[_tool];
     }
 
     /// <summary>Gets the position of the real robot's tool at a control time.</summary>

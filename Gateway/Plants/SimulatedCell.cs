@@ -3,6 +3,7 @@ using Nowpose.Gateway.Hub;
 using Nowpose.Motion;
 using Nowpose.Protocol;
 using Nowpose.Simulation;
+using Nowpose.Simulation.Work;
 
 namespace Nowpose.Gateway.Plants;
 
@@ -14,6 +15,7 @@ public sealed class SimulatedCell : IDisposable
     readonly string[] _names;
     readonly ManualResetEventSlim _stop = new();
     readonly SetPointsAhead _setPoints;
+    readonly CellWork _work;
     Thread _thread;
     long _samples;
 
@@ -21,7 +23,14 @@ public sealed class SimulatedCell : IDisposable
     /// <param name="seed">Seed of the acquisition delays.</param>
     /// <param name="publishesPlan">Whether the set-points of the next second are published, too, four times a second.</param>
     public SimulatedCell(IMotion motion, IControlClock clock, CellTiming timing, int seed, bool publishesPlan = false)
+        : this(motion, clock, timing, seed, publishesPlan, null)
     {
+    }
+
+    /// <param name="work">The work of the robot, whose objects and signals are published, too; null for none.</param>
+    internal SimulatedCell(IMotion motion, IControlClock clock, CellTiming timing, int seed, bool publishesPlan, CellWork work)
+    {
+        _work = work;
         Motion = motion;
         _clock = clock;
         _names = [.. motion.JointNames];
@@ -40,7 +49,7 @@ public sealed class SimulatedCell : IDisposable
 
     /// <summary>Gets the robot's true position. Thread-safe; allocates nothing.</summary>
     /// <param name="positions">As long as the motion's joint names, rad or m.</param>
-    public void TruthAt(ControlTime time, Span<double> positions) => Motion.At((time - Start).Ticks / (double)TimeSpan.TicksPerSecond, positions);
+    public void TruthAt(ControlTime time, Span<double> positions) => Motion.At(SecondsAt(time), positions);
 
     /// <summary>Starts to publish to a hub, on a separate thread until disposed.</summary>
     /// <remarks>
@@ -70,6 +79,8 @@ public sealed class SimulatedCell : IDisposable
             _schedule.Next();
         while (_schedule.Sent < _clock.Now);
         var nextPlan = _clock.Now;
+        var work = _work == null ? null : new WorkMessages(_work);
+        if (work != null) source.Publish(work.Stationary(), isStationary: true, []);
         for (; WaitUntil(_schedule.Sent); _schedule.Next())
         {
             if (_setPoints != null && _schedule.Sent >= nextPlan)
@@ -82,8 +93,18 @@ public sealed class SimulatedCell : IDisposable
             TruthAt(_schedule.Taken, positions);
             if (source.TryPublish(new JointStateMessage(_schedule.Taken, _names, positions)) == null)
                 Interlocked.Increment(ref _samples);
+            if (work != null) PublishWork(work, source, _schedule.Taken);
         }
     }
+
+    void PublishWork(WorkMessages work, HubSource source, ControlTime taken)
+    {
+        var seconds = SecondsAt(taken);
+        foreach (var change in work.ChangesUntil(taken, seconds)) source.Publish(change, []);
+        source.Publish(work.FramesAt(taken, seconds), isStationary: false, []);
+    }
+
+    double SecondsAt(ControlTime time) => (time - Start).Ticks / (double)TimeSpan.TicksPerSecond;
 
     // False if stopped.
     bool WaitUntil(ControlTime time) => PreciseWait.While(() => time - _clock.Now, _stop);

@@ -5,6 +5,7 @@ using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Kinematics;
 using Nowpose.Motion;
+using Nowpose.Simulation.Work;
 
 namespace Nowpose.Gateway.Verbs;
 
@@ -40,18 +41,22 @@ static class PlantVerb
                 return;
             }
 
-            var motion = motionOf(parsed, RobotFiles.Load(plant.Robot(parsed), out var urdf));
+            var robot = RobotFiles.Load(plant.Robot(parsed), out var urdf);
+            var motion = motionOf(parsed, robot);
             var clock = server.Clock(parsed);
             await using var gateway = await GatewayServer.StartAsync(
                 server.Options(parsed) with { ControlClock = PlantClocks.Own }, clock, Announcement.Log, stop);
             using var source = gateway.Hub.OpenSource();
             source.TryDescribe(urdf);
             if (server.Records(parsed)) gateway.Recorder.SwitchOn();
-            using var cell = new SimulatedCell(motion, clock, plant.Timing(parsed), plant.Seed(parsed), plant.PublishesPlan(parsed));
+            using var cell = new SimulatedCell(motion, clock, plant.Timing(parsed), plant.Seed(parsed), plant.PublishesPlan(parsed), WorkOf(robot, motion));
             cell.PublishInto(gateway.Hub);
             Announcement.Write(gateway, clock, server.SkewPpm(parsed), plant.Robot(parsed), cell);
             await Task.Delay(Timeout.Infinite, stop);
         });
         return command;
     }
+
+    // A recorded motion does not tell when it grips.
+    static CellWork WorkOf(RobotModel robot, IMotion motion) => motion is IGrippingMotion gripping ? new CellWork(robot, gripping) : null;
 }

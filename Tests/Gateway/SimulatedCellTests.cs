@@ -5,6 +5,8 @@ using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Plants;
 using Nowpose.Motion;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+using Nowpose.Simulation.Work;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
@@ -89,6 +91,44 @@ public class SimulatedCellTests
         Assert.That(cell.Samples, Is.GreaterThanOrEqualTo(2));
         Assert.That(clock.Now - before, Is.LessThan(Soon.Limit));
     }
+
+    [Test]
+    public async Task PublishInto_CellWithWork_PublishesObjectsAndSignals()
+    {
+        var robot = RobotFiles.Load("youbot", out var urdf);
+        var motion = new PickAndPlaceMotion(robot);
+        var work = new CellWork(robot, motion);
+        using var cell = new SimulatedCell(motion, new LookedAtClock(), Timing, 1, false, work);
+        var frames = new ConcurrentQueue<HubMessage>();
+        // A second hub, like that of a restarted gateway: it must get the stationary frames and all signals, too.
+        await SampleOf(cell, new MessageHub());
+        var hub = new MessageHub();
+        using var description = hub.OpenSource();
+        description.TryDescribe(urdf);
+        using var tracked = hub.Subscribe(RosTopics.Tf, frames.Enqueue);
+        using var signals = hub.Subscribe(RosTopics.Signals, frames.Enqueue);
+        using var stationary = hub.Subscribe(RosTopics.TfStatic, frames.Enqueue);
+
+        cell.PublishInto(hub);
+
+        await Soon.BecomesAsync(() => frames.Count >= 20, "objects and signals");
+        var poses = frames.Where(message => message.Topic == RosTopics.Tf).Select(message => (TransformsMessage)message.Content).ToList();
+        foreach (var pose in poses)
+            for (var i = 0; i < pose.Count; i++)
+            {
+                var expected = work.PoseOf(i, (pose[i].Stamp - cell.Start).TotalSeconds, out var parent);
+                Assert.That((pose[i].Child, pose[i].Parent), Is.EqualTo((CellWork.Names[i], parent)));
+                Assert.That(new[] { pose[i].X, pose[i].Y, pose[i].Z }, Is.EqualTo(new[] { expected.X, expected.Y, expected.Z }).Within(1e-9));
+            }
+        Assert.That(poses, Is.Not.Empty);
+        Assert.That(Children(frames, RosTopics.TfStatic), Is.EquivalentTo(new[] { CellWork.Conveyor, CellWork.Fixture }));
+        var values = frames.Where(message => message.Topic == RosTopics.Signals).Select(message => (SignalsMessage)message.Content);
+        Assert.That(values.SelectMany(message => Enumerable.Range(0, message.Count).Select(i => message[i].Name)), Is.SupersetOf(CellWork.Signals));
+    }
+
+    static IEnumerable<string> Children(IEnumerable<HubMessage> messages, string topic) => messages
+        .Where(message => message.Topic == topic).Select(message => (TransformsMessage)message.Content)
+        .SelectMany(message => Enumerable.Range(0, message.Count).Select(i => message[i].Child));
 
     /// <summary>Advances by a millisecond with each reading, so pauses of a busy machine between two readings have no effect.</summary>
     sealed class LookedAtClock : IControlClock

@@ -2,6 +2,7 @@ using Nowpose.Motion;
 using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Simulation;
+using Nowpose.Simulation.Work;
 
 namespace Nowpose.Cli.Demo.Virtual;
 
@@ -22,6 +23,7 @@ sealed class VirtualStage
     readonly VirtualCellSettings _conditions;
     readonly VirtualSamples _samples;
     readonly VirtualExchanges _exchanges;
+    readonly VirtualWork _work;
     readonly IDemoHeadset _headset;
 
     VirtualStage(DemoSettings settings, bool hasScene, IMotion sampled, TimeSpan clockError)
@@ -33,6 +35,7 @@ sealed class VirtualStage
         _conditions = new VirtualCellSettings(settings.SamplingMs, settings.Acquisition.Min, settings.Acquisition.Max, 0, 0, settings.Network);
         _samples = new VirtualSamples(sampled ?? settings.Motion, control, settings.Seed * 100, Start);
         _exchanges = new VirtualExchanges(new VirtualClock(Start, ControlAhead + clockError, ControlSkew), settings.Seed * 100 + 50, Start);
+        _work = settings.Work == null ? null : new VirtualWork(settings.Work, control, settings.Seed * 100 + 90, Start);
         var session = DemoStage.SessionOf(settings, new ConnectionSettings("127.0.0.1", 1, 1));
         var samples = (int)(settings.Seconds * 1000 / settings.SamplingMs) + 1000;
         _headset = hasScene
@@ -58,7 +61,7 @@ sealed class VirtualStage
         return new DemoRun(
             _settings, _truth, loop.Frames, _headset.Log.ApplicationLatencies, _headset.Session.Statistics(_clock.Read),
             _headset.Session.Range?.Limit, _headset.Alarms)
-        { Exchanges = _headset.Log.Exchanges() };
+        { Bodies = loop.Bodies, Exchanges = _headset.Log.Exchanges() };
     }
 
     void GoOnTo(HeadsetTime time)
@@ -67,5 +70,6 @@ sealed class VirtualStage
         var from = time - MaxPause;
         _exchanges.Run(from, time, _conditions, _headset.Session);
         _samples.Run(from, time, _conditions, _headset.Session);
+        _work?.Run(from, time, _conditions, _headset.Session);
     }
 }

@@ -43,7 +43,7 @@ public class DemoVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
         var result = Result();
-        Assert.That(Names(result), Is.EqualTo("seconds frames samples dropped network latency_ms clock tool_error_mm frame hindcast range light_error_ms"));
+        Assert.That(Names(result), Is.EqualTo("seconds frames samples dropped network latency_ms clock tool_error_mm frame hindcast range light_error_ms bodies"));
         Assert.That(result.GetProperty("range").ValueKind, Is.EqualTo(JsonValueKind.Null), "no load");
         Assert.That(Names(result.GetProperty("latency_ms")), Is.EqualTo("app_p50 app_p95 visu total_error_p95"));
         Assert.That(
@@ -54,6 +54,9 @@ public class DemoVerbTests
             Is.EqualTo("hold_rms hold_max rms p95 max reduction reduction_first_cycle reduction_repeated"));
         Assert.That(Names(result.GetProperty("frame")), Is.EqualTo("cpu_us_p50 cpu_us_p99 allocated_bytes_per_frame"));
         Assert.That(Names(result.GetProperty("light_error_ms")), Is.EqualTo("p50 p95 max"));
+        Assert.That(Names(result.GetProperty("bodies")), Is.EqualTo("error_mm error_deg"));
+        foreach (var kind in new[] { "error_mm", "error_deg" })
+            Assert.That(Names(result.GetProperty("bodies").GetProperty(kind)), Is.EqualTo("hold_rms rms p95 reduction"));
         Assert.That(Names(result.GetProperty("hindcast")), Is.EqualTo("reduction reduction_uncertainty rms_mm hold_rms_mm withheld"));
         var repeated = result.GetProperty("tool_error_mm").GetProperty("reduction_repeated");
         Assert.That(repeated.ValueKind, Is.EqualTo(JsonValueKind.Null), "no third cycle in five seconds");

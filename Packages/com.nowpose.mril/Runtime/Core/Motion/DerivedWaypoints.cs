@@ -22,6 +22,9 @@ namespace Nowpose.Motion
             (0, 0), (-1, 0.3), (-1, 1), (-1, 0.3), (1, -0.2), (1, -1), (1, -0.2),
         };
 
+        /// <summary>Indices of the waypoints at which a tool would grip and release: the lowest ones.</summary>
+        public const int Grip = 2, Release = 5;
+
         public static double[][] Of(RobotModel robot) =>
             Cycle.Select(point => Positions(robot, point.Swing, point.Dip)).ToArray();
 

@@ -7,12 +7,13 @@ using Nowpose.Kinematics;
 namespace Nowpose.Motion
 {
     /// <summary>A robot that repeats a pick-and-place cycle, in jerk-limited moves from rest to rest.</summary>
-    public sealed class PickAndPlaceMotion : IMotion
+    public sealed class PickAndPlaceMotion : IGrippingMotion
     {
         readonly RobotModel _robot;
         readonly JointMove[] _moves;
         readonly double[] _ends;
         readonly bool[] _given;
+        readonly double _grip, _release;
 
         /// <param name="robot">The youBot uses its own waypoints; any other robot a cycle derived from its limits.</param>
         /// <exception cref="InputException">The robot has no moving joints or too many, or cannot reach a waypoint.</exception>
@@ -21,7 +22,8 @@ namespace Nowpose.Motion
             _robot = robot;
             JointNames = PlantJoints.NamesOf(robot);
             _given = robot.MovingJoints.Select(joint => joint.Mimic == null).ToArray();
-            var waypoints = YoubotWaypoints.Fits(robot) ? YoubotWaypoints.Of(robot) : DerivedWaypoints.Of(robot);
+            var isYoubot = YoubotWaypoints.Fits(robot);
+            var waypoints = isYoubot ? YoubotWaypoints.Of(robot) : DerivedWaypoints.Of(robot);
             CheckReach(waypoints);
             var limits = robot.MovingJoints.Select(DriveLimits.Of).ToArray();
             _moves = waypoints.Zip(waypoints.Skip(1).Append(waypoints[0]), (from, to) => new JointMove(from, to, limits)).ToArray();
@@ -30,10 +32,14 @@ namespace Nowpose.Motion
                 _ends[i] = CycleSeconds += _moves[i].Duration;
             if (!(CycleSeconds > 0))
                 throw new InputException("robot " + robot.Name + ": has no moving joint; choose another robot");
+            _grip = _ends[(isYoubot ? YoubotWaypoints.Grip : DerivedWaypoints.Grip) - 1];
+            _release = _ends[(isYoubot ? YoubotWaypoints.Release : DerivedWaypoints.Release) - 1];
         }
 
         public IReadOnlyList<string> JointNames { get; }
         public double CycleSeconds { get; }
+        double IGrippingMotion.GripSeconds => _grip;
+        double IGrippingMotion.ReleaseSeconds => _release;
 
         public void At(double seconds, Span<double> positions)
         {

@@ -30,6 +30,9 @@ namespace Nowpose.Motion
             (AbovePlace, Closed), (Place, Closed), (Place, Open), (AbovePlace, Open),
         };
 
+        /// <summary>Indices of the waypoints at which the arm rests while the gripper closes and opens.</summary>
+        public const int Grip = 2, Release = 6;
+
         public static bool Fits(RobotModel robot) => Joints.All(name => robot.IndexOfMovingJoint(name) >= 0);
 
         public static double[][] Of(RobotModel robot) =>

@@ -125,9 +125,10 @@ namespace Nowpose.Network
                 end.Cancel();
                 link.Dispose();
                 foreach (var one in all) await EndOfAsync(one).ConfigureAwait(false);
-                // A task that ends cancels the others; an exceeded limit is reported as the cause even if another task failed first.
+                // A task that ends cancels the others. What was received is the cause even if another task failed first: an exceeded limit, or
+                // the end of the connection by the gateway, after which sending fails.
                 var received = await EndOfAsync(receiving).ConfigureAwait(false);
-                var reason = received is MessageLimitException ? received : await EndOfAsync(first).ConfigureAwait(false);
+                var reason = received == null || received is MessageLimitException ? received : await EndOfAsync(first).ConfigureAwait(false);
                 if (reason != null) ExceptionDispatchInfo.Capture(reason).Throw();
             }
         }

@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Motion;
 using Nowpose.Session;
+using Nowpose.Simulation.Work;
 
 namespace Nowpose.Simulation
 {
@@ -20,12 +21,20 @@ namespace Nowpose.Simulation
         readonly VirtualSamples _samples;
         readonly VirtualExchanges _exchanges;
         readonly VirtualPlans _plans;
+        readonly VirtualWork _work;
 
         /// <param name="clock">The control clock.</param>
         /// <param name="seed">Seed of all delays and losses.</param>
         /// <param name="start">Start of the motion.</param>
         public VirtualCell(IMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start)
+            : this(motion, clock, settings, seed, start, null)
         {
+        }
+
+        /// <param name="work">The work of the robot; null for none.</param>
+        internal VirtualCell(IMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start, CellWork work)
+        {
+            _work = work == null ? null : new VirtualWork(work, clock, unchecked(seed * 100 + 90), start);
             _motion = motion;
             _start = start;
             _clock = clock;
@@ -48,6 +57,7 @@ namespace Nowpose.Simulation
             var from = now - MaxPause;
             _exchanges.Run(from, now, Settings, session);
             _samples.Run(from, now, Settings, session);
+            _work?.Run(from, now, Settings, session);
             if (PlanLag.HasValue) _plans.Run(from, now, PlanLag.Value, Settings, session);
         }
 

@@ -1,3 +1,4 @@
+using System;
 using Nowpose.Frames;
 using Nowpose.Network;
 using Nowpose.Protocol;
@@ -30,6 +31,10 @@ namespace Nowpose.Session.Cell
         }
 
         public FrameTree Tree { get; }
+
+        /// <summary>Reports each used pose; raised within <see cref="CompensationSession.Tick"/>.</summary>
+        /// <remarks>A handler must be fast, must not throw, and must not call the session.</remarks>
+        public event Action<FrameTransform> Taken;
 
         /// <summary>Adds a robot, whose links can be parents, and whose root link may be a frame of the cell.</summary>
         public void Add(SessionRobot robot)
@@ -85,7 +90,7 @@ namespace Nowpose.Session.Cell
 
         void Take(TransformsMessage message)
         {
-            for (var i = 0; i < message.Count; i++) _drops.Count(_needed.Add(message[i], isStationary: true));
+            for (var i = 0; i < message.Count; i++) Add(message[i], isStationary: true);
             message.Release();
         }
 
@@ -94,10 +99,17 @@ namespace Nowpose.Session.Cell
             var now = clock.ToControl(arrival);
             for (var i = 0; i < message.Count; i++)
             {
-                var isInFuture = StampRule.IsInFuture(message[i].Stamp, now, clock.ErrorBound);
-                _drops.Count(isInFuture ? DropReason.StampInFuture : _needed.Add(message[i], isStationary: false));
+                if (StampRule.IsInFuture(message[i].Stamp, now, clock.ErrorBound)) _drops.Count(DropReason.StampInFuture);
+                else Add(message[i], isStationary: false);
             }
             message.Release();
+        }
+
+        void Add(in FrameTransform pose, bool isStationary)
+        {
+            var reason = _needed.Add(pose, isStationary);
+            _drops.Count(reason);
+            if (reason == DropReason.None) Taken?.Invoke(pose);
         }
     }
 }

@@ -1,0 +1,77 @@
+using Nowpose.Frames;
+using Nowpose.Kinematics;
+using Nowpose.Simulation.Work;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>Compares the displayed objects with the truth in the frames in which they move.</summary>
+/// <param name="frames">The scored frames.</param>
+sealed class BodyScore(DemoRun run, IEnumerable<int> frames)
+{
+    const double MillimetresPerMetre = 1000, DegreesPerRadian = 180 / Math.PI;
+
+    /// <summary>Time before and after the light in which an object must move to count as moving, s.</summary>
+    const double HalfInterval = 0.005;
+
+    /// <summary>Minimum speeds of a moving object, m/s and rad/s.</summary>
+    const double MinSpeed = 0.001, MinTurning = 0.005;
+
+    /// <summary>Gets the results; null where the cell has no objects, or none has moved.</summary>
+    public DemoResult.BodyErrors Result()
+    {
+        if (run.Settings.Work is not { } work || run.Bodies == null) return null;
+        var errors = frames.SelectMany(frame => ErrorsIn(frame, work)).ToList();
+        return errors.Count == 0 ? null : new DemoResult.BodyErrors(
+            Of(errors.Select(e => (e.HoldMm, e.Mm)).ToList()), Of(errors.Select(e => (e.HoldDeg, e.Deg)).ToList()));
+    }
+
+    /// <summary>Gets the largest distance between a gripped object and its place in the displayed gripper, mm; null for none.</summary>
+    public double? LargestSlipMm()
+    {
+        if (run.Settings.Work is not { } work || run.Bodies == null) return null;
+        var tool = new ToolKinematics(run.Settings.Robot);
+        var joints = new double[run.Settings.Robot.MovingJoints.Count];
+        double? largest = null;
+        foreach (var frame in frames)
+            for (var body = 0; body < CellWork.Names.Count; body++)
+            {
+                var shown = run.Bodies.At(frame, body);
+                if (!shown.IsKnown || shown.Parent != run.Settings.Robot.ToolLink.Name) continue;
+                for (var joint = 0; joint < joints.Length; joint++) joints[joint] = run.Frames.Displayed(frame, joint);
+                largest = Math.Max(largest ?? 0, MillimetresPerMetre * DistanceOf(shown.Displayed, tool.PoseAt(joints) * work.InTool));
+            }
+        return largest;
+    }
+
+    IEnumerable<(double HoldMm, double Mm, double HoldDeg, double Deg)> ErrorsIn(int frame, CellWork work)
+    {
+        var light = run.Truth.MotionSecondsAt(run.Frames.Rows[frame].TrueLight);
+        for (var body = 0; body < CellWork.Names.Count; body++)
+        {
+            var shown = run.Bodies.At(frame, body);
+            if (!shown.IsKnown || !IsMoving(work, body, light)) continue;
+            var truth = work.WorldOf(body, light);
+            yield return (
+                MillimetresPerMetre * DistanceOf(shown.Held, truth), MillimetresPerMetre * DistanceOf(shown.Displayed, truth),
+                DegreesPerRadian * AngleOf(shown.Held, truth), DegreesPerRadian * AngleOf(shown.Displayed, truth));
+        }
+    }
+
+    static bool IsMoving(CellWork work, int body, double light)
+    {
+        var (before, after) = (work.WorldOf(body, light - HalfInterval), work.WorldOf(body, light + HalfInterval));
+        return DistanceOf(before, after) > 2 * HalfInterval * MinSpeed || AngleOf(before, after) > 2 * HalfInterval * MinTurning;
+    }
+
+    static double DistanceOf(in RigidTransform a, in RigidTransform b) => new Vector3D(a.X - b.X, a.Y - b.Y, a.Z - b.Z).Length;
+
+    static double AngleOf(in RigidTransform a, in RigidTransform b) => UnitQuaternion.AngleBetween(UnitQuaternion.Of(a), UnitQuaternion.Of(b));
+
+    static DemoResult.PoseErrors Of(List<(double Hold, double Error)> errors)
+    {
+        var (hold, rms) = (Rms(errors.Select(e => e.Hold)), Rms(errors.Select(e => e.Error)));
+        return new DemoResult.PoseErrors(hold, rms, Quantile.Of(errors.Select(e => e.Error).ToList(), 0.95), hold > 0 ? 1 - rms / hold : null);
+    }
+
+    static double Rms(IEnumerable<double> values) => Math.Sqrt(values.Average(v => v * v));
+}

@@ -1,0 +1,71 @@
+using Nowpose.Frames;
+using Nowpose.Kinematics;
+using Nowpose.Protocol.Cell;
+using Nowpose.Session;
+using Nowpose.Simulation.Work;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>The displayed poses of the cell's objects in all frames. Written during the run, read afterwards.</summary>
+sealed class DemoBodies
+{
+    readonly ForwardKinematics _kinematics;
+    readonly RobotModel _robot;
+    readonly RigidTransform[] _heldLinks;
+    readonly FrameTransform?[] _newest = new FrameTransform?[CellWork.Names.Count];
+    readonly List<Shown> _shown = [];
+    CompensationSession _followed;
+
+    public DemoBodies(RobotModel robot)
+    {
+        _robot = robot;
+        _kinematics = new ForwardKinematics(robot);
+        _heldLinks = new RigidTransform[robot.Links.Count];
+    }
+
+    /// <summary>Gets what a frame showed of an object; the default before its first sample.</summary>
+    public Shown At(int frame, int body) => _shown[frame * CellWork.Names.Count + body];
+
+    /// <summary>Shows the objects in a session from now on.</summary>
+    public void Follow(CompensationSession session)
+    {
+        if (session == null || session == _followed) return;
+        _followed = session;
+        Array.Clear(_newest);
+        session.Frames.Taken += Take;
+        for (var body = 0; body < CellWork.Names.Count; body++) session.Frames.Need(CellWork.Names[body]);
+    }
+
+    /// <summary>Records the objects in the newest frame.</summary>
+    /// <param name="frame">Null before the robot is known.</param>
+    public void Add(DisplayFrame frame)
+    {
+        if (frame != null) _kinematics.Compute(frame.HeldJoints, _heldLinks);
+        for (var body = 0; body < CellWork.Names.Count; body++)
+        {
+            var found = frame == null ? null : _followed?.Frames.Find(CellWork.Names[body]);
+            _shown.Add(found == null || HeldOf(body) is not { } held ? default : new Shown(true, found.World, held, found.Parent));
+        }
+    }
+
+    // A display without compensation shows the newest sample in its parent, which is a link of the held robot or stationary.
+    RigidTransform? HeldOf(int body)
+    {
+        if (_newest[body] is not { } sample) return null;
+        var link = _robot.IndexOfLink(sample.Parent);
+        var parent = link >= 0 ? _heldLinks[link] : _followed.Frames.Find(sample.Parent)?.World;
+        return parent is { } pose ? pose * sample.ToPose() : null;
+    }
+
+    void Take(FrameTransform pose)
+    {
+        for (var body = 0; body < _newest.Length; body++)
+            if (pose.Child == CellWork.Names[body] && !(pose.Stamp <= _newest[body]?.Stamp)) _newest[body] = pose;
+    }
+
+    /// <param name="IsKnown">Whether a sample had arrived.</param>
+    /// <param name="Displayed">Pose of the object in the robot's base frame.</param>
+    /// <param name="Held">The same without compensation.</param>
+    /// <param name="Parent">Parent of the displayed pose.</param>
+    public readonly record struct Shown(bool IsKnown, RigidTransform Displayed, RigidTransform Held, string Parent);
+}

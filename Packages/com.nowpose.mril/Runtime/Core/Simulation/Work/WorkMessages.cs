@@ -1,0 +1,55 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Frames;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+
+namespace Nowpose.Simulation.Work
+{
+    /// <summary>Messages of a cell's objects and signals, as its control system publishes them. One thread.</summary>
+    /// <remarks>Signals are evaluated in each control cycle; a message has the stamp of the cycle in which a signal changed.</remarks>
+    sealed class WorkMessages
+    {
+        static readonly TimeSpan Cycle = new TimeSpan(TimeSpan.TicksPerMillisecond);
+
+        readonly CellWork _work;
+        readonly double[] _now = new double[CellWork.Signals.Count];
+        readonly double[] _sent = new double[CellWork.Signals.Count];
+        ControlTime? _newest;
+
+        public WorkMessages(CellWork work) => _work = work;
+
+        /// <summary>Returns the poses of the stationary frames, which are valid at all times.</summary>
+        public TransformsMessage Stationary() => new TransformsMessage(
+            _work.ConveyorPose.ToTransform(default, FrameParents.World, CellWork.Conveyor),
+            _work.FixturePose.ToTransform(default, FrameParents.World, CellWork.Fixture));
+
+        /// <summary>Returns the poses of all workpieces.</summary>
+        /// <param name="seconds">Time since the start of the robot's motion at the stamp, s.</param>
+        public TransformsMessage FramesAt(ControlTime stamp, double seconds)
+        {
+            var transforms = new FrameTransform[CellWork.Names.Count];
+            for (var i = 0; i < transforms.Length; i++)
+                transforms[i] = _work.PoseOf(i, seconds, out var parent).ToTransform(stamp, parent, CellWork.Names[i]);
+            return new TransformsMessage(transforms);
+        }
+
+        /// <summary>Returns the changes of signals since the last call; the first time, all values.</summary>
+        /// <inheritdoc cref="FramesAt"/>
+        public IEnumerable<SignalsMessage> ChangesUntil(ControlTime stamp, double seconds)
+        {
+            var cycles = _newest.HasValue ? (stamp - _newest.Value).Ticks / Cycle.Ticks : 1;
+            var isFirst = !_newest.HasValue;
+            _newest = stamp;
+            for (var left = cycles - 1; left >= 0; left--)
+            {
+                _work.SignalsAt(seconds - left * ClockTicks.Seconds(Cycle), _now);
+                var changed = new List<SignalValue>();
+                for (var i = 0; i < _now.Length; i++)
+                    if (isFirst || _now[i] != _sent[i]) changed.Add(new SignalValue(CellWork.Signals[i], _now[i]));
+                _now.CopyTo(_sent, 0);
+                if (changed.Count > 0) yield return new SignalsMessage(stamp - new TimeSpan(left * Cycle.Ticks), changed.ToArray());
+            }
+        }
+    }
+}

@@ -1,0 +1,53 @@
+using Nowpose.Cli.Demo;
+using Nowpose.Cli.Demo.Virtual;
+using Nowpose.Gateway.Plants;
+using Nowpose.Motion;
+using Nowpose.Simulation;
+using Nowpose.Simulation.Work;
+using NUnit.Framework;
+
+namespace Nowpose.Unity.Tests.Demo;
+
+/// <summary>The cell's objects in a demo in virtual time.</summary>
+public class BodiesInDemoTests
+{
+    static DemoSettings Settings(int seed, string predictor = "adaptive")
+    {
+        var robot = RobotFiles.Load("youbot", out var urdf);
+        var motion = new PickAndPlaceMotion(robot);
+        return new DemoSettings
+        {
+            Seconds = 20, Network = NetworkProfile.Wifi, Robot = robot, RobotText = urdf, Motion = motion, Work = new CellWork(robot, motion),
+            Predictor = predictor, SamplingMs = 50, Acquisition = new(55, 105), VisualisationMs = 40, Seed = seed,
+        };
+    }
+
+    [TestCase(1)]
+    [TestCase(2)]
+    [TestCase(3)]
+    public void Objects_WhileTheyMove_AreShownWhereTheyAre(int seed)
+    {
+        var score = new DemoScore(VirtualStage.Play(Settings(seed), hasScene: false));
+
+        var bodies = score.Result().Bodies;
+
+        Assert.That(bodies.ErrorMm.Reduction, Is.GreaterThan(0.85));
+        Assert.That(bodies.ErrorMm.Rms, Is.LessThan(3));
+        Assert.That(bodies.ErrorDeg.Reduction, Is.GreaterThan(0.85));
+        Assert.That(bodies.ErrorDeg.Rms, Is.LessThan(1));
+        Assert.That(score.Bodies.LargestSlipMm(), Is.LessThan(0.1), "a gripped object stays in the gripper");
+    }
+
+    [Test]
+    public void Objects_WithoutCompensation_HaveTheErrorOfHold()
+    {
+        var bodies = new DemoScore(VirtualStage.Play(Settings(1, "hold"), hasScene: false)).Result().Bodies;
+
+        Assert.That(bodies.ErrorMm.Reduction, Is.EqualTo(0).Within(0.02));
+        Assert.That(bodies.ErrorMm.HoldRms, Is.GreaterThan(15));
+    }
+
+    [Test]
+    public void Result_CellWithoutObjects_HasNone() => Assert.That(
+        new DemoScore(VirtualStage.Play(Settings(1) with { Work = null, Seconds = 6 }, hasScene: false)).Result().Bodies, Is.Null);
+}
