@@ -26,6 +26,9 @@ sealed class DemoBodies
     /// <summary>Gets what a frame showed of an object; the default before its first sample.</summary>
     public Shown At(int frame, int body) => _shown[frame * CellWork.Names.Count + body];
 
+    /// <summary>Gets whether samples of all objects had arrived.</summary>
+    public bool AreKnown(int frame) => Enumerable.Range(0, CellWork.Names.Count).All(body => At(frame, body).IsKnown);
+
     /// <summary>Shows the objects in a session from now on.</summary>
     public void Follow(CompensationSession session)
     {

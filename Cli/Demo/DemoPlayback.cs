@@ -1,3 +1,7 @@
+using Nowpose.Frames;
+using Nowpose.Kinematics;
+using Nowpose.Simulation.Work;
+
 namespace Nowpose.Cli.Demo;
 
 /// <summary>The frames for the report's 3D playback, at the instants of the error's plot: true, displayed and held position of all joints.</summary>
@@ -25,8 +29,33 @@ sealed class DemoPlayback(DemoScore score, DemoRun run, ControlTime start)
             Truth = frames.Select(TruthAt),
             Displayed = frames.Select(frame => Joints(joint => run.Frames.Displayed(frame, joint))),
             Hold = frames.Select(frame => Joints(joint => run.Frames.Held(frame, joint))),
+            Objects = Objects(frames),
         };
     }
+
+    // Null in frames before the first sample of an object.
+    object Objects(List<int> frames) => run.Settings.Work is not { } work || run.Bodies is not { } bodies ? null : new
+    {
+        CellWork.Names,
+        CellWork.Size,
+        Belt = work.Belt().Select(Position),
+        Fixture = Position(work.FixturePose),
+        Truth = frames.Select(frame => Poses(body => TrueOf(work, frame, body))),
+        Displayed = frames.Select(frame => bodies.AreKnown(frame) ? Poses(body => bodies.At(frame, body).Displayed) : null),
+        Hold = frames.Select(frame => bodies.AreKnown(frame) ? Poses(body => bodies.At(frame, body).Held) : null),
+    };
+
+    RigidTransform TrueOf(CellWork work, int frame, int body) => work.WorldOf(body, run.Truth.MotionSecondsAt(run.Frames.Rows[frame].TrueLight));
+
+    static double[] Poses(Func<int, RigidTransform> poseOf) => [.. Enumerable.Range(0, CellWork.Names.Count).SelectMany(body => Numbers(poseOf(body)))];
+
+    static double[] Numbers(RigidTransform pose)
+    {
+        var rotation = UnitQuaternion.Of(pose);
+        return [.. Position(pose), .. new[] { rotation.X, rotation.Y, rotation.Z, rotation.W }.Select(part => Math.Round(part, 4))];
+    }
+
+    static double[] Position(RigidTransform pose) => [Math.Round(pose.X, 5), Math.Round(pose.Y, 5), Math.Round(pose.Z, 5)];
 
     double[] TruthAt(int frame)
     {

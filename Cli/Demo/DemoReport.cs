@@ -69,6 +69,7 @@ static class DemoReport
         ["Reduction as the headset measured it", r.Hindcast.ReductionText],
         ["Application latency, median and P95", $"{Number(r.LatencyMs.AppP50)} ms, {Number(r.LatencyMs.AppP95)} ms"],
         ["Display time error, P95", $"{Number(r.LatencyMs.TotalErrorP95)} ms"],
+        .. Facts(new DemoBodyWords(r.Bodies).Rows),
         .. Facts(range.Rows),
         ["Clock offset error, median and P95", $"{Number(r.Clock.OffsetErrorUsP50)} µs, {Number(r.Clock.OffsetErrorUsP95)} µs"],
         ["Clock offset error, maximum", $"{Number(r.Clock.OffsetErrorUsMax)} µs"],

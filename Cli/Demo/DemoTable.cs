@@ -41,11 +41,7 @@ static class DemoTable
         Row("application latency", $"{Ms(result.LatencyMs.AppP50)} median, {Ms(result.LatencyMs.AppP95)} P95");
         Row("visualisation latency", Ms(result.LatencyMs.Visu));
         Row("display time error", $"{Ms(result.LatencyMs.TotalErrorP95)} P95");
-        if (result.Bodies is { } bodies)
-        {
-            Row("objects while they move", $"{Mm(bodies.ErrorMm.HoldRms)} to {Mm(bodies.ErrorMm.Rms)} RMS, reduction {Percent(bodies.ErrorMm.Reduction)}");
-            Row("their rotation", $"{Degrees(bodies.ErrorDeg.HoldRms)} to {Degrees(bodies.ErrorDeg.Rms)} RMS, reduction {Percent(bodies.ErrorDeg.Reduction)}");
-        }
+        foreach (var (label, value) in new DemoBodyWords(result.Bodies).Rows) Row(label, value);
         foreach (var (label, value) in range.Rows) Row(label, value);
         var clock = result.Clock;
         Row("clock offset error", $"{Us(clock.OffsetErrorUsP50)} median, {Us(clock.OffsetErrorUsP95)} P95, {Us(clock.OffsetErrorUsMax)} maximum");
@@ -59,7 +55,6 @@ static class DemoTable
     }
 
     static string Mm(double? value) => Text(value, "0.00", " mm");
-    static string Degrees(double? value) => Text(value, "0.00", "°");
     static string Ms(double? value) => Text(value, "0.0#", " ms");
     static string Us(double? value) => Text(value, "0.#", " µs");
     static string Percent(double? share) => Text(100 * share, "0.0", " %");

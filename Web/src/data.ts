@@ -104,6 +104,21 @@ export interface PlaybackData {
   truth: number[][];
   displayed: number[][];
   hold: number[][];
+  objects?: ObjectsData | null;
+}
+
+/** Objects of the cell. Per instant, seven numbers for each object: position in m and unit quaternion, in the robot's base frame. */
+export interface ObjectsData {
+  names: string[];
+  /** Edge length of the cubes, m. */
+  size: number;
+  /** Points on the belt, m. */
+  belt: number[][];
+  fixture: number[];
+  truth: number[][];
+  /** Null while an object was unknown. */
+  displayed: (number[] | null)[];
+  hold: (number[] | null)[];
 }
 
 export function hasPoints(values: ArrayLike<unknown> | null | undefined): boolean {

@@ -4,6 +4,7 @@ import { Legend } from './legend';
 import { format } from './numbers';
 import type { Playhead } from './playhead';
 import type { Part } from './robot/bodies';
+import { Objects } from './robot/objects';
 import { RobotView } from './robot/view';
 import type { Look } from './traces';
 
@@ -25,6 +26,7 @@ export class Playback {
   private readonly clock = el('output', { class: 'clock' });
   private readonly speed = el('select', {}, ...SPEEDS.map(s => el('option', { value: s }, `${s} ×`)));
   private readonly hidden = new Set<Part>();
+  private readonly objects: Objects | null;
   private time: number;
   private playedAt: number | null = null;
 
@@ -40,7 +42,7 @@ export class Playback {
       'section',
       { id: 'playback', 'aria-labelledby': 'playback-heading' },
       el('h2', { id: 'playback-heading' }, 'Playback'),
-      el('p', { class: 'claim' }, 'The robot at one moment of the session; plots and playback move together.'),
+      el('p', { class: 'claim' }, 'The cell at one moment of the session; plots and playback move together.'),
       legend.element,
       this.words,
       this.view.element,
@@ -56,6 +58,8 @@ export class Playback {
       this.show(time);
     });
     this.view.describe(data.urdf);
+    this.objects = data.objects ? new Objects(data.objects) : null;
+    if (this.objects) this.view.add(this.objects);
     this.show(t[0]);
   }
 
@@ -104,8 +108,19 @@ export class Playback {
     for (const part of Object.keys(poses) as Part[]) bodies.pose(part, names, poses[part][i]);
     const [compensated, held] = [bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth')];
     for (const part of this.hidden) bodies.pose(part, names, null);
+    const workpieces = this.showObjects(i);
     this.view.ask();
-    this.words.textContent = `The tool is drawn ${format(compensated, 'mm')} from where it was; without compensation ${format(held, 'mm')}.`;
+    this.words.textContent =
+      `The tool is drawn ${format(compensated, 'mm')} from where it was; without compensation ${format(held, 'mm')}.` + workpieces;
+  }
+
+  private showObjects(instant: number): string {
+    const { objects } = this.data;
+    if (!objects || !this.objects) return '';
+    const poses = { truth: objects.truth[instant], displayed: objects.displayed[instant], hold: objects.hold[instant] };
+    for (const part of Object.keys(poses) as Part[]) this.objects.pose(part, this.hidden.has(part) ? null : poses[part]);
+    const [compensated, held] = [poses.displayed, poses.hold].map(shown => shown && this.objects!.largestDistance(shown, poses.truth));
+    return ` Workpieces: at most ${format(compensated, 'mm')}, without compensation ${format(held, 'mm')}.`;
   }
 }
 

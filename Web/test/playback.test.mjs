@@ -140,3 +140,38 @@ describe('the playback of a report', () => {
     assert.ok(html.length < 900_000, `${html.length} bytes`);
   });
 });
+
+describe('the objects in the playback', () => {
+  // One cube that moves along x, is 2 mm behind as displayed, and 30 mm behind without compensation.
+  function withObjects() {
+    const { playback, ...others } = withPlayback();
+    const at = behind => playback.t.map(time => [0.3 + 0.1 * time - behind, 0.4, 0, 0, 0, 0, 1]);
+    const objects = { names: ['workpiece_1'], size: 0.03, belt: [[0, 0.4, 0], [1, 0.4, 0]], fixture: [0.3, 0.4, 0], truth: at(0), displayed: at(0.002), hold: at(0.03) };
+    objects.displayed[0] = objects.hold[0] = null;
+    return { ...others, playback: { ...playback, objects } };
+  }
+
+  it('are drawn with their distances, and not before they were known', async () => {
+    const page = await browser.open(withObjects());
+    assert.match(await words(page), /Workpieces: at most –, without compensation –/);
+
+    await page.locator('#playback input[type=range]').fill('4');
+
+    const [, , compensated, held] = (await words(page)).match(/[\d.]+(?=\u00a0mm)/g).map(Number);
+    assert.ok(Math.abs(compensated - 2) < 0.01 && Math.abs(held - 30) < 0.01, await words(page));
+    assert.deepEqual(page.complaints, []);
+    await page.context().close();
+  });
+
+  it('are hidden with their pose', async () => {
+    const page = await browser.open(withObjects());
+    const stage = page.locator('#playback .stage');
+    await page.locator('#playback input[type=range]').fill('4');
+    assert.ok((await picture(page, stage, counts => counts.blue > 0)).blue > 0);
+
+    await page.click('#playback .legend button:has-text("compensated")');
+
+    assert.equal((await picture(page, stage, counts => counts.blue === 0)).blue, 0);
+    await page.context().close();
+  });
+});

@@ -24,7 +24,7 @@ export const PARTS: Record<Part, { ink: Ink; opacity: number; place: number }> =
 };
 
 /** Moves faces back by an invisible amount: a pixel along a slope, and about 3 mm in depth if a robot of 1 m fills the picture. */
-const BACK = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 200 };
+export const BACK = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 200 };
 
 /** Several instances of one robot, each with its own colour and joint positions. */
 export class Bodies {

@@ -3,6 +3,7 @@ import { el } from '../dom';
 import { colour, onColoursChanged } from '../theme';
 import { Bodies } from './bodies';
 import { OrbitCamera } from './camera';
+import type { Objects } from './objects';
 
 const KEYS = 'Arrow keys turn the view, plus and minus zoom, 0 resets; or drag, and double-click.';
 const HEIGHT = 380;
@@ -14,6 +15,7 @@ const ROOM = 0.03;
 export class RobotView {
   readonly element: HTMLElement;
   private bodiesShown: Bodies | null = null;
+  private objects: Objects | null = null;
   private readonly note = el('p', { class: 'missing', hidden: true });
   private readonly scene = new Scene();
   private readonly renderer: WebGLRenderer | null;
@@ -78,6 +80,12 @@ export class RobotView {
     this.recolour();
   }
 
+  /** Shows objects beside the robot, for as long as the page exists. */
+  add(objects: Objects): void {
+    this.objects = objects;
+    this.scene.add(objects.group);
+  }
+
   /** Requests a redraw with the next frame. Several calls cause one redraw. */
   ask(): void {
     if (this.isAsked || !this.isSeen || !this.renderer) return;
@@ -98,6 +106,7 @@ export class RobotView {
   private widen(): void {
     const box = new Box3();
     this.bodiesShown?.addTo(box);
+    this.objects?.addTo(box);
     const size = box.getSize(new Vector3()).length();
     // Sizes in the description may not be finite.
     if (box.isEmpty() || !Number.isFinite(size) || this.seen.containsBox(box)) return;
@@ -108,6 +117,7 @@ export class RobotView {
 
   private recolour(): void {
     this.bodiesShown?.recolour();
+    this.objects?.recolour();
     this.scene.background = new Color(colour('--surface'));
     this.scene.children
       .filter(child => child instanceof GridHelper)

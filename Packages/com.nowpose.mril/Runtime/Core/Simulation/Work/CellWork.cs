@@ -86,6 +86,17 @@ namespace Nowpose.Simulation.Work
             return passed < _held ? ToolAt(seconds) * InTool : OnBelt(passed);
         }
 
+        /// <summary>Returns points on the belt, from the fixture to where workpieces are taken, in the robot's base frame.</summary>
+        public IEnumerable<RigidTransform> Belt()
+        {
+            const int points = 48;
+            for (var i = 0; i <= points; i++)
+            {
+                var pose = _conveyor.At((double)i * Names.Count / points);
+                yield return RigidTransform.FromXyzRpy(pose.X, pose.Y, pose.Z - Size / 2, 0, 0, 0);
+            }
+        }
+
         /// <summary>Gets the values of all signals.</summary>
         /// <param name="values">One per element of <see cref="Signals"/>, 0 or 1.</param>
         public void SignalsAt(double seconds, Span<double> values)

@@ -1,0 +1,19 @@
+using System.Globalization;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>The errors of the cell's objects as text; no rows where the cell has none.</summary>
+sealed class DemoBodyWords(DemoResult.BodyErrors bodies)
+{
+    public IReadOnlyList<(string Label, string Value)> Rows => bodies == null ? [] :
+    [
+        ("workpieces while they move", Row(bodies.ErrorMm, "0.00", " mm")),
+        ("rotation of these workpieces", Row(bodies.ErrorDeg, "0.00", "°")),
+    ];
+
+    static string Row(DemoResult.PoseErrors error, string format, string unit) =>
+        $"{Text(error.HoldRms, format, unit)} to {Text(error.Rms, format, unit)} RMS, reduction {Text(100 * error.Reduction, "0.0", " %")}";
+
+    static string Text(double? value, string format, string unit) =>
+        value is double number ? number.ToString(format, CultureInfo.InvariantCulture) + unit : "–";
+}

@@ -1,0 +1,103 @@
+import {
+  type Box3,
+  BoxGeometry,
+  BufferGeometry,
+  Color,
+  Float32BufferAttribute,
+  Group,
+  Line,
+  LineBasicMaterial,
+  Mesh,
+  MeshPhongMaterial,
+  Quaternion,
+  Vector3,
+} from 'three';
+import type { ObjectsData } from '../data';
+import { colour } from '../theme';
+import { BACK, type Part, PARTS } from './bodies';
+
+/** Numbers per object in a pose: x, y, z in m and a unit quaternion, scalar part last. */
+const NUMBERS = 7;
+
+const ALL = Object.keys(PARTS) as Part[];
+
+/** The workpieces of a cell, each with the colours of the robot's poses, on the belt and the fixture that carry them. */
+export class Objects {
+  readonly group = new Group();
+  private readonly cubes: Record<Part, Mesh[]>;
+  private readonly materials: Record<Part, MeshPhongMaterial>;
+  private readonly stands = new LineBasicMaterial();
+  private readonly geometry: BoxGeometry;
+
+  constructor(private readonly data: ObjectsData) {
+    this.geometry = new BoxGeometry(data.size, data.size, data.size);
+    const each = <T>(make: (part: Part) => T) => ({ truth: make('truth'), displayed: make('displayed'), hold: make('hold') });
+    this.materials = each(
+      part => new MeshPhongMaterial({ transparent: PARTS[part].opacity < 1, opacity: PARTS[part].opacity, ...(PARTS[part].opacity < 1 ? BACK : {}) }),
+    );
+    this.cubes = each(part =>
+      data.names.map(() => {
+        const cube = new Mesh(this.geometry, this.materials[part]);
+        cube.renderOrder = PARTS[part].place;
+        this.group.add(cube);
+        return cube;
+      }),
+    );
+    this.group.add(lineOf(data.belt, this.stands), lineOf(squareAt(data.fixture, data.size), this.stands));
+    this.recolour();
+  }
+
+  /** @param poses Poses of all objects; null hides them. */
+  pose(part: Part, poses: ArrayLike<number> | null): void {
+    this.cubes[part].forEach((cube, i) => {
+      cube.visible = poses !== null;
+      if (poses) place(cube, poses, i);
+    });
+  }
+
+  /** Gets the largest distance of an object between two poses, mm. */
+  largestDistance(a: ArrayLike<number>, b: ArrayLike<number>): number {
+    return Math.max(...this.data.names.map((_, i) => 1000 * positionOf(a, i).distanceTo(positionOf(b, i))));
+  }
+
+  addTo(box: Box3): void {
+    box.expandByObject(this.group);
+  }
+
+  recolour(): void {
+    for (const part of ALL) this.materials[part].color = new Color(colour(PARTS[part].ink));
+    this.stands.color = new Color(colour('--muted'));
+  }
+
+  /** Releases the graphics memory. The object is then unusable. */
+  dispose(): void {
+    this.group.traverse(object => (object as Partial<Line>).geometry?.dispose());
+    for (const part of ALL) this.materials[part].dispose();
+    this.stands.dispose();
+  }
+}
+
+function place(cube: Mesh, poses: ArrayLike<number>, object: number): void {
+  const at = NUMBERS * object;
+  cube.position.copy(positionOf(poses, object));
+  cube.quaternion.copy(new Quaternion(poses[at + 3], poses[at + 4], poses[at + 5], poses[at + 6]));
+}
+
+function positionOf(poses: ArrayLike<number>, object: number): Vector3 {
+  const at = NUMBERS * object;
+  return new Vector3(poses[at], poses[at + 1], poses[at + 2]);
+}
+
+function lineOf(points: number[][], material: LineBasicMaterial): Line {
+  return new Line(new BufferGeometry().setAttribute('position', new Float32BufferAttribute(points.flat(), 3)), material);
+}
+
+function squareAt([x, y, z]: number[], size: number): number[][] {
+  return [
+    [-1, -1],
+    [1, -1],
+    [1, 1],
+    [-1, 1],
+    [-1, -1],
+  ].map(([i, j]) => [x + i * size, y + j * size, z]);
+}
