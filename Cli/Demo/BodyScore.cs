@@ -33,12 +33,12 @@ sealed class BodyScore(DemoRun run, IEnumerable<int> frames)
         var joints = new double[run.Settings.Robot.MovingJoints.Count];
         double? largest = null;
         foreach (var frame in frames)
-            for (var body = 0; body < CellWork.Names.Count; body++)
+            for (var body = 0; body < work.Names.Count; body++)
             {
                 var shown = run.Bodies.At(frame, body);
                 if (!shown.IsKnown || shown.Parent != run.Settings.Robot.ToolLink.Name) continue;
                 for (var joint = 0; joint < joints.Length; joint++) joints[joint] = run.Frames.Displayed(frame, joint);
-                largest = Math.Max(largest ?? 0, MillimetresPerMetre * DistanceOf(shown.Displayed, tool.PoseAt(joints) * work.InTool));
+                largest = Math.Max(largest ?? 0, MillimetresPerMetre * DistanceOf(shown.Displayed, tool.PoseAt(joints) * work.Robots[0].InTool));
             }
         return largest;
     }
@@ -46,7 +46,7 @@ sealed class BodyScore(DemoRun run, IEnumerable<int> frames)
     IEnumerable<(double HoldMm, double Mm, double HoldDeg, double Deg)> ErrorsIn(int frame, CellWork work)
     {
         var light = run.Truth.MotionSecondsAt(run.Frames.Rows[frame].TrueLight);
-        for (var body = 0; body < CellWork.Names.Count; body++)
+        for (var body = 0; body < work.Names.Count; body++)
         {
             var shown = run.Bodies.At(frame, body);
             if (!shown.IsKnown || !IsMoving(work, body, light)) continue;

@@ -12,22 +12,25 @@ sealed class DemoBodies
     readonly ForwardKinematics _kinematics;
     readonly RobotModel _robot;
     readonly RigidTransform[] _heldLinks;
-    readonly FrameTransform?[] _newest = new FrameTransform?[CellWork.Names.Count];
+    readonly IReadOnlyList<string> _names;
+    readonly FrameTransform?[] _newest;
     readonly List<Shown> _shown = [];
     CompensationSession _followed;
 
-    public DemoBodies(RobotModel robot)
+    public DemoBodies(RobotModel robot, CellWork work)
     {
+        _names = work.Names;
+        _newest = new FrameTransform?[_names.Count];
         _robot = robot;
         _kinematics = new ForwardKinematics(robot);
         _heldLinks = new RigidTransform[robot.Links.Count];
     }
 
     /// <summary>Gets what a frame showed of an object; the default before its first sample.</summary>
-    public Shown At(int frame, int body) => _shown[frame * CellWork.Names.Count + body];
+    public Shown At(int frame, int body) => _shown[frame * _names.Count + body];
 
     /// <summary>Gets whether samples of all objects had arrived.</summary>
-    public bool AreKnown(int frame) => Enumerable.Range(0, CellWork.Names.Count).All(body => At(frame, body).IsKnown);
+    public bool AreKnown(int frame) => Enumerable.Range(0, _names.Count).All(body => At(frame, body).IsKnown);
 
     /// <summary>Shows the objects in a session from now on.</summary>
     public void Follow(CompensationSession session)
@@ -36,7 +39,7 @@ sealed class DemoBodies
         _followed = session;
         Array.Clear(_newest);
         session.Frames.Taken += Take;
-        for (var body = 0; body < CellWork.Names.Count; body++) session.Frames.Need(CellWork.Names[body]);
+        for (var body = 0; body < _names.Count; body++) session.Frames.Need(_names[body]);
     }
 
     /// <summary>Records the objects in the newest frame.</summary>
@@ -44,9 +47,9 @@ sealed class DemoBodies
     public void Add(DisplayFrame frame)
     {
         if (frame != null) _kinematics.Compute(frame.HeldJoints, _heldLinks);
-        for (var body = 0; body < CellWork.Names.Count; body++)
+        for (var body = 0; body < _names.Count; body++)
         {
-            var found = frame == null ? null : _followed?.Frames.Find(CellWork.Names[body]);
+            var found = frame == null ? null : _followed?.Frames.Find(_names[body]);
             _shown.Add(found == null || HeldOf(body) is not { } held ? default : new Shown(true, found.World, held, found.Parent));
         }
     }
@@ -63,7 +66,7 @@ sealed class DemoBodies
     void Take(FrameTransform pose)
     {
         for (var body = 0; body < _newest.Length; body++)
-            if (pose.Child == CellWork.Names[body] && !(pose.Stamp <= _newest[body]?.Stamp)) _newest[body] = pose;
+            if (pose.Child == _names[body] && !(pose.Stamp <= _newest[body]?.Stamp)) _newest[body] = pose;
     }
 
     /// <param name="IsKnown">Whether a sample had arrived.</param>

@@ -36,18 +36,18 @@ sealed class DemoPlayback(DemoScore score, DemoRun run, ControlTime start)
     // Null in frames before the first sample of an object.
     object Objects(List<int> frames) => run.Settings.Work is not { } work || run.Bodies is not { } bodies ? null : new
     {
-        CellWork.Names,
+        work.Names,
         CellWork.Size,
-        Belt = work.Belt().Select(Position),
-        Fixture = Position(work.FixturePose),
-        Truth = frames.Select(frame => Poses(body => TrueOf(work, frame, body))),
-        Displayed = frames.Select(frame => bodies.AreKnown(frame) ? Poses(body => bodies.At(frame, body).Displayed) : null),
-        Hold = frames.Select(frame => bodies.AreKnown(frame) ? Poses(body => bodies.At(frame, body).Held) : null),
+        Belt = work.BeltBehind(0).Select(Position),
+        Fixture = Position(work.Robots[0].FixturePose),
+        Truth = frames.Select(frame => Poses(work, body => TrueOf(work, frame, body))),
+        Displayed = frames.Select(frame => bodies.AreKnown(frame) ? Poses(work, body => bodies.At(frame, body).Displayed) : null),
+        Hold = frames.Select(frame => bodies.AreKnown(frame) ? Poses(work, body => bodies.At(frame, body).Held) : null),
     };
 
     RigidTransform TrueOf(CellWork work, int frame, int body) => work.WorldOf(body, run.Truth.MotionSecondsAt(run.Frames.Rows[frame].TrueLight));
 
-    static double[] Poses(Func<int, RigidTransform> poseOf) => [.. Enumerable.Range(0, CellWork.Names.Count).SelectMany(body => Numbers(poseOf(body)))];
+    static double[] Poses(CellWork work, Func<int, RigidTransform> poseOf) => [.. Enumerable.Range(0, work.Names.Count).SelectMany(body => Numbers(poseOf(body)))];
 
     static double[] Numbers(RigidTransform pose)
     {

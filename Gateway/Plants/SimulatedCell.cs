@@ -7,7 +7,7 @@ using Nowpose.Simulation.Work;
 
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>A robot cell that publishes its joint positions, with access to the robot's true position.</summary>
+/// <summary>A robot cell that publishes its joint positions, objects and signals, with access to the robots' true positions.</summary>
 public sealed class SimulatedCell : IDisposable
 {
     readonly IControlClock _clock;
@@ -16,6 +16,7 @@ public sealed class SimulatedCell : IDisposable
     readonly ManualResetEventSlim _stop = new();
     readonly SetPointsAhead _setPoints;
     readonly CellWork _work;
+    readonly string[] _robots;
     Thread _thread;
     long _samples;
 
@@ -27,10 +28,11 @@ public sealed class SimulatedCell : IDisposable
     {
     }
 
-    /// <param name="work">The work of the robot, whose objects and signals are published, too; null for none.</param>
+    /// <param name="work">The work of the robots, whose objects and signals are published, too; null for one robot without work.</param>
     internal SimulatedCell(IMotion motion, IControlClock clock, CellTiming timing, int seed, bool publishesPlan, CellWork work)
     {
         _work = work;
+        _robots = work == null ? [""] : [.. work.Robots.Select(robot => robot.Namespace)];
         Motion = motion;
         _clock = clock;
         _names = [.. motion.JointNames];
@@ -86,13 +88,14 @@ public sealed class SimulatedCell : IDisposable
             if (_setPoints != null && _schedule.Sent >= nextPlan)
             {
                 var now = _clock.Now;
-                source.TryPublish(_setPoints.At(now, (now - Start).TotalSeconds));
+                foreach (var robot in _robots) source.Publish(_setPoints.At(now, (now - Start).TotalSeconds), robot: robot);
                 nextPlan = now + SetPointsAhead.Interval;
             }
             var positions = new double[_names.Length];
             TruthAt(_schedule.Taken, positions);
-            if (source.TryPublish(new JointStateMessage(_schedule.Taken, _names, positions)) == null)
-                Interlocked.Increment(ref _samples);
+            var message = new JointStateMessage(_schedule.Taken, _names, positions);
+            foreach (var robot in _robots)
+                if (source.Publish(message, robot: robot) == null) Interlocked.Increment(ref _samples);
             if (work != null) PublishWork(work, source, _schedule.Taken);
         }
     }

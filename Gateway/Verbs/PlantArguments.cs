@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
+using Nowpose.Simulation.Work;
 
 namespace Nowpose.Gateway.Verbs;
 
@@ -26,13 +27,19 @@ sealed class PlantArguments
         Description = "Also publish the set-points of the next second on /joint_trajectory, like a planner",
     };
 
-    public void AddTo(Command command)
+    readonly Option<int> _robots = NumberOption.Create(
+        "--robots", "Number of robots: 2 stand at the same conveyor, in the namespaces arm1 and arm2", 1, 1, CellWork.MaxRobots, "");
+
+    /// <param name="mayHaveSeveral">Whether the verb can serve several robots.</param>
+    public void AddTo(Command command, bool mayHaveSeveral)
     {
+        if (mayHaveSeveral) command.Options.Add(_robots);
         foreach (var option in new Option[] { _robot, _sampling, _acquisition, _seed, _trajectory })
             command.Options.Add(option);
     }
 
     public string Robot(ParseResult parsed) => parsed.GetValue(_robot);
+    public int Robots(ParseResult parsed) => Math.Max(1, parsed.GetValue(_robots));
     public bool PublishesPlan(ParseResult parsed) => parsed.GetValue(_trajectory);
     public int Seed(ParseResult parsed) => parsed.GetValue(_seed);
 

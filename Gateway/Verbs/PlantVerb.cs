@@ -13,7 +13,7 @@ namespace Nowpose.Gateway.Verbs;
 static class PlantVerb
 {
     public static Command Simulate() =>
-        Create(new Command("simulate", "Serve a simulated robot that picks and places"), (_, robot) => new PickAndPlaceMotion(robot));
+        Create(new Command("simulate", "Serve a simulated robot that picks and places"), (_, robot) => new PickAndPlaceMotion(robot), mayHaveSeveral: true);
 
     public static Command Replay()
     {
@@ -23,11 +23,11 @@ static class PlantVerb
         return Create(command, (parsed, robot) => new RecordedMotion(MotionRecording.Read(parsed.GetValue(file)), robot));
     }
 
-    static Command Create(Command command, Func<ParseResult, RobotModel, IMotion> motionOf)
+    static Command Create(Command command, Func<ParseResult, RobotModel, IMotion> motionOf, bool mayHaveSeveral = false)
     {
         var server = new ServerArguments();
         var plant = new PlantArguments();
-        plant.AddTo(command);
+        plant.AddTo(command, mayHaveSeveral);
         server.AddTo(command);
         command.SetAction(async (parsed, stop) =>
         {
@@ -46,10 +46,11 @@ static class PlantVerb
             var clock = server.Clock(parsed);
             await using var gateway = await GatewayServer.StartAsync(
                 server.Options(parsed) with { ControlClock = PlantClocks.Own }, clock, Announcement.Log, stop);
+            var work = WorkOf(robot, motion, plant.Robots(parsed));
             using var source = gateway.Hub.OpenSource();
-            source.TryDescribe(urdf);
+            foreach (var name in work?.Robots.Select(each => each.Namespace) ?? [""]) source.Describe(urdf, name);
             if (server.Records(parsed)) gateway.Recorder.SwitchOn();
-            using var cell = new SimulatedCell(motion, clock, plant.Timing(parsed), plant.Seed(parsed), plant.PublishesPlan(parsed), WorkOf(robot, motion));
+            using var cell = new SimulatedCell(motion, clock, plant.Timing(parsed), plant.Seed(parsed), plant.PublishesPlan(parsed), work);
             cell.PublishInto(gateway.Hub);
             Announcement.Write(gateway, clock, server.SkewPpm(parsed), plant.Robot(parsed), cell);
             await Task.Delay(Timeout.Infinite, stop);
@@ -58,5 +59,5 @@ static class PlantVerb
     }
 
     // A recorded motion does not tell when it grips.
-    static CellWork WorkOf(RobotModel robot, IMotion motion) => motion is IGrippingMotion gripping ? new CellWork(robot, gripping) : null;
+    static CellWork WorkOf(RobotModel robot, IMotion motion, int robots) => motion is IGrippingMotion gripping ? new CellWork(robot, gripping, robots) : null;
 }

@@ -117,13 +117,43 @@ public class SimulatedCellTests
             for (var i = 0; i < pose.Count; i++)
             {
                 var expected = work.PoseOf(i, (pose[i].Stamp - cell.Start).TotalSeconds, out var parent);
-                Assert.That((pose[i].Child, pose[i].Parent), Is.EqualTo((CellWork.Names[i], parent)));
+                Assert.That((pose[i].Child, pose[i].Parent), Is.EqualTo((work.Names[i], parent)));
                 Assert.That(new[] { pose[i].X, pose[i].Y, pose[i].Z }, Is.EqualTo(new[] { expected.X, expected.Y, expected.Z }).Within(1e-9));
             }
         Assert.That(poses, Is.Not.Empty);
-        Assert.That(Children(frames, RosTopics.TfStatic), Is.EquivalentTo(new[] { CellWork.Conveyor, CellWork.Fixture }));
+        Assert.That(Children(frames, RosTopics.TfStatic), Is.EquivalentTo(new[] { CellWork.Conveyor, "fixture" }));
         var values = frames.Where(message => message.Topic == RosTopics.Signals).Select(message => (SignalsMessage)message.Content);
-        Assert.That(values.SelectMany(message => Enumerable.Range(0, message.Count).Select(i => message[i].Name)), Is.SupersetOf(CellWork.Signals));
+        Assert.That(values.SelectMany(message => Enumerable.Range(0, message.Count).Select(i => message[i].Name)), Is.SupersetOf(work.Signals));
+    }
+
+    [Test]
+    public async Task PublishInto_TwoRobots_PublishesBothWithTheirBases()
+    {
+        var robot = RobotFiles.Load("youbot", out var urdf);
+        var motion = new PickAndPlaceMotion(robot);
+        var work = new CellWork(robot, motion, 2);
+        using var cell = new SimulatedCell(motion, new LookedAtClock(), Timing, 1, publishesPlan: true, work);
+        var messages = new ConcurrentQueue<HubMessage>();
+        var hub = new MessageHub();
+        using var description = hub.OpenSource();
+        foreach (var each in work.Robots) Assert.That(description.Describe(urdf, each.Namespace), Is.Null);
+        using var listening = new Subscriptions(
+            new[] { "/arm1/joint_states", "/arm2/joint_states", "/arm2/joint_trajectory", RosTopics.Tf, RosTopics.TfStatic }
+                .Select(topic => hub.Subscribe(topic, messages.Enqueue)));
+
+        cell.PublishInto(hub);
+
+        await Soon.BecomesAsync(() => messages.Select(message => message.Topic).Distinct().Count() == 5, "all topics");
+        await Soon.BecomesAsync(() => messages.Count >= 30, "some samples");
+        Assert.That(Children(messages, RosTopics.TfStatic), Has.Member("arm2/arm_link_0").And.Member("fixture_2"));
+        Assert.That(Children(messages, RosTopics.Tf).Distinct(), Is.EquivalentTo(work.Names));
+    }
+
+    sealed class Subscriptions(IEnumerable<IDisposable> all) : IDisposable
+    {
+        readonly List<IDisposable> _all = [.. all];
+
+        public void Dispose() => _all.ForEach(one => one.Dispose());
     }
 
     static IEnumerable<string> Children(IEnumerable<HubMessage> messages, string topic) => messages

@@ -1,31 +1,36 @@
 using System;
 using System.Collections.Generic;
-using Nowpose.Frames;
+using System.Linq;
 using Nowpose.Kinematics;
 using Nowpose.Motion;
+using Nowpose.Protocol;
 
 namespace Nowpose.Simulation.Work
 {
     /// <summary>
-    /// The work of a robot that picks and places: a conveyor brings workpieces, the gripper takes one per cycle and puts it on a fixture, from
-    /// which the conveyor takes it again. A function of time; immutable, so any thread may use it.
+    /// The work of robots that pick and place: a conveyor brings workpieces, each gripper takes one per cycle and puts it on a fixture, from
+    /// which the conveyor brings it to the next robot. A function of time; immutable, so any thread may use it.
     /// </summary>
+    /// <remarks>All robots are of the same kind and move at the same time. Poses of the world are those in the first robot's base frame.</remarks>
     sealed class CellWork
     {
-        /// <summary>Names of the stationary frames. Their z axes point up; x and y are those of the robot's base.</summary>
-        public const string Conveyor = "conveyor", Fixture = "fixture";
+        /// <summary>Stationary frame of the conveyor: in the first robot's axis, at the height where workpieces are taken.</summary>
+        public const string Conveyor = "conveyor";
 
-        /// <summary>Names of the signals: whether the gripper is closed, whether the belt moves, whether a workpiece waits to be taken.</summary>
-        public const string GripperClosed = "gripper_closed", BeltRunning = "belt_running", PartPresent = "part_present";
+        /// <summary>Signal: whether the belt moves.</summary>
+        public const string BeltRunning = "belt_running";
 
-        /// <summary>The signals, in the order of <see cref="SignalsAt"/>.</summary>
-        public static readonly IReadOnlyList<string> Signals = new[] { GripperClosed, BeltRunning, PartPresent };
-
-        /// <summary>Frames of the workpieces. The belt has as many steps.</summary>
-        public static readonly IReadOnlyList<string> Names = new[] { "workpiece_1", "workpiece_2", "workpiece_3" };
+        /// <summary>Maximum number of robots.</summary>
+        public const int MaxRobots = 2;
 
         /// <summary>Edge length of a workpiece, a cube whose frame is in its centre, m.</summary>
         public const double Size = 0.03;
+
+        /// <summary>Number of steps of the belt between two robots, and of workpieces per robot.</summary>
+        const int Steps = 3;
+
+        /// <summary>Distance of two robots, as a multiple of the distance at which they grip.</summary>
+        const double RobotDistance = 3.2;
 
         /// <summary>Share of the time between putting down and taking that the belt waits, so that the gripper is away.</summary>
         const double WaitShare = 0.25;
@@ -34,65 +39,62 @@ namespace Nowpose.Simulation.Work
         const double StepShare = 0.65;
 
         readonly IGrippingMotion _motion;
-        readonly RobotModel _robot;
-        readonly RingConveyor _conveyor;
-        readonly RigidTransform _toConveyor, _toFixture;
-        readonly string _tool;
+        readonly WorkRobot[] _robots;
+        readonly RigidTransform _toConveyor;
         readonly double _held, _wait;
 
-        public CellWork(RobotModel robot, IGrippingMotion motion)
+        /// <param name="robots">Number of robots, 1 to <see cref="MaxRobots"/>.</param>
+        public CellWork(RobotModel robot, IGrippingMotion motion, int robots = 1)
         {
-            _robot = robot;
             _motion = motion;
-            _tool = robot.ToolLink.Name;
-            var (taken, released) = (ToolAt(motion.GripSeconds), ToolAt(motion.ReleaseSeconds));
-            var upright = RigidTransform.FromXyzRpy(taken.X, taken.Y, taken.Z, 0, 0, Math.Atan2(taken.Y, taken.X));
-            InTool = taken.Inverse * upright;
-            var placed = released * InTool;
+            _robots = Enumerable.Range(0, robots).Select(i => new WorkRobot(robot, motion, i, robots, RobotDistance)).ToArray();
             _held = motion.ReleaseSeconds - motion.GripSeconds;
             var between = motion.CycleSeconds - _held;
             _wait = WaitShare * between;
-            _conveyor = new RingConveyor(placed, upright, Names.Count, StepShare * between);
-            ConveyorPose = RigidTransform.FromXyzRpy(0, 0, upright.Z - Size / 2, 0, 0, 0);
-            FixturePose = RigidTransform.FromXyzRpy(placed.X, placed.Y, placed.Z - Size / 2, 0, 0, 0);
+            for (var i = 0; i < robots; i++)
+                _robots[i].Belt = new Belt(_robots[i].Placed, _robots[(i + 1) % robots].Taken, Steps, StepShare * between, isRing: robots == 1);
+            ConveyorPose = RigidTransform.FromXyzRpy(0, 0, _robots[0].Taken.Z - Size / 2, 0, 0, 0);
             _toConveyor = ConveyorPose.Inverse;
-            _toFixture = FixturePose.Inverse;
+            Names = Enumerable.Range(1, Steps * robots).Select(i => "workpiece_" + i).ToArray();
+            Signals = _robots.Select(each => each.GripperClosed).Append(BeltRunning).Concat(_robots.Select(each => each.PartPresent)).ToArray();
         }
 
-        /// <summary>Pose of a gripped workpiece in the link of the tool.</summary>
-        public RigidTransform InTool { get; }
+        /// <summary>Frames of the workpieces.</summary>
+        public IReadOnlyList<string> Names { get; }
 
-        /// <summary>Pose of the conveyor in the robot's base frame: the axis of the ring, at the height where workpieces are taken.</summary>
+        /// <summary>The signals, in the order of <see cref="SignalsAt"/>.</summary>
+        public IReadOnlyList<string> Signals { get; }
+
+        public IReadOnlyList<WorkRobot> Robots => _robots;
+
+        /// <summary>Pose of <see cref="Conveyor"/> in the world.</summary>
         public RigidTransform ConveyorPose { get; }
 
-        /// <summary>Pose of the fixture in the robot's base frame: the middle of its upper side.</summary>
-        public RigidTransform FixturePose { get; }
-
         /// <summary>Returns the pose of a workpiece in its parent, and the parent's name.</summary>
-        /// <param name="seconds">Time since the start of the robot's motion, s.</param>
+        /// <param name="seconds">Time since the start of the robots' motion, s.</param>
         public RigidTransform PoseOf(int workpiece, double seconds, out string parent)
         {
-            var passed = SinceTaken(workpiece, seconds);
-            parent = passed < _held ? _tool : passed < _held + _wait / 2 ? Fixture : Conveyor;
-            if (passed < _held) return InTool;
-            return (parent == Fixture ? _toFixture : _toConveyor) * OnBelt(passed);
+            var robot = _robots[RobotOf(workpiece, seconds, out var passed)];
+            parent = passed < _held ? robot.Tool : passed < _held + _wait / 2 ? robot.Fixture : Conveyor;
+            if (passed < _held) return robot.InTool;
+            return (parent == Conveyor ? _toConveyor : robot.FixturePose.Inverse) * OnBelt(robot, passed);
         }
 
-        /// <summary>Returns the pose of a workpiece in the robot's base frame.</summary>
+        /// <summary>Returns the pose of a workpiece in the world.</summary>
         /// <inheritdoc cref="PoseOf"/>
         public RigidTransform WorldOf(int workpiece, double seconds)
         {
-            var passed = SinceTaken(workpiece, seconds);
-            return passed < _held ? ToolAt(seconds) * InTool : OnBelt(passed);
+            var robot = _robots[RobotOf(workpiece, seconds, out var passed)];
+            return passed < _held ? robot.Base * robot.ToolAt(seconds) * robot.InTool : OnBelt(robot, passed);
         }
 
-        /// <summary>Returns points on the belt, from the fixture to where workpieces are taken, in the robot's base frame.</summary>
-        public IEnumerable<RigidTransform> Belt()
+        /// <summary>Returns points on the upper side of the belt behind a robot, in the world.</summary>
+        public IEnumerable<RigidTransform> BeltBehind(int robot)
         {
             const int points = 48;
             for (var i = 0; i <= points; i++)
             {
-                var pose = _conveyor.At((double)i * Names.Count / points);
+                var pose = _robots[robot].Belt.At((double)i * Steps / points);
                 yield return RigidTransform.FromXyzRpy(pose.X, pose.Y, pose.Z - Size / 2, 0, 0, 0);
             }
         }
@@ -101,43 +103,38 @@ namespace Nowpose.Simulation.Work
         /// <param name="values">One per element of <see cref="Signals"/>, 0 or 1.</param>
         public void SignalsAt(double seconds, Span<double> values)
         {
-            bool isClosed = false, isPresent = false;
+            values.Clear();
             for (var i = 0; i < Names.Count; i++)
             {
-                var passed = SinceTaken(i, seconds);
-                isClosed |= passed < _held;
-                isPresent |= StationAt(passed) >= Names.Count;
+                var robot = RobotOf(i, seconds, out var passed);
+                if (passed < _held) values[robot] = 1;
+                // At the end of the belt, it waits for the next robot.
+                if (StationAt(_robots[robot], passed) >= Steps) values[_robots.Length + 1 + (robot + 1) % _robots.Length] = 1;
+                var inStep = passed % _motion.CycleSeconds - _held - _wait;
+                if (inStep >= 0 && inStep < _robots[robot].Belt.StepSeconds) values[_robots.Length] = 1;
             }
-            var inCycle = SinceTaken(0, seconds) % _motion.CycleSeconds - _held - _wait;
-            var isRunning = inCycle >= 0 && inCycle < _conveyor.StepSeconds;
-            (values[0], values[1], values[2]) = (isClosed ? 1 : 0, isRunning ? 1 : 0, isPresent ? 1 : 0);
         }
 
-        // Each workpiece is taken in every third cycle. Before the first time, it is where earlier cycles would have brought it.
-        double SinceTaken(int workpiece, double seconds)
+        // Each workpiece comes to a robot in every third cycle, and then to the next robot. Before the first time, it is where earlier cycles
+        // would have brought it.
+        int RobotOf(int workpiece, double seconds, out double sinceTaken)
         {
             var period = Names.Count * _motion.CycleSeconds;
             var since = Math.Max(seconds, 0) - _motion.GripSeconds - workpiece * _motion.CycleSeconds;
-            return since - period * Math.Floor(since / period);
+            since -= period * Math.Floor(since / period);
+            var robot = Math.Min((int)(since / (Steps * _motion.CycleSeconds)), _robots.Length - 1);
+            sinceTaken = since - robot * Steps * _motion.CycleSeconds;
+            return robot;
         }
 
-        RigidTransform OnBelt(double sinceTaken) => _conveyor.At(StationAt(sinceTaken));
+        RigidTransform OnBelt(WorkRobot robot, double sinceTaken) => robot.Belt.At(StationAt(robot, sinceTaken));
 
-        double StationAt(double sinceTaken)
+        double StationAt(WorkRobot robot, double sinceTaken)
         {
             var onBelt = sinceTaken - _held - _wait;
             if (onBelt < 0) return 0;
-            var steps = Math.Min(Math.Floor(onBelt / _motion.CycleSeconds), Names.Count - 1);
-            return steps + _conveyor.StepAt(onBelt - steps * _motion.CycleSeconds);
-        }
-
-        RigidTransform ToolAt(double seconds)
-        {
-            var joints = new double[_robot.MovingJoints.Count];
-            _motion.At(seconds, joints);
-            var poses = new RigidTransform[_robot.Links.Count];
-            new ForwardKinematics(_robot).Compute(joints, poses);
-            return poses[_robot.IndexOfLink(_tool)];
+            var steps = Math.Min(Math.Floor(onBelt / _motion.CycleSeconds), Steps - 1);
+            return steps + robot.Belt.StepAt(onBelt - steps * _motion.CycleSeconds);
         }
     }
 }

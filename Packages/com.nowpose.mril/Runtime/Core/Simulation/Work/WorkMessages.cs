@@ -13,24 +13,36 @@ namespace Nowpose.Simulation.Work
         static readonly TimeSpan Cycle = new TimeSpan(TimeSpan.TicksPerMillisecond);
 
         readonly CellWork _work;
-        readonly double[] _now = new double[CellWork.Signals.Count];
-        readonly double[] _sent = new double[CellWork.Signals.Count];
+        readonly double[] _now, _sent;
         ControlTime? _newest;
 
-        public WorkMessages(CellWork work) => _work = work;
+        public WorkMessages(CellWork work)
+        {
+            _work = work;
+            _now = new double[work.Signals.Count];
+            _sent = new double[work.Signals.Count];
+        }
 
         /// <summary>Returns the poses of the stationary frames, which are valid at all times.</summary>
-        public TransformsMessage Stationary() => new TransformsMessage(
-            _work.ConveyorPose.ToTransform(default, FrameParents.World, CellWork.Conveyor),
-            _work.FixturePose.ToTransform(default, FrameParents.World, CellWork.Fixture));
+        public TransformsMessage Stationary()
+        {
+            var message = new TransformsMessage();
+            message.Add(_work.ConveyorPose.ToTransform(default, FrameParents.World, CellWork.Conveyor));
+            foreach (var robot in _work.Robots)
+            {
+                message.Add(robot.FixturePose.ToTransform(default, FrameParents.World, robot.Fixture));
+                if (robot.Namespace.Length > 0) message.Add(robot.Base.ToTransform(default, FrameParents.World, robot.Root));
+            }
+            return message;
+        }
 
         /// <summary>Returns the poses of all workpieces.</summary>
         /// <param name="seconds">Time since the start of the robot's motion at the stamp, s.</param>
         public TransformsMessage FramesAt(ControlTime stamp, double seconds)
         {
-            var transforms = new FrameTransform[CellWork.Names.Count];
+            var transforms = new FrameTransform[_work.Names.Count];
             for (var i = 0; i < transforms.Length; i++)
-                transforms[i] = _work.PoseOf(i, seconds, out var parent).ToTransform(stamp, parent, CellWork.Names[i]);
+                transforms[i] = _work.PoseOf(i, seconds, out var parent).ToTransform(stamp, parent, _work.Names[i]);
             return new TransformsMessage(transforms);
         }
 
@@ -46,7 +58,7 @@ namespace Nowpose.Simulation.Work
                 _work.SignalsAt(seconds - left * ClockTicks.Seconds(Cycle), _now);
                 var changed = new List<SignalValue>();
                 for (var i = 0; i < _now.Length; i++)
-                    if (isFirst || _now[i] != _sent[i]) changed.Add(new SignalValue(CellWork.Signals[i], _now[i]));
+                    if (isFirst || _now[i] != _sent[i]) changed.Add(new SignalValue(_work.Signals[i], _now[i]));
                 _now.CopyTo(_sent, 0);
                 if (changed.Count > 0) yield return new SignalsMessage(stamp - new TimeSpan(left * Cycle.Ticks), changed.ToArray());
             }

@@ -11,32 +11,33 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Simulation
 {
-    [TestFixture("youbot.urdf")]
-    [TestFixture("ur5.urdf")]
+    [TestFixture("youbot.urdf", 1)]
+    [TestFixture("ur5.urdf", 1)]
+    [TestFixture("youbot.urdf", 2)]
     public class CellWorkTests
     {
         readonly RobotModel _robot;
         readonly IGrippingMotion _motion;
         readonly CellWork _work;
 
-        public CellWorkTests(string urdf)
+        public CellWorkTests(string urdf, int robots)
         {
             _robot = UrdfReader.Read(UrdfFiles.Text(urdf), urdf);
             _motion = new PickAndPlaceMotion(_robot);
-            _work = new CellWork(_robot, _motion);
+            _work = new CellWork(_robot, _motion, robots);
         }
 
-        double Period => CellWork.Names.Count * _motion.CycleSeconds;
+        double Period => _work.Names.Count * _motion.CycleSeconds;
 
         [Test]
         public void Workpieces_AllTheTime_NeverJump()
         {
             const double step = 0.002, maxSpeed = 6;
-            for (var body = 0; body < CellWork.Names.Count; body++)
+            for (var body = 0; body < _work.Names.Count; body++)
                 for (var t = 0.0; t < 1.2 * Period; t += step)
                 {
                     RigidTransform a = _work.WorldOf(body, t), b = _work.WorldOf(body, t + step);
-                    Assert.That(Distance(a, b), Is.LessThan(maxSpeed * step), CellWork.Names[body] + " at " + t + " s");
+                    Assert.That(Distance(a, b), Is.LessThan(maxSpeed * step), _work.Names[body] + " at " + t + " s");
                     Assert.That(UnitQuaternion.AngleBetween(UnitQuaternion.Of(a), UnitQuaternion.Of(b)), Is.LessThan(maxSpeed * step));
                 }
         }
@@ -45,35 +46,50 @@ namespace Nowpose.Tests.Core.Simulation
         public void PoseOf_EachParent_GivesThePoseInTheWorld()
         {
             var seen = new HashSet<string>();
-            for (var body = 0; body < CellWork.Names.Count; body++)
+            for (var body = 0; body < _work.Names.Count; body++)
                 for (var t = 0.0; t < Period; t += 0.05)
                 {
                     var pose = _work.PoseOf(body, t, out var parent);
                     seen.Add(parent);
-                    var known = parent == CellWork.Conveyor ? _work.ConveyorPose : parent == CellWork.Fixture ? _work.FixturePose : ToolAt(t);
+                    var robot = _work.Robots.FirstOrDefault(each => each.Tool == parent || each.Fixture == parent);
+                    var known = robot == null ? _work.ConveyorPose : robot.Fixture == parent ? robot.FixturePose : robot.Base * ToolAt(t);
                     Assert.That(Distance(known * pose, _work.WorldOf(body, t)), Is.LessThan(1e-9));
                 }
-            Assert.That(seen, Is.EquivalentTo(new[] { CellWork.Conveyor, CellWork.Fixture, _robot.ToolLink.Name }));
+            Assert.That(seen, Is.EquivalentTo(_work.Robots.SelectMany(robot => new[] { robot.Tool, robot.Fixture }).Append(CellWork.Conveyor)));
         }
 
         [Test]
-        public void Gripper_EachCycle_HoldsOneWorkpieceAfterTheOther()
+        public void Grippers_EachCycle_HoldOneWorkpieceAfterTheOther()
         {
-            for (var cycle = 0; cycle < 2 * CellWork.Names.Count; cycle++)
+            for (var cycle = 0; cycle < 2 * _work.Names.Count; cycle++)
             {
                 var begin = cycle * _motion.CycleSeconds;
+                var inTurn = _work.Robots.Select((_, robot) => (cycle + _work.Names.Count - 3 * robot) % _work.Names.Count);
                 Assert.That(HeldAt(begin + _motion.GripSeconds - 0.001), Is.Empty);
-                Assert.That(HeldAt(begin + _motion.GripSeconds + 0.001), Is.EqualTo(new[] { cycle % CellWork.Names.Count }));
-                Assert.That(HeldAt(begin + _motion.ReleaseSeconds - 0.001), Is.EqualTo(new[] { cycle % CellWork.Names.Count }));
+                Assert.That(HeldAt(begin + _motion.GripSeconds + 0.001), Is.EquivalentTo(inTurn));
+                Assert.That(HeldAt(begin + _motion.ReleaseSeconds - 0.001), Is.EquivalentTo(inTurn));
                 Assert.That(HeldAt(begin + _motion.ReleaseSeconds + 0.001), Is.Empty);
             }
+        }
+
+        [Test]
+        public void Robots_Two_StandApartAndHaveNamespaces()
+        {
+            if (_work.Robots.Count == 1)
+            {
+                Assert.That(_work.Robots[0].Namespace, Is.Empty);
+                return;
+            }
+            Assert.That(_work.Robots.Select(robot => robot.Namespace), Is.EqualTo(new[] { "arm1", "arm2" }));
+            Assert.That(Distance(_work.Robots[0].Base, _work.Robots[1].Base), Is.GreaterThan(0.5));
+            Assert.That(_work.Robots[1].Tool, Is.EqualTo("arm2/" + _robot.ToolLink.Name));
         }
 
         [Test]
         public void Belt_WhileAWorkpieceIsTakenOrPutDown_IsAtRest()
         {
             foreach (var at in new[] { _motion.GripSeconds, _motion.ReleaseSeconds })
-                for (var body = 0; body < CellWork.Names.Count; body++)
+                for (var body = 0; body < _work.Names.Count; body++)
                     for (var t = at - 0.05; t < at + 0.05; t += 0.01)
                         if (HeldAt(t + _motion.CycleSeconds).All(held => held != body))
                             Assert.That(Distance(
@@ -83,19 +99,20 @@ namespace Nowpose.Tests.Core.Simulation
         [Test]
         public void Signals_AllTheTime_AreThoseOfTheObjects()
         {
-            var values = new double[CellWork.Signals.Count];
+            var values = new double[_work.Signals.Count];
             for (var t = 0.0; t < Period; t += 0.0105)
             {
                 _work.SignalsAt(t, values);
-                var isMoving = Enumerable.Range(0, CellWork.Names.Count)
+                var isMoving = Enumerable.Range(0, _work.Names.Count)
                     .Any(body => !HeldAt(t).Contains(body) && Distance(_work.WorldOf(body, t - 1e-4), _work.WorldOf(body, t + 1e-4)) > 1e-7);
                 Assert.That(values[0], Is.EqualTo(HeldAt(t).Any() ? 1 : 0), "gripper at " + t);
-                if (isMoving) Assert.That(values[1], Is.EqualTo(1), "belt at " + t);
+                if (isMoving) Assert.That(values[_work.Robots.Count], Is.EqualTo(1), "belt at " + t);
             }
+            var robots = _work.Robots.Count;
             _work.SignalsAt(_motion.CycleSeconds + _motion.GripSeconds - 0.001, values);
-            Assert.That(values, Is.EqualTo(new double[] { 0, 0, 1 }), "a workpiece waits for the gripper");
+            Assert.That(values, Is.EqualTo(Enumerable.Repeat(0.0, robots + 1).Concat(Enumerable.Repeat(1.0, robots))), "they wait for the grippers");
             _work.SignalsAt(_motion.CycleSeconds + _motion.GripSeconds + 0.001, values);
-            Assert.That(values, Is.EqualTo(new double[] { 1, 0, 0 }));
+            Assert.That(values, Is.EqualTo(Enumerable.Repeat(1.0, robots).Concat(Enumerable.Repeat(0.0, robots + 1))));
         }
 
         [Test]
@@ -107,7 +124,7 @@ namespace Nowpose.Tests.Core.Simulation
             for (var i = 1; i * 0.05 < 2 * _motion.CycleSeconds; i++)
                 foreach (var message in messages.ChangesUntil(start + Lengths.Ms(50 * i), 0.05 * i))
                     for (var k = 0; k < message.Count; k++)
-                        if (message[k].Name == CellWork.GripperClosed) closed.Add((ClockTicks.Seconds(message.Stamp - start), message[k].Value));
+                        if (message[k].Name == _work.Robots[0].GripperClosed) closed.Add((ClockTicks.Seconds(message.Stamp - start), message[k].Value));
 
             Assert.That(closed.Select(change => change.Value), Is.EqualTo(new[] { 0.0, 1, 0, 1, 0 }));
             Assert.That(closed[1].At - _motion.GripSeconds, Is.InRange(0, 0.0011));
@@ -116,10 +133,10 @@ namespace Nowpose.Tests.Core.Simulation
 
         IEnumerable<int> HeldAt(double t)
         {
-            for (var body = 0; body < CellWork.Names.Count; body++)
+            for (var body = 0; body < _work.Names.Count; body++)
             {
                 _work.PoseOf(body, t, out var parent);
-                if (parent == _robot.ToolLink.Name) yield return body;
+                if (_work.Robots.Any(robot => robot.Tool == parent)) yield return body;
             }
         }
 

@@ -5,19 +5,20 @@ using Nowpose.Motion;
 
 namespace Nowpose.Simulation.Work
 {
-    /// <summary>A conveyor around the robot that moves workpieces from the place where they are put down to the one where they are taken.</summary>
+    /// <summary>A belt that moves workpieces from the place where they are put down to the one where they are taken.</summary>
     /// <remarks>
-    /// The belt moves once per cycle of the robot by one station, from rest to rest. On it, angle, radius and height around the robot's base
-    /// change evenly with the way, and workpieces turn with the belt.
+    /// It moves once per cycle of the robot by one station, from rest to rest. On a ring around the world's origin, angle, radius and height
+    /// change evenly with the way, and workpieces turn with the belt; a straight belt changes position and rotation evenly.
     /// </remarks>
-    sealed class RingConveyor
+    sealed class Belt
     {
         /// <summary>Limits of the belt in m/s, m/s² and m/s³: a small indexing conveyor.</summary>
         const double Velocity = 0.15, Acceleration = 0.6, Jerk = 6;
 
         readonly RigidTransform _from;
-        readonly Vector3D _turn;
-        readonly double _startAngle, _angle, _startRadius, _radius, _startHeight, _height;
+        readonly Vector3D _turn, _way;
+        readonly double _startAngle, _angle, _startRadius, _radius;
+        readonly bool _isRing;
         readonly int _stations;
         readonly SevenPhaseProfile _step;
 
@@ -25,18 +26,19 @@ namespace Nowpose.Simulation.Work
         /// <param name="to">Pose of a workpiece that is taken.</param>
         /// <param name="stations">Number of steps from one to the other.</param>
         /// <param name="maxSeconds">Maximum duration of a step, s; the belt becomes faster if it is needed.</param>
-        public RingConveyor(in RigidTransform from, in RigidTransform to, int stations, double maxSeconds)
+        /// <param name="isRing">Whether the belt runs around the world's origin, the longer way, because the robot swings the shorter one.</param>
+        public Belt(in RigidTransform from, in RigidTransform to, int stations, double maxSeconds, bool isRing)
         {
+            _isRing = isRing;
             _from = from;
             _stations = stations;
+            _way = new Vector3D(to.X - from.X, to.Y - from.Y, to.Z - from.Z);
             _startAngle = Math.Atan2(from.Y, from.X);
-            _angle = OtherWay(Math.Atan2(to.Y, to.X) - _startAngle);
+            _angle = isRing ? OtherWay(Math.Atan2(to.Y, to.X) - _startAngle) : 0;
             _startRadius = RadiusOf(from);
             _radius = RadiusOf(to) - _startRadius;
-            _startHeight = from.Z;
-            _height = to.Z - from.Z;
             _turn = (UnitQuaternion.Of(from).Inverse * UnitQuaternion.Exp(new Vector3D(0, 0, -_angle)) * UnitQuaternion.Of(to)).Log();
-            _step = StepOf(Math.Abs(_angle) * (_startRadius + _radius / 2) / stations, maxSeconds);
+            _step = StepOf((isRing ? Math.Abs(_angle) * (_startRadius + _radius / 2) : _way.Length) / stations, maxSeconds);
         }
 
         /// <summary>Duration of a step, s.</summary>
@@ -45,17 +47,21 @@ namespace Nowpose.Simulation.Work
         /// <summary>Returns the number of stations that the belt has moved since the start of a step, 0 to 1.</summary>
         public double StepAt(double seconds) => StepSeconds == 0 ? 1 : _step.PositionAt(seconds);
 
-        /// <summary>Returns the pose of a workpiece in the robot's base frame.</summary>
+        /// <summary>Returns the pose of a workpiece in the world.</summary>
         /// <param name="station">Way on the belt in stations, 0 where it was put down.</param>
         public RigidTransform At(double station)
         {
             var share = station / _stations;
-            var (angle, radius) = (_startAngle + share * _angle, _startRadius + share * _radius);
             var rotation = UnitQuaternion.Exp(new Vector3D(0, 0, share * _angle)) * UnitQuaternion.Of(_from) * UnitQuaternion.Exp(_turn * share);
-            return rotation.At(radius * Math.Cos(angle), radius * Math.Sin(angle), _startHeight + share * _height);
+            var (x, y) = (_from.X + share * _way.X, _from.Y + share * _way.Y);
+            if (_isRing)
+            {
+                var (angle, radius) = (_startAngle + share * _angle, _startRadius + share * _radius);
+                (x, y) = (radius * Math.Cos(angle), radius * Math.Sin(angle));
+            }
+            return rotation.At(x, y, _from.Z + share * _way.Z);
         }
 
-        // The robot swings the shorter way, so the belt runs the longer one.
         static double OtherWay(double angle)
         {
             angle = Math.IEEERemainder(angle, 2 * Math.PI);

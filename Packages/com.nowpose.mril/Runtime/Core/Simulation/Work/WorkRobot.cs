@@ -1,0 +1,84 @@
+using System;
+using Nowpose.Kinematics;
+using Nowpose.Motion;
+using Nowpose.Protocol;
+
+namespace Nowpose.Simulation.Work
+{
+    /// <summary>One robot of a <see cref="CellWork"/>, with its place in the cell, its fixture and the belt behind it.</summary>
+    sealed class WorkRobot
+    {
+        readonly IGrippingMotion _motion;
+        readonly RobotModel _robot;
+
+        /// <param name="index">Index among the robots.</param>
+        /// <param name="count">Number of robots. A single one has no namespace and stands in the world's origin; the second one faces the first.</param>
+        /// <param name="distance">Distance of two robots, as a multiple of the distance at which they grip.</param>
+        public WorkRobot(RobotModel robot, IGrippingMotion motion, int index, int count, double distance)
+        {
+            _robot = robot;
+            _motion = motion;
+            var suffix = count == 1 ? "" : "_" + (index + 1);
+            Namespace = count == 1 ? "" : "arm" + (index + 1);
+            Tool = RobotTopic.Qualified(Namespace, robot.ToolLink.Name);
+            Root = RobotTopic.Qualified(Namespace, robot.Root.Name);
+            Fixture = "fixture" + suffix;
+            GripperClosed = "gripper_closed" + suffix;
+            PartPresent = "part_present" + suffix;
+            var (taken, released) = (ToolAt(motion.GripSeconds), ToolAt(motion.ReleaseSeconds));
+            var upright = RigidTransform.FromXyzRpy(taken.X, taken.Y, taken.Z, 0, 0, Math.Atan2(taken.Y, taken.X));
+            var reach = Math.Sqrt(taken.X * taken.X + taken.Y * taken.Y);
+            Base = RigidTransform.FromXyzRpy(index * distance * reach, 0, 0, 0, 0, index * Math.PI);
+            InTool = taken.Inverse * upright;
+            Taken = Base * upright;
+            Placed = Base * released * InTool;
+            FixturePose = RigidTransform.FromXyzRpy(Placed.X, Placed.Y, Placed.Z - CellWork.Size / 2, 0, 0, 0);
+        }
+
+        public string Namespace { get; }
+
+        /// <summary>Frame of the tool's link, with the namespace.</summary>
+        public string Tool { get; }
+
+        /// <summary>Frame of the root link, with the namespace.</summary>
+        public string Root { get; }
+
+        /// <summary>Stationary frame of the fixture: the middle of its upper side.</summary>
+        public string Fixture { get; }
+
+        /// <summary>Signal: whether the gripper is closed.</summary>
+        public string GripperClosed { get; }
+
+        /// <summary>Signal: whether a workpiece waits to be taken by this robot.</summary>
+        public string PartPresent { get; }
+
+        /// <summary>Pose of the root link in the world.</summary>
+        public RigidTransform Base { get; }
+
+        /// <summary>Pose of a gripped workpiece in the link of the tool.</summary>
+        public RigidTransform InTool { get; }
+
+        /// <summary>Pose in the world of a workpiece when it is taken.</summary>
+        public RigidTransform Taken { get; }
+
+        /// <summary>Pose in the world of a workpiece when it is put down.</summary>
+        public RigidTransform Placed { get; }
+
+        /// <summary>Pose of <see cref="Fixture"/> in the world.</summary>
+        public RigidTransform FixturePose { get; }
+
+        /// <summary>The belt from this robot's fixture to the next robot.</summary>
+        public Belt Belt { get; set; }
+
+        /// <summary>Returns the pose of the tool's link in the robot's base frame.</summary>
+        /// <param name="seconds">Time since the start of the motion, s.</param>
+        public RigidTransform ToolAt(double seconds)
+        {
+            var joints = new double[_robot.MovingJoints.Count];
+            _motion.At(seconds, joints);
+            var poses = new RigidTransform[_robot.Links.Count];
+            new ForwardKinematics(_robot).Compute(joints, poses);
+            return poses[_robot.IndexOfLink(_robot.ToolLink.Name)];
+        }
+    }
+}
