@@ -283,11 +283,12 @@ sealed class RosbridgeSession : IDisposable
         var text = reason == DropReason.UnknownOp
             ? $"Unknown operation: {Short(message.OpName)}. Allowed operations: {KnownOperations}"
             : $"{Subject(message)}dropped: {rule} ({reason})";
-        if (_level != "none")
-            Reply(RosbridgeWriter.Status("error", text, Short(message?.Id)));
         // The joint board handles joints of other sources itself.
         if (message is { Op: RosbridgeOp.Publish, RobotTopic: { IsValid: true, Kind: RosTopics.JointStates } topic } && reason != DropReason.JointTaken)
             ReportDropped(topic.Robot, message.JointState, rule, reason);
+        // Last, so that a client that has the answer finds the drop in the state of the gateway.
+        if (_level != "none")
+            Reply(RosbridgeWriter.Status("error", text, Short(message?.Id)));
     }
 
     void ReportDropped(string robot, JointStateMessage valid, string rule, DropReason reason)

@@ -8,6 +8,7 @@ using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Status.Events;
 using Nowpose.Gateway.Status.Joints;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Status;
 
@@ -38,6 +39,7 @@ sealed class GatewayStatus : IDisposable
     readonly SourceWatch _sources = new();
     readonly DiagnosticsBoard _said;
     readonly JointBoard _joints;
+    readonly CellBoard _cell;
     readonly RecentRefusals _refusals;
     readonly Conditions _conditions;
     readonly StatusWatch _watch;
@@ -61,6 +63,7 @@ sealed class GatewayStatus : IDisposable
         _connections = [("sync", sync), ("websocket", webSocket)];
         _said = new DiagnosticsBoard(options.Time);
         _joints = new JointBoard(options.Time, () => limits.Robot);
+        _cell = new CellBoard(options.Time);
         _refusals = new RecentRefusals(options.Time);
         Events = events;
         _conditions = new Conditions(options, clock, _said, _refusals, limits, recorder);
@@ -68,6 +71,7 @@ sealed class GatewayStatus : IDisposable
         hub.Left += _said.Remove;
         hub.SampleDropped += _joints.Refuse;
         hub.SourceLeft += _joints.Leave;
+        hub.SignalsEnded += _cell.End;
         _started = options.Time.GetUtcNow();
         _subscriptions =
         [
@@ -100,6 +104,7 @@ sealed class GatewayStatus : IDisposable
         _hub.Left -= _said.Remove;
         _hub.SampleDropped -= _joints.Refuse;
         _hub.SourceLeft -= _joints.Leave;
+        _hub.SignalsEnded -= _cell.End;
         foreach (var subscription in _subscriptions) subscription.Dispose();
     }
 
@@ -119,6 +124,7 @@ sealed class GatewayStatus : IDisposable
             [.. said.Where(IsAdapter).Select(StatusObjects.Adapter)],
             [.. sources.Select(source => Of(source, beyond))],
             [.. joints.Select(Of)],
+            _cell.Frames(_clock.Now), _cell.Signals(_clock.Now),
             [.. said.Where(one => !IsAdapter(one)).Select(one => StatusObjects.Headset(one, hops))],
             OfForwarding(),
             _connections.ToDictionary(server => server.Name, server => Of(server.Counters)),
@@ -139,6 +145,8 @@ sealed class GatewayStatus : IDisposable
             _sources.Add(message.Joints, message.ReceivedAt, age);
             _joints.Add(message.Source, message.Joints, age);
         }
+        else if (message.Content is TransformsMessage frames) _cell.Add(message.Source, frames, message.Topic == RosTopics.TfStatic);
+        else if (message.Content is SignalsMessage signals) _cell.Add(message.Source, signals);
         else if (message.Content is DiagnosticsMessage diagnostics)
         {
             _said.Add(diagnostics);

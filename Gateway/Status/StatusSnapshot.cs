@@ -15,6 +15,7 @@ namespace Nowpose.Gateway.Status;
 sealed record StatusSnapshot(
     string Cell, string Host, string Version, OverallStatus Status, string StartedUtc, double UptimeS, double ControlTimeS, ClockStatus Clock, IReadOnlyList<PlantClockView> PlantClocks,
     IReadOnlyList<JsonObject> Adapters, IReadOnlyList<SourceStatus> Sources, IReadOnlyList<JointView> Joints,
+    IReadOnlyList<FrameView> Frames, IReadOnlyList<SignalView> Signals,
     IReadOnlyList<JsonObject> Headsets, SpanStatus ForwardMs,
     IReadOnlyDictionary<string, ConnectionStatus> Connections, IReadOnlyDictionary<string, long> Messages, IReadOnlyDictionary<string, long> Drops,
     RecordingStatus Recording, bool PairsHeadsets, bool IsReady, IReadOnlyList<EventView> Events, string Role = null,
@@ -27,6 +28,16 @@ sealed record StatusSnapshot(
 /// <param name="Uncertain">The reason why it is uncertain that a resting joint rests; null if it is certain, and for other states.</param>
 sealed record JointView(
     string Name, string Source, string State, string SinceUtc, double? AgeS, double RateHz, string Reason, string Uncertain = null);
+
+/// <param name="Source">The frame's source, like that of a joint.</param>
+/// <param name="State">stationary; live; or stale: no pose for a second.</param>
+/// <param name="AgeS">Control time minus the newest pose's stamp; null for a stationary frame.</param>
+sealed record FrameView(string Name, string Parent, string Source, string State, double? AgeS);
+
+/// <param name="Source">The signal's source, like that of a joint.</param>
+/// <param name="State">live, or ended: its source has ended.</param>
+/// <param name="AgeS">Control time minus the stamp of the message with which the signal got its value.</param>
+sealed record SignalView(string Name, double Value, string Source, string State, double AgeS);
 
 /// <param name="Source">"own", or the name of the plant clock that is served.</param>
 /// <param name="State">unsynchronised, converging, coarse, synchronised or holdover.</param>

@@ -87,6 +87,11 @@ export class FakeGateway {
       { name: 'belt', seen_s_ago: 0.4, kind: 'ads', state: 'refused', reason: 'the router does not know this machine', samples: 0, refused: 3, reconnects: 7 },
     ],
     sources: [{ joints: JOINTS, rate_hz: 20, age_ms: { p50: 71, p95: 104 } }],
+    frames: [
+      { name: 'fixture', parent: 'world', source: 'gateway', state: 'stationary', age_s: null },
+      { name: 'workpiece_1', parent: 'tool_centre_point', source: 'gateway', state: 'live', age_s: 0.08 },
+    ],
+    signals: [{ name: 'gripper_closed', value: 1, source: 'gateway', state: 'live', age_s: 2.4 }],
     joints: JOINTS.map(name => ({ name, source: 'press', state: 'live', since_utc: new Date(Date.now() - 60_000).toISOString(), age_s: 0.071, rate_hz: 20, reason: '' })),
     events: [],
     headsets: [

@@ -36,6 +36,7 @@ public class MetricsTests
             new JointView("a", "press", "live", "2026-11-20T12:00:00.000Z", 0.08, 49.9, ""),
             new JointView("b", "press", "refused", "2026-11-20T12:00:01.000Z", null, 0, "status Bad"),
         ],
+        [new FrameView("box", "world", "press", "live", 0.1)], [new SignalView("grip", 1, "press", "live", 2)],
         headsets, new SpanStatus(0.2, 0.9),
         new Dictionary<string, ConnectionStatus> { ["sync"] = new(2, 5, new Dictionary<string, long> { ["Silence"] = 3 }) },
         new Dictionary<string, long> { ["/joint_states"] = 77 }, new Dictionary<string, long> { ["NotJson"] = 4 },

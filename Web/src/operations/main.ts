@@ -3,6 +3,7 @@ import '../report.css';
 import './operations.css';
 import { byId } from '../pairing/elements';
 import { Budget } from './budget';
+import { Cell } from './cell';
 import { Events } from './events';
 import { Headsets } from './headsets';
 import { setText } from './liveTable';
@@ -27,6 +28,7 @@ const robot = new RobotPanel(link, matchMedia('(prefers-reduced-motion: reduce)'
 const plots = new Plots();
 const budget = new Budget();
 const plants = new Plants();
+const cell = new Cell();
 const overall = new Overall();
 const events = new Events();
 const recordings = new Recordings();
@@ -42,6 +44,7 @@ let wake = () => {};
 
 byId('headsets').append(headsets.element);
 byId('robot').append(robot.element);
+byId('cell-objects').append(cell.element);
 byId('budget').append(budget.element);
 byId('plots').append(plots.element);
 byId('plants').append(plants.element);
@@ -108,6 +111,7 @@ function show(state: State): void {
   budget.show(state.headsets ?? []);
   plots.add(performance.now() / 1000, state, headsets.chosen);
   plants.show(state);
+  cell.show(state);
   recorder.show(state);
   recordings.show(state);
   events.show(state.events ?? []);

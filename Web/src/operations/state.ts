@@ -11,6 +11,8 @@ export interface State {
   adapters?: Words[];
   sources?: Source[];
   joints?: Joint[];
+  frames?: CellFrame[];
+  signals?: Signal[];
   /** The newest first; active events are always included. */
   events?: StatusEvent[];
   headsets?: Headset[];
@@ -34,6 +36,25 @@ export interface Joint {
   reason: string;
   /** The reason why the rest of the joint is uncertain. */
   uncertain?: string | null;
+}
+
+/** A moving or stationary object of the cell. */
+export interface CellFrame {
+  name: string;
+  parent: string;
+  source: string;
+  state: 'live' | 'stale' | 'stationary';
+  /** Null for a stationary object. */
+  age_s?: number | null;
+}
+
+export interface Signal {
+  name: string;
+  value: number;
+  source: string;
+  state: 'live' | 'ended';
+  /** Time since the value changed. */
+  age_s: number;
 }
 
 export interface StatusEvent {

@@ -54,6 +54,24 @@ describe('the shown state', () => {
     assert.equal(await page.textContent('#drops'), 'NotFinite 2');
   });
 
+  it('contains the objects and signals of the cell with their states', async () => {
+    const page = await open();
+    const state = { ...gateway.state };
+    assert.deepEqual(await cells(page, 'workpiece_1'), ['live', 'tool_centre_point', '0.1\u00a0s', 'gateway']);
+    assert.deepEqual(await cells(page, 'fixture'), ['stationary', 'world', '–', 'gateway']);
+    assert.deepEqual(await cells(page, 'gripper_closed'), ['live', '1', '2.4\u00a0s', 'gateway']);
+
+    gateway.state.frames = [{ ...state.frames[1], state: 'stale', age_s: 61.4 }];
+    gateway.state.signals = [];
+
+    await page.locator('#cell-objects .level.warning').waitFor();
+    assert.deepEqual((await cells(page, 'workpiece_1')).slice(0, 3), ['stale', 'tool_centre_point', '61\u00a0s']);
+    assert.equal(await page.locator('#cell-objects .level.warning').count(), 1);
+    assert.match(await page.innerText('#cell-objects'), /No source publishes signals/);
+    Object.assign(gateway.state, state);
+    await page.context().close();
+  });
+
   it('names the joints outside their limits while they are', async () => {
     gateway.state.sources[0].beyond_limits = [JOINTS[1]];
     const page = await open();

@@ -1,0 +1,100 @@
+using Nowpose.Gateway.Hub;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+
+namespace Nowpose.Gateway.Status;
+
+/// <summary>The objects and signals of the cell with their states. Thread-safe.</summary>
+/// <remarks>What a source has published stays listed after the source has ended, so that its absence is seen, until another source publishes it.</remarks>
+sealed class CellBoard(TimeProvider time)
+{
+    /// <summary>Time without a pose after which a tracked frame is stale.</summary>
+    static readonly TimeSpan MaxSilence = TimeSpan.FromSeconds(1);
+
+    readonly object _gate = new();
+    readonly SortedDictionary<string, Frame> _frames = new(StringComparer.Ordinal);
+    readonly SortedDictionary<string, Signal> _signals = new(StringComparer.Ordinal);
+
+    /// <summary>Records a publication on /tf or /tf_static.</summary>
+    public void Add(HubSource source, TransformsMessage message, bool isStationary)
+    {
+        lock (_gate)
+            for (var i = 0; i < message.Count; i++)
+            {
+                if (!TryGet(_frames, message[i].Child, ProtocolLimits.Frames, IsSilent, out var frame)) continue;
+                (frame.Source, frame.IsStationary, frame.Parent) = (source, isStationary, message[i].Parent);
+                (frame.Stamp, frame.SeenAt) = (message[i].Stamp, time.GetTimestamp());
+            }
+    }
+
+    /// <summary>Records a publication on /signals.</summary>
+    public void Add(HubSource source, SignalsMessage message)
+    {
+        lock (_gate)
+            for (var i = 0; i < message.Count; i++)
+            {
+                if (!TryGet(_signals, message[i].Name, ProtocolLimits.Signals, signal => signal.IsEnded, out var signal)) continue;
+                if (signal.Value != message[i].Value || signal.Source == null) (signal.Value, signal.Since) = (message[i].Value, message.Stamp);
+                (signal.Source, signal.IsEnded) = (source, false);
+            }
+    }
+
+    /// <summary>Records that the source of signals has ended.</summary>
+    public void End(HubSource source, IReadOnlyCollection<string> signals)
+    {
+        lock (_gate)
+            foreach (var name in signals)
+                if (_signals.TryGetValue(name, out var signal)) signal.IsEnded = true;
+    }
+
+    /// <summary>Gets all frames by name.</summary>
+    public IReadOnlyList<FrameView> Frames(ControlTime now)
+    {
+        lock (_gate)
+            return [.. _frames.Select(one => new FrameView(
+                one.Key, one.Value.Parent, one.Value.Source.Title, one.Value.IsStationary ? "stationary" : IsSilent(one.Value) ? "stale" : "live",
+                one.Value.IsStationary ? null : Seconds(now - one.Value.Stamp)))];
+    }
+
+    /// <summary>Gets all signals by name.</summary>
+    public IReadOnlyList<SignalView> Signals(ControlTime now)
+    {
+        lock (_gate)
+            return [.. _signals.Select(one => new SignalView(
+                one.Key, one.Value.Value, one.Value.Source.Title, one.Value.IsEnded ? "ended" : "live", Seconds(now - one.Value.Since)))];
+    }
+
+    bool IsSilent(Frame frame) => !frame.IsStationary && time.GetElapsedTime(frame.SeenAt) > MaxSilence;
+
+    static double Seconds(TimeSpan age) => Math.Round(age.TotalSeconds, 3);
+
+    // Those without a source give way when there are too many.
+    static bool TryGet<T>(SortedDictionary<string, T> all, string name, int limit, Predicate<T> isEnded, out T found)
+        where T : new()
+    {
+        if (all.TryGetValue(name, out found)) return true;
+        if (all.Count >= limit && all.FirstOrDefault(one => isEnded(one.Value)).Key is { } ended) all.Remove(ended);
+        if (all.Count >= limit) return false;
+        all.Add(name, found = new T());
+        return true;
+    }
+
+    sealed class Frame
+    {
+        public HubSource Source { get; set; }
+        public bool IsStationary { get; set; }
+        public string Parent { get; set; }
+        public ControlTime Stamp { get; set; }
+        public long SeenAt { get; set; }
+    }
+
+    sealed class Signal
+    {
+        public HubSource Source { get; set; }
+        public bool IsEnded { get; set; }
+        public double Value { get; set; }
+
+        /// <summary>Stamp of the message with which the value changed.</summary>
+        public ControlTime Since { get; set; }
+    }
+}

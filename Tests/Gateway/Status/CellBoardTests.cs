@@ -1,0 +1,77 @@
+using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Status;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Status;
+
+public class CellBoardTests
+{
+    readonly SteppedTime _time = new();
+    CellBoard _board;
+    HubSource _source;
+
+    [SetUp]
+    public void Start()
+    {
+        _board = new CellBoard(_time);
+        _source = new MessageHub().OpenSource();
+    }
+
+    static ControlTime At(double seconds) => ControlTime.FromSeconds(seconds);
+
+    static TransformsMessage Pose(string child, double t, string parent = "world") => new(new FrameTransform(At(t), parent, child, 1, 2, 3, 0, 0, 0, 1));
+
+    [Test]
+    public void Frames_EachKind_HaveTheirStates()
+    {
+        _board.Add(_source, Pose("table", 0), isStationary: true);
+        _board.Add(_source, Pose("box", 5), isStationary: false);
+
+        Assert.That(_board.Frames(At(5.1)), Is.EqualTo(new[]
+        {
+            new FrameView("box", "world", "gateway", "live", 0.1), new FrameView("table", "world", "gateway", "stationary", null),
+        }));
+
+        _time.Advance(TimeSpan.FromSeconds(1.5));
+
+        Assert.That(_board.Frames(At(6.6)).Select(frame => (frame.Name, frame.State)), Is.EqualTo(new[] { ("box", "stale"), ("table", "stationary") }));
+    }
+
+    [Test]
+    public void Frames_NewParent_ReportsIt()
+    {
+        _board.Add(_source, Pose("box", 5), isStationary: false);
+        _board.Add(_source, Pose("box", 6, "tool"), isStationary: false);
+
+        Assert.That(_board.Frames(At(6)).Single().Parent, Is.EqualTo("tool"));
+    }
+
+    [Test]
+    public void Frames_MoreThanAllowed_ReplaceThoseThatAreSilent()
+    {
+        for (var i = 0; i < ProtocolLimits.Frames; i++) _board.Add(_source, Pose($"box{i}", 5), isStationary: false);
+        _board.Add(_source, Pose("one more", 5), isStationary: false);
+        Assert.That(_board.Frames(At(5)).Select(frame => frame.Name), Has.None.EqualTo("one more"));
+
+        _time.Advance(TimeSpan.FromSeconds(2));
+        _board.Add(_source, Pose("one more", 7), isStationary: false);
+
+        Assert.That(_board.Frames(At(7)).Select(frame => frame.Name), Has.Member("one more").And.Exactly(ProtocolLimits.Frames).Items);
+    }
+
+    [Test]
+    public void Signals_RepeatedAndEnded_KeepTheTimeOfTheChange()
+    {
+        _board.Add(_source, new SignalsMessage(At(5), new SignalValue("grip", 1)));
+        _board.Add(_source, new SignalsMessage(At(7), new SignalValue("grip", 1)));
+        Assert.That(_board.Signals(At(8)), Is.EqualTo(new[] { new SignalView("grip", 1, "gateway", "live", 3) }));
+
+        _board.End(_source, ["grip", "unknown"]);
+        Assert.That(_board.Signals(At(8)).Single().State, Is.EqualTo("ended"));
+
+        _board.Add(_source, new SignalsMessage(At(9), new SignalValue("grip", 0)));
+        Assert.That(_board.Signals(At(9.5)), Is.EqualTo(new[] { new SignalView("grip", 0, "gateway", "live", 0.5) }));
+    }
+}
