@@ -1,5 +1,6 @@
 import { el } from '../dom';
 import { format } from '../numbers';
+import { Frames } from '../robot/frames';
 import { JointTracks } from '../robot/tracks';
 import { RobotView } from '../robot/view';
 import { setText } from './liveTable';
@@ -11,6 +12,7 @@ import { type Headset, type Joint, numberOf } from './state';
 const BEHIND_S = 0.5;
 const KEEP_S = 5;
 const JOINT_STATE = 'sensor_msgs/msg/JointState';
+const TRANSFORMS = 'tf2_msgs/msg/TFMessage';
 const NUMBERS_MS = 500;
 
 /** Interval of the pictures: smooth to the eye, with half the work of the maximum rate. */
@@ -31,6 +33,7 @@ export class RobotPanel {
   private readonly unknown = el('p', { class: 'level warning', hidden: true });
   private readonly truth = new JointTracks(KEEP_S);
   private displayed = new JointTracks(KEEP_S);
+  private readonly frames = new Frames();
   private readonly clock = new LiveClock();
   private headset: Headset | null = null;
   /** For each joint whose newest position is not current, the reason. */
@@ -43,6 +46,9 @@ export class RobotPanel {
     link.subscribe('/robot_description', 'std_msgs/msg/String', text => this.describe(text));
     // Fast enough for the eye at any plant rate. Several messages may be queued, because arm and gripper often publish separately.
     link.subscribe('/joint_states', JOINT_STATE, text => this.sample(text), 20, 8);
+    link.subscribe('/tf', TRANSFORMS, text => this.frames.take(text, false), 0, 8);
+    link.subscribe('/tf_static', TRANSFORMS, text => this.frames.take(text, true), 0, 256);
+    this.view.add(this.frames);
     link.subscribe('/nowpose/displayed', JOINT_STATE, text => this.shown(text), 0, 256);
     if (isCalm) setInterval(() => this.draw(), 1000);
     else this.animate();
@@ -98,6 +104,7 @@ export class RobotPanel {
       bodies.showKnown(part, joint => received.has(joint) && (part === 'displayed' || !this.faults.has(joint)));
       bodies.pose(part, poses[part]?.names ?? [], poses[part]?.positions ?? null);
     }
+    this.frames.pose(time, name => bodies.linkOf('truth', name));
     this.view.ask();
     if (performance.now() - this.shownAt < NUMBERS_MS) return;
     this.shownAt = performance.now();

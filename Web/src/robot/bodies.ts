@@ -6,12 +6,13 @@ import {
   Group,
   LineBasicMaterial,
   LineSegments,
+  Matrix4,
   MeshPhongMaterial,
   type Object3D,
   Vector3,
 } from 'three';
 import { colour, type Ink } from '../theme';
-import { isDrawn, movingJoints, paint, readUrdf, type Robot, setJoints, showKnown, toolPosition } from './urdf';
+import { isDrawn, linkOf, movingJoints, paint, readUrdf, type Robot, setJoints, showKnown, toolPosition } from './urdf';
 
 /** The poses of one robot that can be shown at one time. */
 export type Part = 'truth' | 'displayed' | 'hold';
@@ -86,6 +87,15 @@ export class Bodies {
   /** Extends a box by the shown bodies. */
   addTo(box: Box3): void {
     for (const part of Object.keys(PARTS) as Part[]) if (this.isShown(part)) box.expandByObject(this.robots[part].root);
+  }
+
+  /** Gets the pose of a link in the robot's base frame; null for an unknown one or one that is not drawn. */
+  linkOf(part: Part, name: string): Matrix4 | null {
+    const { root } = this.robots[part];
+    const link = linkOf(this.robots[part], name);
+    if (!link || !isDrawn(link)) return null;
+    root.updateMatrixWorld();
+    return root.matrixWorld.clone().invert().multiply(link.matrixWorld);
   }
 
   /** Gets the distance between the tools of two bodies, mm; null if one is not shown. */

@@ -50,6 +50,11 @@ export function movingJoints({ root }: Robot): string[] {
     .map(([name]) => name);
 }
 
+/** Gets a link by its name; null for none. */
+export function linkOf({ root }: Robot, name: string): Object3D | null {
+  return has(root.links, name) ? root.links[name] : null;
+}
+
 /** Draws only the links below joints whose position is known. */
 export function showKnown({ root }: Robot, isKnown: (joint: string) => boolean): void {
   for (const [name, joint] of Object.entries(root.joints)) joint.visible = !MOVING.includes(joint.jointType) || isKnown(masterOf(joint) ?? name);

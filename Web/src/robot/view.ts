@@ -1,9 +1,8 @@
-import { AmbientLight, Box3, Color, DirectionalLight, GridHelper, Scene, Vector3, WebGLRenderer } from 'three';
+import { AmbientLight, Box3, Color, DirectionalLight, GridHelper, type Group, Scene, Vector3, WebGLRenderer } from 'three';
 import { el } from '../dom';
 import { colour, onColoursChanged } from '../theme';
 import { Bodies } from './bodies';
 import { OrbitCamera } from './camera';
-import type { Objects } from './objects';
 
 const KEYS = 'Arrow keys turn the view, plus and minus zoom, 0 resets; or drag, and double-click.';
 const HEIGHT = 380;
@@ -11,11 +10,20 @@ const HEIGHT = 380;
 /** Margin around the shown bodies, as a share of their size. */
 const ROOM = 0.03;
 
+/** Things that are drawn in the robot's base frame. */
+interface Beside {
+  group: Group;
+  /** Extends a box by what is shown. */
+  addTo(box: Box3): void;
+  /** Applies the colours of the page. */
+  recolour?(): void;
+}
+
 /** Draws one robot at its true, displayed and held position. Without WebGL, it shows a message, and the joints are still updated. */
 export class RobotView {
   readonly element: HTMLElement;
   private bodiesShown: Bodies | null = null;
-  private objects: Objects | null = null;
+  private others: Beside | null = null;
   private readonly note = el('p', { class: 'missing', hidden: true });
   private readonly scene = new Scene();
   private readonly renderer: WebGLRenderer | null;
@@ -80,10 +88,10 @@ export class RobotView {
     this.recolour();
   }
 
-  /** Shows objects beside the robot, for as long as the page exists. */
-  add(objects: Objects): void {
-    this.objects = objects;
-    this.scene.add(objects.group);
+  /** Shows other things beside the robot, for as long as the page exists. */
+  add(others: Beside): void {
+    this.others = others;
+    this.scene.add(others.group);
   }
 
   /** Requests a redraw with the next frame. Several calls cause one redraw. */
@@ -106,7 +114,7 @@ export class RobotView {
   private widen(): void {
     const box = new Box3();
     this.bodiesShown?.addTo(box);
-    this.objects?.addTo(box);
+    this.others?.addTo(box);
     const size = box.getSize(new Vector3()).length();
     // Sizes in the description may not be finite.
     if (box.isEmpty() || !Number.isFinite(size) || this.seen.containsBox(box)) return;
@@ -117,7 +125,7 @@ export class RobotView {
 
   private recolour(): void {
     this.bodiesShown?.recolour();
-    this.objects?.recolour();
+    this.others?.recolour?.();
     this.scene.background = new Color(colour('--surface'));
     this.scene.children
       .filter(child => child instanceof GridHelper)

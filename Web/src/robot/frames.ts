@@ -1,0 +1,113 @@
+import { AxesHelper, type Box3, Group, Matrix4, Quaternion, Vector3 } from 'three';
+
+/** Length of the drawn axes, m. */
+const AXES = 0.05;
+
+/** As in the protocol: deeper trees and more frames are not accepted by the gateway. */
+const MAX_DEPTH = 16;
+const MAX_FRAMES = 256;
+
+/** Time after which a pose is not drawn any more without a newer one, s. */
+const MAX_AGE = 1;
+
+/** Samples kept per frame: more than the shown delay at 100 samples a second. */
+const KEEP = 100;
+
+const ONE = new Vector3(1, 1, 1);
+
+interface Sample {
+  stamp: number;
+  parent: string;
+  position: Vector3;
+  rotation: Quaternion;
+}
+
+interface Frame {
+  samples: Sample[];
+  isStationary: boolean;
+  axes: AxesHelper;
+}
+
+/** One received transform in the notation of ROS. */
+interface Transform {
+  header: { stamp: { sec: number; nanosec: number }; frame_id: string };
+  child_frame_id: string;
+  transform: { translation: { x: number; y: number; z: number }; rotation: { x: number; y: number; z: number; w: number } };
+}
+
+/** The frames of the cell as axes: x red, y green, z blue. */
+export class Frames {
+  readonly group = new Group();
+  private readonly frames = new Map<string, Frame>();
+
+  /** @param text A message on /tf or /tf_static; invalid ones are ignored. */
+  take(text: string, isStationary: boolean): void {
+    let transforms: Transform[];
+    try {
+      transforms = JSON.parse(text).msg.transforms;
+      for (const transform of transforms) this.add(transform, isStationary);
+    } catch {
+      // The gateway has checked it; a message of an unknown form is not drawn.
+    }
+  }
+
+  /**
+   * Moves the axes to a time. Frames without a known parent or without a recent pose are hidden.
+   * @param linkOf Returns the pose of a link of the robot; null for an unknown one.
+   */
+  pose(time: number, linkOf: (name: string) => Matrix4 | null): void {
+    for (const [name, frame] of this.frames) {
+      const world = this.worldOf(name, time, linkOf, 0);
+      frame.axes.visible = world !== null;
+      if (world) world.decompose(frame.axes.position, frame.axes.quaternion, frame.axes.scale);
+    }
+  }
+
+  addTo(box: Box3): void {
+    for (const { axes } of this.frames.values()) if (axes.visible) box.expandByObject(axes);
+  }
+
+  private add({ header, child_frame_id, transform }: Transform, isStationary: boolean): void {
+    const { translation: t, rotation: q } = transform;
+    const stamp = header.stamp.sec + header.stamp.nanosec / 1e9;
+    const { samples } = this.frameOf(child_frame_id, isStationary);
+    if (isStationary || samples[samples.length - 1]?.parent !== header.frame_id) samples.length = 0;
+    const rotation = new Quaternion(q.x, q.y, q.z, q.w);
+    samples.push({ stamp, parent: header.frame_id, position: new Vector3(t.x, t.y, t.z), rotation });
+    if (samples.length > KEEP) samples.shift();
+  }
+
+  private frameOf(name: string, isStationary: boolean): Frame {
+    let frame = this.frames.get(name);
+    if (frame) {
+      frame.isStationary = isStationary;
+      return frame;
+    }
+    if (this.frames.size >= MAX_FRAMES) throw new Error('too many frames');
+    frame = { samples: [], isStationary, axes: new AxesHelper(AXES) };
+    this.frames.set(name, frame);
+    this.group.add(frame.axes);
+    return frame;
+  }
+
+  private worldOf(name: string, time: number, linkOf: (name: string) => Matrix4 | null, depth: number): Matrix4 | null {
+    if (name === 'world') return new Matrix4();
+    const frame = this.frames.get(name);
+    if (!frame) return linkOf(name);
+    const sample = frame.isStationary ? frame.samples[0] : sampleAt(frame.samples, time);
+    if (!sample || depth >= MAX_DEPTH) return null;
+    const parent = this.worldOf(sample.parent, time, linkOf, depth + 1);
+    return parent && parent.clone().multiply(new Matrix4().compose(sample.position, sample.rotation, ONE));
+  }
+}
+
+// Interpolates between two samples; keeps the last one for a while.
+function sampleAt(samples: Sample[], time: number): Sample | null {
+  const after = samples.findIndex(sample => sample.stamp > time);
+  const last: Sample | undefined = samples[samples.length - 1];
+  if (after < 0) return last && time - last.stamp <= MAX_AGE ? last : null;
+  if (after === 0) return samples[0];
+  const [a, b] = [samples[after - 1], samples[after]];
+  const share = (time - a.stamp) / (b.stamp - a.stamp);
+  return { ...a, position: a.position.clone().lerp(b.position, share), rotation: a.rotation.clone().slerp(b.rotation, share) };
+}
