@@ -20,6 +20,7 @@ public sealed class PackageAssetsTests
     static readonly (string Field, string Path)[] MayBeEmpty =
     {
         ("VirtualGripper._rig", "Virtual Gripper"),
+        ("RobotRig._description", ""),
         ("PoseAppearance._session", "Virtual Gripper.prefab/Virtual Gripper"),
         ("PoseAppearance._words", "/Base Anchor/Ghost"),
         ("BodyFollow._head", "/Status Panel"),

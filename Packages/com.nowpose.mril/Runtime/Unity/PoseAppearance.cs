@@ -8,7 +8,7 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Changes the look of a pose that is not current or whose base is uncertain. Everything below this object is striped and
+    /// Changes the look of a pose, of the robot or of a Tracked Object above, that is not current or whose base is uncertain. Everything below this object is striped and
     /// fainter, and words state the reason. Before the first joint positions only the words are drawn. Parts of a rig or gripper that no
     /// longer follows the session are hidden.
     /// </summary>
@@ -39,6 +39,7 @@ namespace Nowpose.Unity
         readonly List<PoseCarrier> _carriers = new List<PoseCarrier>();
         MrilSession _source;
         RobotRig _rig;
+        TrackedObject _object;
         PoseCarrier _carrier;
         MaterialPropertyBlock _block;
         ReadingDistance _distance;
@@ -129,6 +130,7 @@ namespace Nowpose.Unity
             _isOn = true;
             _pose = PoseState.Incomplete;
             _source = this.SessionOr(_session);
+            _object = GetComponentInParent<TrackedObject>();
             _rig = GetComponentInParent<RobotRig>();
             if (_rig != null) _rig.Bound += Refresh;
             if (_source != null)
@@ -165,7 +167,7 @@ namespace Nowpose.Unity
 
         void Show(DisplayFrame frame)
         {
-            var isNews = frame.State != _pose;
+            var isNews = StateIn(frame) != _pose;
             foreach (var carrier in _carriers) isNews |= carrier.HasTurned();
             var known = BaseLook.Of(_anchor);
             isNews |= !known.IsSameAs(_base);
@@ -177,9 +179,11 @@ namespace Nowpose.Unity
 
         void Take(DisplayFrame frame)
         {
-            _pose = frame.State;
+            _pose = StateIn(frame);
             _outsideRange = frame.OutsideRange;
         }
+
+        PoseState StateIn(DisplayFrame frame) => _object != null ? _object.State : _rig != null ? _rig.StateIn(frame) : frame.State;
 
         void Abandon()
         {

@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Kinematics;
 using Nowpose.Session;
+using Nowpose.Unity.Cell;
 using Nowpose.Unity.Robot;
 using Nowpose.Unity.Session;
 using UnityEngine;
@@ -19,6 +20,12 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("The session that moves this robot. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
 
+        [SerializeField, Tooltip("Namespace of the robot in the cell, such as arm2 for /arm2/joint_states. Empty: the session's own robot.")]
+        string _robotNamespace = "";
+
+        [SerializeField, Tooltip("Description of a robot in a namespace. Not used for the session's own robot.")]
+        RobotDescriptionAsset _description = null;
+
         [SerializeField, Tooltip("Displayed: the robot's pose at the time when the light reaches the eye. Held: the newest sample, for "
             + "comparison.")]
         RigPose _shows = RigPose.Displayed;
@@ -31,6 +38,7 @@ namespace Nowpose.Unity
         Material _toolMaterial = null;
 
         MrilSession _source;
+        RigRobot _robot;
         RobotModel _refused;
         RigHierarchy _hierarchy;
         GameObject _built;
@@ -50,8 +58,14 @@ namespace Nowpose.Unity
         /// <summary>The session that moves this rig; null while disabled, or if a script moves it.</summary>
         public MrilSession Session => _source;
 
-        /// <summary>Whether this rig shows the session's robot: false while disabled, or if bound to no robot or another one.</summary>
-        public bool IsFollowing => _source != null && Model != null && Model == _source.Robot;
+        /// <summary>Namespace of the robot in the cell; empty for the session's own robot.</summary>
+        public string RobotNamespace => _robotNamespace ?? "";
+
+        /// <summary>State of the shown robot in a frame of the session.</summary>
+        internal PoseState StateIn(DisplayFrame frame) => _robot == null ? frame.State : _robot.StateIn(frame);
+
+        /// <summary>Whether this rig shows its robot of the session: false while disabled, or if bound to no robot or another one.</summary>
+        public bool IsFollowing => _source != null && Model != null && Model == _robot.ModelIn(_source);
 
         public RigPose Shows => _shows;
 
@@ -109,7 +123,9 @@ namespace Nowpose.Unity
         void OnEnable()
         {
             _source = this.SessionOr(_session);
-            if (_source != null) _source.Shown += Show;
+            if (_source == null) return;
+            _robot = new RigRobot(this, RobotNamespace, _description, CellPlace.WorldOf(this, _source));
+            _source.Shown += Show;
         }
 
         void OnDisable()
@@ -134,14 +150,17 @@ namespace Nowpose.Unity
 
         void Show(DisplayFrame frame)
         {
+            var shown = _robot.FrameIn(_source.Session, frame);
             FollowRobot();
-            if (IsFollowing) Apply(_shows == RigPose.Held ? frame.HeldJoints : frame.Joints);
+            if (shown == null || !IsFollowing) return;
+            Apply(_shows == RigPose.Held ? shown.HeldJoints : shown.Joints);
+            _robot.PlaceBase();
         }
 
         // Not called while objects are being enabled: the engine does not allow children to be removed then.
         void FollowRobot()
         {
-            var robot = _source.Robot;
+            var robot = _robot.ModelIn(_source);
             if (robot == null || robot == _refused || (robot == Model && _hierarchy.IsWhole)) return;
             _refused = null;
             try

@@ -43,6 +43,9 @@ namespace Nowpose.Unity
             + "device's name in its system settings.")]
         string _headsetName = "";
 
+        [SerializeField, Tooltip("Namespace of the session's robot in the cell, such as arm1 for /arm1/joint_states. Empty: the robot without one.")]
+        string _robotNamespace = "";
+
         [SerializeField, Tooltip("Send the displayed joints to the gateway up to 20 times a second, about 9 kB/s, so that its operations page "
             + "can draw them beside the robot. Frames do not wait for it.")]
         bool _publishDisplayed = true;
@@ -132,7 +135,8 @@ namespace Nowpose.Unity
                     range: _renderTimeLimitMs == 0 ? null : new ConstantLatencyRange(_renderTimeLimitMs, _renderTimeLimitSource),
                     rewriteBeforeRender: _rewriteBeforeRender,
                     clockEstimator: _clockEstimator,
-                    outsideRange: _outsideRange);
+                    outsideRange: _outsideRange,
+                    robotNamespace: _robotNamespace);
             }
             catch (InputException fault)
             {

@@ -20,6 +20,7 @@ namespace Nowpose.Session
         public SessionRobot(string name, RobotModel robot, SessionSettings settings, ApplicationLatency latency, DropCounters drops)
         {
             Namespace = name;
+            Root = RobotTopic.Qualified(name, robot.Root.Name);
             Robot = robot;
             Description = new ReceivedDescription(robot);
             _tracks = new JointTracks(robot, settings.Prediction);
@@ -34,6 +35,9 @@ namespace Nowpose.Session
         public string Namespace { get; }
 
         public RobotModel Robot { get; }
+
+        /// <summary>Frame of the root link, with the namespace.</summary>
+        public string Root { get; }
 
         /// <summary>The description that the gateway sends for this robot. Thread-safe.</summary>
         public ReceivedDescription Description { get; }

@@ -27,6 +27,7 @@ namespace Nowpose.Tests.Unity
             ("_deviceTrust", true, s => s.Connection.Security, TransportSecurity.DeviceTrust),
             ("_token", "secret", s => s.Connection.Token, "secret"),
             ("_headsetName", "left door", s => s.Connection.HeadsetName, "left door"),
+            ("_robotNamespace", "arm1", s => s.RobotNamespace, "arm1"),
             ("_publishDisplayed", false, s => s.Connection.PublishesDisplayed, false),
             ("_visualisationMs", 33.25, s => s.Visualisation.Length.TotalMilliseconds, 33.25),
             ("_predictor", "cubic", s => s.Prediction.Predictor, "cubic"),
@@ -141,6 +142,7 @@ namespace Nowpose.Tests.Unity
         [TestCase("_pin", "sha256/AAAA", "pin", "sha256/AAAA", "32 bytes")]
         [TestCase("_token", "with blank", "token", "ASCII")]
         [TestCase("_headsetName", " ", "headset name", "1 to 128")]
+        [TestCase("_robotNamespace", "1st arm", "robot namespace", "1st arm", "32 characters")]
         [TestCase("_visualisationMs", -1.0, "visualisation latency", "-1 ms", "0 to 500 ms")]
         [TestCase("_visualisationMs", 500.5, "visualisation latency", "500.5 ms", "0 to 500 ms")]
         [TestCase("_visualisationMs", double.NaN, "visualisation latency", "NaN ms", "0 to 500 ms")]

@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Unity
         static readonly string[] MayBeEmpty =
         {
             "VirtualGripper._rig", "PoseAppearance._session", "PoseAppearance._words", "BodyFollow._head", "LatencyProfileLoader._shipped",
-            "StatusPanel._bar",
+            "StatusPanel._bar", "RobotRig._description",
         };
 
         static IEnumerable<string> Prefabs => Files("Prefabs", "prefab");

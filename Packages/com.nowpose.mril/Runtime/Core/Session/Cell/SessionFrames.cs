@@ -40,8 +40,11 @@ namespace Nowpose.Session.Cell
         public void Add(SessionRobot robot)
         {
             Tree.Add(robot);
-            _needed.Need(RobotTopic.Qualified(robot.Namespace, robot.Robot.Root.Name));
+            _needed.Need(robot.Root);
         }
+
+        /// <summary>Returns whether a frame of the cell has the name of the robot's root link, so that it places the robot's base.</summary>
+        public bool HasBaseOf(SessionRobot robot) => Find(robot.Root) != null;
 
         /// <summary>Predicts a frame from now on, whether a pose of it has been received or not.</summary>
         public void Need(string name) => _needed.Need(name);

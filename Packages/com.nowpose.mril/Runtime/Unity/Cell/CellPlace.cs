@@ -1,0 +1,22 @@
+using Nowpose.Kinematics;
+using UnityEngine;
+
+namespace Nowpose.Unity.Cell
+{
+    /// <summary>Places objects in the frame <c>world</c> of the cell: the Base Anchor above them, or without one the session's object.</summary>
+    static class CellPlace
+    {
+        public static Transform WorldOf(Component component, MrilSession session)
+        {
+            var anchor = component.GetComponentInParent<BaseAnchor>();
+            return anchor != null ? anchor.transform : session.transform;
+        }
+
+        /// <param name="pose">Pose in the cell, right-handed, metres.</param>
+        public static void PlaceIn(this Transform moved, Transform world, in RigidTransform pose)
+        {
+            var place = UnityFrame.ToUnity(pose);
+            moved.SetPositionAndRotation(world.TransformPoint(place.Position()), world.rotation * place.Rotation());
+        }
+    }
+}

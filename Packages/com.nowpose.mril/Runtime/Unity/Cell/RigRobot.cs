@@ -1,0 +1,72 @@
+using Nowpose.Kinematics;
+using Nowpose.Session;
+using Nowpose.Unity.Session;
+using UnityEngine;
+
+namespace Nowpose.Unity.Cell
+{
+    /// <summary>The robot of a session that a rig shows: the session's own, or one in a namespace, which the rig adds to each session.</summary>
+    sealed class RigRobot
+    {
+        readonly RobotRig _rig;
+        readonly string _name;
+        readonly RobotDescriptionAsset _description;
+        readonly Transform _world;
+        CompensationSession _session;
+        SessionRobot _robot;
+
+        /// <param name="name">Namespace of the robot; empty for the session's own robot.</param>
+        /// <param name="description">Description of a robot in a namespace.</param>
+        /// <param name="world">Frame <c>world</c> of the cell.</param>
+        public RigRobot(RobotRig rig, string name, RobotDescriptionAsset description, Transform world)
+        {
+            _rig = rig;
+            _name = name;
+            _description = description;
+            _world = world;
+        }
+
+        bool IsOwn => string.IsNullOrEmpty(_name);
+
+        /// <summary>The robot's model; null while it is unknown.</summary>
+        /// <param name="source">The session, whose own robot it may be.</param>
+        public RobotModel ModelIn(MrilSession source) => IsOwn ? source.Robot : _robot?.Robot;
+
+        /// <summary>State of the robot's pose in the session's frame.</summary>
+        public PoseState StateIn(DisplayFrame frame) => IsOwn ? frame.State : _robot == null ? PoseState.Incomplete : _robot.Frame.State;
+
+        /// <summary>Finds the robot in the session, or adds it.</summary>
+        /// <param name="frame">Frame of the session's own robot.</param>
+        /// <returns>The robot's frame; null if it has none.</returns>
+        public DisplayFrame FrameIn(CompensationSession session, DisplayFrame frame)
+        {
+            if (session != _session)
+            {
+                _session = session;
+                _robot = IsOwn ? session.Robots[0] : Add(session);
+            }
+            return IsOwn ? frame : _robot?.Frame;
+        }
+
+        /// <summary>Moves the rig with the robot's base, if a frame of the cell has the name of the robot's root link.</summary>
+        public void PlaceBase()
+        {
+            if (_robot != null && _session.Frames.HasBaseOf(_robot)) _rig.transform.PlaceIn(_world, _robot.RootPose);
+        }
+
+        SessionRobot Add(CompensationSession session)
+        {
+            try
+            {
+                if (_description == null)
+                    throw new InputException("robot namespace '" + _name + "': has no description; assign a Robot Description to the rig '" + _rig.name + "'");
+                return session.AddRobot(_name, _description.Read());
+            }
+            catch (InputException fault)
+            {
+                ConsoleLog.Fail(_rig, fault.Message);
+                return null;
+            }
+        }
+    }
+}

@@ -1,0 +1,94 @@
+using System;
+using Nowpose.Session;
+using Nowpose.Signals;
+using Nowpose.Unity.Cell;
+using Nowpose.Unity.Session;
+using UnityEngine;
+using UnityEngine.Events;
+
+namespace Nowpose.Unity
+{
+    /// <summary>Raises events when a signal of the control system changes, in the frame whose light shows the time of the change.</summary>
+    /// <remarks>
+    /// A Boolean is 0 or 1. Each change is reported once and in order, also if several become visible in one frame; so is the first known value.
+    /// Assign any method, such as <c>Animator.SetBool</c> or <c>GameObject.SetActive</c>.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Signal")]
+    public sealed class CellSignal : MonoBehaviour
+    {
+        [SerializeField, Tooltip("The session that receives the signal. Empty: the session on this object or a parent.")]
+        MrilSession _session = null;
+
+        [SerializeField, Tooltip("Name of the signal on /signals. Empty: the name of this object.")]
+        string _signal = "";
+
+        [SerializeField, Tooltip("Raised when the value becomes 0.5 or more: a Boolean becomes true.")]
+        UnityEvent _onTrue = new UnityEvent();
+
+        [SerializeField, Tooltip("Raised when the value becomes less than 0.5: a Boolean becomes false.")]
+        UnityEvent _onFalse = new UnityEvent();
+
+        [SerializeField, Tooltip("Raised with true or false when a Boolean changes.")]
+        UnityEvent<bool> _onState = new UnityEvent<bool>();
+
+        [SerializeField, Tooltip("Raised with each new value.")]
+        UnityEvent<float> _onValue = new UnityEvent<float>();
+
+        MrilSession _source;
+        SignalFollower _follower;
+        bool? _isOn;
+
+        /// <summary>Name of the signal.</summary>
+        public string Signal => string.IsNullOrEmpty(_signal) ? name : _signal;
+
+        /// <summary>The value at the display time; null while none is known.</summary>
+        public double? Value => _follower?.Track?.Value;
+
+        /// <summary>Control time from which the signal has had the value; null while unknown.</summary>
+        public ControlTime? Since => _follower?.Track?.Since;
+
+        /// <summary>Why the value is not current, in one line; null if it is.</summary>
+        public string Fault => _follower == null ? "not enabled" : _follower.Fault;
+
+        /// <summary>Raised with each new value.</summary>
+        public event Action<double> Changed;
+
+        void OnEnable()
+        {
+            _source = this.SessionOr(_session);
+            if (_source == null)
+            {
+                ConsoleLog.Warn(this, "signal '" + name + "' has no session on its object or a parent; assign one");
+                return;
+            }
+            _isOn = null;
+            _follower = new SignalFollower(Signal, Take);
+            _source.Shown += Show;
+        }
+
+        void OnDisable()
+        {
+            if (_source is null) return;
+            _source.Shown -= Show;
+            _source = null;
+            _follower.Leave();
+            _follower = null;
+        }
+
+        void Show(DisplayFrame frame) => _follower.Follow(_source.Session);
+
+        void Take(SignalTrack signal)
+        {
+            var value = signal.Value;
+            var isOn = value >= 0.5;
+            if (isOn != _isOn)
+            {
+                _isOn = isOn;
+                (isOn ? _onTrue : _onFalse).Invoke();
+                _onState.Invoke(isOn);
+            }
+            _onValue.Invoke((float)value);
+            Changed?.Invoke(value);
+        }
+    }
+}

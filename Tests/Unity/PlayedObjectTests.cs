@@ -1,0 +1,236 @@
+using Nowpose.Frames;
+using Nowpose.Gateway.Plants;
+using Nowpose.Kinematics;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+using Nowpose.Session;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests;
+
+/// <summary>Objects, signals and a second robot of the cell in a running scene.</summary>
+public class PlayedObjectTests
+{
+    const double Latency = 0.08, Visu = 0.04;
+
+    PlayedCell _cell;
+    MrilSession _session;
+
+    [SetUp]
+    public void Start()
+    {
+        _cell = new PlayedCell();
+        _session = _cell.NewSession();
+    }
+
+    [TearDown]
+    public void Stop() => _cell.Dispose();
+
+    // The headset clock starts at 1000 s and is 300 s behind the control clock.
+    static ControlTime At(double seconds) => ControlTime.FromSeconds(1300 + seconds);
+
+    T Below<T>(string name, Transform parent) where T : Component
+    {
+        var made = new GameObject(name);
+        made.transform.SetParent(parent, false);
+        return made.AddComponent<T>();
+    }
+
+    void SendPose(string parent, string child, double t, in RigidTransform pose) => _session.Session.Listener.FramesReceived(
+        new TransformsMessage(pose.ToTransform(At(t), parent, child)), false, HeadsetTime.FromSeconds(1000 + t + Latency));
+
+    void SendSignal(string name, double t, double value, double latency = Latency) => _session.Session.Listener.SignalsReceived(
+        new SignalsMessage(At(t), new SignalValue(name, value)), HeadsetTime.FromSeconds(1000 + t + latency));
+
+    void Run(double seconds, Action<double> send = null, Action seen = null)
+    {
+        _session.gameObject.SetActive(true);
+        _cell.Run(seconds, _session, () =>
+        {
+            seen?.Invoke();
+            send?.Invoke(_cell.Now - Latency);
+        });
+    }
+
+    static RigidTransform Along(double x, double yaw = 0) => RigidTransform.FromXyzRpy(x, 0.2, 0.1, 0, 0, yaw);
+
+    static void AssertAt(Transform shown, Transform world, in RigidTransform pose, double within = 1e-4)
+    {
+        var expected = UnityPoses.ToWorld(pose);
+        Assert.That(Vector3.Distance(shown.position, world.TransformPoint(expected.position)), Is.LessThan(within));
+        Assert.That(Quaternion.Angle(shown.rotation, world.rotation * expected.rotation), Is.LessThan(0.1));
+    }
+
+    [Test]
+    public void TrackedObject_Moving_IsShownAtTheDisplayTimeBelowTheMovedAnchor()
+    {
+        var anchor = Below<BaseAnchor>("Base Anchor", _session.transform);
+        anchor.transform.position = new Vector3(1, 2, 3);
+        var box = Below<TrackedObject>("box", anchor.transform);
+        Run(2, t => SendPose("world", "box", t, Along(0.3 * t, 0.4 * t)));
+
+        Run(1, t => SendPose("world", "box", t, Along(0.3 * t, 0.4 * t)), () =>
+        {
+            Assert.That(box.State, Is.EqualTo(PoseState.Current));
+            AssertAt(box.transform, anchor.transform, Along(0.3 * (_cell.Now + Visu), 0.4 * (_cell.Now + Visu)), 1e-3);
+        });
+        anchor.transform.position = new Vector3(-5, 0, 0);
+        _cell.Frame(_session);
+
+        AssertAt(box.transform, anchor.transform, Along(0.3 * (_cell.Now + Visu), 0.4 * (_cell.Now + Visu)), 1e-3);
+    }
+
+    [Test]
+    public void TrackedObject_ParentIsALink_IsInTheDisplayedGripper()
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var part = Below<TrackedObject>("part", _session.transform);
+        Run(1, t => SendPose("tool_centre_point", "part", t, Along(0.05)));
+
+        Run(1, t => SendPose("tool_centre_point", "part", t, Along(0.05)), () =>
+        {
+            var grasp = UnityPoses.ToWorld(Along(0.05));
+            Assert.That(Vector3.Distance(part.transform.position, rig.Tool.TransformPoint(grasp.position)), Is.LessThan(1e-4), "0.1 mm");
+        });
+        Assert.That(part.Parent, Is.EqualTo("tool_centre_point"));
+    }
+
+    [Test]
+    public void TrackedObject_NoLongerSent_LooksHeldWhileTheRobotIsCurrent()
+    {
+        var box = Below<TrackedObject>("box", _session.transform);
+        var appearance = box.GetComponent<PoseAppearance>();
+        Run(2, t => SendPose("world", "box", t, Along(t)));
+        Assert.That(appearance.Look.IsHatched, Is.False);
+
+        Run(1);
+
+        Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
+        Assert.That(box.State, Is.EqualTo(PoseState.Held));
+        Assert.That(appearance.Look.IsHatched, Is.True);
+    }
+
+    [Test]
+    public void TrackedObject_NeverSent_IsNotDrawn()
+    {
+        var box = Below<TrackedObject>("box", _session.transform);
+        Run(1);
+
+        Assert.That(box.State, Is.EqualTo(PoseState.Incomplete));
+        Assert.That(box.GetComponent<PoseAppearance>().Look.IsDrawn, Is.False);
+    }
+
+    [Test]
+    public void Signal_Changes_RaiseEventsOnceInOrderAndInTime()
+    {
+        var signal = Below<CellSignal>("gripper", _session.transform);
+        var seen = new List<(double Light, double Value)>();
+        signal.Changed += value => seen.Add((_cell.Now + Visu, value));
+        Run(1);
+        SendSignal("gripper", _cell.Now - 1, 0);
+        Run(0.5);
+        var change = _cell.Now + 0.5;
+        SendSignal("gripper", change, 1, latency: -0.4);
+        SendSignal("gripper", change + 0.005, 0, latency: -0.4);
+
+        Run(1);
+
+        Assert.That(seen.Select(each => each.Value), Is.EqualTo(new[] { 0.0, 1, 0 }));
+        Assert.That(seen[1].Light - change, Is.InRange(-1e-6, 1 / 60.0 + 1e-6), "in the frame whose light has its stamp");
+        Assert.That(signal.Value, Is.Zero);
+    }
+
+    [Test]
+    public void Signal_NoGateway_StatesIt()
+    {
+        var signal = Below<CellSignal>("gripper", _session.transform);
+        Run(0.5);
+
+        Assert.That((signal.Value, signal.Fault), Is.EqualTo(((double?)null, "no connection")));
+    }
+
+    [Test]
+    public void ActuatedPart_LateNews_IsInPhase()
+    {
+        var part = Below<ActuatedPart>("jaw", _session.transform).With("_wayMetres", new Vector3(0, 0, 0.02f)).With("_strokeMs", 300f);
+        Run(1);
+        SendSignal("jaw", _cell.Now - 1, 0);
+        Run(0.5);
+        Assert.That(part.Share, Is.Zero);
+
+        var change = _cell.Now - Latency;
+        SendSignal("jaw", change, 1);
+        Run(0.1);
+
+        var passed = _cell.Now + Visu - change;
+        Assert.That(passed, Is.InRange(0.2, 0.25));
+        var stroke = new Signals.ActuatedStroke(0, 1, 0.3);
+        stroke.Change(0, At(0));
+        stroke.Change(1, At(1));
+        Assert.That(part.Share, Is.EqualTo(stroke.At(At(1 + passed))).Within(1e-4));
+        Assert.That(part.transform.localPosition.z, Is.EqualTo(0.02 * part.Share).Within(1e-6));
+
+        Run(0.5);
+        Assert.That(part.Share, Is.EqualTo(1).Within(1e-6));
+    }
+
+    [Test]
+    public void Rig_InANamespace_ShowsItsRobotOnItsMovingBase()
+    {
+        var text = RobotFiles.LoadText("youbot");
+        var rig = Second(text);
+        var joints = RobotFiles.Load("youbot").MovingJoints.Select(joint => joint.Name).ToArray();
+        void Send(double t)
+        {
+            _session.Session.Listener.Received(
+                new JointStateMessage(At(t), joints, joints.Select(_ => 0.003).ToArray()), HeadsetTime.FromSeconds(1000 + t + Latency), "arm2");
+            SendPose("world", "arm2/arm_link_0", t, Along(0.1 * t));
+        }
+        Run(2, Send);
+
+        Assert.That(rig.IsFollowing, Is.True);
+        Assert.That(rig.Joints[0], Is.EqualTo(0.003).Within(1e-6));
+        AssertAt(rig.transform, _session.transform, Along(0.1 * (_cell.Now + Visu)), 1e-3);
+        Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Current));
+
+        Run(1);
+        Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Held), "its source has ended; the session's robot goes on");
+        Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
+    }
+
+    RobotRig Second(string urdf)
+    {
+        var made = new GameObject("Second");
+        made.SetActive(false);
+        made.transform.SetParent(_session.transform, false);
+        var rig = made.AddComponent<RobotRig>().With("_robotNamespace", "arm2");
+        if (urdf != null) rig.With("_description", RobotDescriptionAsset.Create("second", urdf));
+        made.SetActive(true);
+        return rig;
+    }
+
+    [Test]
+    public void Rig_InANamespaceWithoutDescription_StatesWhatToAssign()
+    {
+        var rig = Second(null);
+        Run(0.5);
+
+        Assert.That(rig.IsFollowing, Is.False);
+        Assert.That(_cell.Messages, Has.Exactly(1).Contains("assign a Robot Description to the rig 'Second'"));
+    }
+
+    [Test]
+    public void Cell_ObjectsAndSignals_AllocateNothing()
+    {
+        Below<TrackedObject>("box", _session.transform);
+        Below<CellSignal>("grip", _session.transform);
+        Below<ActuatedPart>("jaw", _session.transform);
+        Run(2, t => SendPose("world", "box", t, Along(t)));
+        SendSignal("grip", _cell.Now - 1, 1);
+        Run(1);
+
+        Assert.That(_cell.AllocatedIn(() => _cell.Run(1, _session)), Is.Zero);
+    }
+}
