@@ -80,7 +80,7 @@ sealed partial class InspectedType
         return isOwn ? FieldsOf(element, prefix) : Enumerable.Empty<InspectedField>();
     }
 
-    static Type ElementOf(Type type) => type.IsArray ? type.GetElementType() : type.IsGenericType ? type.GetGenericArguments()[0] : type;
+    static Type ElementOf(Type type) => type.IsArray ? type.GetElementType() : typeof(System.Collections.IEnumerable).IsAssignableFrom(type) && type.IsGenericType ? type.GetGenericArguments()[0] : type;
 
     static bool IsShown(FieldInfo field) =>
         !field.IsInitOnly && !field.IsStatic && !field.IsLiteral && !field.IsDefined(typeof(NonSerializedAttribute))
