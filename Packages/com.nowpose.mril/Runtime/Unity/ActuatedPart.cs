@@ -44,36 +44,29 @@ namespace Nowpose.Unity
         public float Share { get; private set; }
 
         /// <summary>Why the signal's value is not current, in one line; null if it is.</summary>
-        public string Fault => _follower == null ? "not enabled" : _follower.Fault;
+        public string Fault => _follower == null ? "no session" : _follower.Fault;
 
         void OnEnable()
         {
-            _source = this.SessionOr(_session);
-            if (_source == null)
-            {
-                ConsoleLog.Warn(this, "actuated part '" + name + "' has no session on its object or a parent; assign one");
-                return;
-            }
             _restPosition = transform.localPosition;
             _restRotation = transform.localRotation;
             _stroke = new ActuatedStroke(0, 1, _strokeMs / 1000.0);
-            _follower = new SignalFollower(Signal, Take);
-            _source.Shown += Show;
+            _follower = SignalFollower.Of(this, _session, "actuated part '" + name + "'", Signal, Take);
+            _source = this.SessionOr(_session);
+            if (_source != null) _source.Shown += Show;
         }
 
         void OnDisable()
         {
-            if (_source is null) return;
-            _source.Shown -= Show;
-            _source = null;
-            _follower.Leave();
+            _follower?.Leave();
             _follower = null;
+            if (_source is object) _source.Shown -= Show;
+            _source = null;
             Move(0);
         }
 
         void Show(DisplayFrame frame)
         {
-            _follower.Follow(_source.Session);
             if (frame.DisplayTime is ControlTime light) Move((float)_stroke.At(light));
         }
 

@@ -1,8 +1,6 @@
 using System;
-using Nowpose.Session;
 using Nowpose.Signals;
 using Nowpose.Unity.Cell;
-using Nowpose.Unity.Session;
 using UnityEngine;
 using UnityEngine.Events;
 
@@ -34,7 +32,6 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Raised with each new value.")]
         UnityEvent<float> _onValue = new UnityEvent<float>();
 
-        MrilSession _source;
         SignalFollower _follower;
         bool? _isOn;
 
@@ -48,34 +45,22 @@ namespace Nowpose.Unity
         public ControlTime? Since => _follower?.Track?.Since;
 
         /// <summary>Why the value is not current, in one line; null if it is.</summary>
-        public string Fault => _follower == null ? "not enabled" : _follower.Fault;
+        public string Fault => _follower == null ? "no session" : _follower.Fault;
 
         /// <summary>Raised with each new value.</summary>
         public event Action<double> Changed;
 
         void OnEnable()
         {
-            _source = this.SessionOr(_session);
-            if (_source == null)
-            {
-                ConsoleLog.Warn(this, "signal '" + name + "' has no session on its object or a parent; assign one");
-                return;
-            }
             _isOn = null;
-            _follower = new SignalFollower(Signal, Take);
-            _source.Shown += Show;
+            _follower = SignalFollower.Of(this, _session, "signal '" + name + "'", Signal, Take);
         }
 
         void OnDisable()
         {
-            if (_source is null) return;
-            _source.Shown -= Show;
-            _source = null;
-            _follower.Leave();
+            _follower?.Leave();
             _follower = null;
         }
-
-        void Show(DisplayFrame frame) => _follower.Follow(_source.Session);
 
         void Take(SignalTrack signal)
         {

@@ -1,50 +1,68 @@
 using System;
+using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Signals;
+using Nowpose.Unity.Session;
+using UnityEngine;
 
 namespace Nowpose.Unity.Cell
 {
-    /// <summary>Follows one signal over all sessions of a component. Allocates nothing in a frame.</summary>
+    /// <summary>Follows one signal over all sessions of a session component. Allocates nothing in a frame.</summary>
     sealed class SignalFollower
     {
+        readonly MrilSession _source;
         readonly string _name;
         readonly Action<SignalTrack> _changed;
         CompensationSession _session;
 
-        /// <param name="name">Name of the signal.</param>
-        /// <param name="changed">Called with each change when it becomes visible, in order, and with the value at the start.</param>
-        public SignalFollower(string name, Action<SignalTrack> changed)
+        SignalFollower(MrilSession source, string name, Action<SignalTrack> changed)
         {
+            _source = source;
             _name = name;
             _changed = changed;
+            _source.Shown += Show;
         }
 
         /// <summary>The signal; null while no value is known.</summary>
         public SignalTrack Track { get; private set; }
 
         /// <summary>Why the value is not current, in one line; null if it is.</summary>
-        public string Fault => _session == null ? "no session"
-            : _session.Signals.FaultOf(_name, _session.SampleLink.State == Network.LinkState.Connected);
+        public string Fault => _session == null ? "no session" : _session.Signals.FaultOf(_name, _session.SampleLink.State == LinkState.Connected);
 
-        /// <summary>Follows the signal in a session; call it in each frame.</summary>
-        /// <param name="session">Null for none.</param>
-        public void Follow(CompensationSession session)
+        /// <summary>Starts to follow a signal in the session of a component.</summary>
+        /// <param name="what">Kind and name of the component, for the warning if it has no session.</param>
+        /// <param name="changed">Called with each change when it becomes visible, in order, and with the value at the start.</param>
+        /// <returns>Null without a session.</returns>
+        public static SignalFollower Of(Component component, MrilSession assigned, string what, string name, Action<SignalTrack> changed)
         {
-            if (session == _session) return;
-            Leave();
+            var source = component.SessionOr(assigned);
+            if (source != null) return new SignalFollower(source, name, changed);
+            ConsoleLog.Warn(component, what + " has no session on its object or a parent; assign one");
+            return null;
+        }
+
+        /// <summary>Ends following.</summary>
+        public void Leave()
+        {
+            _source.Shown -= Show;
+            Follow(null);
+        }
+
+        void Show(DisplayFrame frame)
+        {
+            if (_source.Session != _session) Follow(_source.Session);
+        }
+
+        void Follow(CompensationSession session)
+        {
+            if (_session != null) _session.Signals.Table.Changed -= Take;
+            Track = null;
             _session = session;
             if (session == null) return;
             session.Signals.Need();
             session.Signals.Table.Changed += Take;
             var known = session.Signals.Table.IndexOf(_name);
             if (known >= 0 && session.Signals.Table[known].IsKnown) Take(session.Signals.Table[known]);
-        }
-
-        public void Leave()
-        {
-            if (_session != null) _session.Signals.Table.Changed -= Take;
-            _session = null;
-            Track = null;
         }
 
         void Take(SignalTrack signal)
