@@ -3,7 +3,7 @@ import type { Configuration, OwnCheck } from './configuration/configuration';
 import type { GatewayLink } from './gateway/link';
 import type { AdapterStatus } from './gateway/status';
 import type { Log } from './log';
-import type { JointOutput } from './samples/jointOutput';
+import type { PlantOutput } from './samples/plantOutput';
 
 /** The objects that every kind of adapter receives. */
 export interface AdapterContext {
@@ -12,7 +12,7 @@ export interface AdapterContext {
   /** Attach it to the plant's clock while the plant is connected. */
   clock: PlantClock;
   /** Takes the values as they arrive. */
-  output: JointOutput;
+  output: PlantOutput;
   status: AdapterStatus;
   log: Log;
   /** Aborted when the adapter must end. */

@@ -41,6 +41,7 @@ function contentOf(kind: Kind, configuration: Configuration): object {
     joints: configuration.joints.map(({ joint }) => joint),
     passes_unlisted: kind.passesUnlisted?.(configuration) ?? false,
     robot: configuration.robot,
+    robots: configuration.robots,
   };
 }
 

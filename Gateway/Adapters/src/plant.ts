@@ -1,11 +1,12 @@
 import { PlantClock } from './clock/plantClock';
-import { type Configuration, faultAfterMs } from './configuration/configuration';
+import type { Configuration } from './configuration/configuration';
+import { silenceMs } from './configuration/silenceEntry';
 import { GatewayLink } from './gateway/link';
-import { description, DIAGNOSTICS, diagnostics, ROBOT_DESCRIPTION } from './gateway/messages';
+import { description, DIAGNOSTICS, diagnostics, ROBOT_DESCRIPTION, topicOf } from './gateway/messages';
 import { AdapterStatus } from './gateway/status';
 import { load } from './kinds';
 import { Log } from './log';
-import { JointOutput } from './samples/jointOutput';
+import { PlantOutput } from './samples/plantOutput';
 import { type Nanoseconds, ofMilliseconds, toMilliseconds } from './times';
 
 const DIAGNOSTICS_MS = 1000;
@@ -18,7 +19,7 @@ const OLDEST_MS = 10_000;
 
 /** Runs one adapter until a signal, or the end of the gateway that started it, stops it. Returns the exit status. */
 export async function runPlant(configuration: Configuration): Promise<number> {
-  const { plant, joints, robot } = configuration;
+  const { plant, robot, robots } = configuration;
   const log = new Log(`plant/${plant.name}`, configuration.secrets);
   const ending = new Ending();
   let changed: NodeJS.Timeout | null = null;
@@ -34,16 +35,17 @@ export async function runPlant(configuration: Configuration): Promise<number> {
   const limits = {
     tolerance: ofMilliseconds(Number(groupMs ?? GROUP_MS)),
     oldest: ofMilliseconds(Number(oldestMs ?? OLDEST_MS)),
-    faultAfterMs: faultAfterMs(plant.silence),
+    faultAfterMs: silenceMs(plant.silence),
   };
-  const output = new JointOutput(joints, limits, clock, gateway, status);
-  for (const { joint } of joints) status.joints.expect(joint);
+  const output = new PlantOutput(configuration, limits, clock, gateway, status);
+  gateway.watch({ opened: () => output.signals.connected() });
   const run = await load(plant.kind);
-  if (robot !== null) gateway.publishKept(ROBOT_DESCRIPTION, description(robot));
+  for (const [namespace, urdf] of Object.entries({ ...robots, ...(robot === null ? {} : { '': robot }) }))
+    gateway.publishKept(topicOf(namespace, ROBOT_DESCRIPTION), description(urdf));
 
   const link = gateway.run(ending.signal);
   const reports = setInterval(tell, DIAGNOSTICS_MS);
-  const checks = setInterval(() => output.checkSilence(), SILENCE_CHECK_MS);
+  const checks = setInterval(() => output.check(), SILENCE_CHECK_MS);
   try {
     await run({ configuration, gateway, clock, output, status, log, stopping: ending.signal });
   } finally {

@@ -48,11 +48,12 @@ describe('configuration', () => {
     const { status, out } = await check(t, path, { ...process.env, NOWPOSE_SUPERVISED: '1' });
 
     const [, content] = out.split('\n');
-    assert.deepEqual([status, JSON.parse(content)], [0, { name: 'opcua', joints: ['arm_joint_1', 'arm_joint_2'], passes_unlisted: false, robot: null }]);
+    assert.deepEqual([status, JSON.parse(content)], [0, { name: 'opcua', joints: ['arm_joint_1', 'arm_joint_2'], passes_unlisted: false, robot: null, robots: {} }]);
   });
 
   for (const [name, from, to, expected] of [
     ['UnknownKind', 'kind: opcua', 'kind: opcau', /^line 4: plant\.kind: value "opcau"; did you mean opcua\? allowed are .*opcua/],
+    ['KeyWithALineSeparator', 'plant:', '\u2028lant:', /^line 3: \\u2028lant: not known here; did you mean plant\?$/],
     ['NoKind', '  kind: opcua\n', '', /^line 3: plant\.kind: missing; .*opcua/],
     ['NoPlant', /plant:\n.*\n.*\n/, '', /^line 1: plant: missing/],
     ['KindMisspelt', 'kind: opcua', 'kindx: opcua', /^line 4: plant\.kindx: not known here; did you mean kind\?$/],
@@ -67,7 +68,7 @@ describe('configuration', () => {
     ['NodeNumberTooLarge', 'ns=4;i=1002', 'ns=4;i=4294967296', /^line 11: joints\[1\]\.node: .* from 0 to 4294967295$/],
     ['TimeNodeTooLarge', 'joints:', '  time: {node: ns=65536;s=t}\njoints:', /^line 6: plant\.time\.node: .* from 0 to 65535$/],
     ['UnknownKey', 'endpoint: opc', 'endpont: opc', /^line 5: plant\.endpont: not known here; did you mean endpoint\?/],
-    ['UnknownSection', 'joints:', 'axes:', /^line 6: axes: not known here; allowed are gateway, plant, joints, robot$/],
+    ['UnknownSection', 'joints:', 'axes:', /^line 6: axes: not known here; allowed are gateway, plant, joints, frames, signals, robot, robots$/],
     ['WrongEndpoint', 'opc.tcp://plc.example:4840', 'http://plc', /^line 5: plant\.endpoint: value "http:\/\/plc"; allowed is .*opc\.tcp:\/\/HOST/],
     ['PasswordInEndpoint', 'opc.tcp://plc', 'opc.tcp://me:word@plc', /^line 5: plant\.endpoint: .*without user name or password$/],
     ['PasswordWithSlash', 'opc.tcp://plc', 'opc.tcp:/me:wo/rd@x@plc', /^line 5: plant\.endpoint: value "opc\.tcp:\/\*\*\*@plc/],
@@ -135,7 +136,7 @@ describe('configuration', () => {
 
     assert.equal(lines.length, 2, lines.join('\n'));
     assert.match(lines[0], /^line 1: plant: missing/);
-    assert.match(lines[1], /^line 3: endpont: not known here; allowed are gateway, plant, joints, robot/);
+    assert.match(lines[1], /^line 3: endpont: not known here; allowed are gateway, plant, joints, frames, signals, robot, robots/);
   });
 
   it('Check_AddressesOfAllForms_AreValid', () => {

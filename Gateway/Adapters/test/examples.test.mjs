@@ -28,7 +28,7 @@ it('Examples_OfControlSystems_NameTheirRobot', () =>
 
 for (const [name, { robot, joints }] of withRobot)
   it(`Example_${name}_NamesAllJointsOfItsArm`, () => {
-    const turning = [...robotOf({ path: join(folder, name) }, robot).matchAll(/<joint\s+name="([^"]+)"\s+type="(?:revolute|continuous)"/g)].map(m => m[1]);
+    const turning = [...robotOf({ path: join(folder, name) }, ['robot'], robot).matchAll(/<joint\s+name="([^"]+)"\s+type="(?:revolute|continuous)"/g)].map(m => m[1]);
 
     assert.ok(turning.length >= 5);
     assert.deepEqual(turning.filter(joint => !joints.some(entry => entry.joint === joint)), []);

@@ -11,7 +11,7 @@ export function plant(joints = [{ joint: 'a' }, { joint: 'b' }], options = {}) {
   const lines = [], sent = [], time = { ms: 0 };
   const status = new AdapterStatus('opcua', new Log('plant/test', [], line => lines.push(line), () => {}));
   const clock = { get now() { return T + BigInt(time.ms) * MS; }, isSettled: true };
-  const output = new JointOutput(joints.map(joint => ({ scale: 1, offset: 0, ...joint })), { tolerance: MS, oldest: 10n * S, ...options },
+  const output = new JointOutput(joints.map(joint => ({ scale: 1, offset: 0, robot: '', name: joint.joint, ...joint })), { tolerance: MS, oldest: 10n * S, ...options },
     clock, { publish: (topic, msg) => sent.push(msg) }, status, () => time.ms);
   for (const { joint } of joints) status.joints.expect(joint);
   status.enter('connected');

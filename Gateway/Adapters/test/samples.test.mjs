@@ -82,7 +82,7 @@ describe('joint output', () => {
     return { out, sent, status, lines, clock };
   }
 
-  const joint = (name, scale = 1, offset = 0) => ({ joint: name, scale, offset });
+  const joint = (name, scale = 1, offset = 0) => ({ joint: name, robot: '', name, scale, offset });
 
   it('Value_ScaledAndShifted_KeepsItsStampToTheNanosecond', () => {
     const { out, sent } = output([joint('a', 2, 0.5), joint('b', -1)]);

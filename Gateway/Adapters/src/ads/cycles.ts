@@ -6,9 +6,9 @@ const MORE_WAITING = 16;
 /** Maximum number of stored times: those of 10 s, the longest delay, for a task of 5 ms. */
 const MAX_TIMES = 2048;
 
-/** A joint's index in the configuration, and its value in the PLC. */
+/** The index of a value in the configuration, and the value in the PLC. */
 export interface CycleValue {
-  joint: number;
+  index: number;
   value: number;
 }
 

@@ -17,6 +17,10 @@ const READERS: Record<number, { bytes: number; read: Reader }> = {
   21: { bytes: 8, read: data => data.readBigUInt64LE() },
 };
 
+/** A BOOL, which is a state but not a position. */
+const BIT = 33;
+const STATE: Record<number, { bytes: number; read: Reader }> = { ...READERS, [BIT]: { bytes: 1, read: data => Math.min(data.readUInt8(), 1) } };
+
 /** The type of fixed-size structures that hold a time: two words of 32 bits, the lower one first. */
 const STRUCTURE = 65;
 
@@ -33,7 +37,11 @@ export interface Declared {
 /** Whether the symbol is a single number. */
 export const isNumber = ({ adsDataType, size, arrayDimension }: Declared): boolean => arrayDimension === 0 && READERS[adsDataType]?.bytes === size;
 
-export const numberOf = (declared: Declared, data: Buffer): number => Number(READERS[declared.adsDataType].read(data));
+/** Whether the symbol is a single number or a BOOL. */
+export const isState = ({ adsDataType, size, arrayDimension }: Declared): boolean => arrayDimension === 0 && STATE[adsDataType]?.bytes === size;
+
+/** Gets the number in a symbol's data; 0 or 1 for a BOOL. */
+export const numberOf = (declared: Declared, data: Buffer): number => Number(STATE[declared.adsDataType].read(data));
 
 /** Time units of types by name; see `unitOf` for other types. */
 const UNIT_OF_TYPE: Record<string, TimeUnit> = {

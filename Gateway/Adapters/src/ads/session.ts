@@ -4,7 +4,7 @@ import type { ClockReading } from '../clock/plantClock';
 import type { TimeUnit } from '../samples/timeUnit';
 import { type Nanoseconds, ofFileTime, ofMilliseconds } from '../times';
 import { Cycles, type CycleValue } from './cycles';
-import { canHoldTime, isNumber, numberOf, timeOf, unitOf } from './decoding';
+import { canHoldTime, isNumber, isState, numberOf, timeOf, unitOf } from './decoding';
 import { NotificationTime, type PlcTime, VariableTime } from './plcTime';
 import { ReadOnlyClient } from './readOnlyClient';
 import { reasonOf } from './reasons';
@@ -19,7 +19,7 @@ const GOODBYE_MS = 500;
 /** The state that every runtime has, independent of its program. */
 const PLC_STATE = { indexGroup: ADS.ADS_RESERVED_INDEX_GROUPS.DeviceData, indexOffset: 0, size: 4 };
 
-/** Delay of a value beyond the intervals, and the limit for a joint that the PLC does not confirm. */
+/** Delay of a value beyond the intervals, and the limit for a value that the PLC does not confirm. */
 const SLACK_MS = 100;
 const UNCONFIRMED_MS = 1500;
 
@@ -28,8 +28,8 @@ const STAMP_LAG_MS = 50;
 
 interface Watched {
   symbol: AdsSymbol;
-  /** Index of the joint; null for the time. */
-  joint: number | null;
+  /** Index of the value; null for the time. */
+  index: number | null;
   unsubscribe(): Promise<void>;
 }
 
@@ -55,8 +55,8 @@ export class AdsSession {
       Math.ceil(settings.publishingMs / settings.samplingMs),
       (time, values) => this.#put(time, values),
       values => {
-        for (const { joint } of values)
-          context.output.refuse(joint, 'stamp-missing', `the value arrived without ${settings.time?.symbol} of its cycle`);
+        for (const { index } of values)
+          context.output.refuse(index, 'stamp-missing', `the value arrived without ${settings.time?.symbol} of its cycle`);
       },
     );
   }
@@ -97,80 +97,88 @@ export class AdsSession {
   async #setUp(): Promise<void> {
     await this.#client.connect();
     const { settings } = this;
-    const joints = await this.#findJoints();
+    const symbols = await this.#findSymbols();
     const time = settings.time && (await this.#find(settings.time, timeNeeded));
     if (time !== null) this.#unit = settings.time!.unit ?? unitOf(time);
     this.#time =
       time === null
-        ? new NotificationTime(this.#client, joints.find(symbol => symbol !== null) ?? PLC_STATE)
+        ? new NotificationTime(this.#client, symbols.find(symbol => symbol !== null) ?? PLC_STATE)
         : new VariableTime(this.#client, time, this.#unit, this.context.clock.fixedResolution);
-    // The PLC counts the cycles from when a notification is added. The time is sampled in every cycle, and the joints are added immediately.
+    // The PLC counts the cycles from when a notification is added. The time is sampled in every cycle, and the values are added immediately.
     if (time !== null) await this.#watch(time, null, { cycleTime: 0, sendOnChange: false });
     const sampled = { cycleTime: settings.samplingMs, sendOnChange: settings.isOnChange };
-    await Promise.all(joints.map((symbol, joint) => (symbol === null ? undefined : this.#watch(symbol, joint, sampled))));
-    this.#watchSilence(joints, sampled);
+    await Promise.all(symbols.map((symbol, index) => (symbol === null ? undefined : this.#watch(symbol, index, sampled))));
+    this.#watchSilence(symbols, sampled);
     this.#isReading = true;
     this.#tellState();
   }
 
-  /** Gets the symbols; null for a joint that the PLC does not have. The others are still read. */
-  async #findJoints(): Promise<(AdsSymbol | null)[]> {
-    const found = await Promise.allSettled(this.settings.joints.map(named => this.#find(named, numberNeeded)));
+  /** Gets the symbols; null for one that the PLC does not have. The others are still read. */
+  async #findSymbols(): Promise<(AdsSymbol | null)[]> {
+    const found = await Promise.allSettled(
+      this.settings.values.map((named, index) => this.#find(named, this.#isSignal(index) ? stateNeeded : numberNeeded)),
+    );
     const failed = found.filter(result => result.status === 'rejected');
     const fatal = failed.find(({ reason }) => !(reason instanceof SymbolError)) ?? (failed.length === found.length ? failed[0] : undefined);
     if (fatal !== undefined) throw fatal.reason;
-    return found.map((result, joint) => {
+    return found.map((result, index) => {
       if (result.status === 'fulfilled') return result.value;
-      this.context.output.lose(joint, (result.reason as Error).message);
+      this.context.output.lose(index, (result.reason as Error).message);
       return null;
     });
   }
 
-  #watchSilence(joints: (AdsSymbol | null)[], sampled: { cycleTime: number; sendOnChange: boolean }): void {
+  #watchSilence(symbols: (AdsSymbol | null)[], sampled: { cycleTime: number; sendOnChange: boolean }): void {
     const { output, clock } = this.context;
     const { samplingMs, publishingMs, isOnChange } = this.settings;
     const delayMs = SLACK_MS + samplingMs + publishingMs;
     output.samplingS = samplingMs / 1000;
-    output.silence.unconfirmedMs = Math.max(UNCONFIRMED_MS, UNCONFIRMED_MS / 2 + 3 * delayMs);
+    output.unconfirmedMs = Math.max(UNCONFIRMED_MS, UNCONFIRMED_MS / 2 + 3 * delayMs);
     this.#silent = new SilentSymbols(
-      joints.map(symbol => symbol !== null),
+      symbols.map(symbol => symbol !== null),
       delayMs,
       isOnChange,
       {
-        read: async joint => {
-          const symbol = joints[joint]!;
+        read: async index => {
+          const symbol = symbols[index]!;
           const { indexGroup, indexOffset, size } = symbol;
           return numberOf(symbol, await this.#client.readRaw(indexGroup, indexOffset, size));
         },
         confirm: (confirmed, agoMs) => {
           const { now } = clock;
-          const others = joints.flatMap((_, joint) => (confirmed.has(joint) ? [] : [joint]));
+          const others = symbols.flatMap((_, index) => (confirmed.has(index) ? [] : [index]));
           if (now === null || !this.#isRunning) return;
           output.hold(now - ofMilliseconds(agoMs + STAMP_LAG_MS + samplingMs), ofMilliseconds(3 * samplingMs), new Set(others));
         },
-        lose: (joint, error) => {
-          if (this.#isRunning) output.lose(joint, `${this.settings.joints[joint].symbol} cannot be read: ${this.#reasonOf(error)}`);
+        lose: (index, error) => {
+          if (this.#isRunning) output.lose(index, `${this.settings.values[index].symbol} cannot be read: ${this.#reasonOf(error)}`);
         },
-        renew: async (joint, value) => {
+        renew: async (index, value) => {
           for (const [handle, watched] of this.#watched) {
-            if (watched.joint !== joint) continue;
+            if (watched.index !== index) continue;
             this.#watched.delete(handle);
             watched.unsubscribe().catch(() => {});
           }
-          await this.#watch(joints[joint]!, joint, sampled);
-          // The first notification may arrive before its handle is known; a joint at rest has no other.
-          output.publish([{ joint, value, stamp: null, isFirst: true }]);
+          await this.#watch(symbols[index]!, index, sampled);
+          // The first notification may arrive before its handle is known; a value at rest has no other.
+          output.publish([{ index, value, stamp: null, isFirst: true }]);
         },
       },
     );
     void this.#silent.run(AbortSignal.any([this.context.stopping, this.#ended.signal]));
   }
 
+  /** Whether the value is a signal, which may be a BOOL. */
+  #isSignal(index: number): boolean {
+    const { values, signals } = this.context.configuration;
+    return index >= values.length - signals.length;
+  }
+
   #find(named: NamedSymbol, objection: (found: AdsSymbol) => string | undefined): Promise<AdsSymbol> {
     return findSymbol(this.#client, this.context.configuration.file, named, objection);
   }
 
-  async #watch(symbol: AdsSymbol, joint: number | null, when: { cycleTime: number; sendOnChange: boolean }): Promise<void> {
+  async #watch(symbol: AdsSymbol, index: number | null, when: { cycleTime: number; sendOnChange: boolean }): Promise<void> {
     const { indexGroup, indexOffset, size } = symbol;
     const { samplingMs, publishingMs } = this.settings;
     const subscription = await this.#client.subscribe({
@@ -179,7 +187,7 @@ export class AdsSession {
       callback: () => {},
       maxDelay: publishingMs > samplingMs ? publishingMs : 0,
     });
-    this.#watched.set(subscription.notificationHandle, { symbol, joint, unsubscribe: () => subscription.unsubscribe() });
+    this.#watched.set(subscription.notificationHandle, { symbol, index, unsubscribe: () => subscription.unsubscribe() });
   }
 
   #hear(stamps: StampedSamples[]): void {
@@ -192,12 +200,12 @@ export class AdsSession {
           this.#time?.saw(handle, stamp);
           continue;
         }
-        const { symbol, joint } = watched;
+        const { symbol, index } = watched;
         if (data.length < symbol.size) return this.#end(`${symbol.name} has moved in the PLC's memory; its variables are looked up again`);
-        if (joint === null) time = timeOf(symbol, this.#unit, data);
+        if (index === null) time = timeOf(symbol, this.#unit, data);
         else {
-          values.push({ joint, value: numberOf(symbol, data) });
-          this.#silent?.heard(joint, values.at(-1)!.value);
+          values.push({ index, value: numberOf(symbol, data) });
+          this.#silent?.heard(index, values.at(-1)!.value);
         }
       }
       if (this.settings.time !== null) this.#cycles.add(stamp, values, time);
@@ -209,10 +217,10 @@ export class AdsSession {
     const { isOnChange, samplingMs, publishingMs } = this.settings;
     // Changes older than this were sampled and sent before these values.
     if (isOnChange && stamp !== null && this.#isRunning)
-      this.context.output.hold(stamp - ofMilliseconds(samplingMs + publishingMs), ofMilliseconds(3 * samplingMs), new Set(values.map(v => v.joint)));
+      this.context.output.hold(stamp - ofMilliseconds(samplingMs + publishingMs), ofMilliseconds(3 * samplingMs), new Set(values.map(v => v.index)));
     if (this.#isRunning) return this.context.output.publish(values.map(value => ({ ...value, stamp })));
-    for (const { joint } of values)
-      this.context.output.refuse(joint, 'plc-stopped', "the PLC's program does not run, so its variables do not change");
+    for (const { index } of values)
+      this.context.output.refuse(index, 'plc-stopped', "the PLC's program does not run, so its variables do not change");
   }
 
   #tellState(): void {
@@ -264,8 +272,10 @@ export class AdsSession {
 
 const numberNeeded = (found: AdsSymbol): string | undefined => {
   if (found.arrayDimension > 0) return `name one element, such as ${found.name}[${found.arrayInfo[0]?.startIndex ?? 0}]`;
-  return isNumber(found) ? undefined : "a joint's value must be a number: LREAL, REAL or a whole number";
+  return isNumber(found) ? undefined : 'a position must be a number: LREAL, REAL or a whole number';
 };
+
+const stateNeeded = (found: AdsSymbol): string | undefined => (isState(found) ? undefined : numberNeeded(found));
 
 const timeNeeded = (found: AdsSymbol): string | undefined =>
   canHoldTime(found) ? undefined : 'a time must have 64 bits: LINT, ULINT, LREAL, LTIME or T_FILETIME';

@@ -1,5 +1,6 @@
-import { type Configuration, type OwnCheck, passedJoints } from '../configuration/configuration';
+import { type Configuration, type OwnCheck, readNames } from '../configuration/configuration';
 import { shown } from '../configuration/problem';
+import type { Path } from '../configuration/yamlFile';
 import type { TimeUnit } from '../samples/timeUnit';
 import { type AdsEndpoint, isNetId, parseEndpoint } from './endpoint';
 import type { NamedSymbol } from './symbols';
@@ -19,7 +20,7 @@ export interface AdsSettings {
   isOnChange: boolean;
   /** The variable with t_k; null if the stamps of notifications are used. */
   time: (NamedSymbol & { unit: TimeUnit | undefined }) | null;
-  joints: NamedSymbol[];
+  values: NamedSymbol[];
 }
 
 interface PlantSection {
@@ -35,7 +36,7 @@ interface PlantSection {
 
 const sectionOf = (configuration: Configuration): PlantSection => configuration.plant as unknown as PlantSection;
 
-/** Checks what the schema cannot check, and stores the lines of the symbols for errors that only the PLC can detect. */
+/** Checks what the schema cannot check. */
 export const check: OwnCheck = (file, configuration) => {
   const plant = sectionOf(configuration);
   if (parseEndpoint(plant.endpoint) === undefined)
@@ -54,17 +55,16 @@ export const check: OwnCheck = (file, configuration) => {
   const { samplingMs, publishingMs } = intervalsOf(plant);
   if (publishingMs < samplingMs)
     file.report(['plant', 'publishing_ms'], `value ${publishingMs}; allowed is a time from sampling_ms, ${samplingMs}, to 10000 ms`);
-  const silent = file.value as { plant: { silence?: unknown }; joints?: { silence?: unknown }[] };
-  const rests = [['plant'], ...configuration.joints.map((_, i) => ['joints', i])].filter(
-    path => (path.length === 1 ? silent.plant : silent.joints![Number(path[1])]).silence === 'rest',
-  );
+  const { joints = [], frames = [] } = file.value as Record<'joints' | 'frames', { silence?: unknown }[] | undefined>;
+  const silent: [Path, { silence?: unknown }][] = [
+    [['plant'], (file.value as { plant: object }).plant],
+    ...joints.map((joint, i): [Path, object] => [['joints', i], joint]),
+    ...frames.map((frame, i): [Path, object] => [['frames', i], frame]),
+  ];
   if (plant.on_change !== true)
-    for (const path of rests)
-      file.report([...path, 'silence'], 'value "rest"; without on_change: true a joint at rest is sent too, so missing values are always a fault');
-  configuration.joints.forEach((joint, i) => {
-    joint.line = file.lineOf(['joints', i, 'symbol']);
-  });
-  if (plant.time !== undefined) Object.assign(plant.time, { line: file.lineOf(['plant', 'time', 'symbol']) });
+    for (const [path, { silence }] of silent)
+      if (silence === 'rest')
+        file.report([...path, 'silence'], 'value "rest"; without on_change: true values at rest are sent too, so missing values are always a fault');
 };
 
 const intervalsOf = (plant: PlantSection): { samplingMs: number; publishingMs: number } => {
@@ -79,8 +79,8 @@ export function settingsOf(configuration: Configuration): AdsSettings {
     local: plant.local_net_id === undefined ? null : { netId: plant.local_net_id, port: OWN_PORT },
     ...intervalsOf(plant),
     isOnChange: plant.on_change ?? false,
-    time: plant.time === undefined ? null : { unit: undefined, ...(plant.time as { symbol: string; unit?: TimeUnit; line: number }) },
-    joints: configuration.joints.map(joint => ({ symbol: joint.symbol as string, line: joint.line as number })),
+    time: plant.time === undefined ? null : { unit: undefined, ...plant.time, line: configuration.lineOf(['plant', 'time', 'symbol']) },
+    values: configuration.values.map(({ path, address }) => ({ symbol: address.symbol!, line: configuration.lineOf([...path, 'symbol']) })),
   };
 }
 
@@ -90,6 +90,6 @@ export const summary = (configuration: Configuration): string => {
   return [
     `ADS ${sectionOf(configuration).endpoint}, NO SECURITY`,
     `t_k is ${stamp}, sampled every ${samplingMs} ms, published every ${publishingMs} ms`,
-    passedJoints(configuration.joints, 'its clock alone'),
+    readNames(configuration, 'its clock alone'),
   ].join('; ');
 };

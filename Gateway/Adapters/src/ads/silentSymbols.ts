@@ -20,15 +20,15 @@ interface SymbolState {
   missedSince: number | null;
 }
 
-/** Actions for the results of a read, by the joint's index in the configuration. */
+/** Actions for the results of a read, by the value's index in the configuration. */
 export interface ReadActions {
   /** @throws Error The PLC no longer has the symbol, or does not answer. */
-  read(joint: number): Promise<number>;
-  /** Confirms that these joints had the value of their last notification when they were read. The reads began `agoMs` ms ago. */
-  confirm(joints: ReadonlySet<number>, agoMs: number): void;
-  lose(joint: number, error: unknown): void;
+  read(index: number): Promise<number>;
+  /** Confirms that these symbols had the value of their last notification when they were read. The reads began `agoMs` ms ago. */
+  confirm(indices: ReadonlySet<number>, agoMs: number): void;
+  lose(index: number, error: unknown): void;
   /** Subscribes again: the symbol exists again with this value, or its notifications are missing. */
-  renew(joint: number, value: number): Promise<void>;
+  renew(index: number, value: number): Promise<void>;
 }
 
 /** Reads the symbols for which a PLC sends nothing: either the value is at rest, or the symbol no longer exists. */
@@ -37,7 +37,7 @@ export class SilentSymbols {
   #newest = -Infinity;
 
   /**
-   * @param watched Whether each joint is subscribed.
+   * @param watched Whether each symbol is subscribed.
    * @param delayMs Maximum delay of a value.
    * @param isOnChange Whether values at rest are not sent.
    */
@@ -51,9 +51,9 @@ export class SilentSymbols {
     this.#symbols = watched.map(isWatched => (isWatched ? { heardAt: now(), value: null, isLost: false, missedSince: null } : null));
   }
 
-  heard(joint: number, value: number): void {
+  heard(index: number, value: number): void {
     this.#newest = this.now();
-    this.#symbols[joint] = { heardAt: this.#newest, value, isLost: false, missedSince: null };
+    this.#symbols[index] = { heardAt: this.#newest, value, isLost: false, missedSince: null };
   }
 
   async run(stop: AbortSignal): Promise<void> {
@@ -71,10 +71,10 @@ export class SilentSymbols {
     const began = this.now();
     const silence = this.isOnChange ? SILENT_MS : this.#lateMs;
     const unchanged = new Set<number>();
-    const silent = this.#symbols.flatMap((symbol, joint) => (symbol !== null && began - symbol.heardAt >= silence ? [joint] : []));
+    const silent = this.#symbols.flatMap((symbol, index) => (symbol !== null && began - symbol.heardAt >= silence ? [index] : []));
     await Promise.all(
-      silent.map(async joint => {
-        if (await this.#isUnchanged(joint, began)) unchanged.add(joint);
+      silent.map(async index => {
+        if (await this.#isUnchanged(index, began)) unchanged.add(index);
       }),
     );
     if (unchanged.size > 0) this.actions.confirm(unchanged, this.now() - began);
@@ -84,22 +84,22 @@ export class SilentSymbols {
     return Math.max(LATE_MS, DELAYS * this.delayMs);
   }
 
-  async #isUnchanged(joint: number, began: number): Promise<boolean> {
+  async #isUnchanged(index: number, began: number): Promise<boolean> {
     let value: number;
     try {
-      value = await this.actions.read(joint);
+      value = await this.actions.read(index);
     } catch (error) {
-      this.#symbols[joint]!.isLost = true;
-      this.actions.lose(joint, error);
+      this.#symbols[index]!.isLost = true;
+      this.actions.lose(index, error);
       return false;
     }
-    const symbol = this.#symbols[joint]!;
+    const symbol = this.#symbols[index]!;
     const isSame = Object.is(value, symbol.value);
     if (symbol.heardAt >= began) return false;
     symbol.missedSince = this.isOnChange && isSame ? null : (symbol.missedSince ?? began);
     if (symbol.isLost || (symbol.missedSince !== null && began - symbol.missedSince >= this.#lateMs)) {
-      this.heard(joint, value);
-      await this.actions.renew(joint, value).catch(error => this.actions.lose(joint, error));
+      this.heard(index, value);
+      await this.actions.renew(index, value).catch(error => this.actions.lose(index, error));
       return false;
     }
     return this.isOnChange && isSame;

@@ -1,4 +1,4 @@
-import type { JointCondition, JointState } from '../gateway/jointConditions';
+import type { Condition, State } from '../gateway/conditions';
 import type { AdapterStatus } from '../gateway/status';
 import type { JointNames } from '../ros/jointNames';
 import type { Silence } from '../samples/silence';
@@ -15,7 +15,7 @@ const VALUE = /^(live|rest|stale|refused|fault|missing) (-?\d{1,12}(?:\.\d{1,9})
 const UNCERTAIN = 'may not be at rest: ';
 
 /** Report of the plant's gateway about one joint that is not live there. */
-interface Report extends JointCondition {
+interface Report extends Condition {
   joint: string;
 }
 
@@ -99,5 +99,5 @@ function reportOf(entry: { key?: unknown; value?: unknown } | null, written: Nan
   const isUncertain = word === 'rest' && reason.startsWith(UNCERTAIN);
   // "stale" describes the arrival at the receiving gateway, which an adapter does not report.
   const [state, why] = word === 'stale' ? ['fault', `at the gateway that has the plant: ${reason}`] : [word, reason];
-  return { joint, state: state as JointState, since, reason: why, uncertainty: isUncertain ? reason.slice(UNCERTAIN.length) : '' };
+  return { joint, state: state as State, since, reason: why, uncertainty: isUncertain ? reason.slice(UNCERTAIN.length) : '' };
 }

@@ -17,8 +17,8 @@ export async function subscribe(
   settings: BrokerSettings,
 ): Promise<void> {
   const names = new JointNames([]);
-  const states = new JointStates(names, settings.oldest, clock, gateway, status, output.silence);
-  const reported = new ReportedJoints(names, status, output.silence);
+  const states = new JointStates(names, settings.oldest, clock, gateway, status, output.joints.silence);
+  const reported = new ReportedJoints(names, status, output.joints.silence);
   const take: Record<string, (message: Record<string, unknown>) => void> = {
     [STATES]: message => states.pass(message),
     [STATUS]: message => reported.hear(message),

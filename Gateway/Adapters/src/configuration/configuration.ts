@@ -1,10 +1,14 @@
 import { requireAddress } from './address';
+import { type Frame, type FrameEntry, framesOf } from './frames';
 import { nearest } from './nearest';
 import { shown } from './problem';
-import { requireJoints, robotOf } from './robot';
+import { type NamedJoint, namedIn, requireJoints, robotOf } from './robot';
 import { checkAgainstSchema, KINDS, knownEntries } from './schemaCheck';
 import { secretIn } from './secret';
 import { requireTls } from './plain';
+import { type Signal, signalsOf } from './signals';
+import { type SilenceEntry, silenceMs } from './silenceEntry';
+import { ADDRESS, type Address, addressIn, type Value } from './values';
 import { type Path, pathText, YamlFile } from './yamlFile';
 
 const UNITS: Record<string, number> = { rad: 1, deg: Math.PI / 180, m: 1, mm: 0.001 };
@@ -16,8 +20,7 @@ export interface GatewayAddress {
 }
 
 /** A joint and the conversion of its value to rad or m. Its address in the control system is specific to the kind. */
-export interface Joint {
-  joint: string;
+export interface Joint extends Address, NamedJoint {
   scale: number;
   offset: number;
   /** Whether the position is a length in m; an angle in rad otherwise. */
@@ -32,30 +35,38 @@ export interface Joint {
 /** Default meaning of silence for kinds whose sources send each joint periodically, also at rest. */
 const PERIODIC: Record<string, SilenceEntry> = { ros: { fault_after_s: 1 }, rtde: { fault_after_s: 1 }, broker: { fault_after_s: 3 } };
 
-/** Meaning of the absence of data for a joint. */
-export type SilenceEntry = 'rest' | { fault_after_s: number };
-
 export interface Configuration {
   file: string;
   gateway: GatewayAddress;
   /** Its name, its kind and the entries of that kind, as specified in the schema. */
   plant: { kind: string; name: string; silence: SilenceEntry; [own: string]: unknown };
   joints: Joint[];
-  /** The text of the URDF. */
+  frames: Frame[];
+  signals: Signal[];
+  /** The numbers to read, in the order of joints, frames and signals. */
+  values: Value[];
+  /** The text of the URDF of the robot without a namespace; null if the adapter does not publish it. */
   robot: string | null;
+  /** The texts of the URDFs of the robots in namespaces. */
+  robots: Record<string, string>;
   /** Texts that must not appear in the log. */
   secrets: string[];
   /** Whether the gateway starts the adapter, which then receives the gateway's address from it. */
   isSupervised: boolean;
   /** Gets "FILE, line L: path.to.entry", for errors that are detected only at the plant. */
   where(path: Path): string;
+  /** Gets the line of an entry, counted from 1. */
+  lineOf(path: Path): number;
 }
 
 interface Sections {
   gateway?: { url?: string; token_file?: string; pin?: string };
-  plant: { kind: string; name?: string; silence?: SilenceEntry; max_deceleration?: number };
+  plant: { kind: string; name?: string; silence?: SilenceEntry; max_deceleration?: number; namespace?: string };
   joints?: { joint: string; unit?: string; scale?: number; offset?: number; silence?: SilenceEntry; max_deceleration?: number }[];
+  frames?: FrameEntry[];
+  signals?: Signal[];
   robot?: string;
+  robots?: Record<string, string>;
 }
 
 /** Checks the entries of a kind of plant, after the check against the schema. */
@@ -74,17 +85,27 @@ export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, 
   const sections = file.value as Sections;
   const gateway = gatewayOf(file, sections, environment);
   const silence = sections.plant.silence ?? PERIODIC[kind] ?? 'rest';
+  const namespace = sections.plant.namespace ?? '';
+  const described = sections.robot === undefined ? null : robotOf(file, ['robot'], sections.robot);
+  const joints = jointsOf(file, sections, silence);
+  const values: Value[] = joints.map((joint, i) => ({ label: joint.joint, path: ['joints', i], address: addressIn(joint) }));
   const configuration: Configuration = {
     file: path,
     gateway,
     plant: { ...sections.plant, name: sections.plant.name ?? kind, silence },
-    joints: jointsOf(file, sections, silence),
-    robot: sections.robot === undefined ? null : robotOf(file, sections.robot),
+    joints,
+    frames: kind in ADDRESS ? framesOf(file, kind, sections.frames ?? [], silence, values) : [],
+    signals: signalsOf(file, sections.signals ?? [], values),
+    values,
+    robot: namespace === '' ? described : null,
+    robots: { ...robotsOf(file, sections), ...(namespace === '' || described === null ? {} : { [namespace]: described }) },
     secrets: gateway.token === null ? [] : [gateway.token],
     isSupervised: environment.NOWPOSE_SUPERVISED === '1',
     where: entry => `${path}, line ${file.lineOf(entry)}: ${pathText(entry)}`,
+    lineOf: entry => file.lineOf(entry),
   };
-  if (configuration.robot !== null) requireJoints(file, configuration.joints, configuration.robot);
+  for (const [robot, urdf] of Object.entries({ ...configuration.robots, ...(configuration.robot === null ? {} : { '': configuration.robot }) }))
+    requireJoints(file, joints, robot, urdf);
   ownChecks[kind]?.(file, configuration, environment);
   file.throwIfWrong();
   return configuration;
@@ -151,22 +172,32 @@ function jointsOf(file: YamlFile, sections: Sections, silence: SilenceEntry): Jo
     lines.set(entry.joint, file.lineOf([...path, 'joint']));
     if (entry.unit !== undefined && entry.scale !== undefined)
       file.report([...path, 'scale'], 'the unit already determines the scale; remove one of the two');
+    const namespace = sections.plant.namespace ?? '';
     return {
       ...entry,
+      ...(namespace === ''
+        ? namedIn(entry.joint, Object.keys(sections.robots ?? {}))
+        : { joint: `${namespace}/${entry.joint}`, robot: namespace, name: entry.joint }),
       scale: entry.scale ?? UNITS[entry.unit ?? 'rad'],
       offset: entry.offset ?? 0,
       isLinear: entry.unit === 'm' || entry.unit === 'mm',
       maxDeceleration: entry.max_deceleration ?? sections.plant.max_deceleration,
-      faultAfterMs: faultAfterMs(entry.silence ?? silence),
+      faultAfterMs: silenceMs(entry.silence ?? silence),
     };
   });
 }
 
-/** Gets the time without data after which a joint has a fault, ms; null if silence means rest. */
-export const faultAfterMs = (silence: SilenceEntry): number | null => (typeof silence === 'object' ? 1000 * silence.fault_after_s : null);
+function robotsOf(file: YamlFile, { robots = {} }: Sections): Record<string, string> {
+  const found = Object.entries(robots).map(([namespace, robot]) => [namespace, robotOf(file, ['robots', namespace], robot)]);
+  return Object.fromEntries(found.filter(([, urdf]) => urdf !== null));
+}
 
-/** Gets the joints as text for a summary. */
-export const passedJoints = (joints: Joint[], none: string): string => (joints.length === 0 ? none : `joints ${joints.map(j => j.joint).join(', ')}`);
+/** Gets the names of what is read, as text for a summary. */
+export function readNames({ joints, frames, signals }: Configuration, none: string): string {
+  const kinds = { joints: joints.map(j => j.joint), frames: frames.map(f => f.frame), signals: signals.map(s => s.signal) };
+  const parts = Object.entries(kinds).flatMap(([kind, names]) => (names.length === 0 ? [] : [`${kind} ${names.join(', ')}`]));
+  return parts.length === 0 ? none : parts.join('; ');
+}
 
 /** Whether an address is a loopback address; with a scheme or a host alone. */
 export const isLoopback = (address: string): boolean => /^(\w+:\/\/)?(127\.\d+\.\d+\.\d+|\[?::1\]?|localhost)([:/]|$)/.test(address);

@@ -2,7 +2,7 @@ import { readFileSync, statSync } from 'node:fs';
 import { besides } from './besides';
 import { nearest } from './nearest';
 import { shown } from './problem';
-import type { YamlFile } from './yamlFile';
+import type { Path, YamlFile } from './yamlFile';
 import ur10e from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur10e.urdf';
 import ur16e from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur16e.urdf';
 import ur3e from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur3e.urdf';
@@ -15,12 +15,26 @@ const DESCRIPTION_BYTES = 1024 * 1024;
 /** Robots available by name, as in the gateway. */
 const INCLUDED: Record<string, string> = { ur3e, ur5, ur5e, ur10e, ur16e, youbot };
 
-/** Gets the text of the configured URDF; null, with a report, if it cannot be read or is invalid. */
-export function robotOf(file: YamlFile, robot: string): string | null {
+/** A joint's name as the configuration has it, and its name in the robot description of its robot. */
+export interface NamedJoint {
+  joint: string;
+  /** Namespace of its robot; empty for none. */
+  robot: string;
+  name: string;
+}
+
+/** Separates the namespace of a robot from a joint's name NAMESPACE/JOINT. */
+export function namedIn(joint: string, namespaces: readonly string[]): NamedJoint {
+  const robot = namespaces.find(namespace => joint.startsWith(`${namespace}/`)) ?? '';
+  return { joint, robot, name: robot === '' ? joint : joint.slice(robot.length + 1) };
+}
+
+/** Gets the text of the URDF in an entry; null, with a report, if it cannot be read or is invalid. */
+export function robotOf(file: YamlFile, at: Path, robot: string): string | null {
   if (Object.hasOwn(INCLUDED, robot)) return INCLUDED[robot];
   const path = besides(file.path, robot);
   const report = (text: string): null => {
-    file.report(['robot'], `value ${shown(robot)}; ${text}`);
+    file.report(at, `value ${shown(robot)}; ${text}`);
     return null;
   };
   try {
@@ -33,12 +47,12 @@ export function robotOf(file: YamlFile, robot: string): string | null {
   }
 }
 
-/** Reports joints that the robot does not have, because they would never move. */
-export function requireJoints(file: YamlFile, joints: { joint: string }[], urdf: string): void {
+/** Reports joints that the robot of this namespace does not have, because they would never move. */
+export function requireJoints(file: YamlFile, joints: NamedJoint[], robot: string, urdf: string): void {
   const known = jointsIn(urdf);
-  joints.forEach(({ joint }, i) => {
-    if (known.has(joint)) return;
-    const [guess] = nearest(joint, known);
+  joints.forEach(({ joint, robot: own, name }, i) => {
+    if (own !== robot || known.has(name)) return;
+    const [guess] = nearest(name, known);
     file.report(['joints', i, 'joint'], `value ${shown(joint)}; the robot has no such joint${guess === undefined ? '' : `, did you mean ${guess}?`}`);
   });
 }

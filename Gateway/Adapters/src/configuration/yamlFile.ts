@@ -4,8 +4,13 @@ import { ConfigurationError, type Problem } from './problem';
 
 export type Path = readonly (string | number)[];
 
+/** Replaces characters that would break a line, or that nobody sees, by their code. */
+const visible = (key: string): string =>
+  key.replace(/[\p{C}\p{Zl}\p{Zp}]/gu, character => `\\u${character.charCodeAt(0).toString(16).padStart(4, '0')}`);
+
 /** Formats a path as joints[2].node. */
-export const pathText = (path: Path): string => path.map((step, i) => (typeof step === 'number' ? `[${step}]` : (i > 0 ? '.' : '') + step)).join('');
+export const pathText = (path: Path): string =>
+  path.map((step, i) => (typeof step === 'number' ? `[${step}]` : (i > 0 ? '.' : '') + visible(step))).join('');
 
 /** A YAML file with the line of each of its entries. */
 export class YamlFile {

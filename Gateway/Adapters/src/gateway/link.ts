@@ -3,7 +3,7 @@ import WebSocket, { type RawData } from 'ws';
 import { Backoff, pause } from '../backoff';
 import type { GatewayAddress } from '../configuration/configuration';
 import type { Log } from '../log';
-import { parsed, TYPES } from './messages';
+import { parsed, typeOf } from './messages';
 import { PinnedAgent } from './pin';
 import { inWords } from './reasons';
 import { SendQueue } from './sendQueue';
@@ -104,7 +104,7 @@ export class GatewayLink {
   }
 
   /** Subscribes to a topic of the other end. */
-  subscribe(topic: string, listen: (message: Record<string, unknown>) => void, type = TYPES[topic]): void {
+  subscribe(topic: string, listen: (message: Record<string, unknown>) => void, type = typeOf(topic)!): void {
     this.#subscriptions.set(topic, { type, listen });
     this.#send(subscription(topic, type));
   }
@@ -287,7 +287,7 @@ export class GatewayLink {
   }
 }
 
-const advertisement = (topic: string): string => JSON.stringify({ op: 'advertise', topic, type: TYPES[topic] });
+const advertisement = (topic: string): string => JSON.stringify({ op: 'advertise', topic, type: typeOf(topic) });
 const subscription = (topic: string, type: string): string => JSON.stringify({ op: 'subscribe', topic, type, queue_length: 0, throttle_rate: 0 });
 
 /** String does not accept every JSON value. */

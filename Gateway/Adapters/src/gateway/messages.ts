@@ -1,3 +1,4 @@
+import { SIGNALS, TF, TF_STATIC } from '../cell/messages';
 import { machineTime, type Nanoseconds, toRosTime } from '../times';
 
 export const JOINT_STATES = '/joint_states';
@@ -8,10 +9,19 @@ export const DIAGNOSTICS = '/nowpose/diagnostics';
 /** The topic of joints that are not live, as determined by a gateway. */
 export const JOINT_STATUS = '/nowpose/joint_status';
 
-export const TYPES: Record<string, string> = {
+/** Gets the topic of a robot in a namespace; an empty one is none. */
+export const topicOf = (robot: string, topic: string): string => (robot === '' ? topic : `/${robot}${topic}`);
+
+/** Gets the type of a topic of the gateway, with or without the namespace of a robot. */
+export const typeOf = (topic: string): string | undefined => TYPES[topic] ?? TYPES[topic.replace(/^\/[^/]+/, '')];
+
+const TYPES: Record<string, string> = {
   [JOINT_STATES]: 'sensor_msgs/msg/JointState',
   [JOINT_TRAJECTORY]: 'trajectory_msgs/msg/JointTrajectory',
   [ROBOT_DESCRIPTION]: 'std_msgs/msg/String',
+  [TF]: 'tf2_msgs/msg/TFMessage',
+  [TF_STATIC]: 'tf2_msgs/msg/TFMessage',
+  [SIGNALS]: 'nowpose_msgs/msg/Signals',
   [DIAGNOSTICS]: 'diagnostic_msgs/msg/DiagnosticArray',
   [JOINT_STATUS]: 'diagnostic_msgs/msg/DiagnosticArray',
 };

@@ -1,5 +1,5 @@
 import { Log } from '../log';
-import { JointConditions } from './jointConditions';
+import { type Condition, Conditions } from './conditions';
 
 /** State of the connection to the plant. "waiting" is the time between two attempts. */
 export type PlantState = 'connecting' | 'connected' | 'refused' | 'waiting';
@@ -18,16 +18,20 @@ export class AdapterStatus {
   #failure = '';
   /** A notice for the user while positions arrive; null for none. */
   #notice: string | null = null;
-  readonly joints: JointConditions;
+  readonly joints: Conditions;
+  readonly frames: Conditions;
+  readonly signals: Conditions;
 
-  /** @param changed Called after each change of the state of the plant or of a joint. */
+  /** @param changed Called after each change of the state of the plant, a joint, a frame or a signal. */
   constructor(
     kind: string,
     readonly log: Log,
     readonly changed: () => void = () => {},
   ) {
     this.#details.kind = kind;
-    this.joints = new JointConditions(log, changed);
+    this.joints = new Conditions('joint', log, changed);
+    this.frames = new Conditions('frame', log, changed);
+    this.signals = new Conditions('signal', log, changed);
   }
 
   get state(): PlantState {
@@ -47,7 +51,7 @@ export class AdapterStatus {
     if (state !== 'connecting') this.log.change('plant', clean === '' ? state : `${state}: ${clean}`);
     if (state === 'waiting' || state === 'refused') {
       this.#failure = clean === '' ? 'the plant is not connected' : clean;
-      this.joints.disconnected(this.#failure);
+      for (const each of this.#all) each.disconnected(this.#failure);
     } else if (state === 'connected') {
       this.#failure = '';
     }
@@ -58,24 +62,34 @@ export class AdapterStatus {
   }
 
   /**
-   * Level of a DiagnosticStatus: 0 when the plant is connected and each joint is live or at rest; 1 while connecting, with a notice, or with
+   * Level of a DiagnosticStatus: 0 when the plant is connected and each joint, frame and signal is live or at rest; 1 while connecting, with a notice, or with
    * an uncertain rest; 2 otherwise.
    */
   get level(): 0 | 1 | 2 {
     if (this.#state === 'connecting' && this.#failure === '') return 1;
-    if (this.#state !== 'connected' || this.joints.trouble !== null) return 2;
+    if (this.#state !== 'connected' || this.#trouble !== null) return 2;
     return this.joints.uncertainty === null && this.#notice === null ? 0 : 1;
   }
 
-  /** The plant's state or, while it is connected, the first faulty joint. */
+  /** The plant's state or, while it is connected, the first faulty joint, frame or signal. */
   get message(): string {
     if (this.#state === 'connecting' && this.#failure !== '') return `waiting: ${this.#failure}`;
     if (this.#state !== 'connected') return this.#reason === '' ? this.#state : `${this.#state}: ${this.#reason}`;
-    if (this.joints.trouble === null && this.#notice !== null) return `${this.#state}: ${this.#notice}`;
-    if (this.joints.trouble === null)
+    const trouble = this.#trouble;
+    if (trouble === null && this.#notice !== null) return `${this.#state}: ${this.#notice}`;
+    if (trouble === null)
       return this.joints.uncertainty === null ? this.#state : `${this.joints.uncertainty[0]} may not be at rest: ${this.joints.uncertainty[1]}`;
-    const [joint, { state, reason }] = this.joints.trouble;
-    return `${joint} ${state}: ${reason}`;
+    const [name, { state, reason }] = trouble;
+    return `${name} ${state}: ${reason}`;
+  }
+
+  get #all(): Conditions[] {
+    return [this.joints, this.frames, this.signals];
+  }
+
+  /** The first faulty joint, frame or signal; null when there is none. */
+  get #trouble(): [string, Condition] | null {
+    return this.joints.trouble ?? this.frames.trouble ?? this.signals.trouble;
   }
 
   /** Sets a value that rarely changes, such as security or sampling_ms; null removes it. */
@@ -108,10 +122,11 @@ export class AdapterStatus {
    * Reports a value that is not forwarded.
    * @param reason One of a fixed set of words; counted as refused/REASON.
    * @param what For the log: the joint, its value and the allowed range.
+   * @param of The kind of the subject.
    */
-  refuse(reason: string, subject: string, what: string): void {
+  refuse(reason: string, subject: string, what: string, of: Conditions = this.joints): void {
     this.count(reason);
-    if (this.joints.has(subject)) this.joints.refused(subject, what);
+    if (of.has(subject)) of.refused(subject, what);
     this.log.change(`value of ${subject}`, reason, `${subject} refused (${reason}): ${what}`);
   }
 
@@ -140,7 +155,7 @@ export class AdapterStatus {
       refused: String(refused.reduce((sum, [, count]) => sum + count, 0)),
       ...Object.fromEntries(refused.map(([reason, count]) => [`refused/${reason}`, String(count)])),
       reconnects: String(this.#reconnects),
-      ...this.joints.values(),
+      ...Object.assign({}, ...this.#all.map(each => each.values())),
     };
   }
 }

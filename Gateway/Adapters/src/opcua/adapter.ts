@@ -5,7 +5,6 @@ import { Backoff, pause } from '../backoff';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import { clockOf } from './clockReader';
 import { byNumber, isByUri, NAMESPACES } from './nodeIds';
-import type { NodeJoint } from './nodeValues';
 import { NotificationReader } from './notificationReader';
 import { ReadOnlySession } from './readOnlySession';
 import { folderTrouble } from './security/folder';
@@ -22,7 +21,7 @@ const SLACK_MS = 100;
 /** A change may be stamped this long before a read of the node shows it, in addition to the server's sampling interval. */
 const STAMP_LAG_MS = 50;
 
-/** A joint at rest is confirmed several times a second. Without a confirmation for this long, it has a fault. */
+/** A value at rest is confirmed several times a second. Without a confirmation for this long, it has a fault. */
 const UNCONFIRMED_MS = 1500;
 
 /** Reads an OPC UA server, with reconnections, until it is stopped. */
@@ -90,7 +89,7 @@ async function attempt(
     const silent = new SilentNodes(
       session,
       reader,
-      reader.jointNodes.map((_, i) => nodes[i]),
+      reader.valueNodes.map((_, i) => nodes[i]),
       node => whereIs(context, reader.nodes[node]),
     );
     reader.stopOf = node => silent.stopOf(node);
@@ -105,7 +104,7 @@ async function attempt(
     );
     reader.samplingMs = monitoring.samplingMs;
     const delayMs = (silent.delayMs = SLACK_MS + monitoring.samplingMs + monitoring.publishingMs);
-    context.output.silence.unconfirmedMs = Math.max(UNCONFIRMED_MS, UNCONFIRMED_MS / 2 + 3 * delayMs);
+    context.output.unconfirmedMs = Math.max(UNCONFIRMED_MS, UNCONFIRMED_MS / 2 + 3 * delayMs);
     refuseUnknown(context, reader, silent, monitoring.refusals);
     if (reader.nodes.length > 0) status.detail('sampling_ms', monitoring.samplingMs);
     status.detail('publishing_ms', monitoring.publishingMs);
@@ -141,12 +140,12 @@ async function idsOf(session: ReadOnlySession, context: AdapterContext, { nodes 
 }
 
 function whereIs({ configuration }: AdapterContext, node: string): string {
-  const joint = (configuration.joints as NodeJoint[]).findIndex(j => j.node === node);
-  return configuration.where(joint >= 0 ? ['joints', joint, 'node'] : ['plant', 'time', 'node']);
+  const value = configuration.values.find(({ address }) => address.node === node);
+  return configuration.where(value === undefined ? ['plant', 'time', 'node'] : [...value.path, 'node']);
 }
 
-/** Reports joints of unknown nodes as missing and continues with the others. Fails if no joint or no time variable is left. */
-function refuseUnknown(context: AdapterContext, { nodes, jointNodes }: NotificationReader, silent: SilentNodes, refusals: (string | null)[]): void {
+/** Reports the values of unknown nodes as missing and continues with the others. Fails if no value or no time variable is left. */
+function refuseUnknown(context: AdapterContext, { nodes, valueNodes }: NotificationReader, silent: SilentNodes, refusals: (string | null)[]): void {
   const wrong = refusals.flatMap((refusal, node) =>
     refusal === null
       ? []
@@ -157,7 +156,7 @@ function refuseUnknown(context: AdapterContext, { nodes, jointNodes }: Notificat
           },
         ],
   );
-  if (wrong.some(({ node }) => node >= jointNodes.length) || (wrong.length > 0 && wrong.length >= jointNodes.length))
+  if (wrong.some(({ node }) => node >= valueNodes.length) || (wrong.length > 0 && wrong.length >= valueNodes.length))
     throw new Refused(wrong.map(({ text }) => text).join('; '));
   for (const { node, text } of wrong) silent.refused(node, text);
 }

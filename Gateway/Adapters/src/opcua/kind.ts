@@ -1,7 +1,7 @@
 import type { Kind } from '../adapter';
 import { requireAddress } from '../configuration/address';
 import { besides } from '../configuration/besides';
-import { type Configuration, passedJoints } from '../configuration/configuration';
+import { type Configuration, readNames } from '../configuration/configuration';
 import { shown } from '../configuration/problem';
 import { secretText } from '../configuration/secret';
 import { type User, userIn } from '../configuration/user';
@@ -37,7 +37,7 @@ export const opcua: Kind = {
     const section = configuration.plant as unknown as Section;
     const at = ['plant'] as const;
     requireAddress(file, [...at, 'endpoint'], section.endpoint);
-    configuration.joints.forEach((joint, i) => requireNode(file, ['joints', i, 'node'], joint.node as string));
+    for (const { path, address } of configuration.values) if (address.node !== undefined) requireNode(file, [...path, 'node'], address.node);
     if (section.time !== undefined) requireNode(file, [...at, 'time', 'node'], section.time.node);
     const samplingMs = section.sampling_ms ?? SAMPLING_MS;
     const publishingMs = section.publishing_ms ?? Math.max(samplingMs, PUBLISHING_MS);
@@ -76,7 +76,7 @@ export const opcua: Kind = {
     return [
       `OPC UA ${endpoint}, ${guard}`,
       `t_k is ${stamp}, sampled every ${samplingMs} ms, published every ${publishingMs} ms`,
-      passedJoints(configuration.joints, 'its clock alone'),
+      readNames(configuration, 'its clock alone'),
     ].join('; ');
   },
 };

@@ -1,10 +1,9 @@
 import { DataType, type DataValue, type StatusCode, VariantArrayType } from 'node-opcua-client';
-import type { Joint } from '../configuration/configuration';
 import type { Refusal } from '../samples/stampRule';
 import { numberIn } from './stamps';
 
-/** The address of a joint of kind opcua: a node and, for an array, the index in it. */
-export interface NodeJoint extends Joint {
+/** The address of a value: a node and, for an array, the index in it. */
+export interface NodeAddress {
   node: string;
   index?: number;
 }
@@ -33,15 +32,16 @@ export function statusRefusal(value: DataValue): Refusal | null {
   return { reason: `status-${kind}`, text: `the server answers ${value.statusCode.name}, ${value.statusCode.description}` };
 }
 
-/** Gets the joint's number from a node's value. The caller checks that it is a number. */
-export function valueOf(joint: NodeJoint, value: DataValue): { value: unknown } | Refusal {
+/** Gets the number at an address from a node's value. The caller checks that it is a number. */
+export function valueOf(address: NodeAddress, value: DataValue): { value: unknown } | Refusal {
   const { value: variant } = value;
   const isArray = variant.arrayType !== VariantArrayType.Scalar;
-  if (joint.index === undefined) return isArray ? { reason: 'type', text: `${joint.node} is an array; add index` } : { value: numberIn(variant) };
-  if (!isArray) return { reason: 'type', text: `${joint.node} is not an array; remove index` };
+  if (address.index === undefined) return isArray ? { reason: 'type', text: `${address.node} is an array; add index` } : { value: numberIn(variant) };
+  if (!isArray) return { reason: 'type', text: `${address.node} is not an array; remove index` };
   const elements = variant.value as ArrayLike<unknown> | null;
   const length = elements?.length ?? 0;
-  if (joint.index >= length) return { reason: 'index', text: `${joint.node} has ${length} elements; allowed is an index from 0 to ${length - 1}` };
-  const element = elements![joint.index];
+  if (address.index >= length)
+    return { reason: 'index', text: `${address.node} has ${length} elements; allowed is an index from 0 to ${length - 1}` };
+  const element = elements![address.index];
   return { value: numberIn({ dataType: variant.dataType, value: element } as typeof variant) };
 }

@@ -1,9 +1,10 @@
 import type { AdapterContext } from '../adapter';
-import type { JointValue, SourceStop } from '../samples/jointOutput';
+import type { SourceStop } from '../samples/jointOutput';
+import type { PlantValue } from '../samples/plantOutput';
 import type { Refusal } from '../samples/stampRule';
 import { ofMilliseconds, type Nanoseconds } from '../times';
 import type { DataValue } from 'node-opcua-client';
-import { isGone, isOverflown, type NodeJoint, statusRefusal, valueOf } from './nodeValues';
+import { isGone, isOverflown, type NodeAddress, statusRefusal, valueOf } from './nodeValues';
 import type { NodeValue } from './readOnlySession';
 import type { OpcUaSettings } from './settings';
 import { serverStamp, sourceStamp, timeIn } from './stamps';
@@ -11,13 +12,13 @@ import { TimeVariable } from './timeVariable';
 
 const GROUP_MS = 0.5;
 
-/** Converts notifications to joint values. */
+/** Converts notifications to values. */
 export class NotificationReader {
   /** Each node once, the time variable last. */
   readonly nodes: string[];
-  /** Nodes of joints: all but the time variable. */
-  readonly jointNodes: string[];
-  readonly #joints: NodeJoint[];
+  /** Nodes of values: all but the time variable. */
+  readonly valueNodes: string[];
+  readonly #addresses: NodeAddress[];
   readonly #readers: number[][];
   readonly #time: TimeVariable | null;
   /** Nodes for which this connection has received a value. */
@@ -30,10 +31,10 @@ export class NotificationReader {
     readonly context: Pick<AdapterContext, 'configuration' | 'output' | 'status' | 'clock'>,
     readonly settings: OpcUaSettings,
   ) {
-    this.#joints = context.configuration.joints as NodeJoint[];
-    const nodes = [...new Set(this.#joints.map(joint => joint.node))];
-    this.#readers = nodes.map(node => this.#joints.flatMap((joint, i) => (joint.node === node ? [i] : [])));
-    this.jointNodes = nodes;
+    this.#addresses = context.configuration.values.map(({ address }) => address as NodeAddress);
+    const nodes = [...new Set(this.#addresses.map(address => address.node))];
+    this.#readers = nodes.map(node => this.#addresses.flatMap((address, i) => (address.node === node ? [i] : [])));
+    this.valueNodes = nodes;
     this.nodes = settings.time === null ? nodes : [...nodes, settings.time.node];
     const tolerance = ofMilliseconds(Math.max(Number(context.configuration.plant.group_ms ?? GROUP_MS), GROUP_MS));
     this.#time = settings.time === null ? null : new TimeVariable(tolerance);
@@ -46,7 +47,7 @@ export class NotificationReader {
     this.context.output.startAnew();
   }
 
-  /** Sets the sampling interval of the server, which is the minimum interval of a moving joint's values. */
+  /** Sets the sampling interval of the server, which is the minimum interval of a changing value. */
   set samplingMs(ms: number) {
     this.#silence = ofMilliseconds(3 * ms);
     this.context.output.samplingS = ms / 1000;
@@ -70,27 +71,27 @@ export class NotificationReader {
 
   /** Confirms that these nodes, and no others, had their last value at a time of the control system. */
   holdNodes(time: Nanoseconds, nodes: ReadonlySet<number>): void {
-    this.hold(time, new Set(this.#readers.flatMap((joints, node) => (nodes.has(node) ? [] : joints))));
+    this.hold(time, new Set(this.#readers.flatMap((values, node) => (nodes.has(node) ? [] : values))));
   }
 
   /** Reports that the server does not have this node (any more). */
   lose(node: number, reason: string): void {
-    for (const joint of this.#readers[node]) this.context.output.lose(joint, reason);
+    for (const value of this.#readers[node]) this.context.output.lose(value, reason);
   }
 
   /** Reports that the value of this node is invalid. */
   refuse(node: number, { reason, text }: Refusal): void {
-    for (const joint of this.#readers[node]) this.context.output.refuse(joint, reason, text);
+    for (const value of this.#readers[node]) this.context.output.refuse(value, reason, text);
   }
 
   /** Sets how to find out when the source of a node stopped writing it. */
   set stopOf(stopOf: (node: number) => SourceStop | null) {
-    this.context.output.sourceStopOf = joint => stopOf(this.#readers.findIndex(joints => joints.includes(joint)));
+    this.context.output.sourceStopOf = value => stopOf(this.#readers.findIndex(values => values.includes(value)));
   }
 
   /** Whether the data of a joint of this node ended in mid-motion. */
   hasEnded(node: number): boolean {
-    return this.#readers[node].some(joint => this.context.output.hasEnded(joint));
+    return this.#readers[node].some(value => this.context.output.hasEnded(value));
   }
 
   /** Marks the next value of this node as the first of a new monitored item. */
@@ -118,22 +119,22 @@ export class NotificationReader {
     return time;
   }
 
-  #valuesOf(node: number, value: DataValue): JointValue[] {
+  #valuesOf(node: number, value: DataValue): PlantValue[] {
     const { status } = this.context;
     if (isOverflown(value.statusCode)) status.count('overflow');
     if (isGone(value.statusCode)) {
       const refusal = { reason: 'node-gone', text: `the server has no node ${this.nodes[node]} (${value.statusCode.name})` };
-      return this.#readers[node].map(joint => ({ joint, value: null, stamp: null, refusal, isLost: true }));
+      return this.#readers[node].map(index => ({ index, value: null, stamp: null, refusal, isLost: true }));
     }
     const isFirst = !this.#received.has(node) && this.#hasStamp(value);
     const bad = statusRefusal(value);
     this.#received.add(node);
     const stamp = bad === null ? this.#stampOf(value) : null;
     const refusal = bad ?? (stamp === null && !isFirst && this.#time !== null && this.#hasStamp(value) ? this.#unmatched : null);
-    return this.#readers[node].map((joint): JointValue => {
-      const found = refusal ?? valueOf(this.#joints[joint], value);
-      if ('value' in found) return { joint, value: found.value, stamp, isFirst };
-      return { joint, value: null, stamp, refusal: found };
+    return this.#readers[node].map((index): PlantValue => {
+      const found = refusal ?? valueOf(this.#addresses[index], value);
+      if ('value' in found) return { index, value: found.value, stamp, isFirst };
+      return { index, value: null, stamp, refusal: found };
     });
   }
 

@@ -34,7 +34,7 @@ export class SilentNodes {
   readonly #renewals: Renewals;
 
   /**
-   * @param ids The joints' nodes at this server.
+   * @param ids The nodes of the values at this server.
    * @param nameOf Gets the configuration entry of a node.
    */
   constructor(

@@ -1,11 +1,13 @@
 import type { AdapterContext } from '../adapter';
 import { pause } from '../backoff';
 import { GatewayLink } from '../gateway/link';
-import { description, JOINT_TRAJECTORY, ROBOT_DESCRIPTION } from '../gateway/messages';
+import { description, JOINT_TRAJECTORY, ROBOT_DESCRIPTION, topicOf } from '../gateway/messages';
 import { ofRosTime } from '../times';
+import { RosFrames } from './frames';
 import { JointNames } from './jointNames';
 import { JointStates } from './jointStates';
 import { settingsOf } from './settings';
+import { RosSignals } from './signals';
 import { passedTrajectory } from './trajectory';
 
 const CLOCK_RETRY_MS = 1000;
@@ -16,6 +18,7 @@ const GET_TIME = '/rosapi/get_time';
 const JOINT_STATE = 'sensor_msgs/JointState';
 const TRAJECTORY = 'trajectory_msgs/JointTrajectory';
 const STRING = 'std_msgs/String';
+const TRANSFORMS = 'tf2_msgs/TFMessage';
 
 /** Listens to a robot's rosbridge and forwards its messages until it is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
@@ -59,15 +62,27 @@ export async function run(context: AdapterContext): Promise<void> {
     return { received: now, sent: now };
   }
 
-  const names = new JointNames(configuration.joints);
-  const states = new JointStates(names, settings.oldest, clock, gateway, status, context.output.silence);
+  const { output } = context;
+  const { namespace } = settings;
+  const names = new JointNames(configuration.joints, namespace);
+  const states = new JointStates(names, settings.oldest, clock, gateway, status, output.joints.silence);
   robot.subscribe(settings.jointStates, message => states.pass(message), JOINT_STATE);
-  if (configuration.robot === null && settings.robotDescription !== null)
+  const isDescribed = configuration.robot !== null || namespace in configuration.robots;
+  if (!isDescribed && settings.robotDescription !== null)
     robot.subscribe(settings.robotDescription, message => passDescription(message?.data), STRING);
   if (settings.jointTrajectory !== null) robot.subscribe(settings.jointTrajectory, passTrajectory, TRAJECTORY);
 
+  if (settings.frames.length > 0) {
+    const frames = new RosFrames(settings, settings.oldest, clock, gateway, status, output.frames.silence);
+    robot.subscribe(settings.tf, message => frames.pass(message), TRANSFORMS);
+    robot.subscribe(settings.tfStatic, message => frames.passStationary(message), TRANSFORMS);
+  }
+  output.signals.silence.unconfirmedMs = null;
+  const signals = new RosSignals(settings.signals, output.signals.offset, clock, output);
+  for (const [topic, type] of signals.topics) robot.subscribe(topic, message => signals.pass(topic, message), type);
+
   function passDescription(text: unknown): void {
-    if (typeof text === 'string' && text.includes('<robot')) gateway.publishKept(ROBOT_DESCRIPTION, description(text));
+    if (typeof text === 'string' && text.includes('<robot')) gateway.publishKept(topicOf(namespace, ROBOT_DESCRIPTION), description(text));
     else status.refuse('malformed', 'robot description', 'it has no <robot> element');
   }
 
@@ -75,7 +90,7 @@ export async function run(context: AdapterContext): Promise<void> {
     const passed = passedTrajectory(message, names);
     if (passed === null) return status.refuse('malformed', 'trajectory', 'it has no forwarded joint, or a value is not a number');
     status.accept('trajectory');
-    gateway.publish(JOINT_TRAJECTORY, passed);
+    gateway.publish(topicOf(namespace, JOINT_TRAJECTORY), passed);
   }
 
   status.detail('endpoint', settings.endpoint);

@@ -5,7 +5,9 @@ const MAX_JOINTS = 256;
 /** A forwarded joint: its index among the seen joints, and the conversion of its values. */
 export interface OutJoint {
   index: number;
+  /** Its name in the whole cell: NAMESPACE/NAME for a robot in a namespace. */
   joint: string;
+  name: string;
   scale: number;
   offset: number;
   /** Whether the position is known to be a length in m. */
@@ -16,9 +18,13 @@ export interface OutJoint {
 export class JointNames {
   readonly #known = new Map<string, OutJoint>();
 
-  constructor(joints: Joint[]) {
-    joints.forEach(({ joint, source, scale, offset, isLinear }, index) =>
-      this.#known.set((source as string | undefined) ?? joint, { index, joint, scale, offset, isLinear: isLinear === true }),
+  /** @param namespace Namespace of the robot; empty for none. */
+  constructor(
+    joints: Joint[],
+    readonly namespace = '',
+  ) {
+    joints.forEach(({ joint, name, source, scale, offset, isLinear }, index) =>
+      this.#known.set((source as string | undefined) ?? name, { index, joint, name, scale, offset, isLinear: isLinear === true }),
     );
     this.isOpen = joints.length === 0;
   }
@@ -30,7 +36,8 @@ export class JointNames {
     if (typeof source !== 'string') return undefined;
     const known = this.#known.get(source);
     if (known !== undefined || !this.isOpen || this.#known.size >= MAX_JOINTS || source === '') return known;
-    const added = { index: this.#known.size, joint: source, scale: 1, offset: 0, isLinear: false };
+    const joint = this.namespace === '' ? source : `${this.namespace}/${source}`;
+    const added = { index: this.#known.size, joint, name: source, scale: 1, offset: 0, isLinear: false };
     this.#known.set(source, added);
     return added;
   }

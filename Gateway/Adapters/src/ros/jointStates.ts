@@ -1,6 +1,6 @@
 import type { PlantClock } from '../clock/plantClock';
 import { shown } from '../configuration/problem';
-import { JOINT_STATES, jointState } from '../gateway/messages';
+import { JOINT_STATES, jointState, topicOf } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
 import { decelerationFloor, EndOfData } from '../samples/endOfData';
 import type { Silence } from '../samples/silence';
@@ -64,11 +64,11 @@ export class JointStates {
     this.status.sampled();
     const state = jointState(
       stamp!,
-      taken.map(t => t.out.joint),
+      taken.map(t => t.out.name),
       taken.map(({ out, i }) => (position[i] as number) * out.scale + out.offset),
     );
     const accelerations = derivativesOf(acceleration, name.length, taken);
-    this.gateway.publish(JOINT_STATES, {
+    this.gateway.publish(topicOf(this.names.namespace, JOINT_STATES), {
       ...state,
       velocity: derivativesOf(velocity, name.length, taken),
       ...(accelerations.length === 0 ? {} : { acceleration: accelerations }),

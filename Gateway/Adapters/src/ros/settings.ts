@@ -1,7 +1,11 @@
 import type { Kind } from '../adapter';
 import { requireAddress } from '../configuration/address';
-import { type Configuration, passedJoints } from '../configuration/configuration';
+import { type Configuration, readNames } from '../configuration/configuration';
+import { shown } from '../configuration/problem';
 import { requirePlain, requireTls } from '../configuration/plain';
+import { WORLD } from '../configuration/frames';
+import type { RosFrame } from './frames';
+import type { RosSignal } from './signals';
 import { ofMilliseconds, type Nanoseconds } from '../times';
 
 const OLDEST_MS = 10_000;
@@ -14,6 +18,14 @@ export interface RosSettings {
   jointStates: string;
   robotDescription: string | null;
   jointTrajectory: string | null;
+  tf: string;
+  tfStatic: string;
+  frames: RosFrame[];
+  signals: RosSignal[];
+  /** The frame in ROS that is the anchored frame of the cell. */
+  world: string;
+  /** Namespace of the robot; empty for none. */
+  namespace: string;
   hasClock: boolean;
   /** Values with older stamps are refused. */
   oldest: Nanoseconds;
@@ -25,13 +37,16 @@ interface PlantSection {
   plain?: boolean;
   clock: boolean;
   oldest_ms?: number;
-  topics?: { joint_states?: string; robot_description?: string | false; joint_trajectory?: string };
+  topics?: { joint_states?: string; robot_description?: string | false; joint_trajectory?: string; tf?: string; tf_static?: string };
+  world?: string;
+  namespace?: string;
+  frames?: { frame: string; source?: string }[];
 }
 
 const sectionOf = (configuration: Configuration): PlantSection => configuration.plant as unknown as PlantSection;
 
 export function settingsOf(configuration: Configuration): RosSettings {
-  const { endpoint, pin, plain, clock, oldest_ms: oldest, topics } = sectionOf(configuration);
+  const { endpoint, pin, plain, clock, oldest_ms: oldest, topics, world, namespace, frames } = sectionOf(configuration);
   return {
     endpoint,
     pin: pin ?? null,
@@ -39,6 +54,12 @@ export function settingsOf(configuration: Configuration): RosSettings {
     jointStates: topics?.joint_states ?? '/joint_states',
     robotDescription: topics?.robot_description === false ? null : (topics?.robot_description ?? '/robot_description'),
     jointTrajectory: topics?.joint_trajectory ?? null,
+    tf: topics?.tf ?? '/tf',
+    tfStatic: topics?.tf_static ?? '/tf_static',
+    frames: (frames ?? []).map(({ frame, source }) => ({ frame, source: source ?? frame })),
+    signals: configuration.signals as RosSignal[],
+    world: world ?? WORLD,
+    namespace: namespace ?? '',
     hasClock: clock,
     oldest: ofMilliseconds(oldest ?? OLDEST_MS),
   };
@@ -50,15 +71,23 @@ export const ros: Kind = {
     requirePlain(file, sectionOf(configuration));
     if (sectionOf(configuration).pin !== undefined) requireTls(file, ['plant'], sectionOf(configuration).endpoint);
     const { joints } = configuration;
-    const sources = joints.map(joint => joint.source ?? joint.joint);
+    const { frames = [] } = file.value as { frames?: { frame: string; source?: string }[] };
+    // Kept with the entries of the kind, because a frame of ROS arrives as a whole.
+    (configuration.plant as { frames?: object[] }).frames = frames;
+    for (const name of ['frame', 'source'] as const) {
+      const names = frames.map(each => each[name] ?? each.frame);
+      names.forEach((each, i) => {
+        if (names.indexOf(each) < i) file.report(['frames', i, name], `value ${shown(each)} occurs twice; name each frame once`);
+      });
+    }
+    const sources = joints.map(joint => joint.source ?? joint.name);
     sources.forEach((source, i) => {
       if (sources.indexOf(source) < i) file.report(['joints', i], `the robot's joint ${String(source)} occurs twice; name each joint once`);
     });
   },
   passesUnlisted: ({ joints }) => joints.length === 0,
   summary(configuration) {
-    const { joints } = configuration;
-    const { endpoint, jointStates, hasClock } = settingsOf(configuration);
-    return `rosbridge ${endpoint}, ${jointStates}, ${hasClock ? 'its time' : 'not its time'}, ${passedJoints(joints, 'all joints')}`;
+    const { endpoint, jointStates, hasClock, frames } = settingsOf(configuration);
+    return `rosbridge ${endpoint}, ${jointStates}, ${hasClock ? 'its time' : 'not its time'}, ${readNames(configuration, 'all joints')}${frames.length === 0 ? '' : `; frames ${frames.map(({ frame }) => frame).join(', ')}`}`;
   },
 };

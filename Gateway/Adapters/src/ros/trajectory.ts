@@ -38,5 +38,5 @@ export function passedTrajectory(message: Trajectory | null, names: JointNames):
     ({ positions, velocities, accelerations }) =>
       positions.length === taken.length && [...positions, ...velocities, ...accelerations].every(Number.isFinite),
   );
-  return taken.length > 0 && isWhole ? { header, joint_names: taken.map(t => t.joint), points: passed } : null;
+  return taken.length > 0 && isWhole ? { header, joint_names: taken.map(t => t.name), points: passed } : null;
 }

@@ -266,7 +266,7 @@ export class RtdeSession {
     // Until the clock is measured, stamps after a restart would be compared with the previous clock.
     if (!this.#hasClock || (this.#published !== null && stamp - this.#published < interval - TOLERANCE)) return;
     this.#published = stamp;
-    output.publish(
+    output.joints.publish(
       indices.map((index, joint) => ({ joint, value: positions[index], stamp, ...(velocities === null ? {} : { velocity: velocities[index] }) })),
     );
   }

@@ -1,5 +1,5 @@
 import type { Kind } from '../adapter';
-import { type Configuration, passedJoints } from '../configuration/configuration';
+import { type Configuration, readNames } from '../configuration/configuration';
 import { shown } from '../configuration/problem';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import type { PositionSource } from './recipe';
@@ -53,7 +53,7 @@ export const rtde: Kind = {
     const { host, port, rateHz, source } = settingsOf(configuration);
     return (
       `RTDE ${host}:${port}, NO SECURITY; t_k is the controller's timestamp; ${source} positions at ${rateHz} Hz; `
-      + passedJoints(configuration.joints, 'its clock alone')
+      + readNames(configuration, 'its clock alone')
     );
   },
 };

@@ -1,13 +1,13 @@
 import type { PlantClock } from '../clock/plantClock';
 import type { Joint } from '../configuration/configuration';
-import { JOINT_STATES, jointState } from '../gateway/messages';
+import { JOINT_STATES, jointState, topicOf } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
-import { shown } from '../configuration/problem';
 import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
 import { decelerationFloor, EndOfData, type LimitBasis } from './endOfData';
 import { grouped, type Sample } from './grouping';
+import { numberIn } from './number';
 import { Silence } from './silence';
-import { type Refusal, StampRule } from './stampRule';
+import { OF_LONG_AGO, type Refusal, StampRule } from './stampRule';
 import { Standing } from './standing';
 
 /** A value from the control system. */
@@ -34,9 +34,6 @@ export interface JointOutputOptions {
   /** Time without data after which a joint without configuration has a fault, ms; absent or null if it is at rest. */
   faultAfterMs?: number | null;
 }
-
-/** Refusals that are normal for the stamp of a value from before the connection. */
-const OF_LONG_AGO = ['stamp-old', 'stamp-not-newer', 'stamp-missing'];
 
 /** When a source stopped writing a value: after its last change, or later at rest. */
 export type SourceStop = 'after-change' | 'at-rest';
@@ -220,13 +217,15 @@ export class JointOutput {
   }
 
   #send(samples: Sample[]): void {
-    for (const group of grouped(samples, this.options.tolerance)) {
-      const names = group.samples.map(s => this.joints[s.joint].joint);
-      const positions = group.samples.map(s => s.position);
-      const velocities = group.samples.flatMap(s => s.velocity ?? []);
-      this.gateway.publish(JOINT_STATES, jointState(group.stamp, names, positions, velocities.length === names.length ? velocities : []));
-      this.status.sampled();
-    }
+    for (const { stamp, samples: group } of grouped(samples, this.options.tolerance))
+      for (const robot of new Set(group.map(({ joint }) => this.joints[joint].robot))) {
+        const own = group.filter(({ joint }) => this.joints[joint].robot === robot);
+        const names = own.map(({ joint }) => this.joints[joint].name);
+        const positions = own.map(({ position }) => position);
+        const velocities = own.flatMap(({ velocity }) => velocity ?? []);
+        this.gateway.publish(topicOf(robot, JOINT_STATES), jointState(stamp, names, positions, velocities.length === names.length ? velocities : []));
+        this.status.sampled();
+      }
   }
 
   #sample({ joint, value, velocity, stamp, isFirst, refusal: unusable, isLost }: JointValue, now: Nanoseconds | null): Sample | null {
@@ -240,14 +239,14 @@ export class JointOutput {
       return null;
     }
     const { scale, offset } = this.joints[joint];
-    const raw = typeof value === 'bigint' ? Number(value) : value;
+    const raw = numberIn(value);
     if (typeof raw !== 'number') {
-      this.refuse(joint, 'type', `value ${shown(value)} is not a number; name a numeric variable`);
+      this.refuse(joint, raw.reason, raw.text);
       return null;
     }
     const position = raw * scale + offset;
     if (!Number.isFinite(position)) {
-      this.refuse(joint, 'not-finite', `value ${raw} is not a position`);
+      this.refuse(joint, 'not-finite', `value ${raw} with scale ${scale} is not a position`);
       return null;
     }
     const refusal = this.#rule.judge(joint, stamp, now);

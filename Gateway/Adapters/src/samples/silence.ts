@@ -1,3 +1,4 @@
+import type { Conditions } from '../gateway/conditions';
 import type { AdapterStatus } from '../gateway/status';
 
 /** Time without a sample after which a joint is at rest. With a shorter time, slow motion would change the state with each sample. */
@@ -27,17 +28,19 @@ export class Silence {
   /**
    * @param faultAfterMs Time without data after which a joint has a fault, ms; null if the joint is at rest.
    * @param now Monotonic time in ms.
+   * @param conditions The states to set: those of joints, frames or signals.
    */
   constructor(
     readonly status: AdapterStatus,
     readonly faultAfterMs: (joint: string) => number | null,
     readonly now: () => number = () => performance.now(),
+    readonly conditions: Conditions = status.joints,
   ) {}
 
   /** Reports a valid sample. */
   heard(joint: string): void {
     this.arrived(joint);
-    if (!this.#reported.has(joint)) this.status.joints.live(joint);
+    if (!this.#reported.has(joint)) this.conditions.live(joint);
   }
 
   /** Leaves the joint's state to another gateway's reports, until `judge` is called. */
@@ -49,7 +52,7 @@ export class Silence {
   judge(joint: string): boolean {
     const heard = this.#heard.get(joint);
     // A joint that was reported with a fault keeps it until its next sample.
-    if (this.#reported.delete(joint) && heard !== undefined && this.now() - heard.sample < REST_MS) this.status.joints.live(joint);
+    if (this.#reported.delete(joint) && heard !== undefined && this.now() - heard.sample < REST_MS) this.conditions.live(joint);
     return heard !== undefined;
   }
 
@@ -67,13 +70,13 @@ export class Silence {
     const heard = this.#heard.get(joint);
     if (heard === undefined) return;
     heard.confirmed = this.now();
-    if (this.status.joints.stateOf(joint) !== 'live' || heard.confirmed - heard.sample >= REST_MS) this.#rest(joint, heard, uncertainty);
+    if (this.conditions.stateOf(joint) !== 'live' || heard.confirmed - heard.sample >= REST_MS) this.#rest(joint, heard, uncertainty);
   }
 
   /** Wall clock time of the last sample in milliseconds. */
   lastSample(joint: string): number {
     const heard = this.#heard.get(joint);
-    return this.status.joints.now() - (heard === undefined ? 0 : this.now() - heard.sample);
+    return this.conditions.now() - (heard === undefined ? 0 : this.now() - heard.sample);
   }
 
   /** Sets the state of each joint that was silent for too long. Returns those that have a fault until their next sample. */
@@ -81,7 +84,7 @@ export class Silence {
     if (this.status.state !== 'connected') return [];
     const areAllSilent = this.#heard.size > 1 && [...this.#heard.values()].every(({ sample }) => this.now() - sample >= REST_MS);
     return [...this.#heard].flatMap(([joint, heard]) => {
-      const state = this.#reported.has(joint) ? undefined : this.status.joints.stateOf(joint);
+      const state = this.#reported.has(joint) ? undefined : this.conditions.stateOf(joint);
       return state === 'live' || state === 'rest' ? this.#check(joint, heard, areAllSilent ? ALL_UNCONFIRMED : UNCONFIRMED) : [];
     });
   }
@@ -106,11 +109,11 @@ export class Silence {
   }
 
   #fault(joint: string, reason: string): void {
-    this.status.joints.fault(joint, reason, this.lastSample(joint));
+    this.conditions.fault(joint, reason, this.lastSample(joint));
   }
 
   #rest(joint: string, heard: Heard, uncertainty = ''): void {
     const limit = this.faultAfterMs(joint);
-    if (limit === null || this.now() - heard.sample <= limit) this.status.joints.rest(joint, this.lastSample(joint), uncertainty);
+    if (limit === null || this.now() - heard.sample <= limit) this.conditions.rest(joint, this.lastSample(joint), uncertainty);
   }
 }

@@ -8,6 +8,9 @@ export interface Refusal {
   text: string;
 }
 
+/** Refusals that are normal for the stamp of a value from before the connection. */
+export const OF_LONG_AGO = ['stamp-old', 'stamp-not-newer', 'stamp-missing'];
+
 /** Checks whether a stamp is plausible as the t_k of a joint's value. */
 export class StampRule {
   readonly #newest: (Nanoseconds | null)[];

@@ -147,7 +147,7 @@ describe('faults over ADS', { concurrency: 4 }, () => {
   for (const [name, joints, said] of [
     ['UnknownSymbol', '  - joint: a\n    symbol: MAIN.fAxs1\n', /ads\.yaml, line 11: the PLC has no symbol MAIN\.fAxs1; similar symbols are MAIN\.fAxis1, MAIN\.fAxis2/],
     ['WholeArray', '  - joint: a\n    symbol: GVL.aJoints\n', /line 11: GVL\.aJoints is ARRAY \[0\.\.4\] OF LREAL; name one element, such as GVL\.aJoints\[0\]/],
-    ['Text', '  - joint: a\n    symbol: MAIN.sName\n', /line 11: MAIN\.sName is STRING; a joint's value must be a number/],
+    ['Text', '  - joint: a\n    symbol: MAIN.sName\n', /line 11: MAIN\.sName is STRING; a position must be a number/],
   ])
     it(`Adapter_${name}_NamesTheLine`, async t => {
       const { adapter } = await cell(t, { joints });

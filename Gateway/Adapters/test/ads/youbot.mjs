@@ -25,6 +25,7 @@ export function variables() {
     new PlcSymbol('MAIN.fAxis2', 'REAL', time => angle(1, time) * degrees),
     new PlcSymbol('MAIN.nEncoder3', 'DINT', time => Math.round(angle(2, time) * 1e6)),
     new PlcSymbol('MAIN.fGripper', 'LREAL', time => opening(time) * 1000),
+    new PlcSymbol('MAIN.bOpen', 'BOOL', time => opening(time) > 0.005),
     new PlcSymbol('MAIN.sName', 'STRING', () => 'youBot'),
     new PlcSymbol('GVL.nTime', 'LINT', time => time),
     new PlcSymbol('GVL.ftTime', 'T_FILETIME', time => time / 100n + 116444736000000000n),

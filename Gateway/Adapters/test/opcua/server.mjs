@@ -57,6 +57,7 @@ const VARIABLES = [
   ['axis_1_deg', DataType.Double, t => angle(0, t) * 180 / Math.PI],
   ['encoder_2', DataType.Int64, t => halves(BigInt(Math.round(angle(1, t) * 1e6)))],
   ['positions', DataType.Double, t => Float64Array.from(positions(t)), VariantArrayType.Array],
+  ['is_open', DataType.Boolean, t => opening(t) > 0.005],
   ['name', DataType.String, () => 'youBot'],
   ['not_a_number', DataType.Double, () => NaN],
   ['time_date', DataType.DateTime, (_, t) => dateTime(t)],

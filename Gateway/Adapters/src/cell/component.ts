@@ -1,0 +1,64 @@
+import type { Nanoseconds } from '../times';
+
+interface Reading {
+  value: number;
+  stamp: Nanoseconds;
+}
+
+/**
+ * One number of a pose, with its two newest values. Servers sample variables one by one, so the components of a pose may have different
+ * stamps; then the newer ones are interpolated to the stamp of the oldest.
+ */
+export class ComponentTrack {
+  #newest: Reading | null = null;
+  #previous: Reading | null = null;
+  /** A first value whose time is unknown, which is valid while nothing newer has arrived. */
+  #resting: number | null = null;
+
+  get value(): number | null {
+    return this.#newest?.value ?? this.#resting;
+  }
+
+  add(value: number, stamp: Nanoseconds): void {
+    if (this.#newest !== null && stamp < this.#newest.stamp) return;
+    [this.#previous, this.#newest] = [this.#newest, { value, stamp }];
+  }
+
+  /** Takes a value that was there before the connection. */
+  rest(value: number): void {
+    this.#resting = value;
+  }
+
+  forget(): void {
+    this.#newest = this.#previous = this.#resting = null;
+  }
+
+  /**
+   * Gets the time up to which the component is known while others are known up to `time`: a component that changed recently is expected
+   * to change again.
+   * @param patience Maximum interval between the values of a moving component.
+   */
+  knownUntil(time: Nanoseconds, patience: Nanoseconds): Nanoseconds {
+    if (this.#newest === null || this.#previous === null || this.#newest.stamp >= time) return time;
+    const isMoving = this.#newest.stamp - this.#previous.stamp <= patience && time - this.#newest.stamp <= patience;
+    return isMoving ? this.#newest.stamp : time;
+  }
+
+  /** Gets the value of a number that changes in steps; null if there is none. */
+  stepAt(time: Nanoseconds): number | null {
+    return this.#previous !== null && this.#newest!.stamp > time ? this.#previous.value : this.value;
+  }
+
+  /**
+   * Gets the value at a time; null if there is none.
+   * @param jump A larger difference of two values, as of an angle that passes a full turn, is not interpolated.
+   */
+  at(time: Nanoseconds, jump: number): number | null {
+    const [from, to] = [this.#previous, this.#newest];
+    if (to === null || from === null || to.stamp <= time) return this.value;
+    const share = Number(time - from.stamp) / Number(to.stamp - from.stamp);
+    if (share <= 0) return from.value;
+    if (Math.abs(to.value - from.value) > jump) return share < 0.5 ? from.value : to.value;
+    return from.value + share * (to.value - from.value);
+  }
+}

@@ -1,0 +1,30 @@
+import { type Nanoseconds, toRosTime } from '../times';
+import type { Quaternion } from './rotation';
+
+export const TF = '/tf';
+export const TF_STATIC = '/tf_static';
+export const SIGNALS = '/signals';
+
+/** Maximum number of transforms in a message, which keeps it below 64 KiB with names of 128 characters of up to 3 bytes. */
+export const MAX_TRANSFORMS = 48;
+
+/** A pose of a frame in its parent: position in m, rotation as a unit quaternion. */
+export interface Pose {
+  frame: string;
+  parent: string;
+  position: readonly number[];
+  rotation: Quaternion;
+}
+
+/** Creates the transform of a pose at a control time. */
+export const transform = (stamp: Nanoseconds, { frame, parent, position: [x, y, z], rotation: [qx, qy, qz, qw] }: Pose): object => ({
+  header: { stamp: toRosTime(stamp), frame_id: parent },
+  child_frame_id: frame,
+  transform: { translation: { x, y, z }, rotation: { x: qx, y: qy, z: qz, w: qw } },
+});
+
+export const signals = (stamp: Nanoseconds, name: string[], value: number[]): object => ({
+  header: { stamp: toRosTime(stamp), frame_id: '' },
+  name,
+  value,
+});

@@ -1,0 +1,269 @@
+import { isStationary, type Component, type Frame } from '../configuration/frames';
+import type { PlantClock } from '../clock/plantClock';
+import type { AdapterStatus } from '../gateway/status';
+import { grouped } from '../samples/grouping';
+import { numberIn } from '../samples/number';
+import type { PlantValue } from '../samples/plantOutput';
+import { Silence } from '../samples/silence';
+import { OF_LONG_AGO, type Refusal, StampRule } from '../samples/stampRule';
+import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
+import { ComponentTrack } from './component';
+import { MAX_TRANSFORMS, type Pose, TF, TF_STATIC, transform } from './messages';
+import { IDENTITY, ofAngles, type Quaternion, unit } from './rotation';
+
+/** Minimum silence of a frame at rest, and interval of its repeated poses. Headsets predict for about 300 ms. */
+const SILENCE: Nanoseconds = 60n * NS_PER_MS;
+const REPETITION: Nanoseconds = 50n * NS_PER_MS;
+
+/** Silence of a frame at rest, as a multiple of the time between its changes, and the longest such time of a moving frame. */
+const SILENT_INTERVALS = 2n;
+const MAX_INTERVAL: Nanoseconds = 500n * NS_PER_MS;
+
+export interface PoseOptions {
+  /** Maximum difference of stamps that count as simultaneous. */
+  tolerance: Nanoseconds;
+  oldest: Nanoseconds;
+  /** Time without data after which a frame without configuration has a fault, ms; absent or null if it is at rest. */
+  faultAfterMs?: number | null;
+}
+
+/** Maximum interval between the values of a moving component, as a multiple of the source's sampling interval. */
+const PATIENCE_INTERVALS = 5;
+
+/** Largest change of a quaternion's component between two samples. A larger one is a change of all signs. */
+const MAX_STEP = 1;
+
+/** For a number that is never interpolated. */
+const STEP = 0;
+
+interface Publisher {
+  publish(topic: string, msg: object): void;
+  publishKept(topic: string, msg: object): void;
+}
+
+interface StampedPose {
+  stamp: Nanoseconds;
+  pose: Pose;
+}
+
+/** The state of a tracked frame. */
+interface Track {
+  index: number;
+  frame: Frame;
+  /** The read values of its pose. */
+  values: number[];
+  /** Stamp of the newest pose; null before the first. */
+  newest: Nanoseconds | null;
+  /** Stamp of the newest change; null before the first. */
+  changed: Nanoseconds | null;
+  /** Times between the last three changes: a pause is not the interval of a motion. */
+  intervals: Nanoseconds[];
+  isRepeated: boolean;
+}
+
+/** Creates the poses of frames from a plant's values. A pose needs a valid value of each of its components. */
+export class PoseOutput {
+  readonly #tracks: Track[];
+  readonly #rule: StampRule;
+  /** By the index of the value; without a number before the first valid one and after an invalid one. */
+  readonly #components: ComponentTrack[];
+  /** Sampling interval of the source in seconds; 0 if unknown. */
+  samplingS = 0;
+  readonly silence: Silence;
+
+  /**
+   * @param labels Descriptions of all values that are read.
+   * @param counter Monotonic time in ms; this machine's by default.
+   */
+  constructor(
+    frames: Frame[],
+    readonly labels: string[],
+    readonly options: PoseOptions,
+    readonly clock: Pick<PlantClock, 'now' | 'isSettled'>,
+    readonly gateway: Publisher,
+    readonly status: AdapterStatus,
+    counter?: () => number,
+  ) {
+    this.#components = labels.map(() => new ComponentTrack());
+    this.#tracks = frames
+      .filter(frame => !isStationary(frame))
+      .map((frame, index) => ({ index, frame, values: valuesOf(frame), newest: null, changed: null, intervals: [], isRepeated: false }));
+    this.#rule = new StampRule(this.#tracks.length, options.oldest);
+    const limits = new Map(frames.map(({ frame, faultAfterMs }) => [frame, faultAfterMs]));
+    this.silence = new Silence(status, frame => (limits.has(frame) ? limits.get(frame) : options.faultAfterMs) ?? null, counter, status.frames);
+    for (const { frame } of this.#tracks) status.frames.expect(frame.frame);
+    this.#publishStationary(frames.filter(isStationary));
+  }
+
+  /** Publishes the poses of values that arrived together; for each value, the oldest comes first. */
+  publish(values: PlantValue[]): void {
+    const { now, isSettled } = this.clock;
+    const invalid = new Map<number, PlantValue & { refusal: Refusal }>();
+    const samples = values.flatMap(value => {
+      const number = this.#numberOf(value, now);
+      if (typeof number === 'object') invalid.set(value.index, { ...value, refusal: number });
+      else invalid.delete(value.index);
+      return typeof number === 'number' ? [{ joint: value.index, position: number, stamp: value.stamp! }] : [];
+    });
+    for (const { stamp, samples: group } of grouped(samples, this.options.tolerance)) {
+      for (const { joint: index, position } of group) this.#components[index].add(position, stamp);
+      const changed = new Set(group.map(({ joint }) => joint));
+      const tracks = this.#tracks.filter(track => track.values.some(index => changed.has(index)));
+      const poses = tracks.flatMap(track => this.#poseUpTo(track, stamp, now));
+      if (isSettled) this.#send(poses);
+      else poses.forEach(() => this.status.count('clock-unknown'));
+    }
+    for (const { index, refusal, isLost } of invalid.values())
+      if (isLost === true) this.lose(index, refusal.text, refusal.reason);
+      else this.refuse(index, refusal);
+  }
+
+  /**
+   * Repeats the poses at rest, for a plant that sends only changes.
+   * @param time Control time up to which every change has been published here.
+   * @param silence Maximum interval between the samples of a moving frame.
+   * @param except Values for which a newer one is already known, or that are not known to be unchanged.
+   */
+  hold(time: Nanoseconds, silence: Nanoseconds, except: ReadonlySet<number>): void {
+    const { now, isSettled } = this.clock;
+    if (!isSettled || now === null) return;
+    const poses = this.#tracks.flatMap(track => {
+      const pose = poseOf(track.frame, index => this.#components[index].value);
+      const isDue = track.newest === null || time - track.newest >= silenceOf(track, silence);
+      if (pose === null || 'reason' in pose || !isDue || track.values.some(index => except.has(index))) return [];
+      if (this.#rule.judge(track.index, time, now) !== null) return [];
+      [track.newest, track.isRepeated] = [time, true];
+      this.silence.confirm(track.frame.frame);
+      return [{ stamp: time, pose }];
+    });
+    this.#send(poses);
+  }
+
+  /** Sets the state of frames that were silent for too long. */
+  checkSilence(): void {
+    this.silence.check();
+  }
+
+  /** Starts a new connection: objects at rest may have moved in between. */
+  startAnew(): void {
+    for (const component of this.#components) component.forget();
+    for (const track of this.#tracks) [track.newest, track.isRepeated] = [null, false];
+  }
+
+  /**
+   * Reports that the source no longer has this value.
+   * @param counted The word for counting; absent if it is already counted.
+   */
+  lose(value: number, reason: string, counted?: string): void {
+    if (counted !== undefined) this.status.count(counted);
+    this.#components[value].forget();
+    for (const { frame } of this.#tracksOf(value)) {
+      this.silence.arrived(frame.frame);
+      this.status.frames.fault(frame.frame, reason);
+    }
+  }
+
+  /** Counts a value that is invalid. Its frames have no pose until the next valid one. */
+  refuse(value: number, { reason, text }: Refusal): void {
+    this.#components[value].forget();
+    for (const { frame } of this.#tracksOf(value)) this.status.refuse(reason, frame.frame, `${this.labels[value]}: ${text}`, this.status.frames);
+  }
+
+  #tracksOf(value: number): Track[] {
+    return this.#tracks.filter(({ values }) => values.includes(value));
+  }
+
+  /** Gets the number of a value to be published with its stamp, or its refusal; undefined for a first value that may be old. */
+  #numberOf({ index, value, stamp, isFirst, refusal }: PlantValue, now: Nanoseconds | null): number | Refusal | undefined {
+    const number = refusal ?? numberIn(value);
+    if (typeof number !== 'number') return number;
+    const isOld = stamp === null || (now !== null && stamp < now - this.options.oldest);
+    if (isFirst === true && isOld) {
+      // Published when it is known to be at rest.
+      this.#components[index].rest(number);
+      return undefined;
+    }
+    return stamp === null ? { reason: 'stamp-missing', text: 'the value has no time stamp; choose another timestamp in the configuration' } : number;
+  }
+
+  /** Gets the newest known pose of a frame up to this time as a list; an empty one if it is incomplete, refused or published already. */
+  #poseUpTo(track: Track, time: Nanoseconds, now: Nanoseconds | null): StampedPose[] {
+    const { frame } = track.frame;
+    const patience = ofMilliseconds(1000 * PATIENCE_INTERVALS * this.samplingS);
+    const stamp = track.values
+      .map(index => this.#components[index].knownUntil(time, patience))
+      .reduce((oldest, each) => (each < oldest ? each : oldest), time);
+    if (stamp < time && track.newest !== null && stamp <= track.newest) return [];
+    const pose = poseOf(track.frame, (index, jump) =>
+      jump === STEP ? this.#components[index].stepAt(stamp) : this.#components[index].at(stamp, jump),
+    );
+    if (pose === null) return [];
+    const refusal = 'reason' in pose ? pose : this.#rule.judge(track.index, stamp, now);
+    if (refusal !== null) {
+      if (track.newest !== null || !OF_LONG_AGO.includes(refusal.reason)) this.status.refuse(refusal.reason, frame, refusal.text, this.status.frames);
+      return [];
+    }
+    if (track.changed !== null) track.intervals = [...track.intervals.slice(-1), stamp - track.changed];
+    [track.newest, track.changed, track.isRepeated] = [stamp, stamp, false];
+    this.status.accept(frame);
+    this.silence.heard(frame);
+    return [{ stamp, pose: pose as Pose }];
+  }
+
+  #send(poses: StampedPose[]): void {
+    for (let i = 0; i < poses.length; i += MAX_TRANSFORMS) {
+      this.gateway.publish(TF, { transforms: poses.slice(i, i + MAX_TRANSFORMS).map(({ stamp, pose }) => transform(stamp, pose)) });
+      this.status.sampled();
+    }
+  }
+
+  #publishStationary(frames: Frame[]): void {
+    // A zero stamp needs no clock: a stationary frame has the same pose at all times.
+    const transforms = frames.map(frame => transform(0n, poseOf(frame, () => null) as Pose));
+    if (transforms.length > 0) this.gateway.publishKept(TF_STATIC, { transforms });
+  }
+}
+
+const valuesOf = ({ selector, position, rotation }: Frame): number[] =>
+  [...(selector === null ? [] : [selector]), ...position, ...(rotation?.parts ?? [])].flatMap(part => ('value' in part ? [part.value] : []));
+
+function silenceOf({ intervals, isRepeated }: Track, silence: Nanoseconds): Nanoseconds {
+  if (isRepeated) return REPETITION;
+  const interval = intervals.reduce((shortest, each) => (each < shortest ? each : shortest), MAX_INTERVAL);
+  const least = silence > SILENCE ? silence : SILENCE;
+  return intervals.length > 0 && interval < MAX_INTERVAL && SILENT_INTERVALS * interval > least ? SILENT_INTERVALS * interval : least;
+}
+
+/**
+ * Gets the pose of a frame; null if a number is missing, and a refusal if they are not those of a parent and a rotation.
+ * @param numberOf Gets the number of a value; a larger difference of two numbers than `jump` must not be interpolated.
+ */
+function poseOf(
+  { frame, parents, selector, position, scale, rotation }: Frame,
+  numberOf: (value: number, jump: number) => number | null,
+): Pose | Refusal | null {
+  const found = (parts: Component[], jump: number): number[] | null => {
+    const all = parts.map(part => ('constant' in part ? part.constant : numberOf(part.value, jump)));
+    return all.includes(null) ? null : (all as number[]);
+  };
+  const place = found(position, Infinity);
+  const parts = rotation === null ? [] : found(rotation.parts, rotation.kind === 'angles' ? Math.PI / rotation.scale : MAX_STEP);
+  const [choice] = selector === null ? [0] : (found([selector], STEP) ?? [null]);
+  if (place === null || parts === null || choice === null) return null;
+  if (!Number.isInteger(choice) || choice < 0 || choice >= parents.length)
+    return { reason: 'parent', text: `its parent is number ${choice}; allowed is a whole number from 0 to ${parents.length - 1}` };
+  const turned = turnOf(rotation, parts);
+  if (turned === null)
+    return { reason: 'not-unit', text: `the quaternion has the length ${Math.hypot(...parts).toFixed(3)}; allowed is 0.99 to 1.01` };
+  return { frame, parent: parents[choice], position: place.map(value => value * scale), rotation: turned };
+}
+
+function turnOf(rotation: Frame['rotation'], parts: number[]): Quaternion | null {
+  if (rotation === null) return IDENTITY;
+  if (rotation.kind === 'quaternion') return unit(parts);
+  return ofAngles(
+    parts.map(angle => angle * rotation.scale),
+    rotation.order,
+    rotation.isFixed,
+  );
+}

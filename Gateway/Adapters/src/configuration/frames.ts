@@ -1,0 +1,126 @@
+import { shown } from './problem';
+import { type SilenceEntry, silenceMs } from './silenceEntry';
+import { ADDRESS, type Address, addressIn, type Value } from './values';
+import type { Path, YamlFile } from './yamlFile';
+
+/** The anchored frame of the cell, the root of all frames. */
+export const WORLD = 'world';
+
+/** A component of a pose: a constant, or the index of the read value. */
+export type Component = { constant: number } | { value: number };
+
+/** The rotation of a frame: a unit quaternion x, y, z, w, or three angles about the axes named by `order`. */
+export type RotationSource =
+  { kind: 'quaternion'; parts: Component[] } | { kind: 'angles'; parts: Component[]; order: string; isFixed: boolean; scale: number };
+
+/** An object of the cell, whose pose in its parent is read from the control system or constant. */
+export interface Frame {
+  frame: string;
+  /** The possible parents. A single one is the parent at all times. */
+  parents: string[];
+  /** The number that selects the parent, counted from 0; null for a single one. */
+  selector: Component | null;
+  /** x, y, z. */
+  position: Component[];
+  /** Conversion of the position to m. */
+  scale: number;
+  /** Null for the orientation of the parent. */
+  rotation: RotationSource | null;
+  /** Time without data after which the frame has a fault, ms; null if a silent frame is at rest. */
+  faultAfterMs: number | null;
+}
+
+type NumberEntry = number | Address;
+
+export interface FrameEntry {
+  frame: string;
+  parent?: string | (Address & { of: string[] });
+  position: { unit: string; x: NumberEntry; y: NumberEntry; z: NumberEntry };
+  quaternion?: { x: NumberEntry; y: NumberEntry; z: NumberEntry; w: NumberEntry };
+  angles?: { order: string; axes: 'fixed' | 'moving'; unit: string; values: NumberEntry[] };
+  silence?: SilenceEntry;
+}
+
+const LENGTHS: Record<string, number> = { m: 1, mm: 0.001 };
+const ANGLES: Record<string, number> = { rad: 1, deg: Math.PI / 180 };
+
+/** Whether nothing of the frame's pose is read, so that the frame does not move in its parent. */
+export const isStationary = ({ selector, position, rotation }: Frame): boolean =>
+  selector === null && [...position, ...(rotation?.parts ?? [])].every(part => 'constant' in part);
+
+/** Gets the frames of a configuration, and adds the values that they read. */
+export function framesOf(file: YamlFile, kind: string, entries: FrameEntry[], silence: SilenceEntry, values: Value[]): Frame[] {
+  const seen = new Map<string, number>();
+  const frames = entries.map((entry, i): Frame => {
+    const path: Path = ['frames', i];
+    if (entry.frame === WORLD) file.report([...path, 'frame'], `value "${WORLD}"; this is the anchored frame of the cell, which has no parent`);
+    if (seen.has(entry.frame))
+      file.report([...path, 'frame'], `value ${shown(entry.frame)}; line ${seen.get(entry.frame)} already has this frame; name each frame once`);
+    seen.set(entry.frame, file.lineOf([...path, 'frame']));
+    if (entry.quaternion !== undefined && entry.angles !== undefined)
+      file.report([...path, 'angles'], 'the quaternion already determines the rotation; remove one of the two');
+    const component = (at: Path, label: string, found: NumberEntry): Component =>
+      typeof found === 'number' ? { constant: found } : read(file, kind, { label: `${entry.frame} ${label}`, path: at, address: found }, values);
+    const { x, y, z, unit } = entry.position;
+    return {
+      frame: entry.frame,
+      ...parentOf(entry, (label, found) => component([...path, 'parent'], label, found)),
+      position: Object.entries({ x, y, z }).map(([name, found]) => component([...path, 'position', name], name, found)),
+      scale: LENGTHS[unit],
+      rotation: rotationOf(entry, (at, label, found) => component([...path, ...at], label, found)),
+      faultAfterMs: silenceMs(entry.silence ?? silence),
+    };
+  });
+  frames.forEach((frame, i) => reportCycle(file, frames, frame, i));
+  return frames;
+}
+
+function parentOf({ parent = WORLD }: FrameEntry, component: (label: string, found: NumberEntry) => Component): Pick<Frame, 'parents' | 'selector'> {
+  if (typeof parent === 'string') return { parents: [parent], selector: null };
+  const { of, ...address } = parent;
+  return { parents: of, selector: component('parent', address) };
+}
+
+function rotationOf(
+  { quaternion, angles }: FrameEntry,
+  component: (at: Path, label: string, found: NumberEntry) => Component,
+): RotationSource | null {
+  if (quaternion !== undefined) {
+    const { x, y, z, w } = quaternion;
+    return {
+      kind: 'quaternion',
+      parts: Object.entries({ x, y, z, w }).map(([name, found]) => component(['quaternion', name], `quaternion ${name}`, found)),
+    };
+  }
+  if (angles === undefined) return null;
+  return {
+    kind: 'angles',
+    parts: angles.values.map((found, i) => component(['angles', 'values', i], `angle ${angles.order[i]}`, found)),
+    order: angles.order,
+    isFixed: angles.axes === 'fixed',
+    scale: ANGLES[angles.unit],
+  };
+}
+
+/** Adds a value to be read, and reports an address of another kind of plant. */
+function read(file: YamlFile, kind: string, { label, path, address }: Value, values: Value[]): Component {
+  const allowed = ADDRESS[kind];
+  for (const key of Object.keys(address))
+    if (!allowed.includes(key as keyof Address)) file.report([...path, key], `not known here; allowed are ${allowed.join(', ')}`);
+  if (address[allowed[0]] === undefined) file.report([...path, allowed[0]], `missing; add the ${allowed[0]} of the variable with this number`);
+  values.push({ label, path, address: addressIn(address) });
+  return { value: values.length - 1 };
+}
+
+/** Reports a frame that is its own ancestor, once for each of its cycle's frames. Parents that change are checked by the gateway. */
+function reportCycle(file: YamlFile, frames: Frame[], { frame, parents: [parent, ...others] }: Frame, i: number): void {
+  const chain = [frame];
+  for (let next: string | undefined = parent; next !== undefined && chain.length <= frames.length;) {
+    chain.push(next);
+    const text = chain.length === 2 ? 'a frame cannot be its own parent' : `its parents lead back to it: ${chain.join(', ')}`;
+    if (next === frame)
+      return file.report(['frames', i, 'parent'], `value ${shown(parent)}; ${text}; name ${WORLD}, a link of a robot, or another frame`);
+    const above: Frame | undefined = others.length > 0 ? undefined : frames.find(f => f.frame === next);
+    next = above?.parents.length === 1 ? above.parents[0] : undefined;
+  }
+}

@@ -1,0 +1,152 @@
+import type { Log } from '../log';
+
+/** What a value belongs to; the prefix of its key in the diagnostics. */
+export type ConditionKind = 'joint' | 'frame' | 'signal';
+
+/**
+ * live: samples arrive. rest: silent and assumed to be at rest. refused: values arrive but are invalid. fault: the data have stopped.
+ * missing: no valid value since the start.
+ */
+export type State = 'live' | 'rest' | 'refused' | 'fault' | 'missing';
+
+export interface Condition {
+  state: State;
+  /** Unix time of this machine in milliseconds. */
+  since: number;
+  /** One sentence; empty while live. */
+  reason: string;
+  /** The reason why rest is uncertain; empty for none. */
+  uncertainty: string;
+}
+
+/** Smaller differences between start times are caused by the transmission of the message. */
+const SAME_SINCE_MS = 2000;
+
+const isGood = ({ state }: Condition): boolean => state === 'live' || state === 'rest';
+
+/** State of each joint, frame or signal with its reason. Logs the start and the end of each fault once. */
+export class Conditions {
+  readonly #known = new Map<string, Condition>();
+
+  /**
+   * @param changed Called after each change of a state or a reason.
+   * @param now Unix time in milliseconds.
+   */
+  constructor(
+    readonly kind: ConditionKind,
+    readonly log: Log,
+    readonly changed: () => void = () => {},
+    readonly now: () => number = Date.now,
+  ) {}
+
+  /** Expects a name, which is missing until its first usable value. */
+  expect(name: string): void {
+    if (!this.#known.has(name))
+      this.#known.set(name, { state: 'missing', since: this.now(), reason: 'no value has arrived since the start', uncertainty: '' });
+  }
+
+  has(name: string): boolean {
+    return this.#known.has(name);
+  }
+
+  stateOf(name: string): State | undefined {
+    return this.#known.get(name)?.state;
+  }
+
+  /** The first one that is neither live nor at rest; null when there is none. */
+  get trouble(): [string, Condition] | null {
+    return [...this.#known].find(([, condition]) => !isGood(condition)) ?? null;
+  }
+
+  /** The first one whose rest is uncertain, with the reason; null if there is none. */
+  get uncertainty(): [string, string] | null {
+    const found = [...this.#known].find(([, { uncertainty }]) => uncertainty !== '');
+    return found === undefined ? null : [found[0], found[1].uncertainty];
+  }
+
+  live(name: string): void {
+    if (this.stateOf(name) === 'live') return;
+    this.#enter(name, 'live', '', this.now());
+    this.log.resume(`${this.kind} ${name}`, `${name} is live again`);
+  }
+
+  /**
+   * @param since Time of the last sample.
+   * @param uncertainty The reason why the rest is uncertain; empty for none.
+   */
+  rest(name: string, since: number, uncertainty = ''): void {
+    const known = this.#known.get(name);
+    if (known?.state === 'rest' && known.uncertainty === uncertainty) return;
+    this.#enter(
+      name,
+      'rest',
+      `no change is reported; the ${this.kind} is assumed at rest${uncertainty === '' ? '' : `; ${uncertainty}`}`,
+      since,
+      uncertainty,
+    );
+    this.log.resume(`${this.kind} ${name}`, `${name} is at rest without a fault`);
+  }
+
+  fault(name: string, reason: string, since = this.now()): void {
+    this.#trouble(name, 'fault', reason, since, true);
+  }
+
+  missing(name: string, reason: string): void {
+    this.#trouble(name, 'missing', reason, this.now(), true);
+  }
+
+  /** The caller logs the refusal. */
+  refused(name: string, reason: string): void {
+    this.#trouble(name, 'refused', reason, this.now(), false);
+  }
+
+  /** Applies the report of the gateway that has the source. */
+  report(name: string, { state, since, reason: text, uncertainty }: Condition): void {
+    const known = this.#known.get(name);
+    const reason = this.log.clean(text);
+    const isSame = known?.state === state && known.reason === reason && known.uncertainty === uncertainty;
+    if (isSame && Math.abs(known.since - since) < SAME_SINCE_MS) return;
+    this.#enter(name, state, reason, since, uncertainty);
+    if (state === 'rest' || state === 'live')
+      this.log.resume(`${this.kind} ${name}`, `${name} is ${state === 'rest' ? 'at rest, without fault' : 'live again'}`);
+    else this.log.change(`${this.kind} ${name}`, `${state} ${reason}`, `${name} ${state}: ${reason}`);
+  }
+
+  /** Removes a name that is no longer expected. */
+  forget(name: string): void {
+    if (!this.#known.delete(name)) return;
+    this.log.resume(`${this.kind} ${name}`, `${name} is no longer expected`);
+    this.changed();
+  }
+
+  /** Reports the end of the connection to the source: good states become faults. */
+  disconnected(reason: string): void {
+    for (const [name, condition] of this.#known) if (isGood(condition)) this.#enter(name, 'fault', reason, this.now());
+  }
+
+  /** Gets the diagnostics of each name; faulty ones come first, in case the receiver keeps only a part. */
+  values(): Record<string, string> {
+    const sorted = [...this.#known].sort(([, a], [, b]) => Number(isGood(a)) - Number(isGood(b)));
+    return Object.fromEntries(
+      sorted.flatMap(([name, { state, since, reason, uncertainty }]) => [
+        [`${this.kind}/${name}`, `${state} ${(since / 1000).toFixed(3)}${reason === '' ? '' : ` ${reason}`}`],
+        ...(uncertainty === '' ? [] : [[`uncertain/${name}`, uncertainty]]),
+      ]),
+    );
+  }
+
+  #trouble(name: string, state: State, text: string, since: number, isLogged: boolean): void {
+    const reason = this.log.clean(text);
+    const { state: before, reason: previous } = this.#known.get(name) ?? {};
+    // Without any valid value, the state stays missing; the reason describes the invalid value.
+    const entered = before === 'missing' ? 'missing' : state;
+    if (before === entered && previous === reason) return;
+    this.#enter(name, entered, reason, since);
+    if (isLogged) this.log.change(`${this.kind} ${name}`, `${entered} ${reason}`, `${name} ${entered}: ${reason}`);
+  }
+
+  #enter(name: string, state: State, reason: string, since: number, uncertainty = ''): void {
+    this.#known.set(name, { state, since, reason, uncertainty });
+    this.changed();
+  }
+}

@@ -1,0 +1,127 @@
+import { type Pose, TF, TF_STATIC, transform } from '../cell/messages';
+import { unit } from '../cell/rotation';
+import type { PlantClock } from '../clock/plantClock';
+import { WORLD } from '../configuration/frames';
+import type { AdapterStatus } from '../gateway/status';
+import type { Silence } from '../samples/silence';
+import { StampRule } from '../samples/stampRule';
+import { type Nanoseconds, ofRosTime } from '../times';
+
+/** A frame of the cell and its name in ROS. */
+export interface RosFrame {
+  frame: string;
+  source: string;
+}
+
+interface Publisher {
+  publish(topic: string, msg: object): void;
+  publishKept(topic: string, msg: object): void;
+}
+
+interface Names {
+  frames: RosFrame[];
+  /** The frame in ROS that is the anchored frame of the cell. */
+  world: string;
+  /** Namespace of the robot whose links may be parents; empty for none. */
+  namespace: string;
+}
+
+/** ROS 1 allowed a slash before a frame's name. */
+const bare = (name: unknown): string => (typeof name === 'string' ? name.replace(/^\//, '') : '');
+
+/** Forwards the configured frames of a robot's /tf and /tf_static with their own stamps. */
+export class RosFrames {
+  readonly #rule: StampRule;
+  readonly #stationary = new Map<string, object>();
+
+  constructor(
+    readonly names: Names,
+    oldest: Nanoseconds,
+    readonly clock: Pick<PlantClock, 'now' | 'isSettled'>,
+    readonly gateway: Publisher,
+    readonly status: AdapterStatus,
+    readonly silence: Silence,
+  ) {
+    this.#rule = new StampRule(names.frames.length, oldest);
+    // A frame whose publisher is silent cannot be confirmed.
+    silence.unconfirmedMs = null;
+    for (const { frame } of names.frames) status.frames.expect(frame);
+  }
+
+  /** Forwards tracked frames. */
+  pass(message: Record<string, unknown>): void {
+    const found = this.#found(message);
+    if (found.length === 0) return;
+    if (!this.clock.isSettled) return this.status.count('clock-unknown');
+    const { now } = this.clock;
+    const transforms = found.flatMap(({ index, pose, stamp }) => {
+      const refusal = this.#rule.judge(index, stamp, now);
+      if (refusal !== null) {
+        this.status.refuse(refusal.reason, pose.frame, refusal.text, this.status.frames);
+        return [];
+      }
+      this.#accept(pose.frame);
+      return [transform(stamp!, pose)];
+    });
+    if (transforms.length === 0) return;
+    this.gateway.publish(TF, { transforms });
+    this.status.sampled();
+  }
+
+  /** Forwards stationary frames. */
+  passStationary(message: Record<string, unknown>): void {
+    const found = this.#found(message);
+    // A zero stamp needs no clock: a stationary frame has the same pose at all times.
+    for (const { pose } of found) {
+      this.#stationary.set(pose.frame, transform(0n, pose));
+      this.status.frames.live(pose.frame);
+      this.status.accept(pose.frame);
+    }
+    if (found.length > 0) this.gateway.publishKept(TF_STATIC, { transforms: [...this.#stationary.values()] });
+  }
+
+  #accept(frame: string): void {
+    this.status.accept(frame);
+    this.silence.heard(frame);
+  }
+
+  #found({ transforms }: Record<string, unknown>): { index: number; pose: Pose; stamp: Nanoseconds | null }[] {
+    if (!Array.isArray(transforms)) {
+      this.status.refuse('malformed', 'transforms', 'the message has no list of transforms', this.status.frames);
+      return [];
+    }
+    return transforms.flatMap((one: Record<string, unknown> | null) => {
+      const source = bare(one?.child_frame_id);
+      const index = this.names.frames.findIndex(frame => frame.source === source);
+      if (index < 0) return [];
+      const { frame } = this.names.frames[index];
+      const { stamp, frame_id: parent } = (one!.header ?? {}) as { stamp?: unknown; frame_id?: unknown };
+      const { translation, rotation } = (one!.transform ?? {}) as Record<string, Record<string, unknown> | undefined>;
+      const position = numbers(translation, ['x', 'y', 'z']);
+      const turn = numbers(rotation, ['x', 'y', 'z', 'w']);
+      const quaternion = turn === null ? null : unit(turn);
+      if (position === null || quaternion === null || bare(parent) === '') {
+        this.status.refuse(
+          'malformed',
+          frame,
+          `its transform from ${source} has no parent, or no finite position, or no unit quaternion`,
+          this.status.frames,
+        );
+        return [];
+      }
+      return [{ index, pose: { frame, parent: this.#parentOf(bare(parent)), position, rotation: quaternion }, stamp: ofRosTime(stamp) }];
+    });
+  }
+
+  #parentOf(source: string): string {
+    const { frames, world, namespace } = this.names;
+    if (source === world) return WORLD;
+    return frames.find(frame => frame.source === source)?.frame ?? (namespace === '' ? source : `${namespace}/${source}`);
+  }
+}
+
+/** Gets the members with these names; null if one is not a finite number. */
+function numbers(vector: Record<string, unknown> | undefined, names: string[]): number[] | null {
+  const found = names.map(name => vector?.[name]);
+  return found.every(value => typeof value === 'number' && Number.isFinite(value)) ? (found as number[]) : null;
+}

@@ -1,0 +1,195 @@
+// Frames, signals and robots of real servers, through whole adapters.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { configuration as adsConfiguration } from '../ads/cell.mjs';
+import { AdsServer } from '../ads/server.mjs';
+import { angle, opening, youBot } from '../ads/youbot.mjs';
+import { OPEN, serverFor } from '../opcua/plant.mjs';
+import { start, until } from '../program.mjs';
+import { Robot } from '../ros/robot.mjs';
+import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
+import { temporaryFile } from '../temporary.mjs';
+
+/** Starts an adapter for the text of a configuration. */
+async function adapterFor(t, text) {
+  const bridge = await RosbridgeDouble.start(t);
+  return { bridge, adapter: start(t, [temporaryFile('plant.yaml', text(bridge.url))]) };
+}
+
+const poses = (bridge, frame) => bridge.published('/tf').flatMap(({ transforms }) => transforms).filter(one => one.child_frame_id === frame);
+const changes = bridge => bridge.published('/signals').map(({ header, value }) => [nanoseconds(header.stamp), value[0]]);
+const posesOf = (bridge, frame, count) => until(() => poses(bridge, frame).length >= count && poses(bridge, frame),
+  () => `${count} poses of ${frame}; there are ${poses(bridge, frame).length}, ${JSON.stringify(bridge.state)}`);
+
+/** Asserts that a pose has the x and the angle about z of its source at its stamp. */
+function assertTrue({ header, transform: { translation, rotation } }, place, turn, tolerance) {
+  const stamp = nanoseconds(header.stamp);
+  assert.ok(Math.abs(translation.x - place(stamp)) < tolerance, `x is ${translation.x}, not ${place(stamp)}`);
+  const expected = turn(stamp);
+  const [z, w] = [Math.sin(expected / 2), Math.cos(expected / 2)];
+  assert.ok(Math.abs(Math.abs(rotation.z * z + rotation.w * w) - 1) < tolerance, `z ${rotation.z}, w ${rotation.w}, not ${z}, ${w}`);
+}
+
+describe('frames, signals and robots', { concurrency: 4 }, () => {
+  it('OpcUa_PosesSignalsAndRobots_HaveTheTruthAtTheirStamps', async t => {
+    const server = await serverFor(t);
+    const { bridge } = await adapterFor(t, url => `gateway: { url: "${url}" }
+plant:
+  kind: opcua
+  name: cell
+  endpoint: ${server.endpoint}
+  ${OPEN}
+robots: { arm1: ur5e, arm2: ur5e }
+joints:
+  - { joint: arm1/elbow_joint, node: ns=1;s=arm_joint_1 }
+  - { joint: arm2/elbow_joint, node: ns=1;s=arm_joint_2 }
+frames:
+  - frame: part
+    parent: arm1/tool0
+    position: { unit: m, x: { node: ns=1;s=positions, index: 5 }, y: 1, z: 0 }
+    angles: { order: zyx, axes: moving, unit: rad, values: [{ node: ns=1;s=positions, index: 2 }, 0, 0] }
+  - frame: table
+    position: { unit: mm, x: 500, y: 0, z: 0 }
+signals:
+  - { signal: open, node: ns=1;s=is_open }
+`);
+
+    const seen = await posesOf(bridge, 'part', 60);
+
+    for (const pose of seen) assertTrue(pose, opening, stamp => angle(2, stamp), 1e-6);
+    assert.equal(seen[0].header.frame_id, 'arm1/tool0');
+    assert.equal(seen[0].transform.translation.y, 1);
+    assert.deepEqual(bridge.published('/tf_static').map(({ transforms }) => transforms[0].child_frame_id), ['table']);
+    for (const [robot, joint] of [['arm1', 0], ['arm2', 1]]) {
+      const states = bridge.published(`/${robot}/joint_states`);
+      assert.ok(states.length > 10 && states.every(({ name }) => name.join() === 'elbow_joint'));
+      for (const { header, position } of states) assert.ok(Math.abs(position[0] - angle(joint, nanoseconds(header.stamp))) < 1e-9);
+      assert.match(bridge.published(`/${robot}/robot_description`)[0].data, /<robot/);
+    }
+    // The gripper opens and closes every 1.7 s.
+    await until(() => new Set(changes(bridge).map(([, value]) => value)).size === 2, () => `two values: ${JSON.stringify(changes(bridge).map(String))}`);
+    for (const [stamp, value] of changes(bridge)) assert.equal(value, opening(stamp) > 0.005 ? 1 : 0);
+    await until(() => bridge.state?.['frame/part']?.startsWith('live') && bridge.state['signal/open']?.startsWith('live'), () => JSON.stringify(bridge.state));
+  });
+
+  it('OpcUa_NodesDeleted_AreFaultsOfFrameAndSignal', async t => {
+    const server = await serverFor(t);
+    const { bridge } = await adapterFor(t, url => `gateway: { url: "${url}" }
+plant:
+  kind: opcua
+  name: cell
+  endpoint: ${server.endpoint}
+  ${OPEN}
+joints:
+  - { joint: a, node: ns=1;s=arm_joint_1 }
+frames:
+  - frame: part
+    position: { unit: m, x: { node: ns=1;s=arm_joint_2 }, y: 0, z: 0 }
+signals:
+  - { signal: open, node: ns=1;s=is_open }
+`);
+    await posesOf(bridge, 'part', 5);
+
+    server.remove('arm_joint_2');
+    server.remove('is_open');
+
+    for (const key of ['frame/part', 'signal/open'])
+      await until(() => bridge.state?.[key]?.startsWith('fault') && bridge.state[key].includes('the server'), () => `${key}: ${JSON.stringify(bridge.state)}`);
+    assert.equal(bridge.joint('a').state, 'live');
+    assert.equal(bridge.status.level, 2);
+  });
+
+  it('Ads_PosesAndSignals_HaveTheTruthAtTheirStamps', async t => {
+    const server = new AdsServer(youBot({ cycleMs: 5 })), port = await server.listen();
+    t.after(() => server.close());
+    const { bridge } = await adapterFor(t, url => `${adsConfiguration({ port, url })}frames:
+  - frame: part
+    position: { unit: mm, x: { symbol: MAIN.fGripper }, y: 0, z: 0 }
+    angles: { order: xyz, axes: fixed, unit: deg, values: [0, 0, { symbol: MAIN.fAxis1 }] }
+signals:
+  - { signal: open, symbol: MAIN.bOpen }
+`);
+
+    const seen = await posesOf(bridge, 'part', 60);
+
+    for (const pose of seen) assertTrue(pose, opening, stamp => angle(0, stamp), 1e-6);
+    await until(() => new Set(changes(bridge).map(([, value]) => value)).size === 2, 'two values');
+    for (const [stamp, value] of changes(bridge)) assert.equal(value, opening(stamp) > 0.005 ? 1 : 0);
+  });
+
+  it('Ads_BoolAsPosition_IsRefusedWithItsLine', async t => {
+    const server = new AdsServer(youBot({ cycleMs: 5 })), port = await server.listen();
+    t.after(() => server.close());
+    const { bridge } = await adapterFor(t, url => `${adsConfiguration({ port, url })}frames:
+  - frame: part
+    position: { unit: m, x: { symbol: MAIN.bOpen }, y: 0, z: 0 }
+`);
+
+    await until(() => bridge.state?.['frame/part']?.includes('MAIN.bOpen is BOOL; a position must be a number'), () => JSON.stringify(bridge.state));
+    assert.match(bridge.state['frame/part'], /line 22: /);
+  });
+
+  it('Ros_FramesSignalsAndRobot_AreForwarded', async t => {
+    const robot = await Robot.start(t);
+    const { bridge } = await adapterFor(t, url => `gateway: { url: "${url}" }
+plant: { kind: ros, name: arm, endpoint: "${robot.url}", namespace: arm1, world: map }
+frames:
+  - { frame: part, source: detected }
+  - { frame: table }
+signals:
+  - { signal: closed, topic: /gripper/closed, type: std_msgs/Bool }
+  - { signal: force, topic: /wrench, type: geometry_msgs/WrenchStamped, field: wrench.force.z }
+`);
+    await until(() => ['/tf', '/tf_static', '/gripper/closed', '/wrench'].every(topic => robot.isHeardBy(topic)), 'the subscriptions');
+    await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, 'the clock');
+    const transform = (child, parent, x, stamp = robot.now()) => ({
+      header: { stamp: robot.time(stamp), frame_id: parent }, child_frame_id: child, transform: { translation: { x, y: 0, z: 0 }, rotation: { x: 0, y: 0, z: 0, w: 1 } },
+    });
+    const stamp = robot.now();
+
+    robot.publish('/tf', { transforms: [transform('other', 'map', 9), transform('/detected', 'map', 1, stamp)] });
+    robot.publish('/tf', { transforms: [transform('detected', 'tool0', 2)] });
+    robot.publish('/tf_static', { transforms: [transform('table', 'map', 3)] });
+    robot.publish('/gripper/closed', { data: true });
+    robot.publish('/wrench', { header: { stamp: robot.time(stamp) }, wrench: { force: { z: -4.5 } } });
+    robot.jointState(robot.now(), ['elbow'], [0.5]);
+
+    const seen = await posesOf(bridge, 'part', 2);
+    assert.deepEqual(seen.map(one => [one.header.frame_id, one.transform.translation.x]), [['world', 1], ['arm1/tool0', 2]]);
+    assert.equal(nanoseconds(seen[0].header.stamp), stamp);
+    assert.deepEqual((await until(() => bridge.published('/tf_static')[0], 'the table')).transforms.map(one => [one.header.frame_id, one.child_frame_id]), [['world', 'table']]);
+    await until(() => bridge.published('/signals').length >= 2, 'the signals');
+    const found = Object.fromEntries(bridge.published('/signals').map(({ header, name, value }) => [name[0], [value[0], nanoseconds(header.stamp)]]));
+    assert.deepEqual([found.closed[0], found.force], [1, [-4.5, stamp]]);
+    assert.ok(found.closed[1] >= stamp && found.closed[1] <= robot.now());
+    await until(() => bridge.published('/arm1/joint_states').length === 1, 'the joint state');
+    assert.deepEqual(bridge.published('/arm1/joint_states')[0].name, ['elbow']);
+    await until(() => bridge.joint('arm1/elbow')?.state === 'live', () => JSON.stringify(bridge.state));
+  });
+
+  for (const [name, spoil, reason] of [
+    ['NotUnit', one => { one.transform.rotation.w = 0.5; }, 'malformed'],
+    ['NaN', one => { one.transform.translation.x = null; }, 'malformed'],
+    ['NoStamp', one => { one.header = { frame_id: 'map' }; }, 'stamp-missing'],
+    ['NoParent', one => { one.header.frame_id = ''; }, 'malformed'],
+    ['Empty', one => { delete one.transform; }, 'malformed'],
+  ])
+    it(`Ros_Transform${name}_IsRefused`, async t => {
+      const robot = await Robot.start(t);
+      const { bridge } = await adapterFor(t, url => `gateway: { url: "${url}" }
+plant: { kind: ros, name: arm, endpoint: "${robot.url}" }
+frames:
+  - { frame: part }
+`);
+      await until(() => robot.isHeardBy('/tf'), 'the subscription');
+      await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, 'the clock');
+      const one = { header: { stamp: robot.time(robot.now()), frame_id: 'map' }, child_frame_id: 'part', transform: { translation: { x: 1, y: 0, z: 0 }, rotation: { x: 0, y: 0, z: 0, w: 1 } } };
+      spoil(one);
+
+      robot.publish('/tf', { transforms: [null, one] });
+
+      await until(() => bridge.state?.[`refused/${reason}`] === '1', () => JSON.stringify(bridge.state));
+      assert.deepEqual(poses(bridge, 'part'), []);
+      assert.match(bridge.state['frame/part'], /^missing /);
+    });
+});

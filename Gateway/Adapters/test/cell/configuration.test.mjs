@@ -1,0 +1,111 @@
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { wrongIn } from '../checking.mjs';
+import { parts } from '../parts.mjs';
+import { temporaryFile } from '../temporary.mjs';
+
+const { kinds, readConfiguration } = await parts('configuration/configuration', 'kinds');
+
+const OPCUA = `plant:
+  kind: opcua
+  endpoint: opc.tcp://plc:4840
+robots:
+  arm1: ur5e
+  arm2: ur5e
+joints:
+  - { joint: arm1/shoulder_pan_joint, node: i=1 }
+  - { joint: arm2/shoulder_pan_joint, node: i=2 }
+frames:
+  - frame: table
+    position: { unit: mm, x: 1000, y: 0, z: 500 }
+  - frame: part
+    parent: table
+    position: { unit: mm, x: { node: i=3 }, y: { node: i=4, index: 1 }, z: 0 }
+    angles: { order: zyx, axes: moving, unit: deg, values: [ { node: i=5 }, 0, 0 ] }
+signals:
+  - { signal: closed, node: i=6 }
+  - { signal: speed, node: i=7, index: 2 }
+`;
+const ADS = `plant:
+  kind: ads
+  endpoint: ads://10.0.0.1/1.1.1.1.1.1:851
+  plain: true
+frames:
+  - frame: part
+    position: { unit: m, x: { symbol: MAIN.x }, y: 0, z: 0 }
+    quaternion: { x: 0, y: 0, z: { symbol: MAIN.qz }, w: { symbol: MAIN.qw } }
+signals:
+  - { signal: closed, symbol: MAIN.bClosed }
+`;
+const ROS = `plant:
+  kind: ros
+  endpoint: ws://127.0.0.1:9090
+  namespace: arm1
+  world: map
+frames:
+  - { frame: part, source: detected_part }
+signals:
+  - { signal: closed, topic: /gripper/closed, type: std_msgs/Bool }
+`;
+
+const read = text => readConfiguration(temporaryFile('plant.yaml', text), {}, Object.fromEntries(Object.entries(kinds).map(([name, kind]) => [name, kind.check])));
+const linesOf = (text, from, to) => {
+  const changed = text.replace(from, to);
+  assert.notEqual(changed, text);
+  const path = temporaryFile('plant.yaml', changed);
+  return wrongIn(path).map(line => line.replace(`${path}, `, ''));
+};
+
+describe('configuration of frames, signals and robots', () => {
+  it('Frames_OfOpcUa_HaveTheirValuesAfterTheJoints', () => {
+    const { joints, frames, signals, values, robots } = read(OPCUA);
+
+    assert.deepEqual(values.map(({ label, address }) => [label, address.node, address.index]), [
+      ['arm1/shoulder_pan_joint', 'i=1', undefined], ['arm2/shoulder_pan_joint', 'i=2', undefined], ['part x', 'i=3', undefined], ['part y', 'i=4', 1],
+      ['part angle z', 'i=5', undefined], ['closed', 'i=6', undefined], ['speed', 'i=7', 2],
+    ]);
+    assert.deepEqual(joints.map(({ robot, name }) => [robot, name]), [['arm1', 'shoulder_pan_joint'], ['arm2', 'shoulder_pan_joint']]);
+    assert.deepEqual(frames.map(({ frame, parents, scale }) => [frame, parents, scale]), [['table', ['world'], 0.001], ['part', ['table'], 0.001]]);
+    assert.deepEqual(frames[1].rotation, { kind: 'angles', parts: [{ value: 4 }, { constant: 0 }, { constant: 0 }], order: 'zyx', isFixed: false, scale: Math.PI / 180 });
+    assert.deepEqual([signals.length, Object.keys(robots)], [2, ['arm1', 'arm2']]);
+  });
+
+  it('Frames_OfAds_AreReadFromSymbols', () => assert.deepEqual(read(ADS).values.map(({ address }) => address.symbol), ['MAIN.x', 'MAIN.qz', 'MAIN.qw', 'MAIN.bClosed']));
+
+  it('Ros_FramesAndSignals_AreValid', () => assert.deepEqual(linesOf(ROS, '  world: map\n', ''), []));
+
+  for (const [name, text, from, to, expected] of [
+    ['FrameTwice', OPCUA, 'frame: part', 'frame: table', /^line 13: frames\[1\]\.frame: value "table"; line 11 already has this frame/],
+    ['World', OPCUA, 'frame: table', 'frame: world', /^line 11: frames\[0\]\.frame: value "world"; this is the anchored frame of the cell/],
+    ['OwnParent', OPCUA, 'parent: table', 'parent: part', /^line 14: frames\[1\]\.parent: value "part"; a frame cannot be its own parent; name world/],
+    ['Cycle', OPCUA, '  - frame: table\n', '  - frame: table\n    parent: part\n', /^line 12: frames\[0\]\.parent: value "part"; its parents lead back to it: table, part, table; name world/],
+    ['OneOfParents', OPCUA, 'parent: table', 'parent: { of: [table], node: i=9 }', /^line 14: frames\[1\]\.parent\.of: value \["table"\]; allowed is a list of 2 to 32 names/],
+    ['SelectorWithoutNode', OPCUA, 'parent: table', 'parent: { of: [table, world] }', /^line 14: frames\[1\]\.parent\.node: missing; add the node of the variable/],
+    ['NoUnit', OPCUA, 'unit: mm, x: 1000', 'x: 1000', /^line 12: frames\[0\]\.position\.unit: missing; allowed are m, mm/],
+    ['WrongUnit', OPCUA, 'unit: mm, x: 1000', 'unit: cm, x: 1000', /^line 12: frames\[0\]\.position\.unit: value "cm"; .*allowed are m, mm/],
+    ['NoX', OPCUA, 'x: 1000, ', '', /^line 12: frames\[0\]\.position\.x: missing; add a number that does not change, or the address/],
+    ['Text', OPCUA, 'x: 1000', 'x: far', /^line 12: frames\[0\]\.position\.x: value "far"; allowed is a number that does not change, or the address/],
+    ['NoNode', OPCUA, '{ node: i=3 }', '{ index: 3 }', /^line 15: frames\[1\]\.position\.x\.node: missing; add the node of the variable with this number$/],
+    ['Symbol', OPCUA, '{ node: i=3 }', '{ node: i=3, symbol: MAIN.x }', /^line 15: frames\[1\]\.position\.x\.symbol: not known here; allowed are node, index$/],
+    ['NodeOfAds', ADS, '{ symbol: MAIN.x }', '{ node: i=3 }', /^line 7: frames\[0\]\.position\.x\.node: not known here; allowed are symbol$/],
+    ['HugeId', OPCUA, 'node: i=3 ', 'node: i=4294967296 ', /^line 15: frames\[1\]\.position\.x\.node: value "i=4294967296"; a numeric id/],
+    ['Order', OPCUA, 'order: zyx', 'order: zzx', /^line 16: frames\[1\]\.angles\.order: value "zzx"; allowed is the axes of the three rotations/],
+    ['NoAxes', OPCUA, 'axes: moving, ', '', /^line 16: frames\[1\]\.angles\.axes: missing; allowed are fixed, moving/],
+    ['TwoAngles', OPCUA, ', 0, 0 ]', ', 0 ]', /^line 16: frames\[1\]\.angles\.values: value .*allowed is a list of three numbers/],
+    ['TwoRotations', ADS, '    quaternion', '    angles: { order: xyz, axes: fixed, unit: rad, values: [0, 0, 0] }\n    quaternion', /^line 8: frames\[0\]\.angles: the quaternion already determines the rotation/],
+    ['RestWithoutOnChange', ADS, 'frame: part', 'frame: part\n    silence: rest', /^line 7: frames\[0\]\.silence: value "rest"; without on_change: true/],
+    ['SignalTwice', OPCUA, 'signal: speed', 'signal: closed', /^line 19: signals\[1\]\.signal: value "closed"; line 18 already has this signal/],
+    ['SignalNoNode', OPCUA, 'signal: closed, node: i=6', 'signal: closed', /^line 18: signals\[0\]\.node: missing; add the node's id/],
+    ['Namespace', OPCUA, '  arm1: ur5e', '  1arm: ur5e', /^line \d+: robots: .*allowed is a robot's namespace: a letter/],
+    ['RobotFile', OPCUA, '  arm1: ur5e', '  arm1: none.urdf', /^line 5: robots\.arm1: value "none\.urdf"; the file cannot be read/],
+    ['JointOfRobot', OPCUA, 'arm2/shoulder_pan_joint', 'arm2/sholder_pan_joint', /^line 9: joints\[1\]\.joint: value "arm2\/sholder_pan_joint"; the robot has no such joint, did you mean shoulder_pan_joint\?/],
+    ['RosFrameTwice', ROS, 'signals:', '  - { frame: other, source: detected_part }\nsignals:', /^line 8: frames\[1\]\.source: value "detected_part" occurs twice/],
+    ['RosType', ROS, 'std_msgs/Bool', 'Bool', /^line 9: signals\[0\]\.type: value "Bool"; allowed is the type of the topic's messages/],
+    ['RosTopic', ROS, '/gripper/closed', 'gripper closed', /^line 9: signals\[0\]\.topic: value "gripper closed"; allowed is a topic's name/],
+  ])
+    it(`Check_${name}_NamesLineAndRemedy`, () => {
+      const lines = linesOf(text, from, to);
+
+      assert.equal(lines.filter(line => expected.test(line)).length, 1, lines.join('\n'));
+    });
+});

@@ -1,0 +1,108 @@
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { cell, MS, T } from './inVirtualTime.mjs';
+
+const two = () => cell({ signals: [{ signal: 'closed' }, { signal: 'speed' }], values: ['closed', 'speed'] });
+
+describe('signals', () => {
+  it('Change_IsPublishedWithItsStamp_RepetitionIsNot', () => {
+    const { take, changes, time, stateOf } = two();
+
+    for (; time.ms < 50; time.ms += 10) take({ 0: time.ms >= 20, 1: 3.5 });
+
+    assert.deepEqual(changes(), [['closed', 0, 0n], ['speed', 3.5, 0n], ['closed', 1, 20n]]);
+    assert.deepEqual(['closed', 'speed'].map(name => stateOf(`signal/${name}`)), ['live', 'live']);
+  });
+
+  it('Changes_OfOneNotification_AreAllPublished', () => {
+    const { output, changes, time } = two();
+    time.ms = 30;
+
+    output.publish([0, 1, 0].map((value, i) => ({ index: 0, value, stamp: T + BigInt(10 * i) * MS })));
+
+    assert.deepEqual(changes(), [['closed', 0, 0n], ['closed', 1, 10n], ['closed', 0, 20n]]);
+  });
+
+  it('First_OldValue_KeepsItsStamp', () => {
+    const { take, changes, time } = two();
+    time.ms = 7_200_000;
+
+    take({ 0: true }, { stamp: T, isFirst: true });
+
+    assert.deepEqual(changes(), [['closed', 1, 0n]]);
+  });
+
+  it('Change_BeforeTheClockIsKnown_IsPublishedAfterwards', () => {
+    const { take, changes, clock, output, time } = two();
+    clock.isSettled = false;
+    take({ 0: 1 });
+    assert.deepEqual(changes(), []);
+
+    clock.isSettled = true;
+    time.ms = 250;
+    output.check();
+
+    assert.deepEqual(changes(), [['closed', 1, 0n]]);
+  });
+
+  it('Gateway_ConnectedAgain_GetsTheValuesForThirtySeconds', () => {
+    const { take, changes, output, time } = two();
+    take({ 0: 1, 1: 2 });
+
+    time.ms = 1000;
+    output.signals.connected();
+    for (; time.ms < 60_000; time.ms += 250) {
+      output.hold(T, 0n, new Set());
+      output.check();
+    }
+
+    const closed = changes().filter(([name]) => name === 'closed');
+    assert.ok(closed.length >= 30 && closed.length <= 32, `${closed.length}`);
+    assert.deepEqual(new Set(closed.map(([, value, stamp]) => `${value} ${stamp}`)), new Set(['1 0']));
+  });
+
+  it('Signal_Unconfirmed_IsAFaultAndConfirmedIsNot', () => {
+    const { take, output, time, stateOf } = two();
+    take({ 0: 1, 1: 2 });
+
+    for (; time.ms < 3000; time.ms += 250) {
+      output.hold(T, 0n, new Set([1]));
+      output.check();
+    }
+
+    assert.deepEqual([stateOf('signal/closed'), stateOf('signal/speed')], ['live', 'fault']);
+  });
+
+  it('Value_NotANumber_IsRefusedAndTheLastOneStays', () => {
+    const { take, changes, stateOf, status, time } = two();
+    take({ 0: 1 });
+
+    time.ms = 10;
+    take({ 0: 'open' });
+
+    assert.equal(changes().length, 1);
+    assert.equal(stateOf('signal/closed'), 'refused');
+    assert.match(status.values()['signal/closed'], /value "open" is not a number/);
+  });
+
+  it('Stamp_InTheFutureOrMissing_IsRefused', () => {
+    const { take, changes, status } = two();
+
+    take({ 0: 1 }, { stamp: T + 5000n * MS });
+    take({ 1: 1 }, { stamp: null });
+
+    assert.deepEqual(changes(), []);
+    assert.deepEqual([status.refusals('stamp-future'), status.refusals('stamp-missing')], [1, 1]);
+  });
+
+  it('Value_Lost_IsAFault', () => {
+    const { take, output, stateOf, status } = two();
+    take({ 0: 1 });
+
+    output.lose(0, 'the server no longer has this node');
+    output.hold(T, 0n, new Set());
+
+    assert.equal(stateOf('signal/closed'), 'fault');
+    assert.equal(status.level, 2);
+  });
+});
