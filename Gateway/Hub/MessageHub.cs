@@ -70,6 +70,12 @@ public sealed class MessageHub
     /// <summary>Raised when the source of signals has ended or unadvertised them. Called under the hub's lock.</summary>
     internal event Action<HubSource, IReadOnlyCollection<string>> SignalsEnded;
 
+    /// <summary>Calls an action under the hub's lock: no signal gets a source or loses it in the meantime.</summary>
+    internal void Exclusively(Action action)
+    {
+        lock (_lock) action();
+    }
+
     /// <summary>Creates a publisher. A joint belongs to the first source that publishes it, until that source is disposed.</summary>
     public HubSource OpenSource() => new(this);
 

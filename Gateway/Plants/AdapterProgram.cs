@@ -31,7 +31,7 @@ static class AdapterProgram
             var content = PlantContent.Read(file, lines.Length == 2 ? lines[1] : "");
             return new PlantFile(file, content.Name, lines[0].Trim())
             {
-                Joints = content.Joints, PassesUnlisted = content.PassesUnlisted, Robot = content.Robot,
+                Joints = content.Joints, PassesUnlisted = content.PassesUnlisted, Robot = content.Robot, Robots = content.Robots ?? [],
             };
         }
         catch (OperationCanceledException) when (!stop.IsCancellationRequested)
@@ -75,7 +75,7 @@ static class AdapterProgram
         }
     }
 
-    internal sealed record PlantContent(string Name, string[] Joints, bool PassesUnlisted, string Robot)
+    internal sealed record PlantContent(string Name, string[] Joints, bool PassesUnlisted, string Robot, Dictionary<string, string> Robots = null)
     {
         static readonly JsonSerializerOptions Names = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
 

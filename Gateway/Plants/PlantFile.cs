@@ -1,5 +1,6 @@
 using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Status.Joints;
+using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Plants;
 
@@ -15,17 +16,31 @@ sealed record PlantFile(string Path, string Name, string Summary)
     /// <summary>Whether the adapter also publishes joints that the file does not list.</summary>
     public bool PassesUnlisted { get; init; }
 
-    /// <summary>The URDF that the adapter publishes; null for none.</summary>
+    /// <summary>The URDF of the robot without a namespace that the adapter publishes; null for none.</summary>
     public string Robot { get; init; }
 
-    /// <summary>Gets the joints of a robot's arm that no plant publishes, without which headsets cannot show a current pose.</summary>
+    /// <summary>The URDFs of robots in namespaces that the adapter publishes.</summary>
+    public IReadOnlyDictionary<string, string> Robots { get; init; } = new Dictionary<string, string>();
+
+    /// <summary>Gets the joints of a robot's arm that no plant publishes, without which headsets cannot show a current pose; those of robots in namespaces as NAMESPACE/JOINT.</summary>
     /// <param name="plants">All plants of a gateway.</param>
     /// <param name="robot">The URDF that the gateway itself publishes; null for none.</param>
     public static IReadOnlyList<string> MissingJoints(IReadOnlyCollection<PlantFile> plants, string robot)
     {
-        var description = new DescribedRobot(robot ?? plants.Select(plant => plant.Robot).FirstOrDefault(urdf => urdf != null)).Model;
         var published = plants.SelectMany(plant => plant.Joints).ToHashSet();
-        if (description == null || published.Count == 0 || plants.Any(plant => plant.PassesUnlisted)) return [];
-        return UnpublishedJoints.NamesOf(description).FindAll(name => !published.Contains(name));
+        if (published.Count == 0 || plants.Any(plant => plant.PassesUnlisted)) return [];
+        var own = KeyValuePair.Create("", robot ?? plants.Select(plant => plant.Robot).FirstOrDefault(urdf => urdf != null));
+        return
+        [
+            .. from described in plants.SelectMany(plant => plant.Robots).DistinctBy(one => one.Key).Prepend(own)
+               let model = new DescribedRobot(described.Value).Model
+               where model != null
+               let names = UnpublishedJoints.NamesOf(model).ConvertAll(name => RobotTopic.Qualified(described.Key, name))
+               // A robot whose joints are all unpublished may have its source elsewhere.
+               where described.Key.Length == 0 || names.Exists(published.Contains)
+               from name in names
+               where !published.Contains(name)
+               select name,
+        ];
     }
 }

@@ -1,24 +1,30 @@
 using System.Globalization;
 using Nowpose.Protocol;
 
-namespace Nowpose.Gateway.Status.Joints;
+namespace Nowpose.Gateway.Status;
 
-/// <summary>State of one joint as its adapter reports it: the value STATE SINCE REASON of the key joint/NAME.</summary>
+/// <summary>State of one joint, frame or signal as its adapter reports it: the value STATE SINCE REASON of the key KIND/NAME.</summary>
 /// <param name="Since">Start of the state, on the wall clock of the adapter's machine.</param>
 /// <param name="Uncertainty">The reason why it is uncertain that the joint rests, the value of the key uncertain/NAME; empty for none.</param>
-readonly record struct AdapterJointReport(JointDataState State, DateTimeOffset Since, string Reason, string Uncertainty = "")
+readonly record struct AdapterReport(JointDataState State, DateTimeOffset Since, string Reason, string Uncertainty = "")
 {
-    public const string KeyPrefix = "joint/";
+    public const string JointPrefix = "joint/";
+    public const string FramePrefix = "frame/";
+    public const string SignalPrefix = "signal/";
     public const string UncertainPrefix = "uncertain/";
     const int MaxReasonLength = 300;
 
     // The year 9999, the last one of DateTimeOffset.
     const double MaxUnixSeconds = 253_402_300_799;
 
-    public static bool IsKey(string key) =>
-        key.StartsWith(KeyPrefix, StringComparison.Ordinal) || key.StartsWith(UncertainPrefix, StringComparison.Ordinal);
+    static readonly string[] Prefixes = [JointPrefix, FramePrefix, SignalPrefix, UncertainPrefix];
 
-    public static bool TryParse(string value, out AdapterJointReport report)
+    /// <summary>Validity of a report. Adapters report once per second.</summary>
+    public static readonly TimeSpan Validity = TimeSpan.FromSeconds(2.5);
+
+    public static bool IsKey(string key) => Array.Exists(Prefixes, prefix => key.StartsWith(prefix, StringComparison.Ordinal));
+
+    public static bool TryParse(string value, out AdapterReport report)
     {
         report = default;
         var words = value.Split(' ', 3);
@@ -28,7 +34,7 @@ readonly record struct AdapterJointReport(JointDataState State, DateTimeOffset S
         var isNumber = double.TryParse(words[1], NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var seconds);
         if (!isNumber || seconds is not (>= 0 and <= MaxUnixSeconds)) return false;
         var reason = words.Length == 3 ? Sentence(words[2]) : "";
-        report = new AdapterJointReport(state, DateTimeOffset.UnixEpoch + TimeSpan.FromSeconds(seconds), reason);
+        report = new AdapterReport(state, DateTimeOffset.UnixEpoch + TimeSpan.FromSeconds(seconds), reason);
         return true;
     }
 

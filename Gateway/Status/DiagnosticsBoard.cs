@@ -61,7 +61,7 @@ sealed class DiagnosticsBoard(TimeProvider time)
         var room = MaxLength;
         return
         [
-            .. values.Where(pair => !AdapterJointReport.IsKey(pair.Key)).Take(MaxValues).Select(pair => KeyValuePair.Create(pair.Key, InputException.OneLine(pair.Value, MaxValueLength)))
+            .. values.Where(pair => !AdapterReport.IsKey(pair.Key)).Take(MaxValues).Select(pair => KeyValuePair.Create(pair.Key, InputException.OneLine(pair.Value, MaxValueLength)))
                 .TakeWhile(pair => (room -= pair.Key.Length + pair.Value.Length) >= 0),
         ];
     }

@@ -5,6 +5,7 @@ using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recording;
+using Nowpose.Gateway.Status.Cell;
 using Nowpose.Gateway.Status.Events;
 using Nowpose.Gateway.Status.Joints;
 using Nowpose.Protocol;
@@ -43,6 +44,7 @@ sealed class GatewayStatus : IDisposable
     readonly RecentRefusals _refusals;
     readonly Conditions _conditions;
     readonly StatusWatch _watch;
+    readonly CellReports _reports;
     readonly SignalStatusTopic _signals;
     readonly long[] _messages = new long[Counted.Length];
     readonly DateTimeOffset _started;
@@ -63,10 +65,11 @@ sealed class GatewayStatus : IDisposable
         _connections = [("sync", sync), ("websocket", webSocket)];
         _said = new DiagnosticsBoard(options.Time);
         _joints = new JointBoard(options.Time, () => limits.Robot);
-        _cell = new CellBoard(options.Time);
+        _reports = new CellReports(options.Time);
+        _cell = new CellBoard(options.Time, _reports);
         _refusals = new RecentRefusals(options.Time);
         Events = events;
-        _conditions = new Conditions(options, clock, _said, _refusals, limits, recorder);
+        _conditions = new Conditions(options, clock, _said, _refusals, _reports, limits, recorder);
         hub.JointRefused += Refuse;
         hub.Left += _said.Remove;
         hub.SampleDropped += _joints.Refuse;
@@ -79,7 +82,7 @@ sealed class GatewayStatus : IDisposable
             .. Enumerable.Range(0, RobotTopic.OfRobots.Length)
                 .Select(kind => hub.SubscribeToRobots(RobotTopic.OfRobots[kind], message => Watch(Topics.Length + kind, message))),
         ];
-        _signals = new SignalStatusTopic(hub, clock);
+        _signals = new SignalStatusTopic(hub, clock, options.Time.GetUtcNow);
         _watch = new StatusWatch(_conditions, events, _joints, new JointStatusTopic(hub, clock, options.Time), plant, options.Time, log);
     }
 
@@ -159,6 +162,8 @@ sealed class GatewayStatus : IDisposable
         var name = StatusObjects.AdapterName(diagnostics.HardwareId);
         if (source != null) source.Name = name;
         _joints.Report(name, diagnostics.Values, source);
+        _reports.Add(name, diagnostics.Values);
+        _signals.Report(_reports.Troubled(AdapterReport.SignalPrefix), _options.Time.GetUtcNow());
     }
 
     void Refuse(HubSource source, string joint, HubSource owner)

@@ -30,14 +30,18 @@ sealed record JointView(
     string Name, string Source, string State, string SinceUtc, double? AgeS, double RateHz, string Reason, string Uncertain = null);
 
 /// <param name="Source">The frame's source, like that of a joint.</param>
-/// <param name="State">stationary; live; or stale: no pose for a second.</param>
-/// <param name="AgeS">Control time minus the newest pose's stamp; null for a stationary frame.</param>
-sealed record FrameView(string Name, string Parent, string Source, string State, double? AgeS);
+/// <param name="Parent">Null before the first pose.</param>
+/// <param name="State">stationary; live; stale: no pose for a second; or the state that its adapter reports: refused, fault or missing.</param>
+/// <param name="AgeS">Control time minus the newest pose's stamp; null for a stationary frame, and before the first pose.</param>
+/// <param name="Reason">The adapter's reason for its state; null for none.</param>
+sealed record FrameView(string Name, string Parent, string Source, string State, double? AgeS, string Reason = null);
 
 /// <param name="Source">The signal's source, like that of a joint.</param>
-/// <param name="State">live, or ended: its source has ended.</param>
+/// <param name="Value">Null before the first value, like the age.</param>
+/// <param name="State">live; ended: its source has ended; or the state that its adapter reports: refused, fault or missing.</param>
 /// <param name="AgeS">Control time minus the stamp of the message with which the signal got its value.</param>
-sealed record SignalView(string Name, double Value, string Source, string State, double AgeS);
+/// <param name="Reason">The adapter's reason for its state; null for none.</param>
+sealed record SignalView(string Name, double? Value, string Source, string State, double? AgeS, string Reason = null);
 
 /// <param name="Source">"own", or the name of the plant clock that is served.</param>
 /// <param name="State">unsynchronised, converging, coarse, synchronised or holdover.</param>

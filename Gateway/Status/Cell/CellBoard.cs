@@ -2,11 +2,12 @@ using Nowpose.Gateway.Hub;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
-namespace Nowpose.Gateway.Status;
+namespace Nowpose.Gateway.Status.Cell;
 
 /// <summary>The objects and signals of the cell with their states. Thread-safe.</summary>
 /// <remarks>What a source has published stays listed after the source has ended, so that its absence is seen, until another source publishes it.</remarks>
-sealed class CellBoard(TimeProvider time)
+/// <param name="reports">The reports of the adapters, which explain what does not arrive.</param>
+sealed class CellBoard(TimeProvider time, CellReports reports)
 {
     /// <summary>Time without a pose after which a tracked frame is stale.</summary>
     static readonly TimeSpan MaxSilence = TimeSpan.FromSeconds(1);
@@ -51,18 +52,39 @@ sealed class CellBoard(TimeProvider time)
     public IReadOnlyList<FrameView> Frames(ControlTime now)
     {
         lock (_gate)
-            return [.. _frames.Select(one => new FrameView(
+        {
+            var troubled = reports.Troubled(AdapterReport.FramePrefix).DistinctBy(one => one.Name).ToDictionary(one => one.Name, StringComparer.Ordinal);
+            var published = _frames.Select(one => Explained(new FrameView(
                 one.Key, one.Value.Parent, one.Value.Source.Title, one.Value.IsStationary ? "stationary" : IsSilent(one.Value) ? "stale" : "live",
-                one.Value.IsStationary ? null : Seconds(now - one.Value.Stamp)))];
+                one.Value.IsStationary ? null : Seconds(now - one.Value.Stamp)), troubled.GetValueOrDefault(one.Key)));
+            var missing = troubled.Values.Where(one => !_frames.ContainsKey(one.Name)).Select(one => new FrameView(
+                one.Name, null, one.Adapter, JointDataStates.Of(one.Report.State), null, one.Report.Reason));
+            return [.. published.Concat(missing).OrderBy(frame => frame.Name, StringComparer.Ordinal)];
+        }
     }
 
     /// <summary>Gets all signals by name.</summary>
     public IReadOnlyList<SignalView> Signals(ControlTime now)
     {
         lock (_gate)
-            return [.. _signals.Select(one => new SignalView(
-                one.Key, one.Value.Value, one.Value.Source.Title, one.Value.IsEnded ? "ended" : "live", Seconds(now - one.Value.Since)))];
+        {
+            var troubled = reports.Troubled(AdapterReport.SignalPrefix).DistinctBy(one => one.Name).ToDictionary(one => one.Name, StringComparer.Ordinal);
+            var published = _signals.Select(one => Explained(new SignalView(
+                one.Key, one.Value.Value, one.Value.Source.Title, one.Value.IsEnded ? "ended" : "live", Seconds(now - one.Value.Since)),
+                troubled.GetValueOrDefault(one.Key)));
+            var missing = troubled.Values.Where(one => !_signals.ContainsKey(one.Name)).Select(one => new SignalView(
+                one.Name, null, one.Adapter, JointDataStates.Of(one.Report.State), null, one.Report.Reason));
+            return [.. published.Concat(missing).OrderBy(signal => signal.Name, StringComparer.Ordinal)];
+        }
     }
+
+    // Poses that still arrive come from another source, or the report is older than the newest pose.
+    static FrameView Explained(FrameView frame, CellReport report) =>
+        report == null || frame.State != "stale" ? frame : frame with { State = JointDataStates.Of(report.Report.State), Reason = report.Report.Reason };
+
+    // The last value of a signal stays, so only the report of its own source shows that it is not current.
+    static SignalView Explained(SignalView signal, CellReport report) => report == null || signal.Source != report.Adapter && signal.State == "live"
+        ? signal : signal with { State = JointDataStates.Of(report.Report.State), Reason = report.Report.Reason };
 
     bool IsSilent(Frame frame) => !frame.IsStationary && time.GetElapsedTime(frame.SeenAt) > MaxSilence;
 

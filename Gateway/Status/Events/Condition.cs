@@ -10,7 +10,7 @@ enum Level
 }
 
 /// <summary>A fault that exists at present.</summary>
-/// <param name="Kind">The category: joint, adapter, clock, headset, recording, source, limit or certificate.</param>
+/// <param name="Kind">The category: joint, frame, signal, adapter, clock, headset, recording, source, limit or certificate.</param>
 /// <param name="Which">Name of the joint, adapter, headset or file.</param>
 /// <param name="What">Predicate of the sentence, for example "is refused".</param>
 /// <param name="Reason">May be empty, and may change while the condition lasts.</param>

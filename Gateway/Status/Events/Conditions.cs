@@ -3,6 +3,7 @@ using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Rosbridge;
+using Nowpose.Gateway.Status.Cell;
 using Nowpose.Gateway.Status.Joints;
 using Nowpose.Kinematics;
 using Nowpose.Protocol;
@@ -11,7 +12,7 @@ namespace Nowpose.Gateway.Status.Events;
 
 /// <summary>Finds all present faults. Thread-safe.</summary>
 sealed class Conditions(
-    GatewayOptions options, ServedClock clock, DiagnosticsBoard diagnostics, RecentRefusals refusals, LimitAlarm limits,
+    GatewayOptions options, ServedClock clock, DiagnosticsBoard diagnostics, RecentRefusals refusals, CellReports cell, LimitAlarm limits,
     Recorder recorder)
 {
     /// <summary>Timeout of the reports of adapters and headsets, which come once per second.</summary>
@@ -38,6 +39,7 @@ sealed class Conditions(
         return
         [
             .. OfClock().Concat(OfStamps()).Concat(OfSources(joints)).Concat(OfAdapters(said)).Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(OfUncertainRests(joints))
+                .Concat(OfCell("frame", AdapterReport.FramePrefix)).Concat(OfCell("signal", AdapterReport.SignalPrefix))
                 .Concat(said.SelectMany(Of)).Concat(OfRefusals()).Concat(OfLimits()).Concat(OfRecording()).Concat(OfCertificate())
                 .DistinctBy(condition => condition.Key).OrderByDescending(condition => condition.Level),
         ];
@@ -66,6 +68,16 @@ sealed class Conditions(
         {
             Remedy = "Check that the joint is at rest" + (row.Uncertainty.Contains(OwnCure, StringComparison.Ordinal)
                 ? "." : "; if it is, set its max_deceleration in the plant's configuration."),
+        });
+
+    // Objects and signals do not decide whether the robot can be shown.
+    IEnumerable<Condition> OfCell(string kind, string prefix) => cell.Troubled(prefix).Select(
+        one => new Condition(
+            kind, $"{one.Name} ({one.Adapter})", $"is {(one.Report.State == JointDataState.Fault ? "in fault" : JointDataStates.Of(one.Report.State))}", one.Report.Reason,
+            Level.Error, Since: one.Report.Since)
+        {
+            Remedy = "Check its variables in the plant and its entry in the plant's configuration.",
+            IsNormalAtStart = one.Report.State == JointDataState.Missing,
         });
 
     string ClockName => clock.Source == PlantClocks.Own ? "the gateway's own control clock" : $"the control clock {clock.Source}";

@@ -19,9 +19,6 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null)
     /// <summary>Time without samples after which a joint is stale, unless its adapter explains it.</summary>
     internal static readonly TimeSpan StaleAfter = TimeSpan.FromSeconds(1.8);
 
-    /// <summary>Validity of an adapter's report. Adapters report once per second.</summary>
-    internal static readonly TimeSpan ReportLimit = TimeSpan.FromSeconds(2.5);
-
     internal static readonly TimeSpan ForgottenAfter = TimeSpan.FromMinutes(10);
 
     /// <summary>Maximum number of joints known only from refused samples.</summary>
@@ -67,15 +64,15 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null)
     /// <param name="source">The adapter's connection; null if unknown.</param>
     public void Report(string adapter, IReadOnlyCollection<KeyValuePair<string, string>> values, HubSource source = null)
     {
-        var reports = new Dictionary<string, AdapterJointReport>();
-        var uncertainties = values.Where(pair => pair.Key.StartsWith(AdapterJointReport.UncertainPrefix, StringComparison.Ordinal)).Take(ProtocolLimits.Joints)
-            .DistinctBy(pair => pair.Key).ToDictionary(pair => pair.Key[AdapterJointReport.UncertainPrefix.Length..], pair => AdapterJointReport.Sentence(pair.Value));
+        var reports = new Dictionary<string, AdapterReport>();
+        var uncertainties = values.Where(pair => pair.Key.StartsWith(AdapterReport.UncertainPrefix, StringComparison.Ordinal)).Take(ProtocolLimits.Joints)
+            .DistinctBy(pair => pair.Key).ToDictionary(pair => pair.Key[AdapterReport.UncertainPrefix.Length..], pair => AdapterReport.Sentence(pair.Value));
         foreach (var (key, value) in values)
         {
             if (reports.Count >= ProtocolLimits.Joints) break;
-            if (key.StartsWith(AdapterJointReport.KeyPrefix, StringComparison.Ordinal) && AdapterJointReport.TryParse(value, out var report))
+            if (key.StartsWith(AdapterReport.JointPrefix, StringComparison.Ordinal) && AdapterReport.TryParse(value, out var report))
             {
-                var name = key[AdapterJointReport.KeyPrefix.Length..];
+                var name = key[AdapterReport.JointPrefix.Length..];
                 reports[name] = report with { Uncertainty = uncertainties.GetValueOrDefault(name, "") };
             }
         }

@@ -7,7 +7,7 @@ sealed class JointRow(string joint, string source, TimeProvider time)
 {
     JointDataState? _last;
     DateTimeOffset _since;
-    AdapterJointReport _report;
+    AdapterReport _report;
     long _reportedAt;
     long _refusedAt;
     string _refusal;
@@ -20,7 +20,7 @@ sealed class JointRow(string joint, string source, TimeProvider time)
     /// <summary>Whether the gateway refused a sample of the joint recently.</summary>
     public bool IsRefused => _refusal != null && time.GetElapsedTime(_refusedAt) < JointBoard.StaleAfter;
 
-    public void Report(in AdapterJointReport report)
+    public void Report(in AdapterReport report)
     {
         (_report, _reportedAt, IsConfigured) = (report, time.GetTimestamp(), true);
     }
@@ -54,7 +54,7 @@ sealed class JointRow(string joint, string source, TimeProvider time)
     {
         var isFlowing = flow is { IsFlowing: true };
         if (IsRefused && !isFlowing) return (JointDataState.Refused, null, _refusal);
-        var isReportFresh = IsConfigured && time.GetElapsedTime(_reportedAt) < JointBoard.ReportLimit;
+        var isReportFresh = IsConfigured && time.GetElapsedTime(_reportedAt) < AdapterReport.Validity;
         if (isReportFresh && _report.State != JointDataState.Live) return (_report.State, _report.Since, _report.Reason);
         if (isFlowing) return (JointDataState.Live, null, "");
         if (flow is not { HasAny: true }) return (JointDataState.Missing, null, isReportFresh

@@ -95,6 +95,23 @@ public class SignalTopicTests
     }
 
     [Test]
+    public async Task Status_SignalThatItsAdapterReports_IsNamedUntilItIsLiveAgain()
+    {
+        await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.SignalStatus, "diagnostic_msgs/DiagnosticArray"));
+        Assert.That((await _headset.ReceiveAsync()).SignalStatus.Joints, Is.Empty);
+        Task ReportAsync(string state) => SendAsync(RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, new DiagnosticsMessage(
+            Gateways.Start, "plant/cell", [KeyValuePair.Create("state", "connected"), KeyValuePair.Create("signal/grip", state)], 2, "plant/cell"), RosTimeForm.Sec));
+
+        await ReportAsync("fault 1700000000.000 the server no longer has this node");
+
+        var fault = (await _headset.ReceiveAsync()).SignalStatus.Joints.Single();
+        Assert.That((fault.Joint, fault.State, fault.Reason), Is.EqualTo(("grip", JointDataState.Fault, "the server no longer has this node")));
+        await ReportAsync("fault 1700000000.000 the server no longer has this node");
+        await ReportAsync("live 1700000001.000");
+        Assert.That((await _headset.ReceiveAsync()).SignalStatus.Joints, Is.Empty, "the repeated report is not published again");
+    }
+
+    [Test]
     public async Task Status_SourceEnded_NamesItsSignalsUntilTheyHaveASourceAgain()
     {
         await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.SignalStatus, "diagnostic_msgs/DiagnosticArray"));

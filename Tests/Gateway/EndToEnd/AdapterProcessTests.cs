@@ -182,6 +182,18 @@ public class AdapterProcessTests
             new[] { "shoulder_lift_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint", "wrist_3_joint" }));
     }
 
+    [Test]
+    public async Task Check_RobotsInNamespaces_DeterminesTheMissingJointsOfThoseThatHaveAny()
+    {
+        var path = Write(Good.Replace("joint: a", "joint: arm1/shoulder_pan_joint") + "\nrobots: { arm1: ur5e, arm2: ur5e }\n");
+
+        var plants = await AdapterProcesses.CheckAsync([path], Gateways.Options(), default);
+
+        Assert.That(plants.Single().Robots.Keys, Is.EquivalentTo(new[] { "arm1", "arm2" }));
+        Assert.That(PlantFile.MissingJoints(plants, null), Is.EquivalentTo(
+            new[] { "arm1/shoulder_lift_joint", "arm1/elbow_joint", "arm1/wrist_1_joint", "arm1/wrist_2_joint", "arm1/wrist_3_joint" }));
+    }
+
     /// <summary>Longer than the buffer of a pipe, which the end of the adapter's process would cut.</summary>
     [Test]
     public async Task Check_LongRobotDescription_ArrivesCompletely()

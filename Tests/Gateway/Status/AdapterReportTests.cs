@@ -1,9 +1,9 @@
 using NUnit.Framework;
-using Nowpose.Gateway.Status.Joints;
+using Nowpose.Gateway.Status;
 
-namespace Nowpose.Headless.Tests.Gateway.Status.Joints;
+namespace Nowpose.Headless.Tests.Gateway.Status;
 
-public class AdapterJointReportTests
+public class AdapterReportTests
 {
     [TestCase("live 1790000000.250", "live", "")]
     [TestCase("rest 1790000000.250 assumed at rest; read back", "rest", "assumed at rest; read back")]
@@ -12,7 +12,7 @@ public class AdapterJointReportTests
     [TestCase("missing 1790000000.250 ", "missing", "")]
     public void TryParse_ValidValue_IsParsed(string value, string state, string reason)
     {
-        Assert.That(AdapterJointReport.TryParse(value, out var report), value);
+        Assert.That(AdapterReport.TryParse(value, out var report), value);
 
         Assert.That(report.State.ToString().ToLowerInvariant(), Is.EqualTo(state));
         Assert.That(report.Since, Is.EqualTo(DateTimeOffset.FromUnixTimeMilliseconds(1_790_000_000_250)));
@@ -28,12 +28,12 @@ public class AdapterJointReportTests
     [TestCase("live 99999999999999")]
     [TestCase("stale 1790000000 a state of the gateway only")]
     [TestCase("LIVE 1790000000")]
-    public void TryParse_InvalidValue_IsRefused(string value) => Assert.That(AdapterJointReport.TryParse(value, out _), Is.False);
+    public void TryParse_InvalidValue_IsRefused(string value) => Assert.That(AdapterReport.TryParse(value, out _), Is.False);
 
     [Test]
     public void TryParse_LongReason_IsShortened()
     {
-        Assert.That(AdapterJointReport.TryParse("fault 1 " + new string('x', 5000), out var report));
+        Assert.That(AdapterReport.TryParse("fault 1 " + new string('x', 5000), out var report));
 
         Assert.That(report.Reason, Has.Length.LessThanOrEqualTo(300).And.Contain("…"));
     }

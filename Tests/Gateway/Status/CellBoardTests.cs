@@ -1,5 +1,6 @@
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Status;
+using Nowpose.Gateway.Status.Cell;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using NUnit.Framework;
@@ -9,13 +10,15 @@ namespace Nowpose.Headless.Tests.Gateway.Status;
 public class CellBoardTests
 {
     readonly SteppedTime _time = new();
+    CellReports _reports;
     CellBoard _board;
     HubSource _source;
 
     [SetUp]
     public void Start()
     {
-        _board = new CellBoard(_time);
+        _reports = new CellReports(_time);
+        _board = new CellBoard(_time, _reports);
         _source = new MessageHub().OpenSource();
     }
 
@@ -73,5 +76,59 @@ public class CellBoardTests
 
         _board.Add(_source, new SignalsMessage(At(9), new SignalValue("grip", 0)));
         Assert.That(_board.Signals(At(9.5)), Is.EqualTo(new[] { new SignalView("grip", 0, "gateway", "live", 0.5) }));
+    }
+
+    [Test]
+    public void Frames_ReportedInFault_HaveTheReasonWhileTheirPosesAreMissing()
+    {
+        _source.Name = "cell";
+        _board.Add(_source, Pose("box", 5), isStationary: false);
+        _reports.Add("cell", [KeyValuePair.Create("frame/box", "fault 1700000000.000 node deleted"), KeyValuePair.Create("frame/lid", "missing 1700000000.000 no value")]);
+
+        Assert.That(_board.Frames(At(5)).Select(frame => (frame.Name, frame.State, frame.Reason)), Is.EqualTo(new[]
+        {
+            ("box", "live", null), ("lid", "missing", "no value"),
+        }), "a pose that arrives is not in fault");
+
+        _time.Advance(TimeSpan.FromSeconds(1.5));
+
+        Assert.That(_board.Frames(At(7)).Select(frame => (frame.Name, frame.State, frame.Reason, frame.AgeS)), Is.EqualTo(new (string, string, string, double?)[]
+        {
+            ("box", "fault", "node deleted", 2), ("lid", "missing", "no value", null),
+        }));
+
+        _time.Advance(TimeSpan.FromSeconds(1.5));
+
+        Assert.That(_board.Frames(At(9)).Select(frame => (frame.Name, frame.State)), Is.EqualTo(new[] { ("box", "stale") }), "the adapter does not report any more");
+    }
+
+    [Test]
+    public void Signals_ReportedByTheirOwnSource_AreNotLive()
+    {
+        _source.Name = "cell";
+        _board.Add(_source, new SignalsMessage(At(5), new SignalValue("grip", 1)));
+        _reports.Add("other", [KeyValuePair.Create("signal/grip", "missing 1700000000.000 no value")]);
+        Assert.That(_board.Signals(At(5)).Single().State, Is.EqualTo("live"), "another adapter has no value of it");
+
+        _reports.Add("other", []);
+        _reports.Add("cell", [KeyValuePair.Create("signal/grip", "refused 1700000000.000 BadSensorFailure"), KeyValuePair.Create("signal/lamp", "missing 1700000000.000 no value")]);
+
+        Assert.That(_board.Signals(At(6)), Is.EqualTo(new[]
+        {
+            new SignalView("grip", 1, "cell", "refused", 1, "BadSensorFailure"), new SignalView("lamp", null, "cell", "missing", null, "no value"),
+        }));
+    }
+
+    [Test]
+    public void Reports_OfManyAdaptersAndNames_AreBounded()
+    {
+        for (var adapter = 0; adapter < 100; adapter++)
+            _reports.Add($"a{adapter}", [.. Enumerable.Range(0, 1000).Select(i => KeyValuePair.Create($"frame/{adapter}-{i}", "fault 1700000000.000 gone"))]);
+        _reports.Add("damaged", [KeyValuePair.Create("frame/x", "gone"), KeyValuePair.Create("frame/y", "stale 1 x")]);
+
+        var troubled = _reports.Troubled("frame/");
+
+        Assert.That(troubled, Has.Count.EqualTo(CellReports.MaxAdapters * ProtocolLimits.Frames));
+        Assert.That(troubled.Select(one => one.Adapter), Has.None.EqualTo("damaged"));
     }
 }

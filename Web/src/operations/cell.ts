@@ -4,7 +4,9 @@ import { type CellFrame, type Signal, type State } from './state';
 
 const seconds = (age: number | null | undefined) => (age == null ? '–' : age < 10 ? `${age.toFixed(1)}\u00a0s` : `${Math.round(age)}\u00a0s`);
 
-const levelOf = (state: string) => (state === 'live' || state === 'stationary' ? 'ok' : 'warning');
+const FAULTS = ['refused', 'fault', 'missing'];
+
+const levelOf = (state: string) => (state === 'live' || state === 'stationary' ? 'ok' : FAULTS.includes(state) ? 'error' : 'warning');
 
 /** Tables of the cell's objects and signals. */
 export class Cell {
@@ -13,23 +15,29 @@ export class Cell {
     'Objects',
     [
       { label: 'State', cell: frame => frame.state, level: frame => levelOf(frame.state) },
-      { label: 'Parent', cell: frame => frame.parent },
+      { label: 'Parent', cell: frame => frame.parent ?? '–' },
       { label: 'Age', cell: frame => seconds(frame.age_s), isNumber: true },
       { label: 'Source', cell: frame => frame.source },
     ],
     frame => frame.name,
     'No source publishes objects.',
+    undefined,
+    undefined,
+    frame => frame.reason ?? '',
   );
   private readonly signals = new LiveTable<Signal>(
     'Signals',
     [
       { label: 'State', cell: signal => signal.state, level: signal => levelOf(signal.state) },
-      { label: 'Value', cell: signal => String(signal.value), isNumber: true },
+      { label: 'Value', cell: signal => (signal.value == null ? '–' : String(signal.value)), isNumber: true },
       { label: 'For', cell: signal => seconds(signal.age_s), isNumber: true },
       { label: 'Source', cell: signal => signal.source },
     ],
     signal => signal.name,
     'No source publishes signals.',
+    undefined,
+    undefined,
+    signal => signal.reason ?? '',
   );
 
   constructor() {

@@ -41,20 +41,26 @@ export interface Joint {
 /** A moving or stationary object of the cell. */
 export interface CellFrame {
   name: string;
-  parent: string;
+  /** Null before the first pose. */
+  parent: string | null;
   source: string;
-  state: 'live' | 'stale' | 'stationary';
-  /** Null for a stationary object. */
+  state: 'live' | 'stale' | 'stationary' | 'refused' | 'fault' | 'missing';
+  /** Null for a stationary object, and before the first pose. */
   age_s?: number | null;
+  /** Why it is not current; null for none. */
+  reason?: string | null;
 }
 
 export interface Signal {
   name: string;
-  value: number;
+  /** Null before the first value, like the age. */
+  value: number | null;
   source: string;
-  state: 'live' | 'ended';
+  state: 'live' | 'ended' | 'refused' | 'fault' | 'missing';
   /** Time since the value changed. */
-  age_s: number;
+  age_s: number | null;
+  /** Why it is not current; null for none. */
+  reason?: string | null;
 }
 
 export interface StatusEvent {

@@ -68,6 +68,14 @@ describe('the shown state', () => {
     assert.deepEqual((await cells(page, 'workpiece_1')).slice(0, 3), ['stale', 'tool_centre_point', '61\u00a0s']);
     assert.equal(await page.locator('#cell-objects .level.warning').count(), 1);
     assert.match(await page.innerText('#cell-objects'), /No source publishes signals/);
+    gateway.state.frames = [{ name: 'lid', parent: null, source: 'cell', state: 'missing', age_s: null, reason: 'no value has arrived since the start' }];
+    gateway.state.signals = [{ name: 'grip', value: null, source: 'cell', state: 'fault', age_s: null, reason: 'the server no longer has this node' }];
+
+    await page.locator('#cell-objects .level.error').nth(1).waitFor();
+    assert.deepEqual((await cells(page, 'lid')).slice(0, 3), ['missing', '–', '–']);
+    assert.deepEqual((await cells(page, 'grip')).slice(0, 3), ['fault', '–', '–']);
+    const text = await page.innerText('#cell-objects');
+    assert.match(text, /no value has arrived since the start[^]*the server no longer has this node/);
     Object.assign(gateway.state, state);
     await page.context().close();
   });

@@ -1,0 +1,51 @@
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Status.Cell;
+
+/// <summary>State of a frame or a signal as an adapter reports it.</summary>
+sealed record CellReport(string Name, string Adapter, AdapterReport Report);
+
+/// <summary>The adapters' newest reports of their frames and signals. Thread-safe.</summary>
+/// <remarks>A silent adapter is reported as such, and its source ends with its connection, so its old reports are not used.</remarks>
+sealed class CellReports(TimeProvider time)
+{
+    /// <summary>Maximum number of adapters. A gateway has few; diagnostics with invented names must not use memory without end.</summary>
+    internal const int MaxAdapters = 16;
+
+    readonly Lock _lock = new();
+    readonly Dictionary<string, (long At, IReadOnlyList<KeyValuePair<string, AdapterReport>> Reports)> _adapters = [];
+
+    /// <summary>Takes the diagnostics of an adapter, with a key for each frame and signal of its configuration.</summary>
+    public void Add(string adapter, IReadOnlyCollection<KeyValuePair<string, string>> values)
+    {
+        var reports = Read(values, AdapterReport.FramePrefix, ProtocolLimits.Frames).Concat(Read(values, AdapterReport.SignalPrefix, ProtocolLimits.Signals)).ToList();
+        lock (_lock)
+        {
+            foreach (var (name, one) in _adapters)
+                if (!IsValid(one.At)) _adapters.Remove(name);
+            if (_adapters.ContainsKey(adapter) || _adapters.Count < MaxAdapters) _adapters[adapter] = (time.GetTimestamp(), reports);
+        }
+    }
+
+    /// <summary>Gets those that are neither live nor at rest.</summary>
+    /// <param name="kind"><see cref="AdapterReport.FramePrefix"/> or <see cref="AdapterReport.SignalPrefix"/>.</param>
+    public IReadOnlyList<CellReport> Troubled(string kind)
+    {
+        lock (_lock)
+            return
+            [
+                .. from adapter in _adapters
+                   where IsValid(adapter.Value.At)
+                   from one in adapter.Value.Reports
+                   where one.Key.StartsWith(kind, StringComparison.Ordinal) && !one.Value.State.IsGood()
+                   select new CellReport(one.Key[kind.Length..], adapter.Key, one.Value),
+            ];
+    }
+
+    bool IsValid(long at) => time.GetElapsedTime(at) < AdapterReport.Validity;
+
+    static IEnumerable<KeyValuePair<string, AdapterReport>> Read(IEnumerable<KeyValuePair<string, string>> values, string kind, int limit) =>
+        values.Where(pair => pair.Key.StartsWith(kind, StringComparison.Ordinal))
+            .SelectMany(pair => AdapterReport.TryParse(pair.Value, out var report) ? [KeyValuePair.Create(pair.Key, report)] : Array.Empty<KeyValuePair<string, AdapterReport>>())
+            .DistinctBy(pair => pair.Key).Take(limit);
+}
