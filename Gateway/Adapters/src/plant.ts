@@ -38,7 +38,7 @@ export async function runPlant(configuration: Configuration): Promise<number> {
     faultAfterMs: silenceMs(plant.silence),
   };
   const output = new PlantOutput(configuration, limits, clock, gateway, status);
-  gateway.watch({ opened: () => output.signals.connected() });
+  gateway.watch({ opened: () => output.signals.sender.connected() });
   const run = await load(plant.kind);
   for (const [namespace, urdf] of Object.entries({ ...robots, ...(robot === null ? {} : { '': robot }) }))
     gateway.publishKept(topicOf(namespace, ROBOT_DESCRIPTION), description(urdf));

@@ -10,14 +10,17 @@ const STEADY_MS = 2000;
 const GOODBYE_MS = 500;
 
 /**
- * The topics below the plant's topic: those with ROS names, the joints that are not live, and the presence of the publishing end.
- * All but the joint states are retained.
+ * The topics below the plant's topic: those with ROS names, with the namespace of a robot before them, the joints that are not live, and the
+ * presence of the publishing end. All but the joint states are retained.
  */
 export const STATES = 'joint_states';
 export const TRAJECTORY = 'joint_trajectory';
 export const DESCRIPTION = 'robot_description';
 export const STATUS = 'joint_status';
 export const ALIVE = 'alive';
+
+/** Gets the topic of a robot; an empty namespace is none. */
+export const below = (robot: string, topic: string): string => (robot === '' ? topic : `${robot}/${topic}`);
 
 /** Values of ALIVE: bridge and gateway are present, the bridge is present without its gateway, or the bridge is absent. */
 export type Presence = 'true' | 'no gateway' | 'false';
@@ -35,7 +38,7 @@ export interface BrokerEvents {
 
 /** The connection to an MQTT 5 broker. Reconnects by itself, and then repeats subscriptions and retained messages. */
 export class BrokerLink {
-  readonly #queue = new SendQueue();
+  readonly #queue = new SendQueue<{ topic: string; payload: string }>();
   readonly #retained = new Map<string, string>();
   #client: MqttClient | null = null;
   #presence: Presence = 'no gateway';
@@ -54,11 +57,11 @@ export class BrokerLink {
   }
 
   /**
-   * Sends joint states at most once (QoS 0), because a repeated message could arrive after a newer one.
+   * Sends joint states or poses at most once (QoS 0), because a repeated message could arrive after a newer one.
    * If the broker is slow, the oldest messages are dropped.
    */
-  publishStates(payload: string): void {
-    this.#queue.add(payload);
+  publishSamples(topic: string, payload: string): void {
+    this.#queue.add({ topic, payload });
     this.#pump();
   }
 
@@ -170,7 +173,8 @@ export class BrokerLink {
       get bufferedAmount() {
         return client.stream.writableLength;
       },
-      send: (payload: string, done: () => void) => void client.publish(`${this.settings.topic}/${STATES}`, payload, { qos: 0 }, done),
+      send: ({ topic, payload }: { topic: string; payload: string }, done: () => void) =>
+        void client.publish(`${this.settings.topic}/${topic}`, payload, { qos: 0 }, done),
     };
     this.#queue.pump(socket, () => this.#pump());
   }

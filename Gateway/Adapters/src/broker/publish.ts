@@ -1,6 +1,7 @@
 import type { AdapterContext } from '../adapter';
-import { JOINT_STATES, JOINT_STATUS, JOINT_TRAJECTORY, ROBOT_DESCRIPTION } from '../gateway/messages';
-import { BrokerLink, DESCRIPTION, STATUS, TRAJECTORY } from './brokerLink';
+import { JOINT_STATES, JOINT_STATUS, JOINT_TRAJECTORY, ROBOT_DESCRIPTION, topicOf } from '../gateway/messages';
+import { BrokerLink, below, DESCRIPTION, STATES, STATUS, TRAJECTORY } from './brokerLink';
+import { publishObjects } from './objects';
 import type { BrokerSettings } from './settings';
 
 /** Publishes from the gateway of the plant to the broker: the messages for its headsets in the same JSON. */
@@ -23,13 +24,16 @@ export async function publish({ configuration, gateway, status, stopping }: Adap
       broker.isGatewayOpen = false;
     },
   });
-  gateway.subscribe(JOINT_STATES, message => {
-    status.sampled();
-    status.detail('lost', broker.dropped);
-    broker.publishStates(JSON.stringify(message));
-  });
-  gateway.subscribe(JOINT_TRAJECTORY, message => broker.publishRetained(TRAJECTORY, JSON.stringify(message)));
-  gateway.subscribe(ROBOT_DESCRIPTION, message => broker.publishRetained(DESCRIPTION, JSON.stringify(message)));
+  for (const robot of settings.namespaces) {
+    gateway.subscribe(topicOf(robot, JOINT_STATES), message => {
+      status.sampled();
+      status.detail('lost', broker.dropped);
+      broker.publishSamples(below(robot, STATES), JSON.stringify(message));
+    });
+    gateway.subscribe(topicOf(robot, JOINT_TRAJECTORY), message => broker.publishRetained(below(robot, TRAJECTORY), JSON.stringify(message)));
+    gateway.subscribe(topicOf(robot, ROBOT_DESCRIPTION), message => broker.publishRetained(below(robot, DESCRIPTION), JSON.stringify(message)));
+  }
+  publishObjects(gateway, broker);
   gateway.subscribe(JOINT_STATUS, message => broker.publishRetained(STATUS, JSON.stringify(message)));
   await broker.run(stopping);
 }

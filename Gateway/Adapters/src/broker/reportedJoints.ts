@@ -29,7 +29,7 @@ export class ReportedJoints {
 
   /** @param now Unix time in milliseconds. */
   constructor(
-    readonly names: JointNames,
+    readonly names: Pick<JointNames, 'find'>,
     readonly status: AdapterStatus,
     readonly silence: Silence,
     readonly now: () => number = Date.now,
@@ -71,8 +71,8 @@ export class ReportedJoints {
   }
 }
 
-/** Gets the reports of a message, or the description of its error. */
-function reportsOf(message: Record<string, unknown>, now: number): Report[] | string {
+/** Gets the reports of a message about joints or signals, or the description of its error. */
+export function reportsOf(message: Record<string, unknown>, now: number): Report[] | string {
   const { header, status } = message as { header?: { stamp?: unknown }; status?: { values?: unknown }[] };
   const written = ofRosTime(header?.stamp);
   const values = Array.isArray(status) && status.length === 1 ? status[0]?.values : undefined;

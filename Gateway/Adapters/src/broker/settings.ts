@@ -2,6 +2,7 @@ import type { Kind } from '../adapter';
 import { requireAddress } from '../configuration/address';
 import { type Configuration, isLoopback } from '../configuration/configuration';
 import { requirePlain } from '../configuration/plain';
+import { shown } from '../configuration/problem';
 import { secretIn, secretText } from '../configuration/secret';
 import { type User, userIn } from '../configuration/user';
 import type { YamlFile } from '../configuration/yamlFile';
@@ -25,6 +26,8 @@ export interface BrokerSettings {
   endpoint: string;
   /** Prefix of all topics of this plant at the broker. */
   topic: string;
+  /** Namespaces of the robots; the first is that of the robot without one. */
+  namespaces: string[];
   isPlain: boolean;
   authority: string | null;
   user: User | null;
@@ -37,6 +40,7 @@ interface Section {
   direction: 'publish' | 'subscribe';
   endpoint: string;
   topic: string;
+  namespaces?: string[];
   plain?: boolean;
   authority_file?: string;
   user?: { name: string; password_file?: string };
@@ -54,6 +58,9 @@ export const broker: Kind = {
     const isOpen = endpoint.startsWith('mqtt:');
     requireAddress(file, ['plant', 'endpoint'], endpoint);
     requirePlain(file, section);
+    section.namespaces?.forEach((namespace, i, all) => {
+      if (all.indexOf(namespace) < i) file.report(['plant', 'namespaces', i], `value ${shown(namespace)} occurs twice; name each namespace once`);
+    });
     if (user !== undefined && isOpen && !isLoopback(endpoint)) file.report(['plant', 'user'], 'the password would be sent unencrypted; use mqtts://');
     if (direction === 'publish' && section.clock !== undefined)
       file.report(['plant', 'clock'], 'not used with direction: publish; the bridge on the receiving side asks for the time');
@@ -63,6 +70,7 @@ export const broker: Kind = {
       direction,
       endpoint,
       topic: section.topic,
+      namespaces: ['', ...(section.namespaces ?? [])],
       isPlain: isOpen && plain === true,
       authority: section.authority_file === undefined ? null : secretText(file, ['plant', 'authority_file'], section.authority_file, false),
       user: userIn(file, user, configuration, environment),

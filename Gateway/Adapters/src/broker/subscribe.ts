@@ -1,12 +1,16 @@
 import type { AdapterContext } from '../adapter';
-import { description, JOINT_TRAJECTORY, ROBOT_DESCRIPTION } from '../gateway/messages';
-import { JointNames } from '../ros/jointNames';
+import { description, JOINT_TRAJECTORY, ROBOT_DESCRIPTION, topicOf } from '../gateway/messages';
+import { JointNames, type OutJoint } from '../ros/jointNames';
 import { JointStates } from '../ros/jointStates';
 import { passedTrajectory } from '../ros/trajectory';
-import { ALIVE, BrokerLink, DESCRIPTION, type Presence, STATES, STATUS, TRAJECTORY } from './brokerLink';
+import { ALIVE, below, BrokerLink, DESCRIPTION, type Presence, STATES, STATUS, TRAJECTORY } from './brokerLink';
+import { ReceivedObjects } from './objects';
 import { ReportedJoints } from './reportedJoints';
 import type { BrokerSettings } from './settings';
 import { runUpstreamClock } from './upstreamClock';
+
+/** Interval at which signals that wait for the clock are sent. */
+const CHECK_MS = 250;
 
 const MAX_MESSAGE = 64 * 1024;
 const MAX_DESCRIPTION = 1024 * 1024;
@@ -16,24 +20,26 @@ export async function subscribe(
   { configuration, gateway, clock, output, status, log, stopping }: AdapterContext,
   settings: BrokerSettings,
 ): Promise<void> {
-  const names = new JointNames([]);
-  const states = new JointStates(names, settings.oldest, clock, gateway, status, output.joints.silence);
-  const reported = new ReportedJoints(names, status, output.joints.silence);
-  const take: Record<string, (message: Record<string, unknown>) => void> = {
-    [STATES]: message => states.pass(message),
-    [STATUS]: message => reported.hear(message),
-    [TRAJECTORY]: message => {
+  const { silence } = output.joints;
+  const robots = new Map(settings.namespaces.map(robot => [robot, new JointNames([], robot)]));
+  const reported = new ReportedJoints({ find: joint => named(robots, joint as string) }, status, silence);
+  const objects = new ReceivedObjects(gateway, clock, status);
+  const take = new Map<string, (message: Record<string, unknown>) => void>([[STATUS, message => reported.hear(message)]]);
+  for (const [robot, names] of robots) {
+    const states = new JointStates(names, settings.oldest, clock, gateway, status, silence);
+    take.set(below(robot, STATES), message => states.pass(message));
+    take.set(below(robot, TRAJECTORY), message => {
       const passed = passedTrajectory(message, names);
       if (passed === null) return status.refuse('malformed', 'trajectory', 'it has no joints, or a value is not a number');
-      gateway.publishKept(JOINT_TRAJECTORY, passed);
-    },
-    [DESCRIPTION]: ({ data }) => {
+      gateway.publishKept(topicOf(robot, JOINT_TRAJECTORY), passed);
+    });
+    take.set(below(robot, DESCRIPTION), ({ data }) => {
       if (typeof data !== 'string' || !data.includes('<robot')) return status.refuse('malformed', 'robot description', 'it has no <robot> element');
-      if (configuration.robot === null) gateway.publishKept(ROBOT_DESCRIPTION, description(data));
-    },
-  };
+      if (robot !== '' || configuration.robot === null) gateway.publishKept(topicOf(robot, ROBOT_DESCRIPTION), description(data));
+    });
+  }
 
-  const broker = new BrokerLink(settings, configuration.plant.name, [...Object.keys(take), ALIVE], {
+  const broker = new BrokerLink(settings, configuration.plant.name, [...take.keys(), ...objects.topics, ALIVE], {
     opened: () => status.enter('waiting', `no client publishes ${settings.topic} at the broker yet`),
     away: reason => {
       reported.leave();
@@ -44,7 +50,9 @@ export async function subscribe(
       if (name === ALIVE) return enter(payload.toString());
       const message = parsed(name, payload);
       if (message === null) return status.refuse('malformed', name, 'it is not a JSON object, or longer than allowed');
-      take[name]?.(message);
+      const known = take.get(name);
+      if (known === undefined) objects.take(name, message);
+      else known(message);
     },
     malformed: (name, problem) => status.refuse('malformed', name, problem),
   });
@@ -53,6 +61,7 @@ export async function subscribe(
     if (presence === ('true' satisfies Presence)) {
       status.enter('connected');
       reported.enter();
+      objects.enter();
     } else {
       reported.leave();
       status.enter(
@@ -64,11 +73,19 @@ export async function subscribe(
     }
   }
 
+  const checks = setInterval(() => objects.check(), CHECK_MS);
   await Promise.all([broker.run(stopping), settings.clock === null ? undefined : runUpstreamClock(settings.clock, clock, log, stopping)]);
+  clearInterval(checks);
+}
+
+/** Finds a joint by its name in the whole cell, NAMESPACE/NAME for a robot in a namespace. */
+function named(robots: ReadonlyMap<string, JointNames>, joint: string): OutJoint | undefined {
+  const robot = [...robots.keys()].find(name => name !== '' && joint.startsWith(`${name}/`)) ?? '';
+  return robots.get(robot)!.find(robot === '' ? joint : joint.slice(robot.length + 1));
 }
 
 function parsed(name: string, payload: Buffer): Record<string, unknown> | null {
-  if (payload.length > (name === DESCRIPTION ? MAX_DESCRIPTION : MAX_MESSAGE)) return null;
+  if (payload.length > (name.endsWith(DESCRIPTION) ? MAX_DESCRIPTION : MAX_MESSAGE)) return null;
   try {
     const message = JSON.parse(payload.toString()) as unknown;
     return typeof message === 'object' && !Array.isArray(message) ? (message as Record<string, unknown> | null) : null;

@@ -80,11 +80,14 @@ export class GatewayLink {
     this.#pump();
   }
 
-  /** Publishes now and after each reconnection. */
-  publishKept(topic: string, msg: object): void {
+  /**
+   * Publishes now and after each reconnection.
+   * @param key A later message with the same key replaces this one.
+   */
+  publishKept(topic: string, msg: object, key = topic): void {
     this.#advertise(topic);
-    this.#kept.set(topic, JSON.stringify({ op: 'publish', topic, msg }));
-    this.#send(this.#kept.get(topic)!);
+    this.#kept.set(key, JSON.stringify({ op: 'publish', topic, msg }));
+    this.#send(this.#kept.get(key)!);
   }
 
   /** Offers a service until the link ends. */

@@ -6,8 +6,9 @@ export const JOINT_TRAJECTORY = '/joint_trajectory';
 export const ROBOT_DESCRIPTION = '/robot_description';
 export const DIAGNOSTICS = '/nowpose/diagnostics';
 
-/** The topic of joints that are not live, as determined by a gateway. */
+/** The topics of joints and signals that are not live, as determined by a gateway. */
 export const JOINT_STATUS = '/nowpose/joint_status';
+export const SIGNAL_STATUS = '/nowpose/signal_status';
 
 /** Gets the topic of a robot in a namespace; an empty one is none. */
 export const topicOf = (robot: string, topic: string): string => (robot === '' ? topic : `/${robot}${topic}`);
@@ -24,6 +25,7 @@ const TYPES: Record<string, string> = {
   [SIGNALS]: 'nowpose_msgs/msg/Signals',
   [DIAGNOSTICS]: 'diagnostic_msgs/msg/DiagnosticArray',
   [JOINT_STATUS]: 'diagnostic_msgs/msg/DiagnosticArray',
+  [SIGNAL_STATUS]: 'diagnostic_msgs/msg/DiagnosticArray',
 };
 
 /** Creates a message with positions at one control time, and velocities of all of them or of none. */

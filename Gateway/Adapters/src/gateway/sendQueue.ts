@@ -2,15 +2,15 @@ const CAPACITY = 64;
 const MAX_IN_FLIGHT = 64 * 1024;
 
 /** Queue of messages to a gateway that is away or slow. When full, the oldest are dropped and counted. */
-export class SendQueue {
-  readonly #waiting: string[] = [];
+export class SendQueue<T = string> {
+  readonly #waiting: T[] = [];
   #dropped = 0;
 
   get dropped(): number {
     return this.#dropped;
   }
 
-  add(message: string): void {
+  add(message: T): void {
     if (this.#waiting.push(message) <= CAPACITY) return;
     this.#waiting.shift();
     this.#dropped++;
@@ -21,7 +21,7 @@ export class SendQueue {
   }
 
   /** Sends while the socket accepts messages immediately. Messages in this queue can still be dropped; those in the socket cannot. */
-  pump(socket: { readonly bufferedAmount: number; send(data: string, done: () => void): void }, again: () => void): void {
+  pump(socket: { readonly bufferedAmount: number; send(data: T, done: () => void): void }, again: () => void): void {
     while (this.#waiting.length > 0 && socket.bufferedAmount < MAX_IN_FLIGHT) socket.send(this.#waiting.shift()!, again);
   }
 }

@@ -41,7 +41,8 @@ export class JointStates {
   ) {
     // A joint whose publisher is silent cannot be confirmed.
     silence.unconfirmedMs = null;
-    silence.hasEnded = joint => this.#hasEnded(joint);
+    const others = silence.hasEnded;
+    silence.hasEnded = joint => others(joint) || this.#hasEnded(joint);
     this.#rule = new StampRule(MAX_JOINTS, oldest);
   }
 

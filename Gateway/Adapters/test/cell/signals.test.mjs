@@ -50,7 +50,7 @@ describe('signals', () => {
     take({ 0: 1, 1: 2 });
 
     time.ms = 1000;
-    output.signals.connected();
+    output.signals.sender.connected();
     for (; time.ms < 60_000; time.ms += 250) {
       output.hold(T, 0n, new Set());
       output.check();
