@@ -1,5 +1,6 @@
 using Nowpose.Frames;
 using Nowpose.Kinematics;
+using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using Nowpose.Session;
 using Nowpose.Simulation.Work;
@@ -38,7 +39,7 @@ sealed class DemoBodies
         if (session == null || session == _followed) return;
         _followed = session;
         Array.Clear(_newest);
-        session.Frames.Taken += Take;
+        session.Frames.Judged += Take;
         for (var body = 0; body < _names.Count; body++) session.Frames.Need(_names[body]);
     }
 
@@ -63,8 +64,9 @@ sealed class DemoBodies
         return parent is { } pose ? pose * sample.ToPose() : null;
     }
 
-    void Take(FrameTransform pose)
+    void Take(in FrameTransform pose, bool isStationary, HeadsetTime arrival, DropReason reason)
     {
+        if (reason != DropReason.None) return;
         for (var body = 0; body < _newest.Length; body++)
             if (pose.Child == _names[body] && !(pose.Stamp <= _newest[body]?.Stamp)) _newest[body] = pose;
     }

@@ -20,14 +20,30 @@ sealed class BodyTruth
         for (var row = 0; row < _rotations.Length; row++) UnitQuaternion.TryNormalise(x[row], y[row], z[row], w[row], out _rotations[row]);
     }
 
+    /// <param name="samples">At least two samples with increasing times.</param>
+    public BodyTruth(IReadOnlyList<PoseSample> samples)
+    {
+        _times = [.. samples.Select(sample => sample.Time)];
+        _positions = [[.. samples.Select(sample => sample.Position.X)], [.. samples.Select(sample => sample.Position.Y)], [.. samples.Select(sample => sample.Position.Z)]];
+        _rotations = [.. samples.Select(sample => sample.Rotation)];
+    }
+
+    /// <summary>Gets the interval between the samples around a time, in s; infinite outside the samples.</summary>
+    public double GapAt(double time) => time < _times[0] || time > _times[^1] ? double.PositiveInfinity : _times[RowAfter(time)] - _times[RowAfter(time) - 1];
+
     /// <summary>Gets the pose at a time since the recording's start, in s. Outside the recording it is that of the first or last row.</summary>
     public (double X, double Y, double Z, UnitQuaternion Rotation) At(double time)
     {
-        var found = Array.BinarySearch(_times, time);
-        var after = Math.Clamp(found < 0 ? ~found : found + 1, 1, _times.Length - 1);
+        var after = RowAfter(time);
         var share = Math.Clamp((time - _times[after - 1]) / (_times[after] - _times[after - 1]), 0, 1);
         double Between(double[] values) => values[after - 1] + (values[after] - values[after - 1]) * share;
         return (Between(_positions[0]), Between(_positions[1]), Between(_positions[2]),
             UnitQuaternion.Slerp(_rotations[after - 1], _rotations[after], share));
+    }
+
+    int RowAfter(double time)
+    {
+        var found = Array.BinarySearch(_times, time);
+        return Math.Clamp(found < 0 ? ~found : found + 1, 1, _times.Length - 1);
     }
 }

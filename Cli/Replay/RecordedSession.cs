@@ -10,6 +10,9 @@ sealed class RecordedSession
     /// <summary>Maximum number of stored numbers: about 400 MB. A file of the usual maximum size has a tenth of that.</summary>
     const int MaxNumbers = 50_000_000;
 
+    /// <summary>Position, quaternion and stamp.</summary>
+    const int NumbersPerPose = 8;
+
     // Samples that were dropped for these reasons never reached a predictor, so the replay drops them, too.
     static readonly string[] NeverTaken = ["slow_reader", "stamp_in_future"];
 
@@ -22,6 +25,8 @@ sealed class RecordedSession
     readonly List<Value> _values = [];
     readonly List<double> _displayed = [];
     readonly List<PlannedMotion> _plans = [];
+    readonly List<PoseLine> _poses = [];
+    readonly Dictionary<string, (double Value, int Changes)> _signals = [];
     readonly bool _namesJoints;
     int _timeLine;
     long _planned;
@@ -69,13 +74,33 @@ sealed class RecordedSession
         {
             case SampleLine sample when Array.IndexOf(NeverTaken, sample.Dropped) < 0: Add(sample); break;
             case PlanLine { Dropped: null } plan: Add(plan); break;
+            case PoseLine { Dropped: null, IsStationary: false } pose: Add(pose); break;
+            case SignalLine { Dropped: null } signal: Add(signal); break;
             case FrameLine frame: Add(frame); break;
             case ClockLine { IsNewStart: true }: StartTimeLine(); break;
             case LostLine lost: Lost += lost.Count; break;
         }
-        if (_values.Count + _displayed.Count + _planned > MaxNumbers)
+        if (_values.Count + _displayed.Count + _planned + NumbersPerPose * (long)_poses.Count > MaxNumbers)
             throw new InputException($"{_path}: is too long for this machine's memory; record shorter sessions");
     }
+
+    /// <summary>The signals in the order of their names, with the number of their changes.</summary>
+    public IReadOnlyList<(string Name, int Changes)> Signals =>
+        [.. _signals.OrderBy(signal => signal.Key, StringComparer.Ordinal).Select(signal => (signal.Key, signal.Value.Changes))];
+
+    /// <summary>Gets the pose of an event.</summary>
+    public PoseLine PoseOf(in Event pose) => _poses[pose.First];
+
+    void Add(PoseLine pose)
+    {
+        if (pose.ControlArrival is { } arrival) AddFramesUntil(arrival);
+        _events.Add(new Event(EventKind.Pose, pose.Stamp, true, _timeLine, _poses.Count, 1));
+        _poses.Add(pose);
+    }
+
+    // A source repeats the value of a signal for new connections; that is no change.
+    void Add(SignalLine signal) => _signals[signal.Name] = _signals.TryGetValue(signal.Name, out var known)
+        ? (signal.Value, known.Changes + (signal.Value == known.Value ? 0 : 1)) : (signal.Value, 0);
 
     /// <summary>Gets the set-points of a plan, for the header's joints.</summary>
     public PlannedMotion PlanOf(in Event plan) => _plans[plan.First];
@@ -142,14 +167,15 @@ sealed class RecordedSession
     {
         Sample,
         Plan,
+        Pose,
         Frame,
     }
 
-    /// <summary>An accepted sample or plan, or a frame.</summary>
-    /// <param name="At">t_k of a sample, the stamp of a plan, or the display time of a frame.</param>
+    /// <summary>An accepted sample, plan or pose of a tracked frame, or a displayed frame.</summary>
+    /// <param name="At">t_k of a sample or a pose, the stamp of a plan, or the display time of a frame.</param>
     /// <param name="IsTimed">Whether a frame had a display time.</param>
     /// <param name="TimeLine">Increases when the session discarded all samples. Control times of different time lines are not comparable.</param>
-    /// <param name="First">Index of its first joint; for a plan, its index among the plans.</param>
+    /// <param name="First">Index of its first joint; for a plan or a pose, its index among them.</param>
     /// <param name="Count">Number of its joints.</param>
     public readonly record struct Event(EventKind Kind, ControlTime At, bool IsTimed, int TimeLine, int First, int Count);
 

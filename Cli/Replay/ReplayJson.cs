@@ -45,7 +45,37 @@ static class ReplayJson
         json.WriteNumber("rms", result.Rms);
         if (result.Reduction is double reduction) json.WriteNumber("reduction", reduction);
         else json.WriteNull("reduction");
+        if (result.Bodies.Count > 0) WriteBodies(json, result.Bodies);
+        if (result.Signals.Count > 0) WriteSignals(json, result.Signals);
         json.WriteEndObject();
+    }
+
+    static void WriteBodies(Utf8JsonWriter json, IReadOnlyList<BodyReplayResult> bodies)
+    {
+        json.WriteStartArray("bodies");
+        foreach (var body in bodies)
+        {
+            json.WriteStartObject();
+            json.WriteString("name", body.File);
+            json.WriteNumber("frames", body.Frames);
+            Write(json, "error_mm", body.Position);
+            Write(json, "error_deg", body.Rotation);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
+    }
+
+    static void WriteSignals(Utf8JsonWriter json, IReadOnlyList<(string Name, int Changes)> signals)
+    {
+        json.WriteStartArray("signals");
+        foreach (var (name, changes) in signals)
+        {
+            json.WriteStartObject();
+            json.WriteString("name", name);
+            json.WriteNumber("changes", changes);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
     }
 
     static void Write(Utf8JsonWriter json, ReplayResult.Axis axis)

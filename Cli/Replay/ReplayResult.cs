@@ -28,6 +28,12 @@ public sealed class ReplayResult
 
     public string File { get; }
 
+    /// <summary>The moving objects of a session, by the names of their frames; empty for none, and for a motion.</summary>
+    public IReadOnlyList<BodyReplayResult> Bodies { get; init; } = [];
+
+    /// <summary>The signals of a session with the number of their changes; empty for none, and for a motion.</summary>
+    public IReadOnlyList<(string Name, int Changes)> Signals { get; init; } = [];
+
     public string Predictor { get; }
 
     /// <summary>Number of scored frames.</summary>

@@ -22,6 +22,9 @@ static class ReplayTable
         table.AddRow("all", Number(result.RmsHold), Number(result.Rms), "", "", Percent(result.Reduction));
         table.Caption("errors in the unit of the file's columns");
         console.Write(table);
+        foreach (var body in result.Bodies) Write(console, body);
+        if (result.Signals.Count > 0)
+            console.WriteLine("signals: " + string.Join(", ", result.Signals.Select(signal => $"{signal.Name} ({signal.Changes} changes)")));
     }
 
     public static void Write(IAnsiConsole console, BodyReplayResult result)

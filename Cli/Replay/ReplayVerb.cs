@@ -86,6 +86,10 @@ static class ReplayVerb
     {
         var session = RecordedSession.Read(path);
         if (session.Lost > 0) Console.Error.WriteLine($"nowpose: {path}: {session.Lost} lines are missing, because the recording was slower than the session");
-        return new SessionReplay(path, session, new SessionTruth(session), settings).Run(cancellation);
+        var joints = new SessionReplay(path, session, new SessionTruth(session), settings).Run(cancellation);
+        return new ReplayResult(joints.File, joints.Predictor, joints.Frames, joints.Axes)
+        {
+            Bodies = new SessionBodies(session, settings).Run(cancellation), Signals = session.Signals,
+        };
     }
 }

@@ -39,16 +39,18 @@ sealed class SessionReplay
         _truth = truth;
         _settings = settings;
         _stampErrors = new RandomStream(settings.Seed, 3);
-        var own = session.Header.Prediction;
-        var prediction = new PredictionSettings(
-            settings.Predictor, own.HorizonCap.TotalMilliseconds, own.MaximumGap.TotalMilliseconds,
-            settings.Blend * 1000 ?? own.Blend.TotalMilliseconds, own.FollowPlan && settings.FollowPlan, own.SpeedShare,
-            own.AccelerationLimit, own.JerkLimit);
+        var prediction = PredictionOf(session.Header.Prediction, settings);
         _followsPlans = prediction.FollowsPlans;
         _joints = [.. session.Header.Joints.Select(joint => prediction.Create(prediction.Bounded(joint.Limits, joint.Unit == "rad")))];
         _samples = new int[_joints.Length];
         _errors = [.. _joints.Select(_ => new AxisError())];
     }
+
+    /// <summary>Gets the settings of a recording with the predictor of a replay.</summary>
+    internal static PredictionSettings PredictionOf(PredictionSettings own, ReplaySettings settings) => new(
+        settings.Predictor, own.HorizonCap.TotalMilliseconds, own.MaximumGap.TotalMilliseconds,
+        settings.Blend * 1000 ?? own.Blend.TotalMilliseconds, own.FollowPlan && settings.FollowPlan, own.SpeedShare,
+        own.AccelerationLimit, own.JerkLimit);
 
     /// <summary>Receives each frame's predictions: the frame, one position per joint, and their kinds.</summary>
     public Action<RecordedSession.Event, double[], PredictionKind[]> Predicted { get; init; }
@@ -81,7 +83,7 @@ sealed class SessionReplay
         if (next.TimeLine != _timeLine || _epoch == null) StartAnew(next);
         if (next.Kind == RecordedSession.EventKind.Sample) Take(next);
         else if (next.Kind == RecordedSession.EventKind.Plan) Follow(next);
-        else if (next.IsTimed) Show(next);
+        else if (next.Kind == RecordedSession.EventKind.Frame && next.IsTimed) Show(next);
     }
 
     // Earlier samples belong to another time line.

@@ -1,3 +1,4 @@
+using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Protocol;
 using Nowpose.Session;
@@ -28,6 +29,9 @@ static class SessionLines
         "sync" => ReadSync(line),
         "sample" => ReadSample(line),
         "plan" => ReadPlan(line),
+        "pose" => ReadPose(line),
+        "signal" => new SignalLine(
+            ControlTime.FromNanoseconds(line.Whole("stamp_ns")), line.Text("name"), line.Number("value"), line.TextOr("dropped", null)),
         "frame" => new FrameLine(
             HeadsetTime.FromNanoseconds(line.Whole("start_ns")),
             line.Has("light_ns") ? ControlTime.FromNanoseconds(line.Whole("light_ns")) : null,
@@ -84,7 +88,7 @@ static class SessionLines
             HeadsetTime.FromNanoseconds(line.Whole("arrival_ns")), ControlTime.FromNanoseconds(line.Whole("stamp_ns")), names,
             line.Numbers("position", names.Length), Optional(line, "velocity", names.Length),
             Optional(line, "acceleration", names.Length), line.TextOr("dropped", null),
-            line.Has("control_arrival_ns") ? ControlTime.FromNanoseconds(line.Whole("control_arrival_ns")) : null);
+            ControlArrivalIn(line));
     }
 
     static PlanLine ReadPlan(LineFields line)
@@ -104,6 +108,20 @@ static class SessionLines
         return new PlanLine(
             new PlanArrival(message, HeadsetTime.FromNanoseconds(line.Whole("arrival_ns"))), line.TextOr("dropped", null));
     }
+
+    static PoseLine ReadPose(LineFields line)
+    {
+        var (position, rotation) = (line.Numbers("position", 3), line.Numbers("rotation", 4));
+        if (!UnitQuaternion.TryNormalise(rotation[0], rotation[1], rotation[2], rotation[3], out var turned))
+            throw line.Wrong("rotation", "is not a rotation; it must be a unit quaternion x, y, z, w");
+        return new PoseLine(
+            ControlTime.FromNanoseconds(line.Whole("stamp_ns")), line.Text("frame"), line.Text("parent"),
+            new Vector3D(position[0], position[1], position[2]), turned, line.FlagOr("stationary", false), line.TextOr("dropped", null),
+            ControlArrivalIn(line));
+    }
+
+    static ControlTime? ControlArrivalIn(LineFields line) =>
+        line.Has("control_arrival_ns") ? ControlTime.FromNanoseconds(line.Whole("control_arrival_ns")) : null;
 
     static double[] Optional(LineFields line, string field, int count) =>
         line.Has(field) ? line.Numbers(field, count, mayBeAbsent: true) : null;

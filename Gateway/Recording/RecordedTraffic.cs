@@ -2,6 +2,7 @@ using System.Diagnostics;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 using Nowpose.Recording;
 using Nowpose.Session;
 using Nowpose.Sync;
@@ -22,6 +23,8 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
         {
             case JointStateMessage state: AddSample(file, message, state); break;
             case JointTrajectoryMessage plan: AddPlan(file, message, plan); break;
+            case TransformsMessage poses: AddPoses(file, message, poses); break;
+            case SignalsMessage signals: AddSignals(file, message, signals); break;
             case DiagnosticsMessage diagnostics: AddDiagnostics(file, message, diagnostics); break;
         }
     }
@@ -53,10 +56,11 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
 
     void AddSample(RecordedFile file, HubMessage message, JointStateMessage state)
     {
-        var arrival = clock.Now - Stopwatch.GetElapsedTime(message.ReceivedAt);
+        var arrival = ControlArrivalOf(message);
         if (file.TryClaim(RecordKind.Sample) is not { } record) return;
         record.Arrival = new SampleArrival(state, _counter.At(message.ReceivedAt));
         record.ControlArrival = arrival;
+        record.NamePrefix = PrefixOf(message);
         record.Reason = DropReason.None;
         file.Publish(record);
     }
@@ -65,9 +69,41 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
     {
         if (file.TryClaim(RecordKind.Plan) is not { } record) return;
         record.Plan = new PlanArrival(plan, _counter.At(message.ReceivedAt));
+        record.NamePrefix = PrefixOf(message);
         record.Reason = DropReason.None;
         file.Publish(record);
     }
+
+    void AddPoses(RecordedFile file, HubMessage message, TransformsMessage poses)
+    {
+        var (at, arrival) = (_counter.At(message.ReceivedAt), ControlArrivalOf(message));
+        for (var i = 0; i < poses.Count; i++)
+        {
+            if (file.TryClaim(RecordKind.Pose) is not { } record) return;
+            (record.At, record.ControlArrival) = (at, arrival);
+            (record.Transform, record.IsStationary) = (poses[i], message.Topic == RosTopics.TfStatic);
+            record.Reason = DropReason.None;
+            file.Publish(record);
+        }
+    }
+
+    void AddSignals(RecordedFile file, HubMessage message, SignalsMessage signals)
+    {
+        var (at, arrival) = (_counter.At(message.ReceivedAt), ControlArrivalOf(message));
+        for (var i = 0; i < signals.Count; i++)
+        {
+            if (file.TryClaim(RecordKind.Signal) is not { } record) return;
+            (record.At, record.ControlArrival) = (at, arrival);
+            (record.Signal, record.Stamp) = (signals[i], signals.Stamp);
+            record.Reason = DropReason.None;
+            file.Publish(record);
+        }
+    }
+
+    ControlTime ControlArrivalOf(HubMessage message) => clock.Now - Stopwatch.GetElapsedTime(message.ReceivedAt);
+
+    // The header describes the robot without a namespace.
+    static string PrefixOf(HubMessage message) => message.Robot.Length == 0 ? null : message.Robot + "/";
 
     void AddDiagnostics(RecordedFile file, HubMessage message, DiagnosticsMessage diagnostics)
     {

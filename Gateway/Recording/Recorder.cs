@@ -15,7 +15,10 @@ namespace Nowpose.Gateway.Recording;
 /// </remarks>
 public sealed class Recorder : IAsyncDisposable
 {
-    static readonly string[] Topics = [RosTopics.JointStates, RosTopics.JointTrajectory, RosTopics.Diagnostics];
+    static readonly string[] Topics =
+        [RosTopics.JointStates, RosTopics.JointTrajectory, RosTopics.Diagnostics, RosTopics.Tf, RosTopics.TfStatic, RosTopics.Signals];
+    static readonly string[] LatchedTopics = [RosTopics.TfStatic, RosTopics.Signals];
+    static readonly string[] RobotTopics = [RosTopics.JointStates, RosTopics.JointTrajectory];
     static readonly TimeSpan TickInterval = TimeSpan.FromSeconds(1);
 
     /// <summary>Time after which no producer uses the previous file any more.</summary>
@@ -25,6 +28,7 @@ public sealed class Recorder : IAsyncDisposable
     static readonly TimeSpan TimeToEnd = TimeSpan.FromSeconds(8);
 
     readonly GatewayOptions _options;
+    readonly MessageHub _hub;
     readonly PlantClocks _plant;
     readonly RecordedTraffic _traffic;
     readonly Action<string> _log;
@@ -55,6 +59,7 @@ public sealed class Recorder : IAsyncDisposable
     {
         _maxBytes = maxBytes;
         _options = options;
+        _hub = hub;
         _plant = plant;
         _traffic = new RecordedTraffic(clock, plant, drops);
         _log = log;
@@ -63,6 +68,7 @@ public sealed class Recorder : IAsyncDisposable
         _timer = new Timer(_ => Tick());
         _subscriptions.Add(hub.Subscribe(RosTopics.RobotDescription, Describe));
         foreach (var topic in Topics) _subscriptions.Add(hub.Subscribe(topic, Take));
+        foreach (var topic in RobotTopics) _subscriptions.Add(hub.SubscribeToRobots(topic, Take));
         plant.Added += Listen;
         foreach (var asked in plant.All) Listen(asked);
     }
@@ -238,6 +244,9 @@ public sealed class Recorder : IAsyncDisposable
         _file = file;
         _log($"recording {file.Path}");
         _traffic.Tick(file);
+        // Published before, and not published again.
+        foreach (var topic in LatchedTopics)
+            foreach (var message in _hub.ReadLatched(topic, () => 0)) _traffic.Add(file, message);
         _ending.RemoveAll(ended => ended.IsCompleted);
         _ = file.Ended.ContinueWith(_ => Settle(file), TaskScheduler.Default);
     }

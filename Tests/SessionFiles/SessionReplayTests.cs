@@ -243,4 +243,59 @@ public class SessionReplayTests
         using var json = JsonDocument.Parse(run.Output);
         return json.RootElement.GetProperty("rms").GetDouble();
     }
+
+    [Test]
+    public async Task Replay_ObjectsAndSignals_AreCompared()
+    {
+        VirtualRecording.To(_path, predictor: "adaptive", jitterMs: 20, loss: 0.02, hasWork: true);
+
+        var run = await Run("replay", _path, "--json");
+        var hold = await Run("replay", _path, "--json", "--predictor", "hold");
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        var result = JsonDocument.Parse(run.Output).RootElement;
+        var bodies = result.GetProperty("bodies").EnumerateArray().ToList();
+        Assert.That(bodies.Select(body => body.GetProperty("name").GetString()), Is.EqualTo(new[] { "workpiece_1", "workpiece_2", "workpiece_3" }));
+        foreach (var body in bodies)
+        {
+            Assert.That(body.GetProperty("frames").GetInt32(), Is.GreaterThan(50));
+            var error = body.GetProperty("error_mm");
+            Assert.That(error.GetProperty("rms").GetDouble(), Is.LessThan(0.3 * error.GetProperty("rms_hold").GetDouble()));
+        }
+
+        var held = JsonDocument.Parse(hold.Output).RootElement.GetProperty("bodies")[0].GetProperty("error_mm");
+        Assert.That(held.GetProperty("rms").GetDouble(), Is.EqualTo(held.GetProperty("rms_hold").GetDouble()).Within(1e-9));
+        var signals = result.GetProperty("signals").EnumerateArray().ToDictionary(one => one.GetProperty("name").GetString(), one => one.GetProperty("changes").GetInt32());
+        Assert.That(signals.Keys, Is.EquivalentTo(new[] { "gripper_closed", "belt_running", "part_present" }));
+        Assert.That(signals["gripper_closed"], Is.GreaterThan(2));
+        var table = await Run("replay", _path);
+        Assert.That(table.Output, Does.Contain("workpiece_1").And.Contain("signals: ").And.Contain("gripper_closed ("));
+    }
+
+    [Test]
+    public async Task Replay_NoObjects_HasNoneInItsResult()
+    {
+        VirtualRecording.To(_path, seconds: 6);
+
+        var run = await Run("replay", _path, "--json");
+
+        var names = JsonDocument.Parse(run.Output).RootElement.EnumerateObject().Select(one => one.Name);
+        Assert.That(names, Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction" }));
+    }
+
+    [TestCase("\"rotation\":[0,0,0,2]", "field 'rotation' is not a rotation")]
+    [TestCase("\"rotation\":[0,0,1]", "field 'rotation' 3 numbers; it must have 4")]
+    [TestCase("\"rotation\":\"none\"", "field 'rotation' is not an array")]
+    public async Task Replay_DamagedPose_NamesItsLineAndField(string rotation, string expected)
+    {
+        VirtualRecording.To(_path, seconds: 6);
+        var lines = File.ReadAllLines(_path).ToList();
+        lines.Insert(5, $"{{\"kind\":\"pose\",\"arrival_ns\":1,\"stamp_ns\":1,\"frame\":\"part\",\"parent\":\"world\",\"position\":[0,0,0],{rotation}}}");
+        File.WriteAllLines(_path, lines);
+
+        var run = await Run("replay", _path);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors, Does.Contain($"{_path}:6: {expected}"));
+    }
 }

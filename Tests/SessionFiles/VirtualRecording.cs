@@ -7,6 +7,7 @@ using Nowpose.Protocol;
 using Nowpose.Recording;
 using Nowpose.Session;
 using Nowpose.Simulation;
+using Nowpose.Simulation.Work;
 using Nowpose.Sync;
 
 namespace Nowpose.Headless.Tests.SessionFiles;
@@ -30,17 +31,20 @@ sealed class VirtualRecording
     /// <param name="predictor">The predictor, used with <paramref name="blendMs"/> if <paramref name="prediction"/> is null.</param>
     /// <param name="planLagMs">Delay of the robot against its published set-points; null to publish none.</param>
     /// <param name="planUntil">Time in s after which no set-points are published.</param>
+    /// <param name="hasWork">Whether the robot moves workpieces, which the cell publishes with its signals.</param>
     /// <param name="jitterMs">Samples overtake each other if it exceeds the sampling interval.</param>
     public static VirtualRecording To(
         string path, double seconds = 20, string predictor = "quadratic", double jitterMs = 0, double loss = 0, double? stepAfter = null,
         double blendMs = 0, int seed = 5, double samplingMs = 50, double? planLagMs = null,
-        double planUntil = double.PositiveInfinity, PredictionSettings prediction = null)
+        double planUntil = double.PositiveInfinity, PredictionSettings prediction = null, bool hasWork = false)
     {
         var robot = RobotFiles.Load("youbot");
         var result = new VirtualRecording();
         var clock = new VirtualClock(Start, TimeSpan.FromSeconds(1_700_000_000), 37e-6);
         var settings = new VirtualCellSettings(samplingMs, 55, 105, jitterMs, loss, NetworkProfile.Wifi);
-        var cell = new VirtualCell(new PickAndPlaceMotion(robot), clock, settings, seed, Start);
+        var motion = new PickAndPlaceMotion(robot);
+        var work = hasWork ? new CellWork(robot, motion) : null;
+        var cell = new VirtualCell(motion, clock, settings, seed, Start, work);
         if (planLagMs.HasValue) cell.PlanLag = TimeSpan.FromMilliseconds(planLagMs.Value);
         using var session = new CompensationSession(
             new SessionSettings(
@@ -49,6 +53,7 @@ sealed class VirtualRecording
             robot, new StopwatchHeadsetClock());
         session.Clock.Judged += (in SyncExchange e, SyncVerdict _, SyncExchangeFault _) =>
             result.Exchanges.Add(FormattableString.Invariant($"{e.T1.Nanoseconds},{e.T2.Nanoseconds},{e.T3.Nanoseconds},{e.T4.Nanoseconds}"));
+        if (hasWork) session.Signals.Need();
         using (var recorder = new SessionRecorder(session, new RecordingSettings(path)))
         {
             for (var i = 0; i < seconds * 60; i++)

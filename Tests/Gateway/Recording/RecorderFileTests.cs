@@ -1,6 +1,9 @@
+using System.Diagnostics;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recording;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Gateway.Recording.RecorderCell;
 
@@ -121,5 +124,30 @@ public class RecorderFileTests
 
         Assert.That(_cell.Files().Sum(file => Count(Lines(file), "sample")), Is.EqualTo(published));
         Assert.That(recorder.Status.Lost, Is.Zero);
+    }
+
+    [Test]
+    public async Task Record_ObjectsSignalsAndRobots_AreInTheFile()
+    {
+        var stamp = _cell.Clock.Now;
+        var received = Stopwatch.GetTimestamp();
+        _cell.Source.Publish(new TransformsMessage(new FrameTransform(default, "world", "table", 1, 2, 3, 0, 0, 0, 1)), true, [], received);
+        await using var recorder = _cell.Open();
+        recorder.SwitchOn();
+        _cell.Source.Publish(new TransformsMessage(new FrameTransform(stamp, "table", "part", 0.1, 0.2, 0.3, 0, 0.6, 0, 0.8)), false, [], received);
+        _cell.Source.Publish(new SignalsMessage(stamp, new SignalValue("closed", 1)), [], received);
+        _cell.Source.Publish(new JointStateMessage(stamp, ["a"], [1]), received, "arm1");
+        await recorder.SwitchOffAsync().Bounded();
+
+        var lines = Lines(recorder.Path);
+        var poses = lines.Where(line => line.GetProperty("kind").GetString() == "pose").ToArray();
+        Assert.That(poses.Select(pose => pose.GetProperty("frame").GetString()), Is.EqualTo(new[] { "table", "part" }), "also what was published before");
+        Assert.That(poses[0].GetProperty("stationary").GetBoolean(), Is.True);
+        Assert.That(poses[1].GetProperty("stamp_ns").GetInt64(), Is.EqualTo(stamp.Nanoseconds));
+        Assert.That(poses[1].GetProperty("control_arrival_ns").GetInt64(), Is.GreaterThanOrEqualTo(stamp.Nanoseconds));
+        var signal = lines.Single(line => line.GetProperty("kind").GetString() == "signal");
+        Assert.That((signal.GetProperty("name").GetString(), signal.GetProperty("value").GetDouble()), Is.EqualTo(("closed", 1.0)));
+        var sample = lines.Single(line => line.GetProperty("kind").GetString() == "sample");
+        Assert.That(sample.GetProperty("names")[0].GetString(), Is.EqualTo("arm1/a"));
     }
 }

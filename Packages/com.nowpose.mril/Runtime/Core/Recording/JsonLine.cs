@@ -77,13 +77,14 @@ namespace Nowpose.Recording
             return Close(']');
         }
 
-        public JsonLine Add(string name, string[] values)
+        /// <param name="prefix">Text before each value; null for none.</param>
+        public JsonLine Add(string name, string prefix, string[] values)
         {
             Open(name, '[');
             foreach (var value in values)
             {
                 Separate();
-                Quote(value);
+                Quote(prefix, value);
             }
             return Close(']');
         }
@@ -152,16 +153,21 @@ namespace Nowpose.Recording
             _length += written;
         }
 
-        void Quote(string value)
+        void Quote(string value) => Quote(null, value);
+
+        void Quote(string prefix, string value)
         {
             Put('"');
-            foreach (var c in value)
-            {
-                if (c == '"' || c == '\\') Put('\\');
-                if (c >= ' ') Put(c);
-                else PutEscaped(c);
-            }
+            foreach (var c in prefix ?? "") PutQuoted(c);
+            foreach (var c in value) PutQuoted(c);
             Put('"');
+        }
+
+        void PutQuoted(char c)
+        {
+            if (c == '"' || c == '\\') Put('\\');
+            if (c >= ' ') Put(c);
+            else PutEscaped(c);
         }
 
         void PutEscaped(char control)

@@ -12,6 +12,12 @@ namespace Nowpose.Recording
         /// <summary>A message of set-points, as received.</summary>
         Plan,
 
+        /// <summary>The pose of a frame of the cell, as received.</summary>
+        Pose,
+
+        /// <summary>A value of a signal, as received.</summary>
+        Signal,
+
         /// <summary>The joints that one frame displayed.</summary>
         Frame,
 

@@ -17,6 +17,9 @@ namespace Nowpose.Recording
         static readonly LineNames Ranges = new LineNames(typeof(RangeState));
         static readonly LineNames ClockStates = new LineNames(typeof(ClockState));
 
+        /// <summary>Number of coordinates of a position.</summary>
+        const int PositionNumbers = 3;
+
         readonly JsonLine _line;
         readonly int _joints;
         readonly StatisticsLine _statistics;
@@ -37,6 +40,8 @@ namespace Nowpose.Recording
                 case RecordKind.Sync: WriteSync(record); break;
                 case RecordKind.Sample: WriteSample(record); break;
                 case RecordKind.Plan: WritePlan(record); break;
+                case RecordKind.Pose: WritePose(record); break;
+                case RecordKind.Signal: WriteSignal(record); break;
                 case RecordKind.Frame: WriteFrame(record); break;
                 case RecordKind.Clock: WriteClock(record); break;
                 case RecordKind.Display: WriteDisplay(record); break;
@@ -64,8 +69,8 @@ namespace Nowpose.Recording
         {
             var message = record.Arrival.Message;
             _line.Begin("sample").Add("arrival_ns", record.Arrival.At.Nanoseconds).Add("stamp_ns", message.Stamp.Nanoseconds);
-            if (record.ControlArrival.HasValue) _line.Add("control_arrival_ns", record.ControlArrival.Value.Nanoseconds);
-            _line.Add("names", message.Names).Add("position", message.Positions);
+            AddControlArrival(record);
+            _line.Add("names", record.NamePrefix, message.Names).Add("position", message.Positions);
             if (message.Velocities != null) _line.Add("velocity", message.Velocities);
             if (message.Accelerations != null) _line.Add("acceleration", message.Accelerations);
             AddReason(record);
@@ -75,7 +80,7 @@ namespace Nowpose.Recording
         {
             var message = record.Plan.Message;
             _line.Begin("plan").Add("arrival_ns", record.Plan.At.Nanoseconds).Add("stamp_ns", message.Stamp.Nanoseconds)
-                .Add("names", message.Names).Open("points", '[');
+                .Add("names", record.NamePrefix, message.Names).Open("points", '[');
             for (var i = 0; i < message.Points.Count; i++)
             {
                 var point = message.Points[i];
@@ -85,6 +90,26 @@ namespace Nowpose.Recording
                 _line.Close('}');
             }
             _line.Close(']');
+            AddReason(record);
+        }
+
+        void WritePose(SessionRecord record)
+        {
+            var pose = record.Transform;
+            _line.Begin("pose").Add("arrival_ns", record.At.Nanoseconds).Add("stamp_ns", pose.Stamp.Nanoseconds);
+            AddControlArrival(record);
+            _line.Add("frame", pose.Child).Add("parent", pose.Parent);
+            Span<double> numbers = stackalloc double[] { pose.X, pose.Y, pose.Z, pose.Qx, pose.Qy, pose.Qz, pose.Qw };
+            _line.Add("position", numbers.Slice(0, PositionNumbers)).Add("rotation", numbers.Slice(PositionNumbers));
+            if (record.IsStationary) _line.Add("stationary", true);
+            AddReason(record);
+        }
+
+        void WriteSignal(SessionRecord record)
+        {
+            _line.Begin("signal").Add("arrival_ns", record.At.Nanoseconds).Add("stamp_ns", record.Stamp.Nanoseconds);
+            AddControlArrival(record);
+            _line.Add("name", record.Signal.Name).Add("value", record.Signal.Value);
             AddReason(record);
         }
 
@@ -131,6 +156,11 @@ namespace Nowpose.Recording
         {
             _line.Begin("drops").Add("at_ns", record.At.Nanoseconds);
             DropsLine.Write(_line, record.Numbers);
+        }
+
+        void AddControlArrival(SessionRecord record)
+        {
+            if (record.ControlArrival.HasValue) _line.Add("control_arrival_ns", record.ControlArrival.Value.Nanoseconds);
         }
 
         void AddReason(SessionRecord record)

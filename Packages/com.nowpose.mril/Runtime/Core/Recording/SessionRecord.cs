@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Latency;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 using Nowpose.Session;
 using Nowpose.Sync;
 
@@ -20,7 +21,7 @@ namespace Nowpose.Recording
 
         public RecordKind Kind { get; set; }
 
-        /// <summary>Clock, display, statistics, drops and diagnostics: the time. Frame: its start.</summary>
+        /// <summary>Clock, display, statistics, drops and diagnostics: the time. Frame: its start. Pose and signal: the arrival.</summary>
         public HeadsetTime At { get; set; }
 
         /// <summary>The exchange; used by sync records.</summary>
@@ -35,7 +36,10 @@ namespace Nowpose.Recording
         /// <summary>The sample; used by sample records. The message is referenced, not copied, because no code modifies it.</summary>
         public SampleArrival Arrival { get; set; }
 
-        /// <summary>Arrival time on the control clock; used by sample records of a gateway's file.</summary>
+        /// <summary>Text before the names of joints, for a robot other than that of the header; used by sample and plan records.</summary>
+        public string NamePrefix { get; set; }
+
+        /// <summary>Arrival time on the control clock; used by sample, pose and signal records of a gateway's file.</summary>
         public ControlTime? ControlArrival { get; set; }
 
         /// <summary>The diagnostics, which arrived at <see cref="At"/>; used by diagnostics records. Referenced, not copied.</summary>
@@ -44,7 +48,19 @@ namespace Nowpose.Recording
         /// <summary>The plan; used by plan records. Referenced, not copied.</summary>
         public PlanArrival Plan { get; set; }
 
-        /// <summary>Reason why the message was dropped; used by sample and plan records.</summary>
+        /// <summary>The pose of a frame of the cell; used by pose records.</summary>
+        public FrameTransform Transform { get; set; }
+
+        /// <inheritdoc cref="Transform"/>
+        public bool IsStationary { get; set; }
+
+        /// <summary>The value; used by signal records.</summary>
+        public SignalValue Signal { get; set; }
+
+        /// <inheritdoc cref="Signal"/>
+        public ControlTime Stamp { get; set; }
+
+        /// <summary>Reason why the message was dropped; used by sample, plan, pose and signal records.</summary>
         public DropReason Reason { get; set; }
 
         /// <summary>Display time on the control clock; used by frame records.</summary>

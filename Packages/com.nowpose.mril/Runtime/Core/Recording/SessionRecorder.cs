@@ -1,13 +1,17 @@
 using System;
+using System.Collections.Generic;
 using System.Threading.Tasks;
 using Nowpose.Latency;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 using Nowpose.Session;
 using Nowpose.Sync;
 
 namespace Nowpose.Recording
 {
-    /// <summary>Records a running session to a file: exchanges, samples and set-points as received, frames and statistics.</summary>
+    /// <summary>
+    /// Records a running session to a file: exchanges, samples, set-points, poses of objects and signals as received, frames and statistics.
+    /// </summary>
     /// <remarks>
     /// Event handlers copy the data into a preallocated ring, allocate nothing and never block; a separate thread
     /// formats and writes. Records that do not fit into the ring are lost and counted. <c>Documentation~/session-file.md</c> describes
@@ -16,7 +20,7 @@ namespace Nowpose.Recording
     public sealed class SessionRecorder : IDisposable
     {
         /// <summary>Capacity for ten seconds of a usual session; a power of two.</summary>
-        const int RingLength = 2048;
+        const int RingLength = 4096;
 
         static readonly TimeSpan StatisticsInterval = TimeSpan.FromSeconds(1);
 
@@ -25,6 +29,7 @@ namespace Nowpose.Recording
         readonly RecordWriter _writer;
         readonly SessionStatistics _statistics = new SessionStatistics();
         readonly StatisticsLine _statisticsLine = new StatisticsLine();
+        readonly List<RobotTraffic> _robots = new List<RobotTraffic>();
         HeadsetTime _nextStatistics;
         ClockState? _clockState;
         int _clockSteps;
@@ -71,8 +76,9 @@ namespace Nowpose.Recording
         public void Dispose()
         {
             _session.Clock.Judged -= OnExchange;
-            _session.Intake.SampleJudged -= OnSample;
-            _session.Intake.PlanJudged -= OnPlan;
+            foreach (var robot in _robots) robot.Dispose();
+            _session.Frames.Judged -= OnPose;
+            _session.Signals.Judged -= OnSignal;
             _session.Restarted -= OnRestarted;
             _session.Ticked -= OnFrame;
             _writer.Stop();
@@ -81,8 +87,9 @@ namespace Nowpose.Recording
         void Listen()
         {
             _session.Clock.Judged += OnExchange;
-            _session.Intake.SampleJudged += OnSample;
-            _session.Intake.PlanJudged += OnPlan;
+            ListenToRobots();
+            _session.Frames.Judged += OnPose;
+            _session.Signals.Judged += OnSignal;
             _session.Restarted += OnRestarted;
             _session.Ticked += OnFrame;
         }
@@ -96,18 +103,30 @@ namespace Nowpose.Recording
             _ring.Publish(record);
         }
 
-        void OnSample(SampleArrival arrival, DropReason reason)
+        // A robot can be added to a session at any time.
+        void ListenToRobots()
         {
-            if (!TryClaim(RecordKind.Sample, out var record)) return;
-            record.Arrival = arrival;
+            for (var i = _robots.Count; i < _session.Robots.Count; i++) _robots.Add(new RobotTraffic(this, _session.Robots[i], isMain: i == 0));
+        }
+
+        void OnPose(in FrameTransform pose, bool isStationary, HeadsetTime arrival, DropReason reason)
+        {
+            if (!TryClaim(RecordKind.Pose, out var record)) return;
+            record.At = arrival;
+            record.ControlArrival = null;
+            record.Transform = pose;
+            record.IsStationary = isStationary;
             record.Reason = reason;
             _ring.Publish(record);
         }
 
-        void OnPlan(PlanArrival arrival, DropReason reason)
+        void OnSignal(in SignalValue value, ControlTime stamp, HeadsetTime arrival, DropReason reason)
         {
-            if (!TryClaim(RecordKind.Plan, out var record)) return;
-            record.Plan = arrival;
+            if (!TryClaim(RecordKind.Signal, out var record)) return;
+            record.At = arrival;
+            record.ControlArrival = null;
+            record.Signal = value;
+            record.Stamp = stamp;
             record.Reason = reason;
             _ring.Publish(record);
         }
@@ -116,6 +135,7 @@ namespace Nowpose.Recording
 
         void OnFrame(DisplayFrame frame)
         {
+            ListenToRobots();
             var clock = _session.Clock.ModelAt(frame.Start);
             if (clock.State != _clockState || clock.Steps != _clockSteps) WriteClock(frame.Start, clock, isNewStart: false);
             WriteDisplay(frame);
@@ -189,6 +209,49 @@ namespace Nowpose.Recording
             // After the end, the ring is no longer emptied; records are not counted as lost then.
             record = _writer.State == RecordingState.Recording ? _ring.TryClaim(kind) : null;
             return record != null;
+        }
+
+        /// <summary>Records the samples and set-points of one robot.</summary>
+        sealed class RobotTraffic : IDisposable
+        {
+            readonly SessionRecorder _recorder;
+            readonly SessionIntake _intake;
+            readonly string _prefix;
+
+            /// <param name="isMain">Whether it is the robot of the header, whose joints have no prefix.</param>
+            public RobotTraffic(SessionRecorder recorder, SessionRobot robot, bool isMain)
+            {
+                _recorder = recorder;
+                _intake = robot.Intake;
+                _prefix = isMain ? null : robot.Namespace + "/";
+                _intake.SampleJudged += OnSample;
+                _intake.PlanJudged += OnPlan;
+            }
+
+            public void Dispose()
+            {
+                _intake.SampleJudged -= OnSample;
+                _intake.PlanJudged -= OnPlan;
+            }
+
+            void OnSample(SampleArrival arrival, DropReason reason)
+            {
+                if (!_recorder.TryClaim(RecordKind.Sample, out var record)) return;
+                record.Arrival = arrival;
+                record.ControlArrival = null;
+                record.NamePrefix = _prefix;
+                record.Reason = reason;
+                _recorder._ring.Publish(record);
+            }
+
+            void OnPlan(PlanArrival arrival, DropReason reason)
+            {
+                if (!_recorder.TryClaim(RecordKind.Plan, out var record)) return;
+                record.Plan = arrival;
+                record.NamePrefix = _prefix;
+                record.Reason = reason;
+                _recorder._ring.Publish(record);
+            }
         }
     }
 }

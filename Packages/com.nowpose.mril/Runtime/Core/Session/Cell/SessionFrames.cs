@@ -1,4 +1,3 @@
-using System;
 using Nowpose.Frames;
 using Nowpose.Network;
 using Nowpose.Protocol;
@@ -6,6 +5,9 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Session.Cell
 {
+    /// <summary>Receives a pose of a frame with the reason why it was dropped; <see cref="DropReason.None"/> if it was used.</summary>
+    delegate void PoseJudged(in FrameTransform pose, bool isStationary, HeadsetTime arrival, DropReason reason);
+
     /// <summary>Frames of a session's cell: received, predicted to the display time, and judged like the pose of a robot.</summary>
     sealed class SessionFrames
     {
@@ -32,9 +34,9 @@ namespace Nowpose.Session.Cell
 
         public FrameTree Tree { get; }
 
-        /// <summary>Reports each used pose; raised within <see cref="CompensationSession.Tick"/>.</summary>
+        /// <summary>Reports each received pose; raised within <see cref="CompensationSession.Tick"/>.</summary>
         /// <remarks>A handler must be fast, must not throw, and must not call the session.</remarks>
-        public event Action<FrameTransform> Taken;
+        public event PoseJudged Judged;
 
         /// <summary>Adds a robot, whose links can be parents, and whose root link may be a frame of the cell.</summary>
         public void Add(SessionRobot robot)
@@ -79,8 +81,8 @@ namespace Nowpose.Session.Cell
         public void Show(in DisplayMoment moment)
         {
             _moment = moment;
-            while (_stationary.TryTake(out var message, out _)) Take(message);
-            while (moment.Clock.IsKnown && _tracked.TryTake(out var message, out var arrival)) Take(message, moment.Clock, arrival);
+            while (_stationary.TryTake(out var message, out var arrival)) Take(message, arrival);
+            while (moment.Clock.IsKnown && _tracked.TryTake(out var message, out var arrival)) Take(message, arrival, moment.Clock);
             Tree.Evaluate(moment.DisplayTime);
         }
 
@@ -91,28 +93,27 @@ namespace Nowpose.Session.Cell
             _needed.Restart();
         }
 
-        void Take(TransformsMessage message)
+        void Take(TransformsMessage message, HeadsetTime arrival)
         {
-            for (var i = 0; i < message.Count; i++) Add(message[i], isStationary: true);
+            for (var i = 0; i < message.Count; i++) Judge(message[i], true, arrival, _needed.Add(message[i], isStationary: true));
             message.Release();
         }
 
-        void Take(TransformsMessage message, in ClockModel clock, HeadsetTime arrival)
+        void Take(TransformsMessage message, HeadsetTime arrival, in ClockModel clock)
         {
             var now = clock.ToControl(arrival);
             for (var i = 0; i < message.Count; i++)
             {
-                if (StampRule.IsInFuture(message[i].Stamp, now, clock.ErrorBound)) _drops.Count(DropReason.StampInFuture);
-                else Add(message[i], isStationary: false);
+                var isInFuture = StampRule.IsInFuture(message[i].Stamp, now, clock.ErrorBound);
+                Judge(message[i], false, arrival, isInFuture ? DropReason.StampInFuture : _needed.Add(message[i], isStationary: false));
             }
             message.Release();
         }
 
-        void Add(in FrameTransform pose, bool isStationary)
+        void Judge(in FrameTransform pose, bool isStationary, HeadsetTime arrival, DropReason reason)
         {
-            var reason = _needed.Add(pose, isStationary);
             _drops.Count(reason);
-            if (reason == DropReason.None) Taken?.Invoke(pose);
+            Judged?.Invoke(pose, isStationary, arrival, reason);
         }
     }
 }

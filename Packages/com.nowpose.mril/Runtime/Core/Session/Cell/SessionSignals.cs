@@ -7,6 +7,9 @@ using Nowpose.Signals;
 
 namespace Nowpose.Session.Cell
 {
+    /// <summary>Receives a value of a signal with the reason why it was dropped; <see cref="DropReason.None"/> if it was used.</summary>
+    delegate void SignalJudged(in SignalValue value, ControlTime stamp, HeadsetTime arrival, DropReason reason);
+
     /// <summary>Signals of a session's cell: read at the display time, with their state.</summary>
     sealed class SessionSignals
     {
@@ -26,6 +29,10 @@ namespace Nowpose.Session.Cell
         }
 
         public SignalTable Table { get; } = new SignalTable();
+
+        /// <summary>Reports each received value; raised within <see cref="CompensationSession.Tick"/>.</summary>
+        /// <remarks>A handler must be fast, must not throw, and must not call the session.</remarks>
+        public event SignalJudged Judged;
 
         /// <summary>Receives signals from now on. A session that shows none does not subscribe, as a ROS system need not know the type.</summary>
         public void Need()
@@ -73,7 +80,11 @@ namespace Nowpose.Session.Cell
         {
             var isInFuture = StampRule.IsInFuture(message.Stamp, clock.ToControl(arrival), clock.ErrorBound);
             for (var i = 0; i < message.Count; i++)
-                _drops.Count(isInFuture ? DropReason.StampInFuture : Table.Add(message.Stamp, message[i]));
+            {
+                var reason = isInFuture ? DropReason.StampInFuture : Table.Add(message.Stamp, message[i]);
+                _drops.Count(reason);
+                Judged?.Invoke(message[i], message.Stamp, arrival, reason);
+            }
             message.Release();
         }
     }

@@ -28,7 +28,7 @@ namespace Nowpose.Tests.Core.Recording
                     gate.Wait();
                     return bytes;
                 }));
-                for (var i = 0; i < 5000; i++) session.Tick(Start + Lengths.Ms(i));
+                for (var i = 0; i < 10000; i++) session.Tick(Start + Lengths.Ms(i));
                 gate.Set();
                 recorder.Dispose();
                 Assert.That(recorder.Ended.Wait(TimeSpan.FromMinutes(1)));

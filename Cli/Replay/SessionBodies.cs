@@ -1,0 +1,127 @@
+using Nowpose.Anchoring;
+using Nowpose.Frames;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Cli.Replay;
+
+/// <summary>Plays the tracked frames of a recorded session in virtual time, each in its parent, to a predictor per frame.</summary>
+/// <remarks>
+/// The order is that of the file, as for the joints. The truth is interpolated between the samples before and after the light, so it is
+/// unknown across a change of the parent and across gaps. Frames in which an object does not move are not scored.
+/// </remarks>
+sealed class SessionBodies
+{
+    /// <summary>As for the joints.</summary>
+    const int SamplesBeforeScoring = 5;
+
+    readonly RecordedSession _session;
+    readonly ReplaySettings _settings;
+    readonly RandomStream _stampErrors;
+    readonly SortedDictionary<string, Body> _bodies = new(StringComparer.Ordinal);
+
+    public SessionBodies(RecordedSession session, ReplaySettings settings)
+    {
+        _session = session;
+        _settings = settings;
+        _stampErrors = new RandomStream(settings.Seed, 5);
+        var prediction = SessionReplay.PredictionOf(session.Header.Prediction, settings);
+        foreach (var pose in session.Events)
+        {
+            if (pose.Kind != RecordedSession.EventKind.Pose) continue;
+            var line = session.PoseOf(pose);
+            if (!_bodies.TryGetValue(line.Frame, out var body)) _bodies.Add(line.Frame, body = new Body(prediction.CreateBody, prediction.MaximumGap));
+            body.AddTruth(pose.TimeLine, line.Parent, pose.At, line.Position, line.Rotation);
+        }
+    }
+
+    /// <summary>Gets the result of each object that moves. When cancelled, it has the results so far.</summary>
+    public IReadOnlyList<BodyReplayResult> Run(CancellationToken cancellation = default)
+    {
+        foreach (var next in _session.Events)
+        {
+            if (cancellation.IsCancellationRequested) break;
+            if (next.Kind == RecordedSession.EventKind.Pose) _bodies[_session.PoseOf(next).Frame].Take(_settings.StampError * (2 * _stampErrors.Next() - 1));
+            else if (next.Kind == RecordedSession.EventKind.Frame && next.IsTimed)
+                foreach (var body in _bodies.Values) body.Show(next.TimeLine, next.At, _settings.LatencyError);
+        }
+        return [.. _bodies.Where(body => body.Value.Frames > 0).Select(body => body.Value.Result(body.Key, _settings.Predictor))];
+    }
+
+    /// <summary>The poses of one frame in one parent on one time line, without interruption.</summary>
+    sealed class Stretch(int timeLine, string parent, ControlTime epoch)
+    {
+        BodyTruth _truth;
+
+        public int TimeLine => timeLine;
+        public string Parent => parent;
+        public List<PoseSample> Samples { get; } = [];
+
+        public double Seconds(ControlTime t) => ClockTicks.Seconds(t - epoch);
+
+        // Samples may have overtaken each other, and their order is that of the stamps.
+        public BodyTruth Truth => _truth ??= Samples.Count < 2 ? null : new BodyTruth([.. Samples.DistinctBy(sample => sample.Time).OrderBy(sample => sample.Time)]);
+    }
+
+    sealed class Body(Func<BodyPredictor> newPredictor, TimeSpan maximumGap)
+    {
+        const double MmPerMetre = 1000, DegreesPerRadian = 180 / Math.PI;
+
+        /// <summary>Minimum speeds of a moving object, m/s and rad/s, as in the demo.</summary>
+        const double MinSpeed = 0.001, MinTurning = 0.005;
+
+        readonly List<Stretch> _stretches = [];
+        readonly BodyError _position = new();
+        readonly BodyError _rotation = new();
+        BodyPredictor _predictor;
+        int _stretch = -1, _taken;
+        double _displayed = double.NaN;
+
+        public int Frames { get; private set; }
+
+        public void AddTruth(int timeLine, string parent, ControlTime at, in Vector3D position, in UnitQuaternion rotation)
+        {
+            if (_stretches.Count == 0 || _stretches[^1].TimeLine != timeLine || _stretches[^1].Parent != parent) _stretches.Add(new Stretch(timeLine, parent, at));
+            _stretches[^1].Samples.Add(new PoseSample(_stretches[^1].Seconds(at), position, rotation));
+        }
+
+        /// <summary>Takes the next sample in the order of the file.</summary>
+        public void Take(double stampError)
+        {
+            if (_stretch < 0 || _taken == _stretches[_stretch].Samples.Count)
+            {
+                _stretch++;
+                _taken = 0;
+                _displayed = double.NaN;
+                _predictor = newPredictor();
+            }
+            var sample = _stretches[_stretch].Samples[_taken++];
+            _predictor.Add(new PoseSample(sample.Time + stampError, sample.Position, sample.Rotation, sample.Time), _displayed);
+        }
+
+        public void Show(int timeLine, ControlTime light, double latencyError)
+        {
+            if (_stretch < 0 || _stretches[_stretch].TimeLine != timeLine) return;
+            var stretch = _stretches[_stretch];
+            var time = stretch.Seconds(light);
+            _displayed = time + latencyError;
+            var predicted = _predictor.At(_displayed);
+            if (_taken < SamplesBeforeScoring || stretch.Truth is not { } truth || truth.GapAt(time) > ClockTicks.Seconds(maximumGap) || !IsMoving(truth, time)) return;
+            var (x, y, z, rotation) = truth.At(time);
+            var pose = rotation.At(x, y, z);
+            _position.Add(_predictor.Hold.DistanceTo(pose), predicted.DistanceTo(pose));
+            _rotation.Add(_predictor.Hold.AngleTo(pose), predicted.AngleTo(pose));
+            Frames++;
+        }
+
+        public BodyReplayResult Result(string name, string predictor) => new(
+            name, predictor, Frames, _position.Summary(MmPerMetre), _rotation.Summary(DegreesPerRadian));
+
+        static bool IsMoving(BodyTruth truth, double time)
+        {
+            const double HalfInterval = 0.005;
+            var ((ax, ay, az, before), (bx, by, bz, after)) = (truth.At(time - HalfInterval), truth.At(time + HalfInterval));
+            return new Vector3D(bx - ax, by - ay, bz - az).Length > 2 * HalfInterval * MinSpeed
+                || UnitQuaternion.AngleBetween(before, after) > 2 * HalfInterval * MinTurning;
+        }
+    }
+}
