@@ -233,4 +233,32 @@ public class PlayedObjectTests
 
         Assert.That(_cell.AllocatedIn(() => _cell.Run(1, _session)), Is.Zero);
     }
+
+    [Test]
+    public void Parts_NotCurrent_AreNamedWithTheirFaults()
+    {
+        Below<TrackedObject>("part", _session.transform);
+        Below<TrackedObject>("lid", _session.transform);
+        var parts = _session.Parts;
+        Run(6, t => SendPose("world", "part", t, Along(0.1 * t)));
+
+        parts.Update();
+        Assert.That((parts.Summary, parts.FirstFault), Is.EqualTo(("! 1 not current", "object lid: no pose received")));
+
+        SendPose("world", "lid", _cell.Now - Latency, Along(1));
+        Run(2);
+
+        parts.Update();
+        Assert.That(parts.Summary, Is.EqualTo("! 2 not current"));
+        Assert.That(parts.Faults, Is.EqualTo("object part: its poses have stopped; object lid: its poses have stopped"));
+        var signal = Below<CellSignal>("closed", _session.transform);
+        _session.transform.Find("part").gameObject.SetActive(false);
+        Run(0.1);
+        parts.Update();
+        Assert.That(parts.Faults, Is.EqualTo("object lid: its poses have stopped; signal closed: " + signal.Fault), "a hidden object is not shown");
+        Run(1, t => SendPose("world", "lid", t, Along(1)));
+        signal.gameObject.SetActive(false);
+        parts.Update();
+        Assert.That((parts.Summary, parts.Faults), Is.EqualTo(("1 current", (string)null)));
+    }
 }

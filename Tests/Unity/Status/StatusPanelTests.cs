@@ -247,4 +247,22 @@ public class StatusPanelTests
         Assert.That(UnityEngine.Object.FindObjectsOfType<Transform>(true), Is.Empty);
         Assert.That(_played.Cell.Player.Logs.Where(l => l.Exception != null), Is.Empty);
     }
+
+    [Test]
+    public void LateUpdate_ObjectWithoutPose_HasARowAndIsNamedOnTop()
+    {
+        var lid = new GameObject("lid");
+        lid.transform.SetParent(_played.Session.transform, false);
+        lid.AddComponent<TrackedObject>();
+
+        _played.Play(10);
+
+        Assert.That(_played.Row("Pose").Value, Is.EqualTo("current"));
+        Assert.That(_played.Row("Objects").Value, Is.EqualTo("! 1 not current"));
+        Assert.That(_played.Row("Objects").Note, Does.StartWith("object lid: no"));
+        Assert.That(_played.Text("Message 0").Replace('\n', ' '), Is.EqualTo("! object lid: no pose received"));
+        UnityEngine.Object.DestroyImmediate(lid);
+        _played.Run(1);
+        Assert.That(_played.Texts.Select(text => text.text), Has.None.EqualTo("Objects"));
+    }
 }

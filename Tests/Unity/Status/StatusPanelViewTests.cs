@@ -7,6 +7,7 @@ using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Sync;
 using Nowpose.Unity;
+using Nowpose.Unity.Cell;
 using Nowpose.Unity.Status;
 using Nowpose.UnityPlayer;
 using NUnit.Framework;
@@ -147,6 +148,16 @@ public sealed class StatusPanelViewTests(string scene)
             texts.Update(statistics, Network, "youbot", null);
             yield return ($"{joints} joints without data", texts);
         }
+        foreach (var count in new[] { 1, 256 })
+        {
+            var parts = new ShownParts();
+            for (var i = 0; i < count; i++) parts.Add(new Part("object WORKPIECE_WITH_A_LONG_NAME_" + i, new string('W', 128)));
+            var texts = new StatusTexts();
+            var statistics = new SessionStatistics();
+            typeof(SessionStatistics).GetProperty("Pose", Declared).SetValue(statistics, PoseState.Current);
+            texts.Update(statistics, Network, "youbot", null, parts: parts);
+            yield return ($"{count} objects that are not current", texts);
+        }
         foreach (var problem in new[] { "settings: missing", string.Join(" ", Enumerable.Repeat("the gateway at 192.168.100.200:47010", 30)) })
         {
             var texts = new StatusTexts();
@@ -157,6 +168,8 @@ public sealed class StatusPanelViewTests(string scene)
 
     static readonly SessionSettings Network =
         new(new ConnectionSettings("192.168.100.200", insecureLan: true), VisualisationLatency.FromMilliseconds(40));
+
+    sealed record Part(string Title, string Fault) : IShownPart;
 
     static TimeSpan Ms(double ms) => TimeSpan.FromMilliseconds(ms);
 

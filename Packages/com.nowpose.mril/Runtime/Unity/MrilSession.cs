@@ -2,6 +2,7 @@ using System;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Session;
+using Nowpose.Unity.Cell;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using UnityEngine;
@@ -58,6 +59,9 @@ namespace Nowpose.Unity
 
         readonly SessionWatch _watch = new SessionWatch();
         readonly FrameStatistics _statistics = new FrameStatistics();
+
+        /// <summary>The objects and signals of the cell that components show in this session.</summary>
+        internal readonly ShownParts Parts = new ShownParts();
         readonly DeviceWatch _device = new DeviceWatch();
         readonly KeptDisplay _display = new KeptDisplay();
         SessionChangeQueue _changes;

@@ -72,7 +72,7 @@ namespace Nowpose.Unity
             if (_cells == null) MakeCells();
             _texts.ShowsJointErrors = _showJoints;
             if (_source == null) _texts.Update(null, null, null, null);
-            else _texts.Update(_source.Statistics, _source.Settings, _source.Robot?.Name, _source.Problem, _anchor, _pairing);
+            else _texts.Update(_source.Statistics, _source.Settings, _source.Robot?.Name, _source.Problem, _anchor, _pairing, _source.Parts);
             _cells.Show(_texts);
             var viewer = Viewer.Head;
             if (viewer == null) return;

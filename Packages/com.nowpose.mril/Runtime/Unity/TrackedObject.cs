@@ -1,6 +1,7 @@
 using Nowpose.Frames;
 using Nowpose.Session;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -14,7 +15,7 @@ namespace Nowpose.Unity
     [AddComponentMenu("Nowpose/Tracked Object")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(PoseAppearance))]
-    public sealed class TrackedObject : MonoBehaviour
+    public sealed class TrackedObject : MonoBehaviour, IShownPart
     {
         [SerializeField, Tooltip("The session that receives the object. Empty: the session on this object or a parent.")]
         MrilSession _session = null;
@@ -26,6 +27,7 @@ namespace Nowpose.Unity
         Transform _world;
         CompensationSession _followed;
         CellFrame _shown;
+        string _title;
 
         /// <summary>Name of the frame.</summary>
         public string Frame => string.IsNullOrEmpty(_frame) ? name : _frame;
@@ -35,6 +37,22 @@ namespace Nowpose.Unity
 
         /// <summary>Whether the object is shown where it is at the display time, and otherwise why not.</summary>
         public PoseState State => _followed == null ? PoseState.Incomplete : _followed.Frames.StateOf(_shown);
+
+        string IShownPart.Title => _title;
+
+        string IShownPart.Fault
+        {
+            get
+            {
+                switch (State)
+                {
+                    case PoseState.Current: return null;
+                    case PoseState.Incomplete: return _shown == null ? "no pose received" : "its parent is unknown";
+                    case PoseState.Held: return "its poses have stopped";
+                    default: return PoseWords.Of(State);
+                }
+            }
+        }
 
         void OnEnable()
         {
@@ -46,12 +64,15 @@ namespace Nowpose.Unity
             }
             _world = CellPlace.WorldOf(this, _source);
             _source.Shown += Show;
+            _title = "object " + Frame;
+            _source.Parts.Add(this);
         }
 
         void OnDisable()
         {
             if (_source is null) return;
             _source.Shown -= Show;
+            _source.Parts.Remove(this);
             _source = null;
             _followed = null;
             _shown = null;

@@ -8,10 +8,11 @@ using UnityEngine;
 namespace Nowpose.Unity.Cell
 {
     /// <summary>Follows one signal over all sessions of a session component. Allocates nothing in a frame.</summary>
-    sealed class SignalFollower
+    sealed class SignalFollower : IShownPart
     {
         readonly MrilSession _source;
         readonly string _name;
+        readonly string _title;
         readonly Action<SignalTrack> _changed;
         CompensationSession _session;
 
@@ -20,7 +21,9 @@ namespace Nowpose.Unity.Cell
             _source = source;
             _name = name;
             _changed = changed;
+            _title = "signal " + name;
             _source.Shown += Show;
+            _source.Parts.Add(this);
         }
 
         /// <summary>The signal; null while no value is known.</summary>
@@ -28,6 +31,8 @@ namespace Nowpose.Unity.Cell
 
         /// <summary>Why the value is not current, in one line; null if it is.</summary>
         public string Fault => _session == null ? "no session" : _session.Signals.FaultOf(_name, _session.SampleLink.State == LinkState.Connected);
+
+        string IShownPart.Title => _title;
 
         /// <summary>Starts to follow a signal in the session of a component.</summary>
         /// <param name="what">Kind and name of the component, for the warning if it has no session.</param>
@@ -44,6 +49,7 @@ namespace Nowpose.Unity.Cell
         /// <summary>Ends following.</summary>
         public void Leave()
         {
+            _source.Parts.Remove(this);
             _source.Shown -= Show;
             Follow(null);
         }

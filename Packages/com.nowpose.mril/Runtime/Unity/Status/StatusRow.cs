@@ -16,6 +16,9 @@ namespace Nowpose.Unity.Status
         Robot,
         Base,
 
+        /// <summary>Objects and signals of the cell; uses no space where the scene shows none.</summary>
+        Objects,
+
         /// <summary>Description of the problem. Uses the whole width above the other rows, and no space without a text.</summary>
         Message,
     }

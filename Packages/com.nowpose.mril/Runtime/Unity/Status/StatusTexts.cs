@@ -3,6 +3,7 @@ using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Sync;
+using Nowpose.Unity.Cell;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 
@@ -24,7 +25,7 @@ namespace Nowpose.Unity.Status
 
         static readonly string[] Labels =
         {
-            "Pose", "Clock", "L_app", "L_visu", "Horizon", "Render time", "Range", "Error reduction", "Error left", "Gateway", "Robot", "Base", "",
+            "Pose", "Clock", "L_app", "L_visu", "Horizon", "Render time", "Range", "Error reduction", "Error left", "Gateway", "Robot", "Base", "Objects", "",
         };
 
         static readonly string[] Poses = WordsOfPoses();
@@ -48,7 +49,7 @@ namespace Nowpose.Unity.Status
         readonly BaseTexts _base = new BaseTexts();
         readonly JointStatusLine _missingJoints, _restingJoints;
         bool _isLocal;
-        string _message, _robot, _robotNote;
+        string _message, _robot, _robotNote, _part, _partNote;
 
         /// <summary>Number of lines of the message; 0 if there is none.</summary>
         public int MessageLines { get; private set; }
@@ -82,9 +83,10 @@ namespace Nowpose.Unity.Status
         /// <param name="problem">Why no session exists; null without a problem.</param>
         /// <param name="anchor">Anchor of the base; null for none.</param>
         /// <param name="pairing">Pairing of the session; null for none.</param>
+        /// <param name="parts">Shown objects and signals of the cell; null for none.</param>
         public void Update(
             SessionStatistics statistics, SessionSettings settings, string robot, string problem, BaseAnchor anchor = null,
-            CellPairing pairing = null)
+            CellPairing pairing = null, ShownParts parts = null)
         {
             for (var row = StatusRow.Pose; row < StatusRow.Message; row++) Set(row, Unknown, "");
             if (statistics != null)
@@ -96,11 +98,13 @@ namespace Nowpose.Unity.Status
                 Set(StatusRow.Robot, RobotOf(statistics), NoteOf(robot));
             }
             if (anchor != null) Set(StatusRow.Base, BaseTexts.ValueOf(anchor.State), _base.NoteOf(anchor));
+            parts?.Update();
+            Set(StatusRow.Objects, parts?.Summary ?? "", NoteOf(parts));
             var isPairing = pairing != null;
             // The pairing comes first, because connections and base depend on it.
             var obstacle = problem ?? (isPairing ? pairing.Obstacle : null);
             var guidance = obstacle == null && isPairing ? pairing.Guidance : null;
-            var fault = obstacle ?? FaultOf(statistics) ?? _missingJoints.Of(statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
+            var fault = obstacle ?? FaultOf(statistics) ?? _missingJoints.Of(statistics) ?? FaultOf(parts, statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
                 ?? statistics?.BeyondLimits?.Words ?? DisplayWords.ProblemOf(statistics)
                 ?? (IsMismatched(statistics) ? statistics.ProfileMismatches[0].Words : null);
             if (guidance != null) SetMessage(guidance, "");
@@ -148,6 +152,18 @@ namespace Nowpose.Unity.Status
             _robot = robot;
             return _robotNote ?? "";
         }
+
+        // Also a name of any length.
+        string NoteOf(ShownParts parts)
+        {
+            var fault = parts?.FirstFault ?? "";
+            if (fault != _part) _partNote = WrappedText.Of(fault, PanelCells.NoteWidth, lines: 1);
+            _part = fault;
+            return _partNote ?? "";
+        }
+
+        // While the robot is not current either, the row of the pose contains the same information.
+        static string FaultOf(ShownParts parts, SessionStatistics statistics) => statistics?.Pose == PoseState.Current ? parts?.Faults : null;
 
         // Evaluated only for new settings, because reading an address allocates.
         void Follow(SessionSettings settings)

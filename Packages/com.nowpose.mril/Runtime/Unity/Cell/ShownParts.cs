@@ -1,0 +1,72 @@
+using System.Collections.Generic;
+using System.Text;
+
+namespace Nowpose.Unity.Cell
+{
+    /// <summary>An object or signal of the cell that a component shows.</summary>
+    interface IShownPart
+    {
+        /// <summary>Kind and name, such as "object workpiece_1".</summary>
+        string Title { get; }
+
+        /// <summary>Why it is not current, in one line; null if it is.</summary>
+        string Fault { get; }
+    }
+
+    /// <summary>The objects and signals of the cell that components show, and the faults of those that are not current.</summary>
+    sealed class ShownParts
+    {
+        readonly List<IShownPart> _parts = new List<IShownPart>();
+        readonly List<(string Title, string Fault)> _described = new List<(string, string)>();
+        readonly List<(string Title, string Fault)> _faults = new List<(string, string)>();
+        int _count = -1;
+
+        public int Count => _parts.Count;
+
+        /// <summary>Number of those that are not current, at the last <see cref="Update"/>.</summary>
+        public int FaultCount => _faults.Count;
+
+        /// <summary>The number of parts and, if any is not current, of these; constant while both are.</summary>
+        public string Summary { get; private set; } = "";
+
+        /// <summary>Title and fault of each part that is not current; null if all are. Constant while nothing changes.</summary>
+        public string Faults { get; private set; }
+
+        /// <summary>Title and fault of the first part that is not current; empty if all are.</summary>
+        public string FirstFault { get; private set; } = "";
+
+        public void Add(IShownPart part) => _parts.Add(part);
+
+        public void Remove(IShownPart part) => _parts.Remove(part);
+
+        /// <summary>Reads the state of all parts. Allocates only when it has changed.</summary>
+        public void Update()
+        {
+            _faults.Clear();
+            foreach (var part in _parts)
+                if (part.Fault is string fault) _faults.Add((part.Title, fault));
+            if (_count == _parts.Count && IsSame()) return;
+            _count = _parts.Count;
+            _described.Clear();
+            _described.AddRange(_faults);
+            Summary = _count == 0 ? "" : _faults.Count == 0 ? _count + " current" : "! " + _faults.Count + " not current";
+            FirstFault = _faults.Count == 0 ? "" : _faults[0].Title + ": " + _faults[0].Fault;
+            Faults = _faults.Count == 0 ? null : Described();
+        }
+
+        bool IsSame()
+        {
+            if (_described.Count != _faults.Count) return false;
+            for (var i = 0; i < _faults.Count; i++)
+                if (_described[i] != _faults[i]) return false;
+            return true;
+        }
+
+        string Described()
+        {
+            var text = new StringBuilder();
+            foreach (var (title, fault) in _faults) text.Append(text.Length == 0 ? "" : "; ").Append(title).Append(": ").Append(fault);
+            return text.ToString();
+        }
+    }
+}
