@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Unity.Status
         static readonly SessionSettings Plain = new SessionSettings(new ConnectionSettings("192.168.0.5", insecureLan: true), default);
 
         [Test]
-        public void Update_WithoutStatistics_ShowsDashes()
+        public void Update_WithoutStatistics_ShowsDashesAndNoRowOfObjects()
         {
             var texts = new StatusTexts();
 
@@ -31,9 +31,10 @@ namespace Nowpose.Tests.Unity.Status
 
             for (var row = StatusRow.Pose; row < StatusRow.Message; row++)
             {
-                Assert.That(texts.ValueOf(row), Is.EqualTo("–"), row.ToString());
+                Assert.That(texts.ValueOf(row), Is.EqualTo(row == StatusRow.Objects ? "" : "–"), row.ToString());
                 Assert.That(texts.NoteOf(row), Is.Empty, row.ToString());
             }
+            Assert.That(texts.IsShown(StatusRow.Objects), Is.False, "a cell without objects has no row of them");
             Assert.That(texts.ValueOf(StatusRow.Message), Is.Empty);
         }
 
