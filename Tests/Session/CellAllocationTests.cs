@@ -11,7 +11,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>Allocations of a frame with many objects, signals and two robots.</summary>
+/// <summary>Allocations of a frame with many objects, signals and two robots, of which one picks and places an object every second.</summary>
 [NonParallelizable] // counts garbage
 public class CellAllocationTests
 {
@@ -40,6 +40,7 @@ public class CellAllocationTests
             if (i >= 600) allocated += GC.GetAllocatedBytesForCurrentThread() - before;
         }
 
+        Assert.That(session.Frames.Find(names[0]).State, Is.EqualTo(FrameState.Current));
         Assert.That(session.Frames.Find(names[^1]).State, Is.EqualTo(FrameState.Current));
         Assert.That(session.Robots[1].Frame.State, Is.EqualTo(PoseState.Current));
         Assert.That(allocated, Is.Zero);
@@ -49,7 +50,8 @@ public class CellAllocationTests
     {
         var arrival = HeadsetTime.FromSeconds(t + 0.08);
         var stamp = ControlTime.FromSeconds(t);
-        var poses = names.Select((name, i) => RigidTransform.FromXyzRpy(Math.Sin(t + i), Math.Cos(t), i, 0, 0, t).ToTransform(stamp, FrameParents.World, name));
+        var poses = names.Select((name, i) => RigidTransform.FromXyzRpy(Math.Sin(t + i), Math.Cos(t), i, 0, 0, t).ToTransform(
+            stamp, i == 0 && Math.Round(t / Interval) % 20 < 10 ? "arm2/arm_link_5" : FrameParents.World, name));
         session.Listener.FramesReceived(new TransformsMessage(poses.ToArray()), false, arrival);
         session.Listener.SignalsReceived(new SignalsMessage(stamp, new SignalValue("running", Math.Round(t) % 2)), arrival);
         foreach (var robot in new[] { "", "arm2" })

@@ -12,15 +12,20 @@ namespace Nowpose.Frames
         /// <summary>Maximum number of poses in a new parent that wait for the next display frame; further ones replace the newest.</summary>
         const int MaxWaiting = 8;
 
+        /// <summary>Differences up to these are rounding, not a movement, m and rad.</summary>
+        const double SamePosition = 1e-6, SameRotation = 1e-6;
+
         readonly Func<BodyPredictor> _newPredictor;
         readonly FrameTransform[] _waiting = new FrameTransform[MaxWaiting];
         BodyPredictor _predictor;
-        RigidTransform _fixed;
+        RigidTransform _given = RigidTransform.Identity;
         RigidTransform? _shown;
         ControlTime? _newest;
         HandOver _handOver;
+        string _parent;
+        ReachPlace _reach, _nextReach;
         int _waitingCount;
-        bool _isNextStationary, _hasPose;
+        bool _isStationary, _isNextStationary, _isReachWaiting, _hasPose;
 
         /// <param name="newPredictor">Creates the predictor for the first pose of a tracked frame; stationary ones need none.</param>
         public CellFrame(string name, Func<BodyPredictor> newPredictor)
@@ -31,28 +36,42 @@ namespace Nowpose.Frames
 
         public string Name { get; }
 
-        /// <summary>Name of the parent in which the displayed pose is given.</summary>
-        public string Parent { get; private set; }
+        /// <summary>Name of the parent in which the displayed pose is given: a gripper's link while the object is in its reach and held.</summary>
+        public string Parent => _reach?.Parent ?? _parent;
 
-        public bool IsStationary { get; private set; }
+        /// <summary>Name of the parent in the poses that are received.</summary>
+        public string SourceParent => _parent;
 
-        /// <summary>Whether poses in another parent wait for the next display frame.</summary>
-        public bool IsBeingHandedOver => _waitingCount > 0;
+        /// <summary>Whether the displayed pose is one of /tf_static.</summary>
+        public bool IsStationary => _isStationary && _reach == null;
+
+        /// <summary>The place that a gripper has given the object, from the next display frame on; null if its own source places it.</summary>
+        public ReachPlace Reach => _isReachWaiting ? _nextReach : _reach;
+
+        /// <summary>Whether another parent waits for the next display frame.</summary>
+        public bool IsBeingHandedOver => _waitingCount > 0 || _isReachWaiting;
 
         /// <summary>Displayed pose in the world, right-handed, metres.</summary>
         public RigidTransform World { get; private set; } = RigidTransform.Identity;
 
+        /// <summary>Newest pose in the parent, which a display without compensation shows; the identity before the first.</summary>
+        public RigidTransform Held => _reach != null ? _reach.Pose : _given;
+
         public FrameState State { get; private set; }
 
         /// <summary>Stamp of the newest pose; null before the first, and for a stationary frame.</summary>
-        public ControlTime? Newest => IsStationary ? null : _newest;
+        public ControlTime? Newest => _isStationary ? null : _newest;
 
         /// <summary>Adds a received pose, whose parent may be another one than before.</summary>
         /// <param name="epoch">Time from which the predictor counts.</param>
         public DropReason Add(in FrameTransform pose, bool isStationary, ControlTime epoch)
         {
-            if (Parent == null) Begin(pose, isStationary);
-            if (pose.Parent == Parent && isStationary == IsStationary && !IsBeingHandedOver) return Take(pose, epoch);
+            if (_parent == null) Begin(pose, isStationary);
+            if (pose.Parent == _parent && isStationary == _isStationary && _waitingCount == 0)
+            {
+                if (IsMovedBy(pose)) Put(null);
+                return Take(pose, epoch);
+            }
             if (_waitingCount > 0 && _waiting[0].Parent != pose.Parent) _waitingCount = 0;
             if (_waitingCount == MaxWaiting) _waitingCount--;
             _waiting[_waitingCount++] = pose;
@@ -60,13 +79,38 @@ namespace Nowpose.Frames
             return DropReason.None;
         }
 
+        /// <summary>Gives the object a place by a gripper's reach from the next display frame on, as for a change of the parent.</summary>
+        /// <param name="place">Null: the object's own source places it again.</param>
+        public void Put(ReachPlace place)
+        {
+            _nextReach = place;
+            _isReachWaiting = true;
+        }
+
+        /// <summary>Returns the pose in <see cref="SourceParent"/> at another time than the displayed one, as its source says.</summary>
+        /// <param name="time">Time since the epoch, s.</param>
+        public RigidTransform PoseAt(double time, out PoseOrigin origin)
+        {
+            origin = PoseOrigin.Measured;
+            if (_isStationary) return _given;
+            var pose = _predictor.At(time, out var kind);
+            origin = kind == PredictionKind.None ? PoseOrigin.None
+                : kind == PredictionKind.Held || _predictor.NewestTime < time ? PoseOrigin.Forecast : PoseOrigin.Measured;
+            return pose;
+        }
+
         /// <summary>
-        /// Changes to the parent of the waiting poses. The history starts again with them, and the displayed pose goes on from
+        /// Changes to the parent of the waiting poses, or to the place by a gripper's reach. With another parent, the history starts again with them, and the displayed pose goes on from
         /// <see cref="World"/>, which must be the one that the former parent gives at the next display time.
         /// </summary>
         public void ChangeParent(ControlTime epoch)
         {
             if (_hasPose) _shown = World;
+            if (_isReachWaiting) _reach = _nextReach;
+            _isReachWaiting = false;
+            if (_waitingCount == 0) return;
+            // The object's source decides: it has given it another parent.
+            _reach = null;
             Begin(_waiting[0], _isNextStationary);
             for (var i = 0; i < _waitingCount; i++) Take(_waiting[i], epoch);
             _waitingCount = 0;
@@ -78,7 +122,8 @@ namespace Nowpose.Frames
         public void Evaluate(double time, in RigidTransform parent, bool isParentCurrent)
         {
             var kind = PredictionKind.Interpolated;
-            var pose = IsStationary ? _fixed : double.IsNaN(time) ? _predictor.Newest(out kind) : _predictor.At(time, out kind);
+            var pose = _reach != null ? _reach.Pose
+                : _isStationary ? _given : double.IsNaN(time) ? _predictor.Newest(out kind) : _predictor.At(time, out kind);
             State = kind == PredictionKind.None ? FrameState.Missing
                 : kind == PredictionKind.Held ? FrameState.Held
                 : isParentCurrent ? FrameState.Current : FrameState.ParentNotCurrent;
@@ -99,15 +144,26 @@ namespace Nowpose.Frames
             _waitingCount = 0;
             _handOver = default;
             _shown = null;
-            if (IsStationary) return;
+            _reach = Reach?.WithoutTime();
+            _isReachWaiting = false;
+            if (_isStationary) return;
             _predictor.Reset();
             _newest = null;
         }
 
+        // A source that does not know that a gripper has moved the object repeats the pose from before.
+        bool IsMovedBy(in FrameTransform pose)
+        {
+            if (Reach?.IsReleased != true || !(pose.Stamp > Reach.Since)) return false;
+            var difference = _given.Inverse * pose.ToPose();
+            return new Vector3D(difference.X, difference.Y, difference.Z).Length > SamePosition
+                || UnitQuaternion.Of(difference).Log().Length > SameRotation;
+        }
+
         void Begin(in FrameTransform pose, bool isStationary)
         {
-            Parent = pose.Parent;
-            IsStationary = isStationary;
+            _parent = pose.Parent;
+            _isStationary = isStationary;
             if (!isStationary) _predictor ??= _newPredictor();
             _predictor?.Reset();
             _newest = null;
@@ -115,15 +171,15 @@ namespace Nowpose.Frames
 
         DropReason Take(in FrameTransform pose, ControlTime epoch)
         {
-            if (IsStationary)
+            if (_isStationary)
             {
-                _fixed = pose.ToPose();
+                _given = pose.ToPose();
                 return DropReason.None;
             }
             UnitQuaternion.TryNormalise(pose.Qx, pose.Qy, pose.Qz, pose.Qw, out var rotation);
             var outcome = _predictor.Add(new PoseSample(
                 ClockTicks.Seconds(pose.Stamp - epoch), new Vector3D(pose.X, pose.Y, pose.Z), rotation));
-            if (!(pose.Stamp <= _newest) || outcome == SampleOutcome.StartedAnew) _newest = pose.Stamp;
+            if (!(pose.Stamp <= _newest) || outcome == SampleOutcome.StartedAnew) (_newest, _given) = (pose.Stamp, rotation.At(pose.X, pose.Y, pose.Z));
             return outcome == SampleOutcome.Duplicate ? DropReason.DuplicateSample
                 : outcome == SampleOutcome.TooOld ? DropReason.LateSample : DropReason.None;
         }

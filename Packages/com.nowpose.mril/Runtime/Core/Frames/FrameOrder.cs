@@ -11,18 +11,33 @@ namespace Nowpose.Frames
     {
         readonly List<CellFrame> _frames;
         readonly Dictionary<string, int> _indices;
-        readonly List<IRobotLinks> _robots;
+        readonly List<IRobotLinks> _robots = new List<IRobotLinks>();
+        readonly List<string> _rootNames = new List<string>();
+        // By their names as parents, so that a change of the structure allocates nothing.
+        readonly Dictionary<string, (int Robot, int Link)> _links = new Dictionary<string, (int, int)>(StringComparer.Ordinal);
         readonly List<int> _roots = new List<int>();
         Place[] _places = Array.Empty<Place>();
+        int[] _placeOf = Array.Empty<int>();
         bool[] _isPlaced = Array.Empty<bool>();
         int _count;
 
-        public FrameOrder(List<CellFrame> frames, Dictionary<string, int> indices, List<IRobotLinks> robots)
+        public FrameOrder(List<CellFrame> frames, Dictionary<string, int> indices)
         {
             _frames = frames;
             _indices = indices;
-            _robots = robots;
         }
+
+        /// <summary>Adds a robot, whose links become parents.</summary>
+        public void Add(IRobotLinks robot)
+        {
+            for (var link = 0; link < robot.Robot.Links.Count; link++)
+                _links.TryAdd(RobotTopic.Qualified(robot.Namespace, robot.Robot.Links[link].Name), (_robots.Count, link));
+            _robots.Add(robot);
+            _rootNames.Add(RobotTopic.Qualified(robot.Namespace, robot.Robot.Root.Name));
+        }
+
+        /// <summary>Returns the index of a robot; −1 if it is not one of the cell.</summary>
+        public int IndexOf(IRobotLinks robot) => _robots.IndexOf(robot);
 
         /// <summary>All frames, a parent before its children.</summary>
         public ReadOnlySpan<Place> Places => new ReadOnlySpan<Place>(_places, 0, _count);
@@ -31,8 +46,9 @@ namespace Nowpose.Frames
         public void Arrange()
         {
             _roots.Clear();
-            foreach (var robot in _robots) _roots.Add(IndexOf(RootNameOf(robot)));
-            if (_places.Length < _frames.Count) (_places, _isPlaced) = (new Place[2 * _frames.Count], new bool[2 * _frames.Count]);
+            foreach (var root in _rootNames) _roots.Add(IndexOf(root));
+            if (_places.Length < _frames.Count)
+                (_places, _placeOf, _isPlaced) = (new Place[2 * _frames.Count], new int[2 * _frames.Count], new bool[2 * _frames.Count]);
             Array.Clear(_isPlaced, 0, _isPlaced.Length);
             _count = 0;
             for (var i = 0; i < _frames.Count; i++) Put(i);
@@ -59,53 +75,100 @@ namespace Nowpose.Frames
         /// <param name="robot">Index of the robot; one that was added after the last arrangement is in the world's origin.</param>
         public RigidTransform RootOf(int robot, out bool isCurrent)
         {
-            var root = robot < _roots.Count ? _roots[robot] : -1;
+            var root = RootIndexOf(robot);
             isCurrent = root < 0 || _frames[root].State == FrameState.Current;
             return root < 0 ? RigidTransform.Identity : _frames[root].World;
         }
 
+        /// <summary>Returns the pose of a frame in the world by the newest poses and joint positions of all above it.</summary>
+        /// <param name="frame">Index of the frame, known at the last arrangement.</param>
+        /// <returns>The displayed pose if the parent is unknown.</returns>
+        public RigidTransform HeldOf(int frame)
+        {
+            var place = _places[_placeOf[frame]];
+            var pose = _frames[frame].Held;
+            if (place.Robot >= 0)
+            {
+                var root = _roots[place.Robot];
+                var link = _robots[place.Robot].HeldPoses[place.Parent] * pose;
+                return root < 0 ? link : HeldOf(root) * link;
+            }
+            if (place.Parent >= 0) return HeldOf(place.Parent) * pose;
+            return place.IsInWorld ? pose : _frames[frame].World;
+        }
+
+        /// <summary>Returns the pose of a frame in the world at another time than the displayed one.</summary>
+        /// <param name="frame">Index of the frame, known at the last arrangement.</param>
+        /// <param name="at">The time, and the same in seconds since the epoch of the predictors.</param>
+        /// <param name="reach">The place that a gripper has given the frame; null if its own source places it.</param>
+        public RigidTransform PoseAt(int frame, ReachPlace reach, (ControlTime Time, double Seconds) at, out PoseOrigin origin)
+        {
+            origin = PoseOrigin.Measured;
+            var pose = reach != null ? reach.Pose : _frames[frame].PoseAt(at.Seconds, out origin);
+            var place = PlaceIn(frame, reach?.Parent ?? _frames[frame].SourceParent);
+            if (place.IsInWorld) return pose;
+            var above = PoseOrigin.None;
+            if (place.Robot >= 0) pose = LinkAt(place.Robot, place.Parent, at, out above) * pose;
+            else if (place.Parent >= 0) pose = PoseAt(place.Parent, _frames[place.Parent].Reach, at, out above) * pose;
+            if (above < origin) origin = above;
+            return pose;
+        }
+
+        /// <summary>Returns the pose of a robot's link in the world at another time than the displayed one.</summary>
+        public RigidTransform LinkAt(int robot, int link, (ControlTime Time, double Seconds) at, out PoseOrigin origin)
+        {
+            var pose = _robots[robot].PoseAt(link, at.Time, out origin);
+            var root = RootIndexOf(robot);
+            if (root < 0) return pose;
+            pose = PoseAt(root, _frames[root].Reach, at, out var below) * pose;
+            if (below < origin) origin = below;
+            return pose;
+        }
+
+        /// <summary>Returns whether a robot stands on a frame, so that its links move with it.</summary>
+        public bool IsBelow(int robot, int frame)
+        {
+            for (var at = RootIndexOf(robot); at >= 0;)
+            {
+                if (at == frame) return true;
+                var place = _places[_placeOf[at]];
+                at = place.Robot >= 0 ? RootIndexOf(place.Robot) : place.Parent;
+            }
+            return false;
+        }
+
+        // −1 also for a robot that was added after the last arrangement.
+        int RootIndexOf(int robot) => robot >= 0 && robot < _roots.Count ? _roots[robot] : -1;
+
+        /// <summary>Returns whether a name is that of a robot's link, and of no frame.</summary>
+        public bool IsLink(string name) => IndexOf(name) < 0 && _links.ContainsKey(name);
+
         /// <summary>Returns the root link of the robot to which a link belongs; null for a frame that is not a link.</summary>
-        public string RootOfLink(string frame) => TryFindLink(frame, out var robot, out _) ? RootNameOf(_robots[robot]) : null;
+        public string RootOfLink(string frame) => _links.TryGetValue(frame, out var link) ? _rootNames[link.Robot] : null;
 
         void Put(int index)
         {
             if (_isPlaced[index]) return;
             _isPlaced[index] = true;
-            var parent = _frames[index].Parent;
-            Place place;
-            // A frame with the name of a link, such as a robot's root, has a pose of its own.
-            if (parent == FrameParents.World) place = new Place(index, -1, -1, isInWorld: true);
-            else if (IndexOf(parent) is int known && known >= 0)
-            {
-                Put(known);
-                place = new Place(index, known, -1, isInWorld: false);
-            }
-            else if (TryFindLink(parent, out var robot, out var link))
-            {
-                if (_roots[robot] >= 0) Put(_roots[robot]);
-                place = new Place(index, link, robot, isInWorld: false);
-            }
-            else place = new Place(index, -1, -1, isInWorld: false);
+            var place = PlaceIn(index, _frames[index].Parent);
+            var above = place.Robot < 0 ? place.Parent : _roots[place.Robot];
+            if (above >= 0) Put(above);
+            _placeOf[index] = _count;
             _places[_count++] = place;
         }
 
-        bool TryFindLink(string frame, out int robot, out int link)
+        // A frame with the name of a link, such as a robot's root, has a pose of its own.
+        Place PlaceIn(int index, string parent)
         {
-            link = -1;
-            for (robot = 0; robot < _robots.Count; robot++)
-            {
-                var prefix = RobotTopic.Qualified(_robots[robot].Namespace, "");
-                if (!frame.StartsWith(prefix, StringComparison.Ordinal)) continue;
-                link = _robots[robot].Robot.IndexOfLink(frame.Substring(prefix.Length));
-                if (link >= 0) return true;
-            }
-            return false;
+            if (parent == FrameParents.World) return new Place(index, -1, -1, isInWorld: true);
+            var known = IndexOf(parent);
+            if (known >= 0) return new Place(index, known, -1, isInWorld: false);
+            return _links.TryGetValue(parent, out var link)
+                ? new Place(index, link.Link, link.Robot, isInWorld: false) : new Place(index, -1, -1, isInWorld: false);
         }
 
         /// <summary>Returns the index of a frame; −1 if it is unknown.</summary>
         public int IndexOf(string name) => _indices.TryGetValue(name, out var index) ? index : -1;
-
-        static string RootNameOf(IRobotLinks robot) => RobotTopic.Qualified(robot.Namespace, robot.Robot.Root.Name);
 
         /// <summary>A frame and its parent.</summary>
         public readonly struct Place

@@ -17,7 +17,6 @@ namespace Nowpose.Frames
         readonly Func<BodyPredictor> _newPredictor;
         readonly List<CellFrame> _frames = new List<CellFrame>();
         readonly Dictionary<string, int> _indices = new Dictionary<string, int>(StringComparer.Ordinal);
-        readonly List<IRobotLinks> _robots = new List<IRobotLinks>();
         readonly FrameParents _parents;
         readonly FrameOrder _order;
         ControlTime? _epoch;
@@ -27,7 +26,7 @@ namespace Nowpose.Frames
         public FrameTree(Func<BodyPredictor> newPredictor)
         {
             _newPredictor = newPredictor;
-            _order = new FrameOrder(_frames, _indices, _robots);
+            _order = new FrameOrder(_frames, _indices);
             _parents = new FrameParents(_order.RootOfLink);
         }
 
@@ -42,7 +41,7 @@ namespace Nowpose.Frames
         /// <summary>Adds a robot, whose links become parents. A frame with the name of its root link moves the robot.</summary>
         public void Add(IRobotLinks robot)
         {
-            _robots.Add(robot);
+            _order.Add(robot);
             _isChanged = true;
         }
 
@@ -53,7 +52,7 @@ namespace Nowpose.Frames
         public DropReason Add(in FrameTransform pose, bool isStationary)
         {
             var index = IndexOf(pose.Child);
-            if (index >= 0 && !isStationary && _frames[index].Parent != pose.Parent && pose.Stamp <= _frames[index].Newest)
+            if (index >= 0 && !isStationary && _frames[index].SourceParent != pose.Parent && pose.Stamp <= _frames[index].Newest)
                 return DropReason.LateSample;
             var reason = _parents.TrySet(pose.Child, pose.Parent);
             if (reason != DropReason.None) return reason;
@@ -70,16 +69,56 @@ namespace Nowpose.Frames
             return reason;
         }
 
+        /// <summary>Returns the index of a robot; −1 if it is not one of the cell.</summary>
+        public int IndexOf(IRobotLinks robot) => _order.IndexOf(robot);
+
+        /// <summary>Gives an object a place by a gripper's reach from the next display frame on, as for a change of its parent.</summary>
+        /// <param name="place">Null: the object's own source places it again.</param>
+        public void Put(int index, ReachPlace place)
+        {
+            _frames[index].Put(place);
+            _isHandedOver = true;
+        }
+
+        /// <summary>Returns the pose of a frame in the world at another time than the displayed one.</summary>
+        /// <param name="reach">The place that a gripper has given the frame; null if its own source places it.</param>
+        public RigidTransform PoseAt(int index, ReachPlace reach, ControlTime at, out PoseOrigin origin)
+        {
+            Arrange();
+            return _order.PoseAt(index, reach, MomentOf(at), out origin);
+        }
+
+        /// <summary>Returns whether a frame's own source says that a robot carries it.</summary>
+        public bool IsCarried(int index) => _order.IsLink(_frames[index].SourceParent);
+
+        /// <summary>Returns the pose of a robot's link in the world at another time than the displayed one.</summary>
+        public RigidTransform LinkAt(int robot, int link, ControlTime at, out PoseOrigin origin)
+        {
+            Arrange();
+            return _order.LinkAt(robot, link, MomentOf(at), out origin);
+        }
+
+        /// <summary>Returns whether a robot stands on a frame, which therefore cannot be in its gripper.</summary>
+        public bool IsBelow(int robot, int index)
+        {
+            Arrange();
+            return _order.IsBelow(robot, index);
+        }
+
         /// <summary>Computes the poses of all frames; call it after the robots have computed theirs.</summary>
         /// <param name="at">Display time; null while it is unknown: then tracked frames have their newest poses, as the robots do.</param>
         public void Evaluate(ControlTime? at)
         {
-            var time = at.HasValue ? ClockTicks.Seconds(at.Value - (_epoch ?? at.Value)) : double.NaN;
+            if (at.HasValue) _epoch ??= at;
+            var time = at.HasValue ? MomentOf(at.Value).Seconds : double.NaN;
             if (_isHandedOver) HandOver(time);
-            if (_isChanged) _order.Arrange();
-            _isChanged = false;
+            Arrange();
             EvaluateAll(time);
         }
+
+        /// <summary>Returns the pose of a frame in the world that a display without compensation shows: the newest poses and samples.</summary>
+        /// <param name="index">Index of the frame, known before the last <see cref="Evaluate"/>.</param>
+        public RigidTransform HeldOf(int index) => _order.HeldOf(index);
 
         /// <summary>Discards all poses of tracked frames, because their times are not valid any more. The displayed poses are kept.</summary>
         public void Reset()
@@ -87,10 +126,19 @@ namespace Nowpose.Frames
             foreach (var frame in _frames) frame.Reset();
             _epoch = null;
             _isHandedOver = false;
+            _isChanged = true;
         }
 
         /// <summary>Returns the displayed pose of a robot's root link in the world; the identity unless a frame has its name.</summary>
-        public RigidTransform RootOf(IRobotLinks robot) => _order.RootOf(_robots.IndexOf(robot), out _);
+        public RigidTransform RootOf(IRobotLinks robot) => _order.RootOf(_order.IndexOf(robot), out _);
+
+        (ControlTime Time, double Seconds) MomentOf(ControlTime at) => (at, ClockTicks.Seconds(at - (_epoch ?? at)));
+
+        void Arrange()
+        {
+            if (_isChanged) _order.Arrange();
+            _isChanged = false;
+        }
 
         // The former structure gives the poses from which the frames go on.
         void HandOver(double time)

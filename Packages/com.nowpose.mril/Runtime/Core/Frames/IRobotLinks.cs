@@ -16,5 +16,11 @@ namespace Nowpose.Frames
 
         /// <summary>Poses of all links in the robot's root link, right-handed, metres, in the order of the robot's links.</summary>
         ReadOnlySpan<RigidTransform> Poses { get; }
+
+        /// <summary>The same for the newest samples, which a display without compensation shows.</summary>
+        ReadOnlySpan<RigidTransform> HeldPoses { get; }
+
+        /// <summary>Returns the pose of a link in the robot's root link at another time than the displayed one.</summary>
+        RigidTransform PoseAt(int link, ControlTime at, out PoseOrigin origin);
     }
 }

@@ -50,6 +50,7 @@ namespace Nowpose.Session
             _synchroniser = new ClockSynchroniser(settings.CreateClockEstimator(), settings.Clock);
             Frames = new SessionFrames(settings.Prediction, _subscriptions, Drops);
             Signals = new SessionSignals(_subscriptions, Drops);
+            Grips = new SessionGrips(Signals);
             _main = AddRobot(settings.RobotNamespace, robot);
             _measurements = new SessionMeasurements(_synchroniser, _latency, _display, _main.Frame, _main.Hindcast);
             Listener = new SessionListener(this, clock);
@@ -67,6 +68,9 @@ namespace Nowpose.Session
 
         /// <summary>Signals of the cell. On the thread of <see cref="Tick"/>.</summary>
         internal SessionSignals Signals { get; }
+
+        /// <summary>Grippers that take objects by their reach. On the thread of <see cref="Tick"/>.</summary>
+        internal SessionGrips Grips { get; }
 
         /// <summary>Receives messages from the network or from a simulation. Thread-safe.</summary>
         internal IRosbridgeListener Listener { get; }
@@ -221,9 +225,12 @@ namespace Nowpose.Session
         void Show(in DisplayMoment moment)
         {
             foreach (var robot in _robots) robot.Show(moment);
+            Frames.Take(moment);
+            Signals.Show(moment);
+            // A gripper takes an object in the frame in which its signal's change is visible.
+            Grips.Decide(moment);
             Frames.Show(moment);
             foreach (var robot in _robots) robot.RootPose = Frames.Tree.RootOf(robot);
-            Signals.Show(moment);
         }
 
         /// <summary>
@@ -316,6 +323,7 @@ namespace Nowpose.Session
         void Restart(HeadsetTime now, in ClockModel clock)
         {
             _latency.Reset();
+            Grips.Settle();
             foreach (var robot in _robots) robot.Restart();
             Frames.Restart();
             Signals.Table.Restart();

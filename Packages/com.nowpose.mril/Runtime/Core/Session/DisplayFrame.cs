@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Latency.DisplayTime;
@@ -12,8 +13,12 @@ namespace Nowpose.Session
         readonly JointTracks _tracks;
         readonly ForwardKinematics _kinematics;
         readonly RigidTransform[] _linkPoses;
+        readonly RigidTransform[] _heldLinkPoses;
         readonly int _toolLink;
         readonly int[] _toolJoints;
+        double[] _positionsAt;
+        RigidTransform[] _linkPosesAt;
+        bool _isHeldComputed;
 
         internal DisplayFrame(RobotModel robot, JointTracks tracks, OutsideRangeResponse outsideRange)
         {
@@ -21,6 +26,7 @@ namespace Nowpose.Session
             _tracks = tracks;
             _kinematics = new ForwardKinematics(robot);
             _linkPoses = new RigidTransform[robot.Links.Count];
+            _heldLinkPoses = new RigidTransform[robot.Links.Count];
             _toolLink = robot.IndexOfLink(robot.ToolLink.Name);
             _toolJoints = ToolJoints.Of(robot);
         }
@@ -101,6 +107,26 @@ namespace Nowpose.Session
             // After the state is determined: a pose that is held on purpose is not stale.
             if (State == PoseState.OutsideRange && OutsideRange == OutsideRangeResponse.Hold) _tracks.Hold();
             _kinematics.Compute(_tracks.Positions, _linkPoses);
+            _isHeldComputed = false;
+        }
+
+        /// <summary>Returns <see cref="LinkPoses"/> for <see cref="HeldJoints"/>; computed on the first call of a frame.</summary>
+        internal ReadOnlySpan<RigidTransform> HeldLinkPoses()
+        {
+            if (!_isHeldComputed) _kinematics.Compute(_tracks.Held, _heldLinkPoses);
+            _isHeldComputed = true;
+            return _heldLinkPoses;
+        }
+
+        /// <summary>Returns the pose of a link in the robot's base frame at any time for which there are samples or a prediction.</summary>
+        /// <param name="origin">That of the joints up to the tool.</param>
+        internal RigidTransform LinkPoseAt(int link, ControlTime at, out PoseOrigin origin)
+        {
+            _positionsAt ??= new double[_tracks.Positions.Length];
+            _linkPosesAt ??= new RigidTransform[_linkPoses.Length];
+            origin = _tracks.At(at, _toolJoints, _positionsAt);
+            _kinematics.Compute(_positionsAt, _linkPosesAt);
+            return _linkPosesAt[link];
         }
 
         PoseState JudgeState(bool isJointReportedMissing)

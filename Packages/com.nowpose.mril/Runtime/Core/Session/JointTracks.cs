@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Prediction;
 using Nowpose.Protocol;
@@ -110,6 +111,34 @@ namespace Nowpose.Session
             }
             Newest = double.IsNegativeInfinity(newest) ? (ControlTime?)null : _epoch + ClockTicks.Span(newest);
             CompleteMimics();
+        }
+
+        /// <summary>Computes the positions at another time than the displayed one. Joints without samples have their displayed positions.</summary>
+        /// <param name="judged">Joints whose data determine the result's origin.</param>
+        /// <param name="positions">Receives one position per moving joint.</param>
+        public PoseOrigin At(ControlTime at, int[] judged, double[] positions)
+        {
+            var time = ClockTicks.Seconds(at - _epoch);
+            for (var i = 0; i < positions.Length; i++) positions[i] = HasSample(i) ? _joints[i].At(time).Position : _positions[i];
+            _robot.CompleteMimics(positions, _given);
+            var origin = PoseOrigin.Measured;
+            foreach (var each in judged)
+            {
+                var joint = _joints[SampledOf(each)];
+                var kind = joint.At(time).Kind;
+                if (kind == PredictionKind.None || kind == PredictionKind.Held) return PoseOrigin.None;
+                if (joint.NewestTime < time) origin = PoseOrigin.Forecast;
+            }
+            return origin;
+        }
+
+        // The joint whose samples determine a joint's position: for a mimic joint without samples of its own, the master.
+        int SampledOf(int joint)
+        {
+            if (HasSample(joint)) return joint;
+            foreach (var (mimic, master) in _mimics)
+                if (mimic == joint) return master;
+            return joint;
         }
 
         /// <summary>Shows the newest samples unchanged, marked as held, because the time to predict to is unknown. Allocates nothing.</summary>

@@ -64,6 +64,10 @@ namespace Nowpose.Session
 
         public ReadOnlySpan<RigidTransform> Poses => Frame.LinkPoses;
 
+        public ReadOnlySpan<RigidTransform> HeldPoses => Frame.HeldLinkPoses();
+
+        public RigidTransform PoseAt(int link, ControlTime at, out PoseOrigin origin) => Frame.LinkPoseAt(link, at, out origin);
+
         /// <summary>Predicts the joints to the display time of a frame.</summary>
         public void Show(in DisplayMoment moment)
         {

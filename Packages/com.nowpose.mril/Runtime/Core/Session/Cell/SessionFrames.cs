@@ -77,14 +77,16 @@ namespace Nowpose.Session.Cell
             oldest.Release();
         }
 
-        /// <summary>Processes the queued messages, and computes all poses; call it after the robots have computed theirs.</summary>
-        public void Show(in DisplayMoment moment)
+        /// <summary>Processes the queued messages.</summary>
+        public void Take(in DisplayMoment moment)
         {
             _moment = moment;
             while (_stationary.TryTake(out var message, out var arrival)) Take(message, arrival);
             while (moment.Clock.IsKnown && _tracked.TryTake(out var message, out var arrival)) Take(message, arrival, moment.Clock);
-            Tree.Evaluate(moment.DisplayTime);
         }
+
+        /// <summary>Computes all poses; call it after the robots have computed theirs.</summary>
+        public void Show(in DisplayMoment moment) => Tree.Evaluate(moment.DisplayTime);
 
         /// <summary>Discards the poses of tracked frames, because their times are not valid any more.</summary>
         public void Restart()

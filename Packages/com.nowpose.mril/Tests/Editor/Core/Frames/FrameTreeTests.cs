@@ -240,5 +240,29 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That((FrameOf(tree, "box").World.X, FrameOf(tree, "box").State), Is.EqualTo((3.0, FrameState.Missing)));
             Assert.That((FrameOf(tree, "table").World.X, FrameOf(tree, "table").State), Is.EqualTo((4.0, FrameState.Current)));
         }
+
+        [Test]
+        public void HeldOf_ChainOnAHeldLink_IsTheProductOfTheNewestPoses()
+        {
+            var tree = NewTree();
+            var robot = new MovingLinks("arm", TestRobot.Model);
+            tree.Add(robot);
+            var link = TestRobot.Model.IndexOfLink("tool_centre_point");
+            robot.Move(link, RigidTransform.FromXyzRpy(5, 5, 5, 0, 0, 0));
+            var held = robot.Hold(link, RigidTransform.FromXyzRpy(1, 2, 3, 0.1, 0.2, 0.3));
+            for (var i = 0; i < 5; i++)
+            {
+                tree.Add(Pose(i * Sampling, "world", "arm/base", x: i), isStationary: false);
+                tree.Add(Pose(i * Sampling, "arm/tool_centre_point", "plate", y: i), isStationary: false);
+            }
+            tree.Add(Pose(0, "plate", "screw", z: 0.5), isStationary: true);
+            tree.Add(Pose(0, "nowhere", "orphan", z: 0.5), isStationary: true);
+
+            tree.Evaluate(At(0.2));
+
+            var expected = RigidTransform.FromXyzRpy(4, 0, 0, 0, 0, 0) * held * RigidTransform.FromXyzRpy(0, 4, 0.5, 0, 0, 0);
+            Assert.That(Distance(tree.HeldOf(tree.IndexOf("screw")), expected), Is.LessThan(1e-12));
+            Assert.That(tree.HeldOf(tree.IndexOf("orphan")), Is.EqualTo(RigidTransform.Identity), "the displayed pose");
+        }
     }
 }

@@ -8,6 +8,7 @@ namespace Nowpose.Tests.Core.Frames
     sealed class MovingLinks : IRobotLinks
     {
         readonly RigidTransform[] _poses;
+        readonly RigidTransform[] _held;
 
         public MovingLinks(string robot, RobotModel model)
         {
@@ -15,6 +16,7 @@ namespace Nowpose.Tests.Core.Frames
             Robot = model;
             _poses = new RigidTransform[model.Links.Count];
             Array.Fill(_poses, RigidTransform.Identity);
+            _held = (RigidTransform[])_poses.Clone();
         }
 
         public string Namespace { get; }
@@ -24,6 +26,21 @@ namespace Nowpose.Tests.Core.Frames
         public bool IsCurrent { get; set; } = true;
 
         public ReadOnlySpan<RigidTransform> Poses => _poses;
+
+        public ReadOnlySpan<RigidTransform> HeldPoses => _held;
+
+        /// <summary>The poses at any time; by default those of <see cref="Poses"/>, measured.</summary>
+        public Func<int, ControlTime, (RigidTransform Pose, PoseOrigin Origin)> Past { get; set; }
+
+        public RigidTransform PoseAt(int link, ControlTime at, out PoseOrigin origin)
+        {
+            var (pose, known) = Past?.Invoke(link, at) ?? (_poses[link], PoseOrigin.Measured);
+            origin = known;
+            return pose;
+        }
+
+        /// <returns>The same pose.</returns>
+        public RigidTransform Hold(int link, in RigidTransform pose) => _held[link] = pose;
 
         /// <returns>The same pose.</returns>
         public RigidTransform Move(int link, in RigidTransform pose) => _poses[link] = pose;

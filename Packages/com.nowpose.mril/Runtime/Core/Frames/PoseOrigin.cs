@@ -1,0 +1,15 @@
+namespace Nowpose.Frames
+{
+    /// <summary>Origin of a pose at a given time, the least certain one of all positions from which it was computed.</summary>
+    enum PoseOrigin
+    {
+        /// <summary>There is no data at that time.</summary>
+        None,
+
+        /// <summary>Predicted, or the newest pose of an object whose source has stopped.</summary>
+        Forecast,
+
+        /// <summary>Between samples, or constant.</summary>
+        Measured,
+    }
+}

@@ -1,0 +1,139 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Kinematics;
+using Nowpose.Protocol.Cell;
+
+namespace Nowpose.Frames
+{
+    /// <summary>A gripper that takes the object within its reach when its signal changes, where no source says what is gripped.</summary>
+    /// <remarks>
+    /// The poses at the stamp of the change decide, not those when the news arrives. At first they are predicted, because the display time is
+    /// ahead of the samples; as soon as there are samples from after the stamp, these decide, so that every headset that receives the same
+    /// samples takes the same object in the same place. A source that gives the object a parent itself has priority. A released object stays
+    /// in the world where it was at the stamp of the release, until its source moves it. Use it on the frame's thread.
+    /// </remarks>
+    sealed class ReachGrip
+    {
+        /// <summary>Time after which a change is decided with the data at hand, s: longer than every latency worth compensating.</summary>
+        const double Patience = 1;
+
+        readonly FrameTree _tree;
+        readonly IRobotLinks _robot;
+        readonly int _link;
+        readonly string _linkName;
+        readonly double _reach;
+        readonly IReadOnlyList<string> _objects;
+        bool? _isClosed;
+        bool _isFinal = true;
+        ControlTime _since;
+        int _held = -1;
+        RigidTransform _inHand;
+        ReachPlace _before;
+
+        /// <param name="link">Index of the link in the robot; its origin is the gripping point.</param>
+        /// <param name="linkName">Name of the link as a parent, with the robot's namespace.</param>
+        /// <param name="reach">Maximum distance of an object's origin from the gripping point, m.</param>
+        /// <param name="objects">Names of the frames that it can grip, read at each change.</param>
+        public ReachGrip(FrameTree tree, IRobotLinks robot, int link, string linkName, double reach, IReadOnlyList<string> objects)
+        {
+            _tree = tree;
+            _robot = robot;
+            _link = link;
+            _linkName = linkName;
+            _reach = reach;
+            _objects = objects;
+        }
+
+        /// <summary>Name of the held object; null for none.</summary>
+        public string Held => _isClosed == true && IsMine ? _tree[_held].Name : null;
+
+        /// <summary>Why it is unknown what the gripper holds, in one line; null if it is known.</summary>
+        public string Fault { get; private set; }
+
+        // False once the object's source or another gripper has taken it.
+        bool IsMine => _held >= 0 && _tree[_held].Reach?.Gripper == this;
+
+        /// <summary>Closes or opens the gripper. Decided with the next call of <see cref="Decide(ControlTime)"/>.</summary>
+        /// <param name="since">Stamp of the change; null if its time is not known any more.</param>
+        public void Change(bool isClosed, ControlTime? since)
+        {
+            if (isClosed == _isClosed) return;
+            Decide(isLast: true);
+            (_isClosed, _since, _isFinal) = (isClosed, since ?? default, since == null);
+            Fault = isClosed && since == null ? "closed at an unknown time, so what it holds is unknown" : null;
+            if (!isClosed && since == null) Leave();
+        }
+
+        /// <summary>Decides a change, with the data that have arrived; call it before the tree is evaluated.</summary>
+        /// <param name="light">Display time.</param>
+        public void Decide(ControlTime light) => Decide(isLast: ClockTicks.Seconds(light - _since) > Patience);
+
+        /// <summary>Decides a change with what is known, because the times of the control system become invalid.</summary>
+        public void Settle() => Decide(isLast: true);
+
+        /// <summary>Gives a held object back to its source.</summary>
+        public void Leave()
+        {
+            if (IsMine) _tree.Put(_held, null);
+            _held = -1;
+            _isFinal = true;
+        }
+
+        void Decide(bool isLast)
+        {
+            if (_isFinal) return;
+            var hand = _tree.LinkAt(_tree.IndexOf(_robot), _link, _since, out var origin);
+            if (_isClosed == true) Grip(hand, origin, isLast);
+            else Release(hand, origin, isLast);
+        }
+
+        void Grip(in RigidTransform hand, PoseOrigin handOrigin, bool isLast)
+        {
+            var nearest = -1;
+            var inHand = RigidTransform.Identity;
+            var isMeasured = handOrigin == PoseOrigin.Measured;
+            foreach (var name in _objects)
+            {
+                var index = _tree.IndexOf(name);
+                if (handOrigin == PoseOrigin.None || index < 0 || _tree.IsCarried(index) || _tree.IsBelow(_tree.IndexOf(_robot), index)) continue;
+                var pose = hand.Inverse * _tree.PoseAt(index, index == _held ? _before : _tree[index].Reach, _since, out var origin);
+                isMeasured &= origin == PoseOrigin.Measured;
+                if (origin == PoseOrigin.None || DistanceOf(pose) > _reach) continue;
+                if (nearest >= 0 && !IsBefore(DistanceOf(pose), name, DistanceOf(inHand), _tree[nearest].Name)) continue;
+                (nearest, inHand) = (index, pose);
+            }
+            _isFinal = isMeasured || isLast;
+            if (_isFinal && handOrigin == PoseOrigin.None) Fault = "the arm had no data when it closed, so what it holds is unknown";
+            if (nearest != _held) Take(nearest, inHand);
+            else if (_isFinal && IsMine) Put(new ReachPlace(this, _linkName, inHand, _since, isReleased: false));
+            _inHand = inHand;
+        }
+
+        void Take(int index, in RigidTransform inHand)
+        {
+            if (IsMine) _tree.Put(_held, _before);
+            _held = index;
+            if (index < 0) return;
+            _before = _tree[index].Reach;
+            Put(new ReachPlace(this, _linkName, inHand, _since, isReleased: false));
+        }
+
+        void Release(in RigidTransform hand, PoseOrigin origin, bool isLast)
+        {
+            _isFinal = !IsMine || origin == PoseOrigin.Measured || isLast;
+            if (IsMine)
+            {
+                var pose = origin == PoseOrigin.None ? _tree[_held].World : hand * _inHand;
+                Put(new ReachPlace(this, FrameParents.World, pose, _since, isReleased: true));
+            }
+            if (_isFinal) _held = -1;
+        }
+
+        void Put(ReachPlace place) => _tree.Put(_held, place);
+
+        static bool IsBefore(double distance, string name, double otherDistance, string otherName) =>
+            distance < otherDistance || (distance == otherDistance && string.CompareOrdinal(name, otherName) < 0);
+
+        static double DistanceOf(in RigidTransform pose) => Math.Sqrt(pose.X * pose.X + pose.Y * pose.Y + pose.Z * pose.Z);
+    }
+}

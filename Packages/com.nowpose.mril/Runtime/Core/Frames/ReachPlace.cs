@@ -1,0 +1,35 @@
+using Nowpose.Kinematics;
+
+namespace Nowpose.Frames
+{
+    /// <summary>Where an object is because of a gripper, and not of its own source: in the gripper, or where that has released it.</summary>
+    sealed class ReachPlace
+    {
+        /// <param name="gripper">The gripper that has put it there.</param>
+        /// <param name="parent">The gripper's link, or the world.</param>
+        /// <param name="pose">Pose of the object in the parent, constant.</param>
+        /// <param name="since">Stamp of the signal's change.</param>
+        /// <param name="isReleased">Whether it ends when the object's source reports another pose than before.</param>
+        public ReachPlace(ReachGrip gripper, string parent, in RigidTransform pose, ControlTime since, bool isReleased)
+        {
+            Gripper = gripper;
+            Parent = parent;
+            Pose = pose;
+            Since = since;
+            IsReleased = isReleased;
+        }
+
+        public ReachGrip Gripper { get; }
+
+        public string Parent { get; }
+
+        public RigidTransform Pose { get; }
+
+        public ControlTime Since { get; }
+
+        public bool IsReleased { get; }
+
+        /// <summary>The same place after the times of the control system have become invalid: before every later pose.</summary>
+        public ReachPlace WithoutTime() => new ReachPlace(Gripper, Parent, Pose, default, IsReleased);
+    }
+}

@@ -1,0 +1,56 @@
+using System.Collections.Generic;
+using Nowpose.Frames;
+using Nowpose.Signals;
+
+namespace Nowpose.Session.Cell
+{
+    /// <summary>Grippers of a session that take objects by their reach: each follows a signal, of which 0.5 and more means closed.</summary>
+    sealed class SessionGrips
+    {
+        readonly SessionSignals _signals;
+        readonly List<(ReachGrip Grip, string Signal)> _grips = new List<(ReachGrip, string)>();
+
+        public SessionGrips(SessionSignals signals)
+        {
+            _signals = signals;
+            signals.Table.Changed += Take;
+        }
+
+        /// <summary>Lets a gripper follow a signal from now on. On the thread of <see cref="CompensationSession.Tick"/>.</summary>
+        public void Add(ReachGrip grip, string signal)
+        {
+            _signals.Need();
+            _grips.Add((grip, signal));
+            var known = _signals.Table.IndexOf(signal);
+            if (known >= 0 && _signals.Table[known].IsKnown) Change(grip, _signals.Table[known]);
+        }
+
+        /// <summary>Ends a gripper, which gives back what it holds.</summary>
+        public void Remove(ReachGrip grip)
+        {
+            _grips.RemoveAll(each => each.Grip == grip);
+            grip.Leave();
+        }
+
+        /// <summary>Decides what the grippers hold; call it after the signals are shown, and before the frames are.</summary>
+        public void Decide(in DisplayMoment moment)
+        {
+            if (!(moment.DisplayTime is ControlTime light)) return;
+            foreach (var (grip, _) in _grips) grip.Decide(light);
+        }
+
+        /// <summary>Decides with what is known; call it before the samples are discarded.</summary>
+        public void Settle()
+        {
+            foreach (var (grip, _) in _grips) grip.Settle();
+        }
+
+        void Take(SignalTrack signal)
+        {
+            foreach (var (grip, name) in _grips)
+                if (name == signal.Name) Change(grip, signal);
+        }
+
+        static void Change(ReachGrip grip, SignalTrack signal) => grip.Change(signal.Value >= 0.5, signal.Since);
+    }
+}
