@@ -1,31 +1,16 @@
 using Nowpose.Frames;
 using Nowpose.Kinematics;
-using Nowpose.Protocol;
-using Nowpose.Protocol.Cell;
 using Nowpose.Session;
 using Nowpose.Simulation.Work;
 
 namespace Nowpose.Cli.Demo;
 
 /// <summary>The displayed poses of the cell's objects in all frames. Written during the run, read afterwards.</summary>
-sealed class DemoBodies
+sealed class DemoBodies(CellWork work)
 {
-    readonly ForwardKinematics _kinematics;
-    readonly RobotModel _robot;
-    readonly RigidTransform[] _heldLinks;
-    readonly IReadOnlyList<string> _names;
-    readonly FrameTransform?[] _newest;
+    readonly IReadOnlyList<string> _names = work.Names;
     readonly List<Shown> _shown = [];
     CompensationSession _followed;
-
-    public DemoBodies(RobotModel robot, CellWork work)
-    {
-        _names = work.Names;
-        _newest = new FrameTransform?[_names.Count];
-        _robot = robot;
-        _kinematics = new ForwardKinematics(robot);
-        _heldLinks = new RigidTransform[robot.Links.Count];
-    }
 
     /// <summary>Gets what a frame showed of an object; the default before its first sample.</summary>
     public Shown At(int frame, int body) => _shown[frame * _names.Count + body];
@@ -38,37 +23,23 @@ sealed class DemoBodies
     {
         if (session == null || session == _followed) return;
         _followed = session;
-        Array.Clear(_newest);
-        session.Frames.Judged += Take;
-        for (var body = 0; body < _names.Count; body++) session.Frames.Need(_names[body]);
+        foreach (var name in _names) session.Frames.Need(name);
+        // Shown too, although nobody looks at them here; they carry the objects later.
+        session.Frames.Need(CellWork.Conveyor);
+        foreach (var robot in work.Robots) session.Frames.Need(robot.Fixture);
     }
 
     /// <summary>Records the objects in the newest frame.</summary>
     /// <param name="frame">Null before the robot is known.</param>
     public void Add(DisplayFrame frame)
     {
-        if (frame != null) _kinematics.Compute(frame.HeldJoints, _heldLinks);
-        for (var body = 0; body < _names.Count; body++)
+        foreach (var name in _names)
         {
-            var found = frame == null ? null : _followed?.Frames.Find(_names[body]);
-            _shown.Add(found == null || HeldOf(body) is not { } held ? default : new Shown(true, found.World, held, found.Parent));
+            var tree = frame == null ? null : _followed?.Frames.Tree;
+            var index = tree == null ? -1 : tree.IndexOf(name);
+            _shown.Add(index < 0 || tree[index].State == FrameState.Missing ? default
+                : new Shown(true, tree[index].World, tree.HeldOf(index), tree[index].Parent));
         }
-    }
-
-    // A display without compensation shows the newest sample in its parent, which is a link of the held robot or stationary.
-    RigidTransform? HeldOf(int body)
-    {
-        if (_newest[body] is not { } sample) return null;
-        var link = _robot.IndexOfLink(sample.Parent);
-        var parent = link >= 0 ? _heldLinks[link] : _followed.Frames.Find(sample.Parent)?.World;
-        return parent is { } pose ? pose * sample.ToPose() : null;
-    }
-
-    void Take(in FrameTransform pose, bool isStationary, HeadsetTime arrival, DropReason reason)
-    {
-        if (reason != DropReason.None) return;
-        for (var body = 0; body < _newest.Length; body++)
-            if (pose.Child == _names[body] && !(pose.Stamp <= _newest[body]?.Stamp)) _newest[body] = pose;
     }
 
     /// <param name="IsKnown">Whether a sample had arrived.</param>

@@ -10,7 +10,7 @@ sealed class DemoFrameLoop(DemoSettings settings, IDemoHeadset headset, IHeadset
 {
     readonly DemoDisplay _display = new(settings);
 
-    readonly DemoBodies _bodies = settings.Work == null ? null : new DemoBodies(settings.Robot, settings.Work);
+    readonly DemoBodies _bodies = settings.Work == null ? null : new DemoBodies(settings.Work);
 
     bool _isScored;
 
