@@ -123,6 +123,162 @@ public class PlayedObjectTests
     }
 
     [Test]
+    public void TrackedObject_Held_IsWhereTheNewestPosePutsItAndNotListed()
+    {
+        var ghost = Below<TrackedObject>("ghost", _session.transform).With("_frame", "box").With("_shows", RigPose.Held);
+        Run(2, t => SendPose("world", "box", t, Along(0.3 * t)));
+
+        Run(1, t => SendPose("world", "box", t, Along(0.3 * t)), () =>
+        {
+            Assert.That(ghost.State, Is.EqualTo(PoseState.Current));
+            // The pose of the frame before arrived after that frame.
+            AssertAt(ghost.transform, _session.transform, Along(0.3 * (_cell.Now - 1 / 60.0 - Latency)), 1e-4);
+        });
+        Assert.That((_session.Parts.Count, _session.Parts.Objects.Count), Is.EqualTo((0, 0)));
+    }
+
+    [Test]
+    public void GripByReach_SignalCloses_CarriesTheObjectInTheDisplayedTool()
+    {
+        var (rig, grip, box) = NewGrip();
+        Run(2, _ => { });
+        var tool = rig.Tool;
+        var pose = UnityPoses.ToRoom(tool.position, tool.rotation) * Along(0.01);
+        void Send(double t) => SendPose("world", "box", t, pose);
+        Run(1, Send);
+        SendSignal("grip", _cell.Now - 1, 0);
+        Run(0.5, Send);
+        Assert.That((grip.Held, grip.Fault), Is.EqualTo(((string)null, "no connection")), "the test's session has no gateway");
+
+        SendSignal("grip", _cell.Now - Latency, 1);
+        Run(0.5, Send);
+        var inHand = Quaternion.Inverse(rig.Tool.rotation) * (box.transform.position - rig.Tool.position);
+        var moved = 0f;
+        var start = box.transform.position;
+        Run(2, Send, () =>
+        {
+            Assert.That(grip.Held, Is.EqualTo("box"));
+            var now = Quaternion.Inverse(rig.Tool.rotation) * (box.transform.position - rig.Tool.position);
+            Assert.That(Vector3.Distance(now, inHand), Is.LessThan(1e-4), "0.1 mm");
+            moved = Mathf.Max(moved, Vector3.Distance(start, box.transform.position));
+        });
+
+        Assert.That(moved, Is.GreaterThan(0.001), "the arm does move");
+        Assert.That(_session.Parts.Objects, Is.EqualTo(new[] { "box" }));
+        grip.gameObject.SetActive(false);
+        Run(1, Send);
+        Assert.That(Vector3.Distance(box.transform.position, UnityPoses.ToWorld(pose).position), Is.LessThan(1e-4), "a hidden gripper gives it back");
+        Assert.That(_session.Parts.Count, Is.EqualTo(1));
+    }
+
+    (RobotRig Rig, GripByReach Grip, TrackedObject Box) NewGrip(string link = "")
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var made = new GameObject("grip");
+        made.SetActive(false);
+        made.transform.SetParent(rig.transform, false);
+        var grip = made.AddComponent<GripByReach>().With("_link", link).With("_reachMetres", 0.5f);
+        made.SetActive(true);
+        return (rig, grip, Below<TrackedObject>("box", _session.transform));
+    }
+
+    [Test]
+    public void GripByReach_UnknownLink_IsNamedOnceAndOnThePanel()
+    {
+        var (_, grip, _) = NewGrip("hand");
+        Run(1);
+
+        Assert.That(grip.Fault, Does.Match("^the robot '.+' has no link 'hand'$"));
+        Assert.That(_cell.Messages, Has.Exactly(1).Matches("grip by reach 'grip': the robot '.+' has no link 'hand'"));
+        _session.Parts.Update();
+        Assert.That(_session.Parts.Faults, Does.Contain("gripper grip: " + grip.Fault));
+    }
+
+    [Test]
+    public void GripByReach_NoRig_StatesWhatToAssign()
+    {
+        var grip = Below<GripByReach>("grip", _session.transform);
+        Run(0.5);
+
+        Assert.That(grip.Fault, Is.EqualTo("no rig"));
+        Assert.That(_cell.Messages, Has.Exactly(1).Contains("grip by reach 'grip' has no rig on a parent; assign one"));
+    }
+
+    [Test]
+    public void PlannedPath_SetPointsPublished_LeadsAlongTheToolsWay()
+    {
+        var (rig, path, line) = NewPath();
+        Run(1);
+        Assert.That((line.enabled, path.DrawnSeconds), Is.EqualTo((false, 0f)), "no plan");
+
+        SendPlan(_cell.Now, 3);
+        Run(0.2);
+        Assert.That(path.DrawnSeconds, Is.EqualTo(1).Within(1e-6));
+        var expected = line.GetPosition(line.positionCount - 1);
+        Assert.That(Vector3.Distance(line.GetPosition(0), rig.Tool.position), Is.LessThan(2e-4), "begins at the displayed tool");
+        Run(1);
+        Assert.That(Vector3.Distance(expected, rig.Tool.position), Is.LessThan(1e-3), "one second later, the tool is where the line ended");
+        Assert.That(Vector3.Distance(expected, line.GetPosition(line.positionCount - 1)), Is.GreaterThan(1e-3), "the tool does move");
+
+        Run(2.5);
+        Assert.That((line.enabled, path.DrawnSeconds), Is.EqualTo((false, 0f)));
+    }
+
+    [Test]
+    public void PlannedPath_PoseNotCurrent_IsHidden()
+    {
+        var (_, path, line) = NewPath();
+        Run(1);
+        SendPlan(_cell.Now, 6);
+        Run(0.2);
+        Assert.That(line.enabled, Is.True);
+
+        _cell.IsPlantUp = false;
+        Run(1.5);
+
+        Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Held));
+        Assert.That((line.enabled, path.DrawnSeconds), Is.EqualTo((false, 0f)));
+        _cell.IsPlantUp = true;
+        Run(1);
+        Assert.That(line.enabled, Is.True);
+        _session.enabled = false;
+        Assert.That(line.enabled, Is.False, "no session");
+    }
+
+    [Test]
+    public void PlannedPath_Drawn_AllocatesNothing()
+    {
+        var (_, path, _) = NewPath();
+        Run(1);
+        SendPlan(_cell.Now, 9);
+        Run(1);
+
+        Assert.That(_cell.AllocatedIn(() => _cell.Run(1, _session)), Is.Zero);
+        Assert.That(path.DrawnSeconds, Is.GreaterThan(0.9));
+    }
+
+    (RobotRig Rig, PlannedPath Path, LineRenderer Line) NewPath()
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var path = Below<PlannedPath>("path", rig.transform);
+        return (rig, path, path.GetComponent<LineRenderer>());
+    }
+
+    // The set-points are those that the robot follows; they arrive with the samples' latency.
+    void SendPlan(double from, double seconds)
+    {
+        var robot = _session.Session.Robot;
+        var joints = robot.MovingJoints.Select(joint => joint.Name).ToArray();
+        var points = new List<JointTrajectoryPoint>();
+        for (var t = 0.0; t <= seconds; t += 0.02)
+        {
+            var at = HeadsetTime.FromSeconds(1000 + from + t);
+            points.Add(new JointTrajectoryPoint(TimeSpan.FromSeconds(t), [.. joints.Select((_, j) => PlayedCell.PositionAt(robot, at, j))]));
+        }
+        _session.Session.Listener.Planned(new JointTrajectoryMessage(At(from), joints, points.ToArray()), HeadsetTime.FromSeconds(1000 + from));
+    }
+
+    [Test]
     public void Signal_Changes_RaiseEventsOnceInOrderAndInTime()
     {
         var signal = Below<CellSignal>("gripper", _session.transform);

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using Nowpose.Session;
+using Nowpose.Unity.Cell;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using Nowpose.Unity.Status;
@@ -39,7 +40,7 @@ namespace Nowpose.Unity
         readonly List<PoseCarrier> _carriers = new List<PoseCarrier>();
         MrilSession _source;
         RobotRig _rig;
-        TrackedObject _object;
+        ICellObject _object;
         PoseCarrier _carrier;
         MaterialPropertyBlock _block;
         ReadingDistance _distance;
@@ -130,7 +131,7 @@ namespace Nowpose.Unity
             _isOn = true;
             _pose = PoseState.Incomplete;
             _source = this.SessionOr(_session);
-            _object = GetComponentInParent<TrackedObject>();
+            _object = GetComponentInParent<ICellObject>();
             _rig = GetComponentInParent<RobotRig>();
             if (_rig != null) _rig.Bound += Refresh;
             if (_source != null)

@@ -61,6 +61,9 @@ namespace Nowpose.Unity
         /// <summary>Namespace of the robot in the cell; empty for the session's own robot.</summary>
         public string RobotNamespace => _robotNamespace ?? "";
 
+        /// <summary>The robot in the session of the last frame; null while it is unknown or the rig is disabled.</summary>
+        internal SessionRobot Robot => _source != null ? _robot.Robot : null;
+
         /// <summary>State of the shown robot in a frame of the session.</summary>
         internal PoseState StateIn(DisplayFrame frame) => _robot == null ? frame.State : _robot.StateIn(frame);
 

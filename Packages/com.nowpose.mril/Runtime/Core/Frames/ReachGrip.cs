@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
+using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Frames
@@ -31,15 +32,14 @@ namespace Nowpose.Frames
         ReachPlace _before;
 
         /// <param name="link">Index of the link in the robot; its origin is the gripping point.</param>
-        /// <param name="linkName">Name of the link as a parent, with the robot's namespace.</param>
         /// <param name="reach">Maximum distance of an object's origin from the gripping point, m.</param>
         /// <param name="objects">Names of the frames that it can grip, read at each change.</param>
-        public ReachGrip(FrameTree tree, IRobotLinks robot, int link, string linkName, double reach, IReadOnlyList<string> objects)
+        public ReachGrip(FrameTree tree, IRobotLinks robot, int link, double reach, IReadOnlyList<string> objects)
         {
             _tree = tree;
             _robot = robot;
             _link = link;
-            _linkName = linkName;
+            _linkName = RobotTopic.Qualified(robot.Namespace, robot.Robot.Links[link].Name);
             _reach = reach;
             _objects = objects;
         }

@@ -150,6 +150,17 @@ namespace Nowpose.Prediction
             Carry(displayed, shown);
         }
 
+        /// <summary>Returns the planned position, however far ahead, with the joint's lag and offset.</summary>
+        /// <param name="time">As in <see cref="At"/>.</param>
+        /// <returns>False if there is no plan at that time, or if the joint does not follow it.</returns>
+        internal bool TryPlan(double time, out double position)
+        {
+            position = 0;
+            if (_buffer.History.Count == 0 || !_plan.HasPlan || !_plan.IsFollowedAt(time, NewestTime)) return false;
+            position = _limits.Clamp(_plan.At(time)) - _buffer.Shift;
+            return double.IsFinite(position);
+        }
+
         /// <summary>Discards all samples and plans, after a restart of the control system or its clock.</summary>
         public void Reset()
         {

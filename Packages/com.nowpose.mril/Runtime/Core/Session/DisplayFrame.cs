@@ -122,11 +122,27 @@ namespace Nowpose.Session
         /// <param name="origin">That of the joints up to the tool.</param>
         internal RigidTransform LinkPoseAt(int link, ControlTime at, out PoseOrigin origin)
         {
-            _positionsAt ??= new double[_tracks.Positions.Length];
-            _linkPosesAt ??= new RigidTransform[_linkPoses.Length];
+            MakeScratch();
             origin = _tracks.At(at, _toolJoints, _positionsAt);
             _kinematics.Compute(_positionsAt, _linkPosesAt);
             return _linkPosesAt[link];
+        }
+
+        /// <summary>Returns the tool's planned pose in the robot's base frame at a time, however far ahead.</summary>
+        /// <returns>False if a joint up to the tool follows no plan at that time.</returns>
+        internal bool TryPlanTool(ControlTime at, out RigidTransform tool)
+        {
+            MakeScratch();
+            var isPlanned = _tracks.TryPlan(at, _toolJoints, _positionsAt);
+            if (isPlanned) _kinematics.Compute(_positionsAt, _linkPosesAt);
+            tool = isPlanned ? _linkPosesAt[_toolLink] : RigidTransform.Identity;
+            return isPlanned;
+        }
+
+        void MakeScratch()
+        {
+            _positionsAt ??= new double[_tracks.Positions.Length];
+            _linkPosesAt ??= new RigidTransform[_linkPoses.Length];
         }
 
         PoseState JudgeState(bool isJointReportedMissing)

@@ -114,7 +114,7 @@ namespace Nowpose.Session
         }
 
         /// <summary>Computes the positions at another time than the displayed one. Joints without samples have their displayed positions.</summary>
-        /// <param name="judged">Joints whose data determine the result's origin.</param>
+        /// <param name="judged">Joints whose data determine the result's origin; no mimic joints.</param>
         /// <param name="positions">Receives one position per moving joint.</param>
         public PoseOrigin At(ControlTime at, int[] judged, double[] positions)
         {
@@ -124,7 +124,7 @@ namespace Nowpose.Session
             var origin = PoseOrigin.Measured;
             foreach (var each in judged)
             {
-                var joint = _joints[SampledOf(each)];
+                var joint = _joints[each];
                 var kind = joint.At(time).Kind;
                 if (kind == PredictionKind.None || kind == PredictionKind.Held) return PoseOrigin.None;
                 if (joint.NewestTime < time) origin = PoseOrigin.Forecast;
@@ -132,13 +132,18 @@ namespace Nowpose.Session
             return origin;
         }
 
-        // The joint whose samples determine a joint's position: for a mimic joint without samples of its own, the master.
-        int SampledOf(int joint)
+        /// <summary>Computes the planned positions at a time, however far ahead. Other joints have their displayed positions.</summary>
+        /// <param name="needed">Joints that must follow a plan at that time.</param>
+        /// <param name="positions">Receives one position per moving joint.</param>
+        /// <returns>False if one of them does not.</returns>
+        public bool TryPlan(ControlTime at, int[] needed, double[] positions)
         {
-            if (HasSample(joint)) return joint;
-            foreach (var (mimic, master) in _mimics)
-                if (mimic == joint) return master;
-            return joint;
+            var time = ClockTicks.Seconds(at - _epoch);
+            _positions.CopyTo(positions, 0);
+            foreach (var joint in needed)
+                if (!HasSample(joint) || !_joints[joint].TryPlan(time, out positions[joint])) return false;
+            _robot.CompleteMimics(positions, _given);
+            return needed.Length > 0;
         }
 
         /// <summary>Shows the newest samples unchanged, marked as held, because the time to predict to is unknown. Allocates nothing.</summary>

@@ -32,6 +32,9 @@ namespace Nowpose.Unity.Cell
         /// <param name="source">The session, whose own robot it may be.</param>
         public RobotModel ModelIn(MrilSession source) => IsOwn ? source.Robot : _robot?.Robot;
 
+        /// <summary>The robot in the session of the last frame; null while it is unknown.</summary>
+        public SessionRobot Robot => _robot;
+
         /// <summary>State of the robot's pose in the session's frame.</summary>
         public PoseState StateIn(DisplayFrame frame) => IsOwn ? frame.State : _robot == null ? PoseState.Incomplete : _robot.Frame.State;
 

@@ -17,11 +17,15 @@ namespace Nowpose.Unity.Cell
     sealed class ShownParts
     {
         readonly List<IShownPart> _parts = new List<IShownPart>();
+        readonly List<string> _objects = new List<string>();
         readonly List<(string Title, string Fault)> _described = new List<(string, string)>();
         readonly List<(string Title, string Fault)> _faults = new List<(string, string)>();
         int _count = -1;
 
         public int Count => _parts.Count;
+
+        /// <summary>Names of the frames of the shown objects; an object that is shown twice has its name twice.</summary>
+        public IReadOnlyList<string> Objects => _objects;
 
         /// <summary>Number of those that are not current, at the last <see cref="Update"/>.</summary>
         public int FaultCount => _faults.Count;
@@ -38,6 +42,19 @@ namespace Nowpose.Unity.Cell
         public void Add(IShownPart part) => _parts.Add(part);
 
         public void Remove(IShownPart part) => _parts.Remove(part);
+
+        /// <summary>Adds an object, which a gripper can take by its reach.</summary>
+        public void Add(IShownPart part, string frame)
+        {
+            Add(part);
+            _objects.Add(frame);
+        }
+
+        public void Remove(IShownPart part, string frame)
+        {
+            Remove(part);
+            _objects.Remove(frame);
+        }
 
         /// <summary>Reads the state of all parts. Allocates only when it has changed.</summary>
         public void Update()

@@ -30,7 +30,7 @@ namespace Nowpose.Unity.Cell
         public SignalTrack Track { get; private set; }
 
         /// <summary>Why the value is not current, in one line; null if it is.</summary>
-        public string Fault => _session == null ? "no session" : _session.Signals.FaultOf(_name, _session.SampleLink.State == LinkState.Connected);
+        public string Fault => FaultOf(_session, _name);
 
         string IShownPart.Title => _title;
 
@@ -45,6 +45,11 @@ namespace Nowpose.Unity.Cell
             ConsoleLog.Warn(component, what + " has no session on its object or a parent; assign one");
             return null;
         }
+
+        /// <summary>Returns why a signal's value is not current, in one line; null if it is.</summary>
+        /// <param name="session">Null for none.</param>
+        public static string FaultOf(CompensationSession session, string name) =>
+            session == null ? "no session" : session.Signals.FaultOf(name, session.SampleLink.State == LinkState.Connected);
 
         /// <summary>Ends following.</summary>
         public void Leave()

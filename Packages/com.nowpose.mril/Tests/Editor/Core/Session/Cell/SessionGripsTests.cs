@@ -32,7 +32,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             foreach (var name in objects) cell.Session.Frames.Need(name);
             var robot = cell.Session.Robots[0];
             var grip = new ReachGrip(
-                cell.Session.Frames.Tree, robot, robot.Robot.IndexOfLink("tool_centre_point"), "tool_centre_point", Reach, objects);
+                cell.Session.Frames.Tree, robot, robot.Robot.IndexOfLink("tool_centre_point"), Reach, objects);
             cell.Session.Grips.Add(grip, "grip");
             return (cell, grip);
         }
@@ -244,7 +244,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         {
             var (cell, first) = NewCell("box");
             var robot = cell.Session.Robots[0];
-            var second = new ReachGrip(cell.Session.Frames.Tree, robot, robot.Robot.IndexOfLink("base"), "base", 2, new[] { "box" });
+            var second = new ReachGrip(cell.Session.Frames.Tree, robot, robot.Robot.IndexOfLink("base"), 2, new[] { "box" });
             cell.Session.Grips.Add(second, "other");
             cell.Send("world", "box", 20, At(1, 0), isStationary: true);
             cell.Sampling = t => cell.SendJoints(t, Shoulder(t), 0);

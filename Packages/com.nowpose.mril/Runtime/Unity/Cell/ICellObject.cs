@@ -1,0 +1,11 @@
+using Nowpose.Session;
+
+namespace Nowpose.Unity.Cell
+{
+    /// <summary>A component that places its object by a frame of the cell, whose state its look shows.</summary>
+    interface ICellObject
+    {
+        /// <summary>Whether the object is shown where it is at the display time, and otherwise why not.</summary>
+        PoseState State { get; }
+    }
+}

@@ -1,0 +1,119 @@
+using Nowpose.Frames;
+using Nowpose.Session;
+using Nowpose.Unity.Cell;
+using Nowpose.Unity.Session;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>Lets the virtual gripper carry the object within its reach while a signal is on, where no source says what is gripped.</summary>
+    /// <remarks>
+    /// Objects are those of Tracked Object and Stationary Object in the same session. The poses at the stamp of the signal's change decide, so
+    /// that all headsets show the same. A source that gives the object a parent itself has priority.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Grip by Reach")]
+    [DisallowMultipleComponent]
+    public sealed class GripByReach : MonoBehaviour, IShownPart
+    {
+        [SerializeField, Tooltip("The rig whose robot carries the gripper. Empty: the rig on a parent.")]
+        RobotRig _rig = null;
+
+        [SerializeField, Tooltip("Name of the signal on /signals that is on (0.5 or more) while the gripper is closed. Empty: the name of this object.")]
+        string _signal = "";
+
+        [SerializeField, Tooltip("Name of the robot's link whose origin is the gripping point. Empty: the tool, or the flange of a robot without one.")]
+        string _link = "";
+
+        [SerializeField, Range(0.001f, 1), Tooltip("Maximum distance of an object's origin from the gripping point in metres.")]
+        float _reachMetres = 0.05f;
+
+        RobotRig _source;
+        MrilSession _session;
+        SessionRobot _robot;
+        CompensationSession _followed;
+        ReachGrip _grip;
+        string _title, _problem;
+
+        /// <summary>Name of the signal.</summary>
+        public string Signal => string.IsNullOrEmpty(_signal) ? name : _signal;
+
+        /// <summary>Name of the frame of the object that the gripper holds; null for none.</summary>
+        public string Held => _grip?.Held;
+
+        /// <summary>Why it is unknown what the gripper holds, in one line; null if it is known.</summary>
+        public string Fault
+        {
+            get
+            {
+                if (_source == null) return "no rig";
+                if (_followed == null) return "no session";
+                if (_grip == null) return _problem ?? "its robot is unknown";
+                return _grip.Fault ?? SignalFollower.FaultOf(_followed, Signal);
+            }
+        }
+
+        string IShownPart.Title => _title;
+
+        void OnEnable()
+        {
+            _source = _rig != null ? _rig : GetComponentInParent<RobotRig>();
+            if (_source == null)
+            {
+                ConsoleLog.Warn(this, "grip by reach '" + name + "' has no rig on a parent; assign one");
+                return;
+            }
+            _title = "gripper " + name;
+            Follow(_source.Session);
+        }
+
+        void OnDisable() => Follow(null);
+
+        // The rig may be enabled later than this object.
+        void LateUpdate()
+        {
+            if (_source != null && _source.Session != _session) Follow(_source.Session);
+        }
+
+        void Follow(MrilSession session)
+        {
+            if (_session is object)
+            {
+                _session.Shown -= Show;
+                _session.Parts.Remove(this);
+                Drop();
+            }
+            _session = session;
+            if (session == null) return;
+            session.Shown += Show;
+            session.Parts.Add(this);
+        }
+
+        void Show(DisplayFrame frame)
+        {
+            if (_session.Session == _followed && _source.Robot == _robot) return;
+            Drop();
+            _followed = _session.Session;
+            _robot = _source.Robot;
+            if (_robot == null) return;
+            var link = string.IsNullOrEmpty(_link) ? _robot.Robot.ToolLink.Name : _link;
+            var index = _robot.Robot.IndexOfLink(link);
+            if (index < 0)
+            {
+                _problem = "the robot '" + _robot.Robot.Name + "' has no link '" + link + "'";
+                ConsoleLog.Fail(this, "grip by reach '" + name + "': " + _problem);
+                return;
+            }
+            _grip = new ReachGrip(_followed.Frames.Tree, _robot, index, _reachMetres, _session.Parts.Objects);
+            _followed.Grips.Add(_grip, Signal);
+        }
+
+        void Drop()
+        {
+            _problem = null;
+            if (_grip != null) _followed.Grips.Remove(_grip);
+            _grip = null;
+            _followed = null;
+            _robot = null;
+        }
+    }
+}

@@ -1,0 +1,117 @@
+using System;
+using Nowpose.Kinematics;
+using Nowpose.Session;
+using Nowpose.Unity.Cell;
+using Nowpose.Unity.Session;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>Draws the way that the tool will take, where the control system publishes its set-points.</summary>
+    /// <remarks>
+    /// The line begins at the displayed tool and ends where the plan does, or after the time ahead. It is hidden while the pose is not current,
+    /// while no plan is known, and while the robot does not follow its plan.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Planned Path")]
+    [DisallowMultipleComponent]
+    [RequireComponent(typeof(LineRenderer))]
+    public sealed class PlannedPath : MonoBehaviour
+    {
+        /// <summary>Time between two points of the line, s.</summary>
+        const float Step = 1 / 30f;
+
+        [SerializeField, Tooltip("The rig whose robot's path is drawn. Empty: the rig on a parent.")]
+        RobotRig _rig = null;
+
+        [SerializeField, Range(0.1f, 5), Tooltip("Time that the line shows ahead in seconds.")]
+        float _aheadSeconds = 1;
+
+        [SerializeField, Range(0.001f, 0.1f), Tooltip("Width of the line in metres.")]
+        float _widthMetres = 0.004f;
+
+        RobotRig _source;
+        MrilSession _session;
+        LineRenderer _line;
+        Vector3[] _places = Array.Empty<Vector3>();
+
+        /// <summary>Time for which the plan is drawn, s; 0 while the line is hidden.</summary>
+        public float DrawnSeconds { get; private set; }
+
+        void OnEnable()
+        {
+            _line = GetComponent<LineRenderer>();
+            _line.useWorldSpace = true;
+            _line.widthMultiplier = _widthMetres;
+            if (_line.sharedMaterial == null)
+                ConsoleLog.Warn(this, "planned path '" + name + "' has no material, so its line is magenta; assign one in its Line Renderer");
+            Hide();
+            _source = _rig != null ? _rig : GetComponentInParent<RobotRig>();
+            if (_source == null) ConsoleLog.Warn(this, "planned path '" + name + "' has no rig on a parent; assign one");
+            else Follow(_source.Session);
+        }
+
+        void OnDisable()
+        {
+            Follow(null);
+            _source = null;
+        }
+
+        // The rig may be enabled later than this object.
+        void LateUpdate()
+        {
+            if (_source != null && _source.Session != _session) Follow(_source.Session);
+        }
+
+        void Follow(MrilSession session)
+        {
+            if (_session is object)
+            {
+                _session.Shown -= Show;
+                _session.Hidden -= Hide;
+            }
+            Hide();
+            _session = session;
+            if (session == null) return;
+            session.Shown += Show;
+            session.Hidden += Hide;
+        }
+
+        void Show(DisplayFrame frame)
+        {
+            var robot = _source.Robot;
+            var count = robot != null && frame.DisplayTime is ControlTime light && robot.Frame.State == PoseState.Current
+                ? Plan(robot.Frame, light)
+                : 0;
+            if (count < 2) Hide();
+            else Draw(count);
+        }
+
+        int Plan(DisplayFrame frame, ControlTime light)
+        {
+            var wanted = 1 + (int)Math.Round(_aheadSeconds / Step);
+            if (_places.Length != wanted) _places = new Vector3[wanted];
+            var count = 0;
+            for (; count < wanted; count++)
+            {
+                var at = light + ClockTicks.Span(count * Step);
+                if (!frame.TryPlanTool(at, out var tool)) break;
+                _places[count] = _source.transform.TransformPoint(UnityFrame.ToUnity(tool).Position());
+            }
+            return count;
+        }
+
+        void Draw(int count)
+        {
+            DrawnSeconds = (count - 1) * Step;
+            _line.enabled = true;
+            _line.positionCount = count;
+            for (var i = 0; i < count; i++) _line.SetPosition(i, _places[i]);
+        }
+
+        void Hide()
+        {
+            DrawnSeconds = 0;
+            if (_line != null) _line.enabled = false;
+        }
+    }
+}
