@@ -24,7 +24,7 @@ sealed class DemoBodies(CellWork work)
         if (session == null || session == _followed) return;
         _followed = session;
         foreach (var name in _names) session.Frames.Need(name);
-        // Shown too, although nobody looks at them here; they carry the objects later.
+        // Shown too, because the objects stand on them later.
         session.Frames.Need(CellWork.Conveyor);
         foreach (var robot in work.Robots) session.Frames.Need(robot.Fixture);
     }

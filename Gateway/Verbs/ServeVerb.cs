@@ -36,23 +36,31 @@ static class ServeVerb
             Description = "Configuration of a control system (.yaml), whose adapter starts with the gateway. Repeat for several control systems",
             HelpName = "FILE",
         };
+        var stationary = new Option<string>("--stationary")
+        {
+            Description = "File of stationary objects (.json), as a headset saves them or by hand; the gateway publishes them on /tf_static",
+            HelpName = "FILE",
+        };
         var command = new Command("serve", "Serve the data of the sources that connect to the gateway");
         command.Options.Add(robot);
         command.Options.Add(controlClock);
         command.Options.Add(ownClock);
         command.Options.Add(plants);
+        command.Options.Add(stationary);
         server.AddTo(command);
         command.SetAction(async (parsed, stop) =>
         {
             var name = parsed.GetValue(robot);
             var files = parsed.GetValue(plants) ?? [];
+            var frames = parsed.GetValue(stationary);
             if (server.IsCheck(parsed))
             {
-                await CheckAsync(server, parsed, parsed.GetValue(ownClock) == System, name, files, stop);
+                await CheckAsync(server, parsed, parsed.GetValue(ownClock) == System, name, files, frames, stop);
                 return;
             }
 
             var description = name == null ? null : Describe(name);
+            var placed = frames == null ? null : StationaryFrames.Load(frames);
             var clock = server.Clock(parsed, parsed.GetValue(ownClock) == System);
             var options = server.Options(parsed) with
             {
@@ -66,6 +74,7 @@ static class ServeVerb
             using var source = gateway.Hub.OpenSource();
             if (description != null)
                 source.TryDescribe(description);
+            if (placed != null) StationaryFrames.Publish(frames, placed, source);
             if (server.Records(parsed)) gateway.Recorder.SwitchOn();
             Announcement.Write(gateway, clock, server.SkewPpm(parsed), name, null);
             await using var adapters = AdapterProcesses.Start(read, gateway);
@@ -75,13 +84,14 @@ static class ServeVerb
     }
 
     static async Task CheckAsync(
-        ServerArguments server, ParseResult parsed, bool isSystemClock, string robot, string[] plants, CancellationToken stop)
+        ServerArguments server, ParseResult parsed, bool isSystemClock, string robot, string[] plants, string stationary, CancellationToken stop)
     {
         var findings = new Findings();
         var options = server.Check(parsed, findings);
         findings.Try(() => server.Clock(parsed, isSystemClock));
         var description = robot == null ? null : findings.Try(() => Describe(robot));
         findings.Good("robot", robot);
+        if (stationary != null) findings.Try(() => findings.Good("stationary", $"{stationary} ({StationaryFrames.Load(stationary).Count} frames)"));
         try
         {
             var read = await AdapterProcesses.CheckAsync(plants, options, stop);

@@ -17,16 +17,28 @@ public class PlayedObjectTests
 
     PlayedCell _cell;
     MrilSession _session;
+    string _folder;
 
     [SetUp]
     public void Start()
     {
+        _folder = Directory.CreateTempSubdirectory("nowpose-objects-").FullName;
+        Begin();
+    }
+
+    void Begin()
+    {
         _cell = new PlayedCell();
+        _cell.Player.World.Host.PersistentDataPath = _folder;
         _session = _cell.NewSession();
     }
 
     [TearDown]
-    public void Stop() => _cell.Dispose();
+    public void Stop()
+    {
+        _cell.Dispose();
+        Directory.Delete(_folder, true);
+    }
 
     // The headset clock starts at 1000 s and is 300 s behind the control clock.
     static ControlTime At(double seconds) => ControlTime.FromSeconds(1300 + seconds);
@@ -120,6 +132,92 @@ public class PlayedObjectTests
 
         Assert.That(box.State, Is.EqualTo(PoseState.Incomplete));
         Assert.That(box.GetComponent<PoseAppearance>().Look.IsDrawn, Is.False);
+    }
+
+    [Test]
+    public void StationaryObject_PlacedByHand_StaysSavedAndCarriesItsChildren()
+    {
+        var anchor = Below<BaseAnchor>("Base Anchor", _session.transform);
+        anchor.transform.position = new Vector3(1, 2, 3);
+        var fixture = Below<StationaryObject>("fixture", anchor.transform);
+        var lid = Below<TrackedObject>("lid", anchor.transform);
+        void Send(double t) => SendPose("fixture", "lid", t, Along(0.05));
+        Run(1, Send);
+        _session.Parts.Update();
+        Assert.That(_session.Parts.Faults, Does.Contain("object fixture: not placed; place it by hand, or publish its frame on /tf_static"));
+        var look = fixture.GetComponent<PoseAppearance>().Look;
+        Assert.That((look.Words, look.IsDrawn, look.IsHatched), Is.EqualTo(("not placed", true, true)));
+
+        fixture.BeginMove();
+        fixture.transform.SetPositionAndRotation(new Vector3(2, 2.5f, 3), Quaternion.Euler(0, 30, 0));
+        Run(0.5, Send);
+        fixture.EndMove();
+        Run(0.5, Send);
+
+        Assert.That((fixture.State, fixture.IsMoving, lid.State), Is.EqualTo((PoseState.Current, false, PoseState.Current)));
+        Assert.That(Vector3.Distance(fixture.transform.position, new Vector3(2, 2.5f, 3)), Is.LessThan(1e-5));
+        AssertAt(lid.transform, fixture.transform, Along(0.05));
+        Assert.That(fixture.GetComponent<PoseAppearance>().Look.IsHatched, Is.False);
+
+        // A new run of the app, in which the base is elsewhere.
+        var place = anchor.transform.InverseTransformPoint(fixture.transform.position);
+        _cell.Dispose();
+        Begin();
+        anchor = Below<BaseAnchor>("Base Anchor", _session.transform);
+        anchor.transform.position = new Vector3(-4, 0, 1);
+        fixture = Below<StationaryObject>("fixture", anchor.transform);
+        Run(0.5);
+        Assert.That(fixture.State, Is.EqualTo(PoseState.Current));
+        Assert.That(Vector3.Distance(anchor.transform.InverseTransformPoint(fixture.transform.position), place), Is.LessThan(1e-5));
+    }
+
+    [Test]
+    public void StationaryObject_SourcePublishesItsFrame_ReplacesThePlaceByHand()
+    {
+        StationaryFrameFile.Save(Path.Combine(_folder, "stationary-objects.json"), new TransformsMessage(
+            Along(1).ToTransform(default, "world", "fixture"), Along(2).ToTransform(default, "world", "other")));
+        var fixture = Below<StationaryObject>("fixture", _session.transform);
+        Run(0.5);
+        AssertAt(fixture.transform, _session.transform, Along(1));
+
+        _session.Session.Listener.FramesReceived(
+            new TransformsMessage(Along(3).ToTransform(default, "world", "fixture")), true, HeadsetTime.FromSeconds(1000 + _cell.Now));
+        Run(0.5);
+        AssertAt(fixture.transform, _session.transform, Along(3));
+
+        fixture.BeginMove();
+        fixture.transform.position = new Vector3(7, 0, 0);
+        Run(0.2);
+        fixture.EndMove();
+        Run(0.2);
+        Assert.That(fixture.transform.position.x, Is.EqualTo(7).Within(1e-5));
+        var saved = StationaryFrameFile.Load(fixture.SavedPath);
+        Assert.That(new[] { saved[0].Child, saved[1].Child }, Is.EqualTo(new[] { "other", "fixture" }), "the places of other objects are kept");
+    }
+
+    [Test]
+    public void StationaryObject_MovedByItsSource_CannotBePlaced()
+    {
+        var fixture = Below<StationaryObject>("box", _session.transform);
+        Run(2, t => SendPose("world", "box", t, Along(0.1 * t)));
+
+        fixture.BeginMove();
+
+        Assert.That(fixture.IsMoving, Is.False);
+        Assert.That(_cell.Messages, Has.Exactly(1).Contains("stationary object 'box': its source or a gripper moves it, so it cannot be placed by hand"));
+    }
+
+    [Test]
+    public void StationaryObject_UnusableFile_IsPutAsideAndNamed()
+    {
+        var path = Path.Combine(_folder, "stationary-objects.json");
+        File.WriteAllText(path, "{");
+        Below<StationaryObject>("fixture", _session.transform);
+
+        Run(0.1);
+
+        Assert.That(_cell.Messages, Has.Exactly(1).Matches("stationary-objects.json, line 1: .*; kept as .*; place the objects again"));
+        Assert.That((File.Exists(path), File.Exists(path + ".bad")), Is.EqualTo((false, true)));
     }
 
     [Test]

@@ -9,7 +9,7 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Changes the look of a pose, of the robot or of a Tracked Object above, that is not current or whose base is uncertain. Everything below this object is striped and
+    /// Changes the look of a pose, of the robot or of an object of the cell above, that is not current or whose base is uncertain. Everything below this object is striped and
     /// fainter, and words state the reason. Before the first joint positions only the words are drawn. Parts of a rig or gripper that no
     /// longer follows the session are hidden.
     /// </summary>
@@ -70,7 +70,7 @@ namespace Nowpose.Unity
             get
             {
                 if (!(_pose is PoseState pose)) return PoseLook.Abandoned;
-                var look = _base.Over(PoseLook.Of(pose, _outsideRange));
+                var look = _base.Over(_object?.IsUnplaced == true ? PoseLook.Unplaced : PoseLook.Of(pose, _outsideRange));
                 return look.IsDrawn && Unmoved is PoseCarrier unmoved ? unmoved.Unmoved(look) : look;
             }
         }

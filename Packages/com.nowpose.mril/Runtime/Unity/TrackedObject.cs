@@ -38,6 +38,8 @@ namespace Nowpose.Unity
         /// <summary>Whether the object is shown where it is at the display time, and otherwise why not.</summary>
         public PoseState State => _followed == null ? PoseState.Incomplete : _followed.State;
 
+        bool ICellObject.IsUnplaced => false;
+
         void OnEnable()
         {
             _followed = FollowedFrame.Of(this, _session, "tracked object '" + name + "'", Frame, isGhost: _shows == RigPose.Held);
@@ -54,6 +56,10 @@ namespace Nowpose.Unity
             _followed = null;
         }
 
-        void Show(DisplayFrame frame) => _followed.Place(transform, _shows);
+        void Show(DisplayFrame frame)
+        {
+            _followed.Update();
+            _followed.Place(transform, _shows);
+        }
     }
 }

@@ -151,7 +151,7 @@ namespace Nowpose.Frames
             _newest = null;
         }
 
-        // A source that does not know that a gripper has moved the object repeats the pose from before.
+        // A source without information about the gripper repeats the pose from before the grip.
         bool IsMovedBy(in FrameTransform pose)
         {
             if (Reach?.IsReleased != true || !(pose.Stamp > Reach.Since)) return false;

@@ -3,7 +3,7 @@ namespace Nowpose.Frames
     /// <summary>Origin of a pose at a given time, the least certain one of all positions from which it was computed.</summary>
     enum PoseOrigin
     {
-        /// <summary>There is no data at that time.</summary>
+        /// <summary>No data for that time.</summary>
         None,
 
         /// <summary>Predicted, or the newest pose of an object whose source has stopped.</summary>

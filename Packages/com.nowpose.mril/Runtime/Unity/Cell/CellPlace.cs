@@ -12,6 +12,10 @@ namespace Nowpose.Unity.Cell
             return anchor != null ? anchor.transform : session.transform;
         }
 
+        /// <summary>Returns the pose of an object in the cell, right-handed, metres.</summary>
+        public static RigidTransform PoseIn(Transform world, Transform placed) => UnityPoses.ToRoom(
+            world.InverseTransformPoint(placed.position), Quaternion.Inverse(world.rotation) * placed.rotation);
+
         /// <param name="pose">Pose in the cell, right-handed, metres.</param>
         public static void PlaceIn(this Transform moved, Transform world, in RigidTransform pose)
         {

@@ -1,4 +1,5 @@
 using Nowpose.Frames;
+using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
@@ -12,14 +13,16 @@ namespace Nowpose.Unity.Cell
         readonly MrilSession _source;
         readonly string _name;
         readonly bool _isGhost;
+        readonly string _missing;
         CompensationSession _session;
         CellFrame _frame;
 
-        FollowedFrame(MrilSession source, Transform world, string name, bool isGhost)
+        FollowedFrame(MrilSession source, Transform world, string name, bool isGhost, string missing)
         {
             _source = source;
             _name = name;
             _isGhost = isGhost;
+            _missing = missing;
             World = world;
             Title = "object " + name;
             if (!isGhost) source.Parts.Add(this, name);
@@ -33,6 +36,12 @@ namespace Nowpose.Unity.Cell
         /// <summary>Name of the frame in which the displayed pose is given; null while no pose is known.</summary>
         public string Parent => _frame?.Parent;
 
+        /// <summary>Whether a pose of the frame is known.</summary>
+        public bool IsKnown => _frame != null;
+
+        /// <summary>Whether something moves the frame: its source or a gripper.</summary>
+        public bool IsMoved => _frame != null && !_frame.IsStationary;
+
         public PoseState State => _session == null ? PoseState.Incomplete : _session.Frames.StateOf(_frame);
 
         public string Fault
@@ -42,7 +51,7 @@ namespace Nowpose.Unity.Cell
                 switch (State)
                 {
                     case PoseState.Current: return null;
-                    case PoseState.Incomplete: return _frame == null ? "no pose received" : "its parent is unknown";
+                    case PoseState.Incomplete: return _frame == null ? _missing : "its parent is unknown";
                     case PoseState.Held: return "its poses have stopped";
                     default: return PoseWords.Of(State);
                 }
@@ -51,11 +60,13 @@ namespace Nowpose.Unity.Cell
 
         /// <param name="what">Kind and name of the component, for the warning if it has no session.</param>
         /// <param name="isGhost">Whether the object is shown a second time, so that it is not listed again.</param>
+        /// <param name="missing">Why it is not current while no pose is known.</param>
         /// <returns>Null without a session.</returns>
-        public static FollowedFrame Of(Component component, MrilSession assigned, string what, string name, bool isGhost)
+        public static FollowedFrame Of(
+            Component component, MrilSession assigned, string what, string name, bool isGhost = false, string missing = "no pose received")
         {
             var source = component.SessionOr(assigned);
-            if (source != null) return new FollowedFrame(source, CellPlace.WorldOf(component, source), name, isGhost);
+            if (source != null) return new FollowedFrame(source, CellPlace.WorldOf(component, source), name, isGhost, missing);
             ConsoleLog.Warn(component, what + " has no session on its object or a parent; assign one");
             return null;
         }
@@ -68,20 +79,36 @@ namespace Nowpose.Unity.Cell
             _frame = null;
         }
 
-        /// <summary>Moves a transform to the frame's pose; it stays where it is while that is unknown. Call it once for each frame.</summary>
+        /// <summary>Follows the session of the component. Call it once for each frame, before the other methods.</summary>
+        /// <returns>Whether it is another session than before.</returns>
+        public bool Update()
+        {
+            var isNew = _source.Session != _session;
+            if (isNew)
+            {
+                _session = _source.Session;
+                _frame = null;
+                _session.Frames.Need(_name);
+            }
+            _frame ??= _session.Frames.Find(_name);
+            return isNew;
+        }
+
+        /// <summary>Places the frame where a transform is, until a source publishes it. Does nothing without a session.</summary>
+        public void PlaceBy(Transform placed)
+        {
+            if (_session == null) return;
+            var reason = _session.Frames.Place(_name, CellPlace.PoseIn(World, placed));
+            if (reason == DropReason.None) _frame = _session.Frames.Find(_name);
+            else ConsoleLog.Fail(placed, Title + " cannot be placed: " + reason);
+        }
+
+        /// <summary>Moves a transform to the frame's pose; it stays where it is while that is unknown.</summary>
         /// <param name="shows">Whether the pose at the display time or the newest received one is shown.</param>
         public void Place(Transform moved, RigPose shows)
         {
-            var session = _source.Session;
-            if (session != _session)
-            {
-                _session = session;
-                _frame = null;
-                session.Frames.Need(_name);
-            }
-            _frame ??= session.Frames.Find(_name);
             if (_frame == null || State == PoseState.Incomplete) return;
-            var tree = session.Frames.Tree;
+            var tree = _session.Frames.Tree;
             moved.PlaceIn(World, shows == RigPose.Displayed ? _frame.World : tree.HeldOf(tree.IndexOf(_name)));
         }
     }

@@ -7,5 +7,8 @@ namespace Nowpose.Unity.Cell
     {
         /// <summary>Whether the object is shown where it is at the display time, and otherwise why not.</summary>
         PoseState State { get; }
+
+        /// <summary>Whether it is shown where it is in the scene, because it has neither been placed by hand nor by a source.</summary>
+        bool IsUnplaced { get; }
     }
 }

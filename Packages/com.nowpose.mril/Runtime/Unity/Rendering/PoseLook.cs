@@ -10,6 +10,9 @@ namespace Nowpose.Unity.Rendering
         /// <summary>No frames are computed; the last pose stays visible.</summary>
         public static readonly PoseLook Abandoned = new PoseLook("no session", "the session is disabled or paused", 0.8f);
 
+        /// <summary>An object that waits for its place; visible, so that a hand can take it.</summary>
+        public static readonly PoseLook Unplaced = new PoseLook("not placed", "neither a hand nor a source has placed it", 0.5f);
+
         /// <summary>
         /// Minimum fade of a striped look: a part smaller than a stripe (1 cm) may be between two stripes, so that only the fade is visible.
         /// </summary>

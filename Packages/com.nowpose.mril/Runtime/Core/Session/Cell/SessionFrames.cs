@@ -1,4 +1,5 @@
 using Nowpose.Frames;
+using Nowpose.Kinematics;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -50,6 +51,15 @@ namespace Nowpose.Session.Cell
 
         /// <summary>Predicts a frame from now on, whether a pose of it has been received or not.</summary>
         public void Need(string name) => _needed.Need(name);
+
+        /// <summary>Places a stationary frame by hand, until a source publishes it, and shows it from now on.</summary>
+        /// <param name="pose">Pose in the frame world.</param>
+        /// <returns>Why it cannot be placed; <see cref="DropReason.None"/> if it is.</returns>
+        public DropReason Place(string name, in RigidTransform pose)
+        {
+            _needed.Need(name);
+            return _needed.Add(pose.ToTransform(default, FrameParents.World, name), isStationary: true);
+        }
 
         /// <summary>Returns a frame; null if no pose of it has been received since <see cref="Need"/>.</summary>
         public CellFrame Find(string name)

@@ -1,0 +1,59 @@
+using System;
+using System.Globalization;
+using System.IO;
+using System.Text;
+using Newtonsoft.Json;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+
+namespace Nowpose.Frames
+{
+    /// <summary>Reads and writes the poses of stationary frames in a file: the tf2_msgs/TFMessage of /tf_static, as JSON.</summary>
+    static class StationaryFrameFile
+    {
+        const int MaxBytes = 1024 * 1024, Nesting = 6;
+        const string What = "list of stationary frames";
+
+        /// <exception cref="InputException">The file cannot be read or is invalid; the message names the file, the line and the reason.</exception>
+        public static TransformsMessage Load(string path)
+        {
+            var utf8 = Encoding.UTF8.GetBytes(WholeFile.Read(path, MaxBytes));
+            var json = new JsonUtf8Reader(utf8, Nesting);
+            var message = new TransformsReader().Read(ref json, isStatic: true);
+            if (message != null && json.End()) return message;
+            throw new InputException(path + ", line " + LineAt(utf8, json.Position) + ": " + WordsOf(json.Fault));
+        }
+
+        /// <exception cref="InputException">The file cannot be written; the old file is unchanged.</exception>
+        public static void Save(string path, TransformsMessage message)
+        {
+            var text = new StringWriter(CultureInfo.InvariantCulture) { NewLine = "\n" };
+            using var json = new JsonTextWriter(text) { Formatting = Formatting.Indented };
+            RosMessageWriter.Write(json, message, RosTimeForm.Sec);
+            json.Flush();
+            WholeFile.Write(path, text + "\n", What);
+        }
+
+        static int LineAt(byte[] utf8, int position)
+        {
+            var line = 1;
+            for (var i = 0; i < Math.Min(position, utf8.Length); i++)
+                if (utf8[i] == '\n') line++;
+            return line;
+        }
+
+        static string WordsOf(DropReason fault)
+        {
+            switch (fault)
+            {
+                case DropReason.NotUnitQuaternion: return "a rotation must be a quaternion with the norm 1 within " + FrameTransform.NormTolerance.ToString(CultureInfo.InvariantCulture);
+                case DropReason.NotFinite: return "a number must be finite";
+                case DropReason.OwnParent: return "a frame is its own parent";
+                case DropReason.DuplicateName: return "a child_frame_id occurs twice";
+                case DropReason.TooManyFrames: return "more than " + ProtocolLimits.Frames + " frames";
+                case DropReason.MissingField: return "a field is missing";
+                default: return "is not a tf2_msgs/TFMessage as JSON (" + fault + ")";
+            }
+        }
+    }
+}

@@ -1,0 +1,100 @@
+using System;
+using System.IO;
+using System.Linq;
+using Nowpose.Frames;
+using Nowpose.Kinematics;
+using Nowpose.Protocol.Cell;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Frames
+{
+    public class StationaryFrameFileTests
+    {
+        string _folder, _path;
+
+        [SetUp]
+        public void Create()
+        {
+            _folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
+            Directory.CreateDirectory(_folder);
+            _path = Path.Combine(_folder, "stationary-objects.json");
+        }
+
+        [TearDown]
+        public void Remove() => Directory.Delete(_folder, true);
+
+        static FrameTransform Frame(string child, double x, double yaw) =>
+            RigidTransform.FromXyzRpy(x, -0.25, 1e-9, 0.1, -0.2, yaw).ToTransform(default, "world", child);
+
+        [Test]
+        public void Save_SeveralFrames_RoundTripExactly()
+        {
+            var written = new[] { Frame("förderband \"1\"", 0.1, 3), Frame("fixture", -1 / 3.0, -3) };
+
+            StationaryFrameFile.Save(_path, new TransformsMessage(written));
+            StationaryFrameFile.Save(_path, StationaryFrameFile.Load(_path));
+            var read = StationaryFrameFile.Load(_path);
+
+            Assert.That(read.Count, Is.EqualTo(2));
+            for (var i = 0; i < 2; i++)
+            {
+                Assert.That((read[i].Child, read[i].Parent, read[i].Stamp), Is.EqualTo((written[i].Child, "world", default(ControlTime))));
+                Assert.That((read[i].X, read[i].Y, read[i].Z), Is.EqualTo((written[i].X, written[i].Y, written[i].Z)));
+                Assert.That(read[i].Qw, Is.EqualTo(written[i].Qw).Within(1e-15));
+                Assert.That(read[i].Qz, Is.EqualTo(written[i].Qz).Within(1e-15));
+            }
+        }
+
+        [TestCase("\"w\": 1.0", "\"w\": 1.1", 25, "a rotation must be a quaternion with the norm 1 within 0.001")]
+        [TestCase("\"x\": 0.5", "\"x\": NaN", 14, "a number must be finite")]
+        [TestCase("\"frame_id\": \"world\"", "\"frame_id\": \"box\"", 25, "a frame is its own parent")]
+        [TestCase("\"child_frame_id\": \"box\",", "", 25, "a field is missing")]
+        [TestCase("\"y\": 0.0,", "\"y\": 0.0;", 15, "is not a tf2_msgs/TFMessage as JSON (NotJson)")]
+        public void Load_Invalid_IsRefusedWithItsLine(string good, string bad, int line, string words)
+        {
+            var pose = RigidTransform.FromXyzRpy(0.5, 0, 0, 0, 0, 0);
+            StationaryFrameFile.Save(_path, new TransformsMessage(pose.ToTransform(default, "world", "box")));
+            var text = File.ReadAllText(_path);
+            Assert.That(text, Does.Contain(good));
+            var at = text.IndexOf(good, StringComparison.Ordinal);
+            File.WriteAllText(_path, text.Remove(at, good.Length).Insert(at, bad));
+
+            var fault = Assert.Throws<InputException>(() => StationaryFrameFile.Load(_path));
+
+            Assert.That(fault.Message, Is.EqualTo(_path + ", line " + line + ": " + words));
+        }
+
+        [TestCase("")]
+        [TestCase("[]")]
+        [TestCase("{}")]
+        [TestCase("{\"transforms\": []}")]
+        [TestCase("{\"transforms\": 3}")]
+        [TestCase("\0\u0001rubbish")]
+        public void Load_Rubbish_IsRefusedInOneLine(string text)
+        {
+            File.WriteAllText(_path, text);
+
+            var fault = Assert.Throws<InputException>(() => StationaryFrameFile.Load(_path));
+
+            Assert.That(fault.Message, Does.StartWith(_path + ", line 1: "));
+            Assert.That(fault.Message.Contains('\n'), Is.False);
+        }
+
+        [Test]
+        public void Load_TextAfterTheEnd_IsRefused()
+        {
+            StationaryFrameFile.Save(_path, new TransformsMessage(Frame("box", 0, 0)));
+            File.AppendAllText(_path, "{}");
+
+            Assert.That(() => StationaryFrameFile.Load(_path), Throws.InstanceOf<InputException>());
+        }
+
+        [Test]
+        public void Save_ReadByPeople_HasOneFieldPerLine()
+        {
+            StationaryFrameFile.Save(_path, new TransformsMessage(Frame("box", 0.5, 0)));
+
+            Assert.That(File.ReadAllLines(_path).Count(line => line.Contains(':')), Is.GreaterThan(12));
+        }
+    }
+}
