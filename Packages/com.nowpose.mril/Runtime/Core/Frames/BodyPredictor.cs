@@ -26,6 +26,8 @@ namespace Nowpose.Frames
         readonly VectorMixture _position;
         readonly VectorMixture _angles;
         readonly RotationHistory _rotations = new RotationHistory();
+        readonly double _horizonCap;
+        bool _restsBeforeSecondSample;
 
         /// <param name="predictor">A name that <see cref="Predictors.Create"/> accepts.</param>
         /// <param name="limits">Horizon cap and maximum gap. Limits of position apply to the coordinates in m and to the angles alike.</param>
@@ -35,6 +37,7 @@ namespace Nowpose.Frames
         {
             _position = Create(predictor, limits, blend);
             _angles = Create(predictor, limits, blend);
+            _horizonCap = limits.HorizonCap;
         }
 
         /// <summary>Pose of the newest sample, which a display without compensation shows; the identity before the first sample.</summary>
@@ -53,6 +56,7 @@ namespace Nowpose.Frames
         /// </returns>
         public SampleOutcome Add(in PoseSample sample, double displayed = double.NaN)
         {
+            if (sample.Time > NewestTime) _restsBeforeSecondSample &= double.IsNegativeInfinity(NewestTime);
             var outcome = AddComponents(sample, displayed, out var hasStartedAnew);
             if (!hasStartedAnew) return outcome;
             Reset();
@@ -70,6 +74,7 @@ namespace Nowpose.Frames
         public RigidTransform At(double time, out PredictionKind kind)
         {
             kind = _position.Main.KindAt(time);
+            if (kind == PredictionKind.Held && _restsBeforeSecondSample && time - NewestTime <= _horizonCap) kind = PredictionKind.Predicted;
             return kind == PredictionKind.None ? RigidTransform.Identity
                 : PoseOf(_rotations.RotationOf(_angles.At(time), time), _position.At(time));
         }
@@ -82,9 +87,20 @@ namespace Nowpose.Frames
             return Hold;
         }
 
-        /// <summary>Discards all samples and what was learned from them: after a restart of the source, or for another parent.</summary>
+        /// <summary>
+        /// Discards all samples for another parent. The first sample in it predicts an object at rest there, up to the horizon cap: a gripper
+        /// or a fixture holds what it has taken. Its speed is known from the second sample on.
+        /// </summary>
+        public void ChangeParent()
+        {
+            Reset();
+            _restsBeforeSecondSample = true;
+        }
+
+        /// <summary>Discards all samples and what was learned from them, after a restart of the source.</summary>
         public void Reset()
         {
+            _restsBeforeSecondSample = false;
             _position.Reset();
             _angles.Reset();
             _rotations.Clear();

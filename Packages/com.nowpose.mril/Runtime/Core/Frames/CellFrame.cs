@@ -66,7 +66,7 @@ namespace Nowpose.Frames
         /// <param name="epoch">Time from which the predictor counts.</param>
         public DropReason Add(in FrameTransform pose, bool isStationary, ControlTime epoch)
         {
-            if (_parent == null) Begin(pose, isStationary);
+            if (_parent == null) Begin(pose, isStationary, hasFormerParent: false);
             if (pose.Parent == _parent && isStationary == _isStationary && _waitingCount == 0)
             {
                 if (IsMovedBy(pose)) Put(null);
@@ -111,7 +111,7 @@ namespace Nowpose.Frames
             if (_waitingCount == 0) return;
             // The object's source decides: it has given it another parent.
             _reach = null;
-            Begin(_waiting[0], _isNextStationary);
+            Begin(_waiting[0], _isNextStationary, hasFormerParent: true);
             for (var i = 0; i < _waitingCount; i++) Take(_waiting[i], epoch);
             _waitingCount = 0;
         }
@@ -160,12 +160,13 @@ namespace Nowpose.Frames
                 || UnitQuaternion.Of(difference).Log().Length > SameRotation;
         }
 
-        void Begin(in FrameTransform pose, bool isStationary)
+        void Begin(in FrameTransform pose, bool isStationary, bool hasFormerParent)
         {
             _parent = pose.Parent;
             _isStationary = isStationary;
             if (!isStationary) _predictor ??= _newPredictor();
-            _predictor?.Reset();
+            if (hasFormerParent) _predictor?.ChangeParent();
+            else _predictor?.Reset();
             _newest = null;
         }
 

@@ -202,6 +202,25 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
+        public void HandOver_OnePoseInTheNewParent_IsAtRestThereUpToTheHorizonCap()
+        {
+            var tree = NewTree();
+            tree.Add(Pose(0, "world", "fixture", 1), isStationary: true);
+            tree.Add(Pose(0, "world", "part"), isStationary: false);
+            tree.Evaluate(At(0.1));
+            Assert.That(FrameOf(tree, "part").State, Is.EqualTo(FrameState.Held), "the first pose of all says nothing of the speed");
+
+            tree.Add(Pose(0.2, "fixture", "part", 0.5), isStationary: false);
+            tree.Evaluate(At(0.3));
+
+            Assert.That(FrameOf(tree, "part").State, Is.EqualTo(FrameState.Current));
+            tree.Evaluate(At(0.45));
+            Assert.That(FrameOf(tree, "part").World.X, Is.EqualTo(1.5).Within(1e-9));
+            tree.Evaluate(At(0.55));
+            Assert.That(FrameOf(tree, "part").State, Is.EqualTo(FrameState.Held), "0.35 s are more than the horizon cap");
+        }
+
+        [Test]
         public void Add_FormerParentAfterTheHandOver_IsLate()
         {
             var tree = NewTree();
