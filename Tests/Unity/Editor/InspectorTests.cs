@@ -69,6 +69,31 @@ public sealed class InspectorTests : EditorFixture
         Assert.That(GuiRecorder.Texts, Does.Contain("Source: nothing measures"));
     }
 
+    [Test]
+    public void PartsOfTheCell_Playing_ShowTheirValuesAndFaults()
+    {
+        var session = _played.Cell.Play();
+        var rig = Below<RobotRig>(session);
+        var tracked = Below<TrackedObject>(session);
+        var part = Below<ActuatedPart>(session);
+        var signal = Below<CellSignal>(session);
+        var grip = new GameObject("grip").AddComponent<GripByReach>();
+        grip.transform.SetParent(rig.transform);
+        grip.enabled = false;
+        grip.enabled = true;
+        var path = rig.gameObject.AddComponent<PlannedPath>();
+        var fixture = Below<StationaryObject>(session);
+        _played.Play(session, 1);
+
+        foreach (var shown in new Component[] { tracked, part, signal, grip, path, fixture }) _played.Inspect(shown).OnInspectorGUI();
+
+        Assert.That(GuiRecorder.Texts, Does.Contain("Parent: –").And.Contain("State: no pose received"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Share of the stroke: 0 %").And.Contain("Value: –"));
+        Assert.That(GuiRecorder.Texts.Count(text => text == "State: no connection"), Is.EqualTo(3), "part, signal and gripper");
+        Assert.That(GuiRecorder.Texts, Does.Contain("Holds: nothing").And.Contain("Drawn ahead: nothing").And.Contain("Moved by hand: no"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("State: not placed; place it by hand, or publish its frame on /tf_static"));
+    }
+
     [TestCase(0.0115, "gripper_finger_joint_l: 11.5 mm")]
     [TestCase(0.004, "gripper_finger_joint_l: 4.0 mm")]
     public void Gripper_Playing_ShowsTheOpeningOfItsFingers(double metres, string row)

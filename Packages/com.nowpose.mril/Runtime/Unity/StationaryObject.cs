@@ -45,6 +45,9 @@ namespace Nowpose.Unity
         /// <summary>Path of the file that keeps the places of objects that were placed by hand.</summary>
         public string SavedPath => Path.Combine(Application.persistentDataPath, _fileName);
 
+        /// <summary>Why it is not shown where it is, in one line; null if it is.</summary>
+        public string Fault => _followed == null ? "no session" : _followed.Fault;
+
         bool ICellObject.IsUnplaced => _followed != null && !_followed.IsKnown;
 
         /// <summary>Starts a move by hand: the frame follows this transform. Refused while a source or a gripper moves the object.</summary>

@@ -38,6 +38,9 @@ namespace Nowpose.Unity
         /// <summary>Whether the object is shown where it is at the display time, and otherwise why not.</summary>
         public PoseState State => _followed == null ? PoseState.Incomplete : _followed.State;
 
+        /// <summary>Why it is not shown where it is, in one line; null if it is.</summary>
+        public string Fault => _followed == null ? "no session" : _followed.Fault;
+
         bool ICellObject.IsUnplaced => false;
 
         void OnEnable()

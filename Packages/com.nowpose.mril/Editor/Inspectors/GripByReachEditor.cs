@@ -1,0 +1,17 @@
+using Nowpose.Unity;
+using UnityEditor;
+
+namespace Nowpose.Editor.Inspectors
+{
+    [CustomEditor(typeof(GripByReach))]
+    [CanEditMultipleObjects]
+    sealed class GripByReachEditor : LiveInspector
+    {
+        protected override void DrawLive()
+        {
+            var shown = (GripByReach)target;
+            EditorGUILayout.LabelField("Holds", shown.Held ?? "nothing");
+            EditorGUILayout.LabelField("State", shown.Fault ?? "current");
+        }
+    }
+}

@@ -1,0 +1,16 @@
+using Nowpose.Unity;
+using UnityEditor;
+
+namespace Nowpose.Editor.Inspectors
+{
+    [CustomEditor(typeof(PlannedPath))]
+    [CanEditMultipleObjects]
+    sealed class PlannedPathEditor : LiveInspector
+    {
+        protected override void DrawLive()
+        {
+            var shown = (PlannedPath)target;
+            EditorGUILayout.LabelField("Drawn ahead", shown.DrawnSeconds > 0 ? LiveText.Number(shown.DrawnSeconds, "0.00", " s") : "nothing");
+        }
+    }
+}

@@ -1,0 +1,17 @@
+using Nowpose.Unity;
+using UnityEditor;
+
+namespace Nowpose.Editor.Inspectors
+{
+    [CustomEditor(typeof(StationaryObject))]
+    [CanEditMultipleObjects]
+    sealed class StationaryObjectEditor : LiveInspector
+    {
+        protected override void DrawLive()
+        {
+            var shown = (StationaryObject)target;
+            EditorGUILayout.LabelField("Moved by hand", shown.IsMoving ? "now" : "no");
+            EditorGUILayout.LabelField("State", shown.Fault ?? "current");
+        }
+    }
+}

@@ -1,0 +1,17 @@
+using Nowpose.Unity;
+using UnityEditor;
+
+namespace Nowpose.Editor.Inspectors
+{
+    [CustomEditor(typeof(TrackedObject))]
+    [CanEditMultipleObjects]
+    sealed class TrackedObjectEditor : LiveInspector
+    {
+        protected override void DrawLive()
+        {
+            var shown = (TrackedObject)target;
+            EditorGUILayout.LabelField("Parent", shown.Parent ?? LiveText.Unknown);
+            EditorGUILayout.LabelField("State", shown.Fault ?? "current");
+        }
+    }
+}
