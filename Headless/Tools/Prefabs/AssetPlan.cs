@@ -9,6 +9,7 @@ public static class AssetPlan
     static readonly (string Path, Func<Workshop, string> Make)[] Assets =
     {
         (PackagePaths.Hologram, MaterialAssets.Hologram),
+        (PackagePaths.Workpiece, MaterialAssets.Workpiece),
         (PackagePaths.Arm, MaterialAssets.Arm),
         (PackagePaths.Ghost, MaterialAssets.Ghost),
         (PackagePaths.Occluder, MaterialAssets.Occluder),

@@ -19,6 +19,9 @@ static class MaterialAssets
     /// <summary>Material of the arm in scenes without a real one. It fades and gets stripes like the tool, but has another colour.</summary>
     public static string Arm(Workshop workshop) => Make(workshop, "Arm", new Color(1, 0.55f, 0.15f, 1));
 
+    /// <summary>Material of workpieces: yellow, so that they differ from the gripper that holds them.</summary>
+    public static string Workpiece(Workshop workshop) => Make(workshop, "Workpiece", new Color(1, 0.85f, 0.2f, 1));
+
     /// <summary>Material of the uncompensated pose: colourless and half transparent, so that it differs not only in colour.</summary>
     public static string Ghost(Workshop workshop) => Make(workshop, "Ghost", new Color(0.8f, 0.8f, 0.8f, 0.4f), AfterVirtualParts);
 

@@ -23,6 +23,7 @@ static class PackagePaths
     public const string Occluder = Runtime + "Materials/Occluder.mat";
     public const string Panel = Runtime + "Materials/Panel.mat";
     public const string Solid = Runtime + "Materials/Solid.mat";
+    public const string Workpiece = Runtime + "Materials/Workpiece.mat";
     public const string Text = Runtime + "Materials/Text.mat";
     public const string Timestamp = Runtime + "Materials/Timestamp.mat";
     public const string YoubotUrdf = Runtime + "Robots/youbot.urdf";

@@ -40,7 +40,8 @@ static class Scenes
         real.name = "Real Robot";
         Fields.Set(real.gameObject.AddComponent<TruthRig>(), "_controlSystem", control);
         Tidy.Transforms(real.transform);
-        return Save(workshop, control.gameObject, real.gameObject, cell);
+        var objects = WorkObjects.Build(workshop, session, robot.Read());
+        return Save(workshop, control.gameObject, real.gameObject, cell, objects);
     }
 
     /// <summary>Creates a scene for a headset, and for the editor without one, where the camera stays at the origin and faces all objects.</summary>

@@ -66,7 +66,8 @@ public sealed class PackageMaterialsTests
     {
         foreach (var appearance in All<PoseAppearance>(path))
         {
-            var isGhost = appearance.GetComponent<Ghost>() != null;
+            var isGhost = appearance.GetComponent<Ghost>() != null
+                || (appearance.TryGetComponent<TrackedObject>(out var tracked) && tracked.Shows == RigPose.Held);
             var substitute = (Material)typeof(PoseAppearance)
                 .GetField("_substitute", System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic).GetValue(appearance);
 

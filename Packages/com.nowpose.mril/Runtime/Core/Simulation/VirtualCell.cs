@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Kinematics;
 using Nowpose.Motion;
 using Nowpose.Session;
 using Nowpose.Simulation.Work;
@@ -30,6 +31,16 @@ namespace Nowpose.Simulation
             : this(motion, clock, settings, seed, start, null)
         {
         }
+
+        /// <summary>
+        /// Creates a cell whose robot has work: a conveyor brings workpieces, and the robot puts them on a fixture. Sends the frames
+        /// <c>conveyor</c>, <c>fixture</c> and <c>workpiece_1</c> to <c>workpiece_3</c>, and the signals <c>gripper_closed</c>,
+        /// <c>belt_running</c> and <c>part_present</c>.
+        /// </summary>
+        /// <inheritdoc cref="VirtualCell(IMotion, VirtualClock, VirtualCellSettings, int, HeadsetTime)"/>
+        public static VirtualCell WithWorkpieces(
+            RobotModel robot, PickAndPlaceMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start) =>
+            new VirtualCell(motion, clock, settings, seed, start, new CellWork(robot, motion));
 
         /// <param name="work">The work of the robot; null for none.</param>
         internal VirtualCell(IMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start, CellWork work)

@@ -3,12 +3,16 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Cell
 {
-    /// <summary>Places objects in the frame <c>world</c> of the cell: the Base Anchor above them, or without one the session's object.</summary>
+    /// <summary>
+    /// Places objects in the frame <c>world</c> of the cell: the Base Anchor above them, or without one that of the session, or without any
+    /// the session's object.
+    /// </summary>
     static class CellPlace
     {
         public static Transform WorldOf(Component component, MrilSession session)
         {
             var anchor = component.GetComponentInParent<BaseAnchor>();
+            if (anchor == null) anchor = session.GetComponentInChildren<BaseAnchor>(includeInactive: true);
             return anchor != null ? anchor.transform : session.transform;
         }
 

@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Nowpose.Samples
 {
-    /// <summary>A control system inside the scene: a pick-and-place robot, its clock, and the network to the headset.</summary>
+    /// <summary>A control system inside the scene: a robot that takes workpieces from a conveyor, its clock, and the network to the headset.</summary>
     /// <remarks>
     /// Feeds a session that is not connected, as a gateway does: with samples, clock exchanges and the robot's description.
     /// All settings take effect while the scene plays.
@@ -121,7 +121,7 @@ namespace Nowpose.Samples
         {
             _time = _session.HeadsetClock;
             _clock = new VirtualClock(now, ClockAhead, _skewPpm * 1e-6);
-            _cell = new VirtualCell(new PickAndPlaceMotion(Robot), _clock, Knobs(), _seed, now);
+            _cell = VirtualCell.WithWorkpieces(Robot, new PickAndPlaceMotion(Robot), _clock, Knobs(), _seed, now);
         }
 
         // TimeSpan.FromSeconds rounds to whole milliseconds in Unity.

@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Unity
         public void Files_OfEachKind_AreFound()
         {
             Assert.That(Prefabs.Count(), Is.EqualTo(4));
-            Assert.That(Materials.Count(), Is.EqualTo(8));
+            Assert.That(Materials.Count(), Is.EqualTo(9));
             Assert.That(Robots.Count(), Is.EqualTo(6));
         }
 

@@ -56,11 +56,11 @@ namespace Nowpose.Simulation.Work
             for (var left = cycles - 1; left >= 0; left--)
             {
                 _work.SignalsAt(seconds - left * ClockTicks.Seconds(Cycle), _now);
-                var changed = new List<SignalValue>();
+                List<SignalValue> changed = null;
                 for (var i = 0; i < _now.Length; i++)
-                    if (isFirst || _now[i] != _sent[i]) changed.Add(new SignalValue(_work.Signals[i], _now[i]));
+                    if (isFirst || _now[i] != _sent[i]) (changed ??= new List<SignalValue>()).Add(new SignalValue(_work.Signals[i], _now[i]));
                 _now.CopyTo(_sent, 0);
-                if (changed.Count > 0) yield return new SignalsMessage(stamp - new TimeSpan(left * Cycle.Ticks), changed.ToArray());
+                if (changed != null) yield return new SignalsMessage(stamp - new TimeSpan(left * Cycle.Ticks), changed.ToArray());
             }
         }
     }
