@@ -12,7 +12,8 @@ static class SyncClaims
     const int MinExchanges = 20;
 
     const string FitError = "From 10 s on, the fitting error |ε| of at least half of the exchanges is below 1 ms (median).";
-    const string Skew = "In the last quarter, the skew varies less than half as much as from 2 to 10 s (RMS about the mean of the last quarter).";
+    const string Skew = "The skew converges: in the last quarter it varies less than half as much as from 2 to 10 s (RMS about the mean of the last "
+        + "quarter), and from the third quarter to the last its mean changes by less than a quarter of that.";
     const string RoundTrip = "|ε| of the quarter with the shortest round trips is less than half of that of the quarter with the longest (P95).";
 
     public static IReadOnlyList<Criterion> Of(IReadOnlyList<SyncStep> steps)
@@ -30,14 +31,20 @@ static class SyncClaims
         return new(FitError, median < MaxFitErrorMs, $"{Text(1000 * median)} µs");
     }
 
+    // A skew that keeps changing at the same rate varies little in the last quarter, compared with its distance from the first values.
+    // But from quarter to quarter it changes by more than a quarter of that distance, for every length of the log.
     static Criterion SkewOf(SyncStep[] known)
     {
-        var late = known.Where(step => step.Seconds >= 0.75 * known[^1].Seconds).Select(step => step.SkewPpm.Value).ToArray();
-        var early = known.Where(step => step.Seconds is >= ClockErrors.FirstSkew and < ClockErrors.SettledAfter).Select(step => step.SkewPpm.Value).ToArray();
+        var end = known[^1].Seconds;
+        double[] Between(double from, double to) => [.. known.Where(step => step.Seconds >= from && step.Seconds < to).Select(step => step.SkewPpm.Value)];
+        var (early, third, last) = (Between(ClockErrors.FirstSkew, ClockErrors.SettledAfter), Between(end / 2, 0.75 * end), Between(0.75 * end, double.MaxValue));
         if (early.Length == 0) return new(Skew, false, "the skew was first estimated after 10 s");
-        var mean = late.Average();
+        if (third.Length == 0) return new(Skew, false, "no usable exchange in the third quarter");
+        var mean = last.Average();
         double Rms(double[] skews) => Math.Sqrt(skews.Average(skew => (skew - mean) * (skew - mean)));
-        return new(Skew, 2 * Rms(late) < Rms(early), $"{Text(Rms(early))} ppm, then {Text(Rms(late))} ppm");
+        var change = Math.Abs(mean - third.Average());
+        return new(Skew, 2 * Rms(last) < Rms(early) && 4 * change < Rms(early),
+            $"{Text(Rms(early))} ppm, then {Text(Rms(last))} ppm; change of the mean {Text(change)} ppm");
     }
 
     static Criterion RoundTripOf(SyncStep[] settled)

@@ -116,6 +116,32 @@ public class ClockFigureTests
         Assert.That(claims.Select(claim => claim.IsMet), Is.EqualTo(areMet), string.Join("; ", claims.Select(claim => claim.Measured)));
     }
 
+    // The skew goes from 10 ppm to 35 ppm: at a constant rate, or exponentially as if it converged.
+    [TestCase(20, double.PositiveInfinity, false)]
+    [TestCase(60, double.PositiveInfinity, false)]
+    [TestCase(600, double.PositiveInfinity, false)]
+    [TestCase(60, 30, true)]
+    [TestCase(60, 8, true)]
+    [TestCase(600, 60, true)]
+    public void SyncClaims_Skew_ConvergesOnlyIfItsChangesBecomeSmaller(double seconds, double timeConstant, bool isMet)
+    {
+        double SkewAt(double t) => double.IsInfinity(timeConstant) ? 10 + 25 * t / seconds : 35 - 25 * Math.Exp(-t / timeConstant);
+        SyncStep[] steps = [.. Enumerable.Range(0, (int)(5 * seconds)).Select(i => new SyncStep(i * 0.2, 0.1, 0, SkewAt(i * 0.2), 0, 4))];
+
+        var claim = SyncClaims.Of(steps)[1];
+
+        Assert.That(claim.IsMet, Is.EqualTo(isMet), claim.Measured);
+    }
+
+    [TestCase(30, 45)]
+    [TestCase(0, 10)]
+    public void SyncClaims_SkewUnknownForAWhile_IsNotSaidToConverge(double from, double to)
+    {
+        var steps = Steps(0.05, 0.8, 3, 0.5).Select(step => step.Seconds >= from && step.Seconds < to ? step with { FitMs = null, SkewPpm = null } : step);
+
+        Assert.That(SyncClaims.Of([.. steps])[1].IsMet, Is.False);
+    }
+
     [Test]
     public void SyncClaims_ShortLog_AreNotMet()
     {
