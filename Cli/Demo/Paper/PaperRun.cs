@@ -68,8 +68,8 @@ sealed class PaperRun
 
     SwingFrames SwingsOf()
     {
-        StudyFrame[][] whole = [.. Scored.Select(row => (TimeOf(row).Swing, Frame: FrameOf(row)))
-            .GroupBy(each => each.Swing, each => each.Frame)
+        StudyFrame[][] whole = [.. Scored.Select(row => (Row: row, Seen: TimeOf(row)))
+            .GroupBy(each => each.Seen.Swing, each => FrameOf(each.Row, each.Seen.Time))
             .Where(frames => IsWhole([.. frames]))
             .Select(frames => frames.Where(frame => frame.Time >= -Before).ToArray())];
         var scenario = new SwingScenario($"repeat {Repeat}", IsCold: true);
@@ -80,9 +80,9 @@ sealed class PaperRun
         && frames.Zip(frames.Skip(1)).All(pair => pair.Second.Time - pair.First.Time <= MaxStall);
 
     // The angles of the displayed tool in the scene, not of the joints: the whole chain is measured.
-    StudyFrame FrameOf(DemoFrames.Row row)
+    StudyFrame FrameOf(DemoFrames.Row row, double time)
     {
         double AngleOf(ToolPosition tool) => _swing.AngleOf(tool.X, tool.Y);
-        return new StudyFrame(TimeOf(row).Time, AngleOf(TruthOf(row)), AngleOf(row.HeldTool), AngleOf(row.Tool), 0);
+        return new StudyFrame(time, AngleOf(TruthOf(row)), AngleOf(row.HeldTool), AngleOf(row.Tool), 0);
     }
 }
