@@ -30,7 +30,7 @@ static class PaperOutput
     /// <summary>Writes every frame with a display time: the true, the displayed and the uncompensated position of the tool at its light.</summary>
     public static void WriteFrames(TextWriter writer, IEnumerable<PaperRun> repeats)
     {
-        writer.Write("repeat,elapsed_s,true_light_s,assumed_light_s,offset_error_us,swing,swing_s,"
+        writer.Write("repeat,elapsed_s,true_light_s,assumed_light_s,offset_error_us,skew_ppm,swing,swing_s,"
             + "true_x_m,true_y_m,true_z_m,shown_x_m,shown_y_m,shown_z_m,held_x_m,held_y_m,held_z_m\n");
         foreach (var repeat in repeats)
         {
@@ -40,23 +40,25 @@ static class PaperOutput
                 writer.Write(string.Create(
                     CultureInfo.InvariantCulture,
                     $"{repeat.Repeat},{row.Elapsed.TotalSeconds:0.######},{Seconds(row.TrueLight)},{Seconds(row.AssumedLight.Value)},")
-                    + string.Create(CultureInfo.InvariantCulture, $"{row.OffsetErrorUs:0.###},{swing},{time:0.######},")
+                    + string.Create(CultureInfo.InvariantCulture, $"{row.OffsetErrorUs:0.###},{1e6 * row.Clock.Skew:0.###},{swing},{time:0.######},")
                     + $"{Text(repeat.TruthOf(row))},{Text(row.Tool)},{Text(row.HeldTool)}\n");
             }
         }
     }
 
-    static void WriteExchanges(TextWriter writer, IEnumerable<PaperRun> repeats)
+    /// <summary>Writes every exchange with the clock after it; offsets are relative to that of the first exchange.</summary>
+    public static void WriteExchanges(TextWriter writer, IEnumerable<PaperRun> repeats)
     {
-        writer.Write("repeat,time_s,offset_ms,fitted_offset_ms,skew_ppm,theta2_ms,fit_error_ms,round_trip_ms\n");
+        writer.Write("repeat,time_s,offset_ms,true_offset_ms,fitted_offset_ms,skew_ppm,theta2_ms,fit_error_ms,round_trip_ms\n");
         foreach (var repeat in repeats)
-            foreach (var step in repeat.Steps)
-                writer.Write(string.Create(CultureInfo.InvariantCulture, $"{repeat.Repeat},") + Text(step) + "\n");
+            foreach (var (step, exchange) in repeat.Steps.Zip(repeat.Run.Exchanges))
+                writer.Write(string.Create(CultureInfo.InvariantCulture, $"{repeat.Repeat},")
+                    + Text(step, (repeat.Run.Truth.OffsetAt(exchange.T4) - repeat.Run.Exchanges[0].Offset).TotalMilliseconds) + "\n");
     }
 
-    static string Text(SyncStep s) => string.Create(
+    static string Text(SyncStep s, double trueOffsetMs) => string.Create(
         CultureInfo.InvariantCulture,
-        $"{s.Seconds:0.######},{s.OffsetMs:0.####},{s.FitMs:0.####},{s.SkewPpm:0.###},{s.InterceptMs:0.####},")
+        $"{s.Seconds:0.######},{s.OffsetMs:0.####},{trueOffsetMs:0.####},{s.FitMs:0.####},{s.SkewPpm:0.###},{s.InterceptMs:0.####},")
         + string.Create(CultureInfo.InvariantCulture, $"{s.FitErrorMs:0.####},{s.RoundTripMs:0.####}");
 
     static string Text(ToolPosition p) => string.Create(CultureInfo.InvariantCulture, $"{p.X:0.#######},{p.Y:0.#######},{p.Z:0.#######}");
