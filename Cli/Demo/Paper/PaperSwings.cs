@@ -1,5 +1,4 @@
 using Nowpose.Cli.Figures.Swing;
-using Nowpose.Studies;
 
 namespace Nowpose.Cli.Demo.Paper;
 
@@ -14,25 +13,6 @@ sealed record PaperSwings(double ErrorRatio, double SteadyRatio, IReadOnlyList<d
     /// <param name="swings">The swings; null for none.</param>
     /// <returns>Null without a swing.</returns>
     public static PaperSwings Of(SwingFrames swings) => swings == null ? null : new(
-        swings.ErrorRatio, swings.SteadyRmsMm / swings.CurvedRmsMm, GapRatiosOf(swings),
-        1 - swings.RmsMm(Figure18.IsWithin) / swings.HoldRmsMm(Figure18.IsWithin),
-        LatencyMs(swings, frame => frame.Predicted) / LatencyMs(swings, frame => frame.Held));
-
-    static double[] GapRatiosOf(SwingFrames swings)
-    {
-        var swing = swings.Swing;
-        StudyFrame[][] moments = [.. swings.Phases.Select(phase => SwingMoment.Of(swing, phase).Select(moment => phase[moment.Index]).ToArray())];
-        double Square(StudyFrame frame, double shown) => Math.Pow(swing.GapMm(shown, frame.Truth), 2);
-        return [.. Enumerable.Range(0, moments[0].Length).Select(m => Math.Sqrt(
-            moments.Sum(at => Square(at[m], at[m].Predicted)) / moments.Sum(at => Square(at[m], at[m].Held))))];
-    }
-
-    static double LatencyMs(SwingFrames swings, Func<StudyFrame, double> shown)
-    {
-        var swing = swings.Swing;
-        return Quantile.Of(
-            swings.Phases.SelectMany(phase => phase)
-                .Where(f => Figure18.IsWithin(f.Time) && swing.ToolSpeedAt(f.Time) >= Figure18.SlowestShare * swing.FullSpeed)
-                .Select(f => 1000 * swing.GapMm(shown(f), f.Truth) / swing.ToolSpeedAt(f.Time)), 0.5);
-    }
+        swings.ErrorRatio, swings.SteadyRmsMm / swings.CurvedRmsMm, swings.GapRatios,
+        1 - swings.RmsMm(Figure18.IsWithin) / swings.HoldRmsMm(Figure18.IsWithin), swings.LatencyMs / swings.HoldLatencyMs);
 }

@@ -21,18 +21,19 @@ static class Figure17
         return new Figure("17", "The arm at three moments")
         {
             Claim = "The compensation is clearly visible in the headset: with it, the gripper is at the robot; without it, the gripper is beside the robot.",
-            Criteria = [.. gaps.Select(g => Criterion(g.Moment.Name, g.Held, g.Predicted[0]))],
+            Criteria = [.. gaps.Zip(runs.Standard[0].GapRatios, (g, ratio) => Criterion(g.Moment.Name, ratio))],
             Beyond = runs.Standard.Count < 2 ? null
                 : "With adaptive the gaps are " + string.Join(", ", gaps.Select(g => $"{Mm(g.Predicted[1])} at {g.Moment.Name}")) + ".",
             Conditions = "The moments are those marked in Fig. 16: A where the robot reaches its full speed, B half-way, C where the speed has fallen to half. "
-                + "Gaps are distances of the tool centre points.",
+                + "Gaps are distances of the tool centre points; drawings and table show the first run.",
             Table = table,
             Drawings = [.. runs.Standard.SelectMany((frames, p) => gaps.Select(g => Drawing(swing, frames, g.Moment, g.Held, g.Predicted[p])))],
         };
     }
 
-    public static Criterion Criterion(string moment, double heldMm, double predictedMm) => new(
-        $"At {moment} the gap with compensation is less than half of the gap without.", predictedMm < heldMm / 2, $"{Mm(heldMm)} without, {Mm(predictedMm)} with");
+    /// <param name="ratio">Gap with compensation divided by that without.</param>
+    public static Criterion Criterion(string moment, double ratio) => new(
+        $"At {moment} the gap with compensation is less than half of the gap without (RMS over all runs).", ratio < 0.5, $"{Percent(ratio)} of it");
 
     static double HeldGap(SwingSet runs, SwingMoment moment)
     {

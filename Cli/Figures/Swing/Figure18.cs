@@ -11,7 +11,7 @@ static class Figure18
     const double Length = 1.5;
 
     /// <summary>Below this share of the maximum speed, the latency e/v is the quotient of two small numbers.</summary>
-    public const double SlowestShare = 0.05;
+    const double SlowestShare = 0.05;
 
     static readonly double[] IsoErrorsMm = [5, 10, 25, 50, 100];
 
@@ -22,11 +22,11 @@ static class Figure18
         return new Figure("18", "Operating points without and with compensation")
         {
             Claim = "Compensation reduces the effective latency without slowing the robot: the errors of the operating points are about 80 % smaller for t < 1500 ms.",
-            Criteria = Criteria(predicted / held, Median(table, 3), Median(table, 5)),
+            Criteria = Criteria(predicted / held, runs.Standard[0].HoldLatencyMs, runs.Standard[0].LatencyMs),
             Beyond = runs.Standard.Count < 2 ? null
                 : $"adaptive removes {Percent(1 - runs.Standard[1].RmsMm(IsWithin) / held)}, the quadratic {Percent(1 - predicted / held)}; "
-                + $"its median effective latency is {Text(Median(table, 7))} ms.",
-            Conditions = "The first 1500 ms of Fig. 16. A point with the error e and the velocity v is drawn at the latency e/v; "
+                + $"its median effective latency is {Text(runs.Standard[1].LatencyMs)} ms.",
+            Conditions = "The first 1500 ms of Fig. 16; the plot shows the first run, the numbers include all. A point with the error e and the velocity v is drawn at the latency e/v; "
                 + "points slower than 5 % of the maximum velocity are left out.",
             Table = table,
             Plots = [PlotOf(table, runs)],
@@ -53,7 +53,7 @@ static class Figure18
         for (var i = 0; i < shown.Length; i++)
         {
             var (t, speed) = (shown[i].Time, swing.ToolSpeedAt(shown[i].Time));
-            if (!IsWithin(t) || speed < SlowestShare * swing.FullSpeed) continue;
+            if (!IsShown(swing, t)) continue;
             double?[] Both(double shownAngle, StudyFrame frame)
             {
                 var gap = swing.GapMm(shownAngle, frame.Truth);
@@ -68,7 +68,8 @@ static class Figure18
     /// <summary>Whether a time since the swing's start is in the part that the paper shows.</summary>
     public static bool IsWithin(double t) => t >= 0 && t < Length;
 
-    static double Median(FigureTable table, int column) => Quantile.Of(table.Rows.Select(row => row[column].Value), 0.5);
+    /// <summary>Whether a time since the swing's start has an operating point.</summary>
+    public static bool IsShown(YoubotSwing swing, double t) => IsWithin(t) && swing.ToolSpeedAt(t) >= SlowestShare * swing.FullSpeed;
 
     static FigurePlot PlotOf(FigureTable table, SwingSet runs) => new("Operating points", new FigureColumn("latency", "ms"), table.Columns[1],
     [

@@ -1,5 +1,7 @@
+using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Figures.Sweeps;
+using Nowpose.Motion;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
@@ -27,6 +29,19 @@ public class SweepClaimsTests
         var criteria = Figure13.A.Criteria(Polynomials(Intervals, [8, 8, 11], [5, 7, 9], cubic));
 
         Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
+    }
+
+    // A move that is too short for full acceleration has fewer phases; one with other limits exceeds them.
+    [TestCase(500, 1, 100, "holds")]
+    [TestCase(500, 1, 90, "holds partly")]
+    [TestCase(500, 1.1, 100, "holds partly")]
+    [TestCase(1, 1, 100, "holds partly")]
+    [TestCase(1, 1.1, 90, "does not hold")]
+    public void Figure12_ProfileAndLag_ChangeTheVerdict(double strokeMm, double factor, double lagMm, string verdict)
+    {
+        var move = new SevenPhaseProfile(strokeMm, 1000, 5000, factor * 50_000);
+
+        Assert.That(Criterion.Judge(Figure12.Criteria(move, [lagMm, 150])).Words(), Is.EqualTo(verdict));
     }
 
     [Test]
@@ -82,11 +97,11 @@ public class SweepClaimsTests
     [TestCase(new double[] { 6, 6 }, new double[] { 7, 7 }, "holds")]
     [TestCase(new double[] { 6, 4 }, new double[] { 7, 7 }, "holds partly")]
     [TestCase(new double[] { 6, 4 }, new double[] { 5, 5 }, "does not hold")]
-    public void Figure14a_LongerHistories_MustBeWorseEverywhere(double[] h3, double[] h4, string verdict)
+    [TestCase(new double[] { 6, 4 }, new double[] { 5, 3 }, "does not hold")]
+    public void Figures14aTo14c_LongerHistories_MustBeWorseEverywhere(double[] h3, double[] h4, string verdict)
     {
-        var criteria = Figure14.A.Criteria(Histories([10, 20], [5, 5], h3, h4));
-
-        Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
+        foreach (var claims in new[] { Figure14.A, Figure14.B, Figure14.C })
+            Assert.That(Criterion.Judge(claims.Criteria(Histories([10, 20], [5, 5], h3, h4))).Words(), Is.EqualTo(verdict), claims.Number);
     }
 
     [TestCase(new double[] { 5, 20 }, new double[] { 6, 10 }, new double[] { 7, 9 }, "holds")]
