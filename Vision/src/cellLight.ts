@@ -58,14 +58,21 @@ export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Ki
   });
 }
 
-/** Returns the mean deviation of the light of the visible pairs from that of a lit cell, relative to it, at most 1 for each pair. */
+/**
+ * Returns the mean deviation of the visible pairs from a lit and a dark cell, relative to the light of a lit cell and at most 1 for each
+ * pair. A pair that changed during the exposure deviates by nothing: its light is that of one lit cell, divided between both.
+ */
 export function pairDeviation(levels: number[], { side, pairs, ring }: Pattern, { lit }: Kind, hidden: Band): number {
   const isVisible = (cell: number) => !isWithinBand(hidden, ((cell % side) + 0.5) / side, (Math.floor(cell / side) + 0.5) / side);
   const light = levels[ring.find((_, i) => lit[i])!];
+  if (!(light > 0)) return 1;
   const deviations = pairs
     .filter(left => isVisible(left) && isVisible(left + 1))
-    .map(left => Math.min(1, Math.abs(levels[left] + levels[left + 1] - light) / 2 / light));
-  return light > 0 ? deviations.reduce((a, b) => a + b) / deviations.length : 1;
+    .map(left => {
+      const [a, b] = [levels[left] / light, levels[left + 1] / light];
+      return Math.min(1, Math.max(Math.abs(a + b - 1) / 2, -Math.min(a, b), Math.max(a, b) - 1));
+    });
+  return deviations.reduce((a, b) => a + b) / deviations.length;
 }
 
 /** Minimum light of a white pixel: byte 252. */

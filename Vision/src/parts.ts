@@ -9,12 +9,10 @@ export interface Placed {
   layer: Layer;
 }
 
-/** Minimum share of agreeing steps of the visible part of a code whose pairs have the light of one lit cell each. */
-const minShareOfPart = 0.8;
-/** Minimum share of any visible part. Structured scenes, in particular letters, reach 0.84. */
-const minShareOfCertainPart = 0.86;
-/** Maximum mean deviation of the visible pairs from the light of a lit cell, relative to it. */
-const maxDeviation = 0.25;
+/** Minimum share of agreeing steps of the visible part of a code. Codes have 0.85 or more, perforated plates and letters up to 0.86. */
+const minShareOfPart = 0.84;
+/** Maximum mean deviation of the visible pairs from a lit and a dark cell. Codes have up to 0.3, most perforated plates of that share more. */
+const maxDeviation = 0.3;
 /** Minimum share before the last refinement. */
 const minShareOnTheWay = 0.6;
 /** Minimum agreement of a visible outer edge. */
@@ -35,7 +33,7 @@ const maxRatio = 1.7;
  */
 export function clearestPart(candidates: Quad[], fits: Placed[], known: Fit[], layers: Layer[], deviationOf: (fit: Fit) => number): Fit | undefined {
   const isKnown = (quad: Quad, { factor }: Layer) => known.some(code => isWithin(scaled(quad, 1 / factor), code.quad));
-  const isPart = (fit: Fit) => fit.share >= minShareOfCertainPart || (fit.share >= minShareOfPart && deviationOf(fit) <= maxDeviation);
+  const isPart = (fit: Fit) => fit.share >= minShareOfPart && deviationOf(fit) <= maxDeviation;
   const parts = [...fits, ...candidates.flatMap(quad => partsAt(quad, layers, isKnown))]
     .filter(({ fit, layer }) => !isKnown(fit.quad, layer))
     .flatMap(({ fit, layer }) =>
