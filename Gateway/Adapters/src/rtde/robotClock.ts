@@ -11,21 +11,29 @@ const SILENCE: Nanoseconds = NS_PER_S;
 const LATE: Nanoseconds = 50n * NS_PER_MS;
 const PERIOD: Nanoseconds = NS_PER_S;
 
+/** Number of stored upper bounds. The next larger one takes over when the smallest is refuted. */
+const ANSWERS = 8;
+
+/** If this many answers in a row are below the lower bound, the clock has stepped back; fewer are late packages of a busy controller. */
+const REFUTED = 5;
+
 /**
  * The controller's clock, measured only from the packages that it streams.
  *
  * A package arrives after its timestamp: controller time minus this machine's is at least timestamp − arrival, and the fastest package gives
  * the best lower bound. The first package after the answer to a request was sent after the request, and at most the send delay after its
  * timestamp: controller time minus this machine's is at most timestamp + send delay − time of the request. The true value lies between
- * the two bounds, which diverge with the largest rate difference until the next package or answer.
+ * the two bounds, which diverge with the largest rate difference until the next package or answer. A controller that sends a package later
+ * than the send delay gives a wrong upper bound; one below the lower bound is refuted by it and ignored.
  */
 export class RobotClock {
   #lower: Nanoseconds | null = null;
-  #upper: Nanoseconds | null = null;
+  /** The smallest upper bounds of answers, in ascending order, without those below the lower bound. */
+  #uppers: Nanoseconds[] = [];
   #updated: Nanoseconds = 0n;
   #newest: Nanoseconds | null = null;
-  /** Time since which all packages have been late, and the lower bound from the earliest of them. */
-  #late: { since: Nanoseconds; lower: Nanoseconds } | null = null;
+  /** Since when all answers or packages have been late, the number of these answers, and the lower bound from the earliest package since. */
+  #late: { since: Nanoseconds; answers: number; lower: Nanoseconds } | null = null;
   /** Fixed distance of the bounds while no answer renews the upper one; null while answers do. */
   #kept: Nanoseconds | null = null;
 
@@ -40,7 +48,8 @@ export class RobotClock {
 
   /** Distance between the two bounds; null while the upper one is unknown. */
   get width(): Nanoseconds | null {
-    return this.#lower === null || this.#upper === null ? null : this.#upper - this.#lower;
+    if (this.#lower === null) return null;
+    return this.#kept ?? (this.#uppers.length === 0 ? null : this.#uppers[0] - this.#lower);
   }
 
   /**
@@ -60,18 +69,17 @@ export class RobotClock {
   heard(timestamp: Nanoseconds, arrived: Nanoseconds, asked: Nanoseconds | null): void {
     this.#age(arrived);
     this.#newest = arrived;
-    const before = this.#lower;
     const lower = timestamp - arrived;
+    const before = this.#lower ?? lower;
+    this.#lower = lower > before ? lower : before;
     const answered = asked === null ? null : timestamp + this.sendDelay - asked;
-    if (before === null || lower > before) this.#lower = lower;
-    if (answered !== null && (this.#upper === null || answered < this.#upper)) this.#upper = answered;
-    if (this.#kept !== null) this.#upper = this.#lower! + this.#kept;
-    if (before === null || !this.#isContradicted(before, lower, arrived)) return;
-    const restarted = this.#late?.lower ?? lower;
-    this.#lower = restarted;
-    this.#upper = this.#kept === null ? answered : restarted + this.#kept;
+    if (this.#late !== null && lower > this.#late.lower) this.#late.lower = lower;
+    const isContradicted = this.#kept === null ? this.#areAnswersRefuted(answered, lower, arrived) : this.#areAllFar(before, lower, arrived);
+    if (!isContradicted) return;
+    this.#lower = this.#late?.lower ?? lower;
+    this.#uppers = answered === null || answered < this.#lower ? [] : [answered];
     this.#late = null;
-    this.stepped(restarted - before);
+    this.stepped(this.#lower - before);
   }
 
   /** @throws Error The robot is silent, or its time is not bounded yet. */
@@ -89,13 +97,28 @@ export class RobotClock {
     const drift = now > this.#updated ? ((now - this.#updated) * MAX_SKEW_PPM) / 1_000_000n : 0n;
     this.#updated = now;
     if (this.#lower !== null) this.#lower -= drift;
-    if (this.#upper !== null) this.#upper += this.#kept === null ? drift : -drift;
+    this.#uppers = this.#uppers.map(upper => upper + drift);
   }
 
-  #isContradicted(before: Nanoseconds, lower: Nanoseconds, arrived: Nanoseconds): boolean {
-    if (this.#kept === null) return this.#upper !== null && this.#upper < this.#lower!;
+  /** Takes an answer. Returns whether the lower bound is above all earlier answers, or several new ones in a row are below it. */
+  #areAnswersRefuted(answered: Nanoseconds | null, lower: Nanoseconds, arrived: Nanoseconds): boolean {
+    const isLate = answered !== null && answered < this.#lower!;
+    if (isLate) {
+      this.#late ??= { since: arrived, answers: 0, lower };
+      this.#late.answers++;
+    } else if (answered !== null) {
+      this.#late = null;
+    }
+    const upheld = this.#uppers.filter(upper => upper >= this.#lower!);
+    const areAllBelow = this.#uppers.length > 0 && upheld.length === 0;
+    this.#uppers = answered === null || isLate ? upheld : [...upheld, answered].sort((a, b) => (a < b ? -1 : 1)).slice(0, ANSWERS);
+    return areAllBelow || this.#late?.answers === REFUTED;
+  }
+
+  /** Returns whether a package is far earlier, or all packages of a period are far later, than expected. */
+  #areAllFar(before: Nanoseconds, lower: Nanoseconds, arrived: Nanoseconds): boolean {
     if (before - lower < LATE) this.#late = null;
-    else if (this.#late === null || lower > this.#late.lower) this.#late = { since: this.#late?.since ?? arrived, lower };
+    else this.#late ??= { since: arrived, answers: 0, lower };
     return lower - before >= LATE || (this.#late !== null && arrived - this.#late.since >= PERIOD);
   }
 }
