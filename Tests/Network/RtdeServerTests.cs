@@ -71,6 +71,86 @@ public sealed class RtdeServerTests
         Assert.That(await AskAsync(request), Is.EqualTo(Bytes(answer)));
     }
 
+    [Test]
+    public async Task Pause_Streaming_EndsTheDataUntilTheNextStart()
+    {
+        await StartAsync();
+        await AskAsync("0005 56 0002");
+        await AskAsync("0014 4f 405f400000000000" + Ascii("timestamp"));
+        await AskAsync("0003 53");
+        await ReadAsync();
+
+        await _client.GetStream().WriteAsync(Convert.FromHexString("000350"));
+        (byte Type, byte[] Payload) package;
+        do package = await ReadAsync();
+        while (package.Type == 'U');
+
+        Assert.That(package, Is.EqualTo(((byte)'P', new byte[] { 1 })));
+        // The next package is the answer, so no data arrived in between.
+        Assert.That(await AskAsync("0003 76"), Does.StartWith("001376"));
+        Assert.That(await AskAsync("0003 53"), Is.EqualTo(Bytes("0004 53 01")));
+        Assert.That((await ReadAsync()).Type, Is.EqualTo((byte)'U'));
+    }
+
+    [Test]
+    public async Task Inputs_EachRecipe_HasItsOwnIdAndUnknownOnesAreNotFound()
+    {
+        await StartAsync();
+        await AskAsync("0005 56 0002");
+
+        Assert.That(await AskAsync("0017 49" + Ascii("input_int_register_0")), Is.EqualTo(Bytes("0009 49 01" + Ascii("INT32"))));
+        Assert.That(
+            await AskAsync("0031 49" + Ascii("speed_slider_mask,input_double_register_5,x___")),
+            Is.EqualTo(Bytes("001b 49 00" + Ascii("UINT32,DOUBLE,NOT_FOUND"))));
+        Assert.That(await AskAsync("0018 49" + Ascii("speed_slider_fraction")), Is.EqualTo(Bytes("000a 49 02" + Ascii("DOUBLE"))));
+    }
+
+    [Test]
+    public async Task Package_OfUnknownType_IsAnsweredWithATextMessage()
+    {
+        await StartAsync();
+        await AskAsync("0005 56 0002");
+
+        // Length and text, length and source, level 2: a warning.
+        Assert.That(
+            await AskAsync("0003 7a"),
+            Is.EqualTo(Bytes("0022 4d 18" + Ascii("unknown package type 122") + "04" + Ascii("RTDE") + "02")));
+    }
+
+    [Test]
+    public async Task Clients_Two_ReceiveTheirOwnFieldsAtTheirOwnFrequency()
+    {
+        await StartAsync();
+        using var other = new TcpClient();
+        await other.ConnectAsync(IPAddress.Loopback, int.Parse(_server.ValueOf("endpoint").Split(':')[1]));
+        var slow = other.GetStream();
+
+        await AskAsync("0005 56 0002");
+        await AskAsync("0014 4f 405f400000000000" + Ascii("timestamp"));
+        await AskAsync("0003 53");
+        await AskAsync("0005 56 0002", slow);
+        // 25 Hz, timestamp,runtime_state
+        await AskAsync("0022 4f 4039000000000000" + Ascii("timestamp,runtime_state"), slow);
+        await AskAsync("0003 53", slow);
+
+        Assert.That(await IntervalAsync(_client.GetStream(), 1 + 8), Is.EqualTo(0.008).Within(1e-6));
+        Assert.That(await IntervalAsync(slow, 1 + 8 + 4), Is.EqualTo(0.04).Within(1e-6));
+    }
+
+    /// <summary>Returns the shortest interval between the timestamps of some packages, because a busy machine skips packages.</summary>
+    static async Task<double> IntervalAsync(NetworkStream stream, int length)
+    {
+        var times = new List<double>();
+        while (times.Count < 10)
+        {
+            var (_, payload) = await ReadAsync(stream);
+            Assert.That(payload, Has.Length.EqualTo(length));
+            times.Add(Timestamp(payload));
+        }
+
+        return times.Zip(times.Skip(1), (before, after) => after - before).Min();
+    }
+
     static string Bytes(string hex) => hex.Replace(" ", "");
 
     static string Ascii(string text) => Convert.ToHexStringLower(Encoding.ASCII.GetBytes(text));
@@ -85,20 +165,24 @@ public sealed class RtdeServerTests
         await _client.ConnectAsync(IPAddress.Loopback, int.Parse(_server.ValueOf("endpoint").Split(':')[1]));
     }
 
+    Task<string> AskAsync(string request) => AskAsync(request, _client.GetStream());
+
     /// <summary>Sends bytes, and gives the next package as size, type and payload.</summary>
-    async Task<string> AskAsync(string request)
+    static async Task<string> AskAsync(string request, NetworkStream stream)
     {
-        await _client.GetStream().WriteAsync(Convert.FromHexString(Bytes(request)));
-        var (type, payload) = await ReadAsync();
+        await stream.WriteAsync(Convert.FromHexString(Bytes(request)));
+        var (type, payload) = await ReadAsync(stream);
         return $"{payload.Length + 3:x4}{type:x2}{Convert.ToHexStringLower(payload)}";
     }
 
-    async Task<(byte Type, byte[] Payload)> ReadAsync()
+    Task<(byte Type, byte[] Payload)> ReadAsync() => ReadAsync(_client.GetStream());
+
+    static async Task<(byte Type, byte[] Payload)> ReadAsync(NetworkStream stream)
     {
         var header = new byte[3];
-        await _client.GetStream().ReadExactlyAsync(header).AsTask().Bounded();
+        await stream.ReadExactlyAsync(header).AsTask().Bounded();
         var payload = new byte[BinaryPrimitives.ReadUInt16BigEndian(header) - header.Length];
-        await _client.GetStream().ReadExactlyAsync(payload).AsTask().Bounded();
+        await stream.ReadExactlyAsync(payload).AsTask().Bounded();
         return (header[2], payload);
     }
 }

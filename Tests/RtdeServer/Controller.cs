@@ -10,6 +10,9 @@ sealed class Controller
     /// <summary>Length of the difference quotients for velocities and accelerations, s.</summary>
     const double Step = 1e-4;
 
+    /// <summary>Time by which the arm is behind the commanded positions, s.</summary>
+    const double Lag = 0.006;
+
     readonly RobotModel _robot;
     readonly PickAndPlaceMotion _motion;
     readonly ForwardKinematics _kinematics;
@@ -80,19 +83,26 @@ sealed class Controller
         state.Timestamp = timestamp;
         state.Safety = Safety;
         state.Runtime = Runtime;
-        _motion.At(seconds, state.Positions);
-        _motion.At(seconds - Step, _before);
-        _motion.At(seconds + Step, _after);
-        for (var i = 0; i < 6; i++)
-        {
-            state.Velocities[i] = _stoppedAt == null ? (_after[i] - _before[i]) / (2 * Step) : 0;
-            state.Accelerations[i] = _stoppedAt == null ? (_after[i] - 2 * state.Positions[i] + _before[i]) / (Step * Step) : 0;
-        }
+        ReadMotion(seconds, state.Actual);
+        ReadMotion(_stoppedAt == null ? seconds + Lag : seconds, state.Target);
 
         // The gripper is closed for the second half of each cycle.
         state.DigitalOutputs = seconds % _motion.CycleSeconds > _motion.CycleSeconds / 2 ? 1UL : 0;
         state.DigitalInputs = state.DigitalOutputs ^ 1;
-        _kinematics.Compute(state.Positions, _links);
-        RotationVector.Write(_links[_robot.IndexOfLink("tool0")], state.ToolPose);
+    }
+
+    void ReadMotion(double seconds, ArmState arm)
+    {
+        _motion.At(seconds, arm.Positions);
+        _motion.At(seconds - Step, _before);
+        _motion.At(seconds + Step, _after);
+        for (var i = 0; i < 6; i++)
+        {
+            arm.Velocities[i] = _stoppedAt == null ? (_after[i] - _before[i]) / (2 * Step) : 0;
+            arm.Accelerations[i] = _stoppedAt == null ? (_after[i] - 2 * arm.Positions[i] + _before[i]) / (Step * Step) : 0;
+        }
+
+        _kinematics.Compute(arm.Positions, _links);
+        RotationVector.Write(_links[_robot.IndexOfLink("tool0")], arm.ToolPose);
     }
 }
