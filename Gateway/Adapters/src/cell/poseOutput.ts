@@ -9,7 +9,7 @@ import { OF_LONG_AGO, type Refusal, StampRule } from '../samples/stampRule';
 import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
 import { ComponentTrack } from './component';
 import { MAX_TRANSFORMS, type Pose, TF, TF_STATIC, transform } from './messages';
-import { IDENTITY, ofAngles, type Quaternion, unit } from './rotation';
+import { IDENTITY, ofAngles, ofVector, type Quaternion, unit } from './rotation';
 
 /** Minimum silence of a frame at rest, and interval of its repeated poses. Headsets predict for about 300 ms. */
 const SILENCE: Nanoseconds = 60n * NS_PER_MS;
@@ -30,7 +30,7 @@ export interface PoseOptions {
 /** Maximum interval between the values of a moving component, as a multiple of the source's sampling interval. */
 const PATIENCE_INTERVALS = 5;
 
-/** Largest change of a quaternion's component between two samples. A larger one is a change of all signs. */
+/** Largest change of a component of a quaternion or a rotation vector between two samples. A larger one is a change of all signs. */
 const MAX_STEP = 1;
 
 /** For a number that is never interpolated. */
@@ -260,10 +260,11 @@ function poseOf(
 
 function turnOf(rotation: Frame['rotation'], parts: number[]): Quaternion | null {
   if (rotation === null) return IDENTITY;
-  if (rotation.kind === 'quaternion') return unit(parts);
-  return ofAngles(
-    parts.map(angle => angle * rotation.scale),
-    rotation.order,
-    rotation.isFixed,
-  );
+  if (rotation.kind === 'angles')
+    return ofAngles(
+      parts.map(angle => angle * rotation.scale),
+      rotation.order,
+      rotation.isFixed,
+    );
+  return rotation.kind === 'vector' ? ofVector(parts) : unit(parts);
 }

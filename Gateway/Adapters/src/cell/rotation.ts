@@ -12,6 +12,14 @@ export function unit([x, y, z, w]: readonly number[]): Quaternion | null {
   return Math.abs(length - 1) <= MAX_LENGTH_ERROR ? [x / length, y / length, z / length, w / length] : null;
 }
 
+/** Gets the rotation of a vector, whose direction is the axis and whose length is the angle in rad. */
+export function ofVector([x, y, z]: readonly number[]): Quaternion {
+  const angle = Math.hypot(x, y, z);
+  // The limit of sin(angle / 2) / angle for small angles.
+  const factor = angle < 1e-9 ? 0.5 : Math.sin(angle / 2) / angle;
+  return [x * factor, y * factor, z * factor, Math.cos(angle / 2)];
+}
+
 /**
  * Gets the rotation of three successive rotations about coordinate axes.
  * @param angles In rad.

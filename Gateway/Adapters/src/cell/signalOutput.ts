@@ -17,7 +17,7 @@ interface Publisher {
 
 /** Creates the signals from a plant's values. A signal is published when it changes, with the stamp of the change. */
 export class SignalOutput {
-  readonly #rule: StampRule;
+  #rule: StampRule;
   readonly sender: SignalSender;
   /** Signals whose newest value was valid, so that it can be confirmed. */
   readonly #valid = new Set<number>();
@@ -39,6 +39,13 @@ export class SignalOutput {
     this.sender = new SignalSender(clock, gateway, () => status.sampled(), counter);
     this.silence = new Silence(status, () => null, counter, status.signals);
     for (const { signal } of signals) status.signals.expect(signal);
+  }
+
+  /** Starts a new connection: values and the zero of the control clock may have changed in between. */
+  startAnew(): void {
+    this.#rule = new StampRule(this.signals.length, ANY_AGE);
+    this.#valid.clear();
+    this.sender.forget();
   }
 
   /** Publishes the changes among values that arrived together; for each signal, the oldest comes first. */

@@ -43,6 +43,12 @@ export class SignalSender {
     this.#send();
   }
 
+  /** Discards all values, so that the next ones are sent again. */
+  forget(): void {
+    this.#newest.clear();
+    this.#pending.clear();
+  }
+
   /** Reports a new connection to the gateway, which has no values of these signals. */
   connected(): void {
     this.#repeatedUntil = this.counter() + REPEATED_MS;

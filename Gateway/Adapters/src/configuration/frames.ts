@@ -9,9 +9,9 @@ export const WORLD = 'world';
 /** A component of a pose: a constant, or the index of the read value. */
 export type Component = { constant: number } | { value: number };
 
-/** The rotation of a frame: a unit quaternion x, y, z, w, or three angles about the axes named by `order`. */
+/** The rotation of a frame: a unit quaternion x, y, z, w, a rotation vector in rad, or three angles about the axes named by `order`. */
 export type RotationSource =
-  { kind: 'quaternion'; parts: Component[] } | { kind: 'angles'; parts: Component[]; order: string; isFixed: boolean; scale: number };
+  { kind: 'quaternion' | 'vector'; parts: Component[] } | { kind: 'angles'; parts: Component[]; order: string; isFixed: boolean; scale: number };
 
 /** An object of the cell, whose pose in its parent is read from the control system or constant. */
 export interface Frame {
@@ -34,8 +34,12 @@ type NumberEntry = number | Address;
 
 export interface FrameEntry {
   frame: string;
+  /** A field with the whole pose: x, y, z in m, then the rotation vector. Stands for position and vector. */
+  field?: string;
   parent?: string | (Address & { of: string[] });
   position: { unit: string; x: NumberEntry; y: NumberEntry; z: NumberEntry };
+  /** The rotation's axis times its angle in rad. */
+  vector?: { x: NumberEntry; y: NumberEntry; z: NumberEntry };
   quaternion?: { x: NumberEntry; y: NumberEntry; z: NumberEntry; w: NumberEntry };
   angles?: { order: string; axes: 'fixed' | 'moving'; unit: string; values: NumberEntry[] };
   silence?: SilenceEntry;
@@ -51,7 +55,7 @@ export const isStationary = ({ selector, position, rotation }: Frame): boolean =
 /** Gets the frames of a configuration, and adds the values that they read. */
 export function framesOf(file: YamlFile, kind: string, entries: FrameEntry[], silence: SilenceEntry, values: Value[]): Frame[] {
   const seen = new Map<string, number>();
-  const frames = entries.map((entry, i): Frame => {
+  const frames = entries.map(ofField).map((entry, i): Frame => {
     const path: Path = ['frames', i];
     if (entry.frame === WORLD) file.report([...path, 'frame'], `value "${WORLD}"; this is the anchored frame of the cell, which has no parent`);
     if (seen.has(entry.frame))
@@ -75,6 +79,12 @@ export function framesOf(file: YamlFile, kind: string, entries: FrameEntry[], si
   return frames;
 }
 
+function ofField({ field, ...entry }: FrameEntry): FrameEntry {
+  if (field === undefined) return entry;
+  const [x, y, z, rx, ry, rz] = Array.from({ length: 6 }, (_, index) => ({ field, index }));
+  return { ...entry, position: { unit: 'm', x, y, z }, vector: { x: rx, y: ry, z: rz } };
+}
+
 function parentOf({ parent = WORLD }: FrameEntry, component: (label: string, found: NumberEntry) => Component): Pick<Frame, 'parents' | 'selector'> {
   if (typeof parent === 'string') return { parents: [parent], selector: null };
   const { of, ...address } = parent;
@@ -82,15 +92,15 @@ function parentOf({ parent = WORLD }: FrameEntry, component: (label: string, fou
 }
 
 function rotationOf(
-  { quaternion, angles }: FrameEntry,
+  { vector, quaternion, angles }: FrameEntry,
   component: (at: Path, label: string, found: NumberEntry) => Component,
 ): RotationSource | null {
+  const parts = (key: string, numbers: Record<string, NumberEntry>): Component[] =>
+    Object.entries(numbers).map(([name, found]) => component([key, name], `${key} ${name}`, found));
+  if (vector !== undefined) return { kind: 'vector', parts: parts('vector', vector) };
   if (quaternion !== undefined) {
     const { x, y, z, w } = quaternion;
-    return {
-      kind: 'quaternion',
-      parts: Object.entries({ x, y, z, w }).map(([name, found]) => component(['quaternion', name], `quaternion ${name}`, found)),
-    };
+    return { kind: 'quaternion', parts: parts('quaternion', { x, y, z, w }) };
   }
   if (angles === undefined) return null;
   return {

@@ -9,15 +9,17 @@ export interface Value {
   address: Address;
 }
 
-/** The address of a variable: a node and its index for OPC UA, a symbol for ADS; another kind uses none of them. */
+/** The address of a variable: a node and its index for OPC UA, a symbol for ADS, a field with its index and bit for RTDE; ROS uses none of them. */
 export interface Address {
   node?: string;
   index?: number;
   symbol?: string;
+  field?: string;
+  bit?: number;
 }
 
 /** The entries of an address by the kind of plant, the required one first. */
-export const ADDRESS: Record<string, (keyof Address)[]> = { opcua: ['node', 'index'], ads: ['symbol'] };
+export const ADDRESS: Record<string, (keyof Address)[]> = { opcua: ['node', 'index'], ads: ['symbol'], rtde: ['field', 'index', 'bit'] };
 
 /** Gets the address in an entry of the configuration. */
-export const addressIn = ({ node, index, symbol }: Address): Address => ({ node, index, symbol });
+export const addressIn = ({ node, index, symbol, field, bit }: Address): Address => ({ node, index, symbol, field, bit });

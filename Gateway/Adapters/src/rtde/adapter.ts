@@ -12,7 +12,7 @@ export async function run(context: AdapterContext): Promise<void> {
   const { configuration, status, log, stopping } = context;
   const settings = settingsOf(configuration);
   const backoff = new Backoff();
-  let fields = fieldsOf(settings.source);
+  let fields = fieldsOf(settings.source, settings.addresses);
   log.line("RTDE is neither encrypted nor authenticated: anyone with access to this network can read the robot's data and imitate the robot");
   status.detail('endpoint', at(settings));
   status.detail('security', 'none');

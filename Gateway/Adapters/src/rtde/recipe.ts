@@ -1,21 +1,11 @@
-/** Sizes in bytes of the data types of RTDE. */
-const SIZE: Record<string, number> = {
-  BOOL: 1,
-  UINT8: 1,
-  UINT32: 4,
-  INT32: 4,
-  UINT64: 8,
-  DOUBLE: 8,
-  VECTOR3D: 24,
-  VECTOR6D: 48,
-  VECTOR6INT32: 24,
-  VECTOR6UINT32: 24,
-};
+import type { Address } from '../configuration/values';
+import { elementsOf, type FieldType, isFieldType } from './fieldTypes';
 
 /** A requested field, with its type in UR's guide. */
 export interface Field {
   name: string;
-  type: 'DOUBLE' | 'VECTOR6D' | 'UINT32' | 'INT32';
+  /** Absent for a field of the configuration, which may have any type. */
+  type?: FieldType;
   /** Whether the field is omitted for controllers that do not have it. */
   isOptional?: boolean;
 }
@@ -23,16 +13,26 @@ export interface Field {
 /** Source of the positions: measured by the encoders, or commanded by the controller. */
 export type PositionSource = 'actual' | 'target';
 
-/** Gets the requested fields. Inputs, outputs and the tool's data will be added when the gateway supports signals. */
-export const fieldsOf = (source: PositionSource): Field[] => [
-  { name: 'timestamp', type: 'DOUBLE' },
-  { name: `${source}_q`, type: 'VECTOR6D' },
-  { name: `${source}_qd`, type: 'VECTOR6D', isOptional: true },
-  { name: 'runtime_state', type: 'UINT32', isOptional: true },
-  { name: 'robot_mode', type: 'INT32', isOptional: true },
-  { name: 'safety_mode', type: 'INT32', isOptional: true },
-  { name: 'safety_status_bits', type: 'UINT32', isOptional: true },
-];
+/**
+ * Gets the requested fields.
+ * @param addresses Addresses of the frames and signals of the configuration.
+ */
+export function fieldsOf(source: PositionSource, addresses: Address[] = []): Field[] {
+  const fields: Field[] = [
+    { name: 'timestamp', type: 'DOUBLE' },
+    ...(['actual', 'target'] as const).flatMap((of): Field[] => [
+      { name: `${of}_q`, type: 'VECTOR6D', isOptional: of !== source },
+      { name: `${of}_qd`, type: 'VECTOR6D', isOptional: true },
+    ]),
+    { name: 'runtime_state', type: 'UINT32', isOptional: true },
+    { name: 'robot_mode', type: 'INT32', isOptional: true },
+    { name: 'safety_mode', type: 'INT32', isOptional: true },
+    { name: 'safety_status_bits', type: 'UINT32', isOptional: true },
+  ];
+  const known = new Set(fields.map(({ name }) => name));
+  const others = new Set(addresses.map(({ field }) => field!).filter(name => !known.has(name)));
+  return [...fields, ...[...others].map(name => ({ name, isOptional: true }))];
+}
 
 /** The controller cannot provide the requested fields. Waiting alone does not help. */
 export class RecipeError extends Error {}
@@ -44,13 +44,15 @@ export class MissingFieldsError extends Error {
   }
 }
 
-/** One data package. */
+/** The fields of one data package that every robot has. */
 export interface Cycle {
   /** Seconds since the controller was started. */
   timestamp: number;
   positions: number[];
   /** Null if the controller does not provide them. */
   velocities: number[] | null;
+  /** Commanded minus measured positions; null if the controller does not provide both. */
+  deviations: number[] | null;
   runtimeState: number | null;
   robotMode: number | null;
   safetyMode: number | null;
@@ -59,7 +61,7 @@ export interface Cycle {
 
 /** Decodes data packages according to the recipe confirmed by the controller. */
 export class Recipe {
-  readonly #offsets = new Map<string, { at: number; type: Field['type'] }>();
+  readonly #fields = new Map<string, { at: number; type: FieldType }>();
   readonly #id: number;
   readonly size: number;
 
@@ -82,42 +84,57 @@ export class Recipe {
     const missing = fields.filter((_, i) => types[i] === 'NOT_FOUND');
     const needed = missing.find(field => field.isOptional !== true);
     if (needed !== undefined) throw new RecipeError(`the controller has no field ${needed.name}; update the controller's software`);
-    const wrong = fields.findIndex((field, i) => types[i] !== field.type && types[i] !== 'NOT_FOUND');
+    const wrong = fields.findIndex(({ type }, i) => types[i] !== 'NOT_FOUND' && (type === undefined ? !isFieldType(types[i]) : types[i] !== type));
     if (wrong >= 0)
       throw new RecipeError(
-        `the controller's field ${fields[wrong].name} is ${printable(types[wrong])}, not ${fields[wrong].type}; `
+        `the controller's field ${fields[wrong].name} is ${printable(types[wrong])}, not ${fields[wrong].type ?? 'a type of RTDE'}; `
           + "the adapter supports the type in UR's guide only; update this adapter or the controller",
       );
     if (missing.length > 0) throw new MissingFieldsError(missing.map(field => field.name));
     this.#id = reply[0];
     let at = 1;
-    for (const { name, type } of fields) {
-      this.#offsets.set(name, { at, type });
-      at += SIZE[type];
-    }
+    fields.forEach(({ name }, i) => {
+      const type = types[i] as FieldType;
+      this.#fields.set(name, { at, type });
+      at += elementsOf(type).count * elementsOf(type).size;
+    });
     this.size = at;
+  }
+
+  /** Gets the reason why the number at an address cannot be read; null if it can. */
+  objectionTo({ field, index, bit }: Address): string | null {
+    const found = this.#fields.get(field!);
+    if (found === undefined) return `the controller has no field ${field}; correct the field, or update the controller's software`;
+    const { count, size, isWhole } = elementsOf(found.type);
+    if (count === 1 && index !== undefined) return `${field} is one number; remove index`;
+    if (count > 1 && (index === undefined || index >= count)) return `${field} has ${count} numbers; index must be 0 to ${count - 1}`;
+    if (bit !== undefined && !isWhole) return `${field} has no bits; remove bit`;
+    return bit !== undefined && bit >= 8 * size ? `${field} has ${8 * size} bits; bit must be 0 to ${8 * size - 1}` : null;
+  }
+
+  /** Gets the number at an address without objection in a valid data package. */
+  read(payload: Buffer, { field, index = 0, bit }: Address): number {
+    const { at, type } = this.#fields.get(field!)!;
+    const { size, read } = elementsOf(type);
+    const value = read(payload, at + index * size);
+    return Number(bit === undefined ? value : (BigInt(value) >> BigInt(bit)) & 1n);
   }
 
   /** Decodes a data package; returns a description of the error if it is invalid. */
   decode(payload: Buffer): Cycle | string {
     if (payload.length !== this.size) return `a data package of ${payload.length} bytes; the recipe has ${this.size}`;
     if (payload[0] !== this.#id) return `a data package of recipe ${payload[0]}, not ${this.#id}`;
-    const number = (name: string): number | null => {
-      const field = this.#offsets.get(name);
-      if (field === undefined) return null;
-      if (field.type === 'DOUBLE') return payload.readDoubleBE(field.at);
-      return field.type === 'INT32' ? payload.readInt32BE(field.at) : payload.readUInt32BE(field.at);
-    };
-    const vector = (name: string): number[] | null => {
-      const field = this.#offsets.get(name);
-      return field === undefined ? null : Array.from({ length: 6 }, (_, i) => payload.readDoubleBE(field.at + 8 * i));
-    };
+    const number = (name: string): number | null => (this.#fields.has(name) ? this.read(payload, { field: name }) : null);
+    const vector = (name: string): number[] | null =>
+      this.#fields.has(name) ? Array.from({ length: 6 }, (_, index) => this.read(payload, { field: name, index })) : null;
     const timestamp = number('timestamp')!;
     if (!Number.isFinite(timestamp) || timestamp < 0 || timestamp > MAX_S) return `a data package with timestamp ${timestamp} s`;
+    const [actual, target] = [vector('actual_q'), vector('target_q')];
     return {
       timestamp,
-      positions: vector(`${this.source}_q`)!,
+      positions: (this.source === 'actual' ? actual : target)!,
       velocities: vector(`${this.source}_qd`),
+      deviations: actual && target && target.map((position, i) => position - actual[i]),
       runtimeState: number('runtime_state'),
       robotMode: number('robot_mode'),
       safetyMode: number('safety_mode'),

@@ -1,9 +1,11 @@
 import type { AdapterContext } from '../adapter';
 import { pause } from '../backoff';
-import { monotonicTime, type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
+import { monotonicTime, type Nanoseconds, ofMilliseconds } from '../times';
 import { ofFraction } from '../samples/timeUnit';
 import { at, RefusalError, RtdeConnection } from './connection';
 import { controllerVersion, protocolVersion, type RtdePackage, setUpOutputs, start, textOf, TYPE } from './packages';
+import { CycleOutput } from './cycleOutput';
+import { Following } from './following';
 import { Pace } from './pace';
 import { type Cycle, type Field, Recipe } from './recipe';
 import { RobotClock } from './robotClock';
@@ -24,9 +26,6 @@ const ASK_MS = 50;
 /** A larger step back of the timestamp means that the controller was restarted. */
 const RESTART_S = 0.5;
 
-/** Tolerance for packages that are earlier than the chosen interval, because timestamps are rounded. */
-const TOLERANCE: Nanoseconds = NS_PER_MS / 2n;
-
 /** Controllers from this version on are e-Series; one without a version is assumed to be. */
 const E_SERIES = 5;
 const E_SERIES_HZ = 500;
@@ -36,6 +35,7 @@ const CB3_HZ = 125;
 export class RtdeSession {
   #connection!: RtdeConnection;
   #recipe!: Recipe;
+  #output!: CycleOutput;
   /** Payload of the answer with the controller's version; null without one. */
   #controller: Buffer | null = null;
   #clock!: RobotClock;
@@ -47,10 +47,10 @@ export class RtdeSession {
   #question: { asked: Nanoseconds; sentMs: number } | null = null;
   readonly #pace = new Pace();
   readonly #power = new Power();
+  readonly #following = new Following();
   readonly #over = new AbortController();
   #lastMs = 0;
   #timestamp: number | null = null;
-  #published: Nanoseconds | null = null;
   #isReading = false;
   #hasClock = false;
   #fail: (error: Error) => void = () => {};
@@ -122,6 +122,7 @@ export class RtdeSession {
     const types = await this.#ask(setUpOutputs(rateHz, names), TYPE.setUpOutputs, ANSWER_MS);
     if (types === null) throw new Error(`${at(settings)} does not answer the output recipe; if this repeats, restart the controller`);
     this.#recipe = new Recipe(this.fields, types, settings.source);
+    this.#output = new CycleOutput(this.context.output, settings, this.#recipe);
     const started = await this.#ask(start(), TYPE.start, ANSWER_MS, asked => {
       this.#answered = asked;
     });
@@ -227,7 +228,9 @@ export class RtdeSession {
     this.#clock.heard(stamp, arrived, this.#answered);
     this.#answered = null;
     this.#countLost(cycle.timestamp);
-    if (this.#tellState(cycle)) this.#publish(cycle, stamp);
+    this.#following.add(cycle);
+    // Until the clock is measured, stamps after a restart would be compared with the previous clock.
+    if (this.#tellState(cycle) && this.#hasClock) this.#output.publish(cycle, payload, stamp);
   }
 
   /** Returns whether the positions are measured. */
@@ -244,6 +247,7 @@ export class RtdeSession {
     if (!this.#isReading) void this.#attachClock();
     this.#isReading = true;
     status.detail('program', program);
+    status.detail('following_ms', this.#following.lagMs?.toFixed(1) ?? null);
     if (program !== null && !isProgramRunning(cycle))
       log.change('program', program, `the robot's program is ${program}; its positions are still sent`);
     else log.resume('program', "the robot's program runs again");
@@ -257,18 +261,6 @@ export class RtdeSession {
     } catch (error) {
       this.#fail(error as Error);
     }
-  }
-
-  #publish({ positions, velocities }: Cycle, stamp: Nanoseconds): void {
-    const { indices, rateHz } = this.settings;
-    const { output } = this.context;
-    const interval = ofMilliseconds(1000 / rateHz);
-    // Until the clock is measured, stamps after a restart would be compared with the previous clock.
-    if (!this.#hasClock || (this.#published !== null && stamp - this.#published < interval - TOLERANCE)) return;
-    this.#published = stamp;
-    output.joints.publish(
-      indices.map((index, joint) => ({ joint, value: positions[index], stamp, ...(velocities === null ? {} : { velocity: velocities[index] }) })),
-    );
   }
 
   #countLost(timestamp: number): void {

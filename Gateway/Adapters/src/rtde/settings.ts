@@ -1,8 +1,12 @@
 import type { Kind } from '../adapter';
 import { type Configuration, readNames } from '../configuration/configuration';
 import { shown } from '../configuration/problem';
+import type { Address } from '../configuration/values';
 import { type Nanoseconds, ofMilliseconds } from '../times';
-import type { PositionSource } from './recipe';
+import { fieldsOf, type PositionSource } from './recipe';
+
+/** Maximum length of the names in a recipe, in bytes. */
+const MAX_RECIPE = 2048;
 
 /** The settings of kind rtde, with the defaults from the schema. */
 export interface RtdeSettings {
@@ -14,6 +18,8 @@ export interface RtdeSettings {
   sendDelay: Nanoseconds | null;
   /** Index of each configured joint in the controller's lists of six. */
   indices: number[];
+  /** Addresses of the values after those of the joints: of the frames, then of the signals. */
+  addresses: Address[];
 }
 
 interface PlantSection {
@@ -35,12 +41,18 @@ export function settingsOf(configuration: Configuration): RtdeSettings {
     source: positions,
     sendDelay: sendDelayMs === undefined ? null : ofMilliseconds(sendDelayMs),
     indices: configuration.joints.map((joint, i) => (joint.index as number | undefined) ?? i),
+    addresses: configuration.values.slice(configuration.joints.length).map(({ address }) => address),
   };
 }
 
 export const rtde: Kind = {
   check(file, configuration) {
-    const { indices } = settingsOf(configuration);
+    const { indices, source, addresses } = settingsOf(configuration);
+    const length = fieldsOf(source, addresses)
+      .map(({ name }) => name)
+      .join().length;
+    if (length > MAX_RECIPE)
+      file.report(['signals'], `their fields need a recipe of ${length} bytes; a controller accepts ${MAX_RECIPE}; remove signals`);
     indices.forEach((index, i) => {
       const entry = ['joints', i, 'index'];
       const first = indices.indexOf(index);

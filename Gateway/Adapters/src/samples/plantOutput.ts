@@ -84,6 +84,7 @@ export class PlantOutput {
   startAnew(): void {
     this.joints.startAnew();
     this.frames.startAnew();
+    this.signals.startAnew();
   }
 
   /** Reports that the source no longer has this value. */

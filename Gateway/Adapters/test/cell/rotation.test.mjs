@@ -4,7 +4,7 @@ import { describe, it } from 'node:test';
 import { parts } from '../parts.mjs';
 import { seeded } from '../seeded.mjs';
 
-const { ofAngles, unit } = await parts('cell/rotation');
+const { ofAngles, ofVector, unit } = await parts('cell/rotation');
 
 const about = {
   x: a => [[1, 0, 0], [0, Math.cos(a), -Math.sin(a)], [0, Math.sin(a), Math.cos(a)]],
@@ -32,6 +32,18 @@ describe('rotation', () => {
         isClose(matrixOf(ofAngles(three, order, false)), times(first, times(second, third)));
       }
     });
+
+  it('OfVector_AnyVector_TurnsAboutItByItsLength', () => {
+    for (let i = 0; i < 50; i++) {
+      const [a, b, angle] = angles();
+      // The z axis turned onto a direction, the rotation about it, and back.
+      const onto = times(about.z(a), about.y(b)), back = times(about.y(-b), about.z(-a)), axis = onto.map(row => row[2]);
+
+      isClose(matrixOf(ofVector(axis.map(part => part * angle))), times(onto, times(about.z(angle), back)));
+    }
+    isClose([ofVector([0, 0, 0])], [[0, 0, 0, 1]]);
+    isClose([ofVector([2e-10, 0, 0])], [[1e-10, 0, 0, 1]]);
+  });
 
   it('OfAngles_FixedAxes_AreMovingAxesInReverseOrder', () => {
     const [a, b, c] = angles();

@@ -8,7 +8,7 @@ import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { seeded } from '../seeded.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { byte, packageOf } from './bytes.mjs';
-import { angle, RtdeRobot } from './robot.mjs';
+import { angle, LAG_S, RtdeRobot } from './robot.mjs';
 
 const JOINTS = ['shoulder_pan_joint', 'shoulder_lift_joint', 'elbow_joint', 'wrist_1_joint', 'wrist_2_joint', 'wrist_3_joint'];
 
@@ -53,7 +53,68 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     const { header, name, position } = (await statesOf(bridge)).at(0);
 
     assert.deepEqual(name, ['wrist', 'base']);
-    assert.ok(Math.abs(position[0] - angle(5, seconds(header.stamp)) - 1) < 1e-9);
+    assert.ok(Math.abs(position[0] - angle(5, seconds(header.stamp) + LAG_S)) < 1e-9);
+  });
+
+  it('Signals_OfInputsAndOutputs_ArePublishedWithTheTimeOfTheirChange', async t => {
+    const rest = 'signals:\n  - { signal: closed, field: actual_digital_output_bits, bit: 3 }\n  - { signal: voltage, field: tool_output_voltage }\n';
+    const { bridge, robot } = await cell(t, undefined, { rest, more: ', rate_hz: 50' });
+    const changes = () => bridge.published('/signals').flatMap(({ header, name, value }) => name.map((each, i) => [each, value[i], seconds(header.stamp)]));
+    await until(() => changes().length >= 2, 'two signals');
+
+    const before = robot.now;
+    robot.outputBits = 0b1000;
+
+    const [, , time] = await until(() => changes().find(([name, value]) => name === 'closed' && value === 1), 'a change');
+    assert.ok(time >= before - 0.003 && time <= robot.now, `${before} ${time} ${robot.now}`);
+    assert.deepEqual(new Map(changes().map(([name, value]) => [name, value])), new Map([['closed', 1], ['voltage', 24]]));
+    await until(() => bridge.state['signal/closed']?.startsWith('live'), 'a live signal');
+  });
+
+  it('Signals_AfterARestart_AreSentAgainWithTheNewTime', async t => {
+    const { bridge, robot } = await cell(t, undefined, { rest: 'signals: [{ signal: closed, field: actual_digital_output_bits, bit: 0 }]\n' });
+    robot.outputBits = 1;
+    const newest = () => bridge.published('/signals').filter(({ value }) => value[0] === 1).at(-1);
+    await until(newest, 'a signal');
+
+    robot.restart();
+
+    await until(() => seconds(newest().header.stamp) < 50, 'the signal on the new time');
+  });
+
+  it('Signal_TheControllerDoesNotHave_IsNamedAndOthersAreRead', async t => {
+    const rest = 'signals:\n  - { signal: none, field: no_such_field }\n  - { signal: wrong, field: actual_q }\n  - { signal: closed, field: actual_digital_output_bits, bit: 1 }\n';
+    const { bridge, adapter } = await cell(t, undefined, { rest });
+    await statesOf(bridge, 10);
+
+    await until(() => bridge.published('/signals').length > 0 && bridge.status?.level === 2, 'a signal and an error');
+
+    assert.match(bridge.state['signal/none'], /^missing .* the controller has no field no_such_field; correct the field/);
+    assert.match(bridge.state['signal/wrong'], /^missing .* actual_q has 6 numbers; index must be 0 to 5/);
+    assert.match(bridge.state['signal/closed'], /^live/);
+    assert.match(bridge.joint('elbow_joint').state, /live/);
+    assert.equal(adapter.err.match(/none missing/g).length, 1, adapter.err);
+  });
+
+  it('Frame_OfTheToolPose_IsPublishedWithItsTime', async t => {
+    const robot = new RtdeRobot();
+    // A half turn about the axis (0, 0.6, 0.8).
+    robot.toolPose = [0.4, -0.1, 0.3, 0, 0.6 * Math.PI, 0.8 * Math.PI];
+    const { bridge } = await cell(t, robot, { rest: 'frames: [{ frame: tcp, field: actual_TCP_pose }]\n' });
+
+    const { transforms: [{ header, child_frame_id: child, transform: { translation, rotation } }] } = await until(() => bridge.published('/tf').at(-1), 'a pose');
+
+    assert.deepEqual([header.frame_id, child, translation], ['world', 'tcp', { x: 0.4, y: -0.1, z: 0.3 }]);
+    Object.values(rotation).forEach((part, i) => assert.ok(Math.abs(part - [0, 0.6, 0.8, 0][i]) < 1e-12, JSON.stringify(rotation)));
+    await until(() => bridge.jointStates.some(state => seconds(state.header.stamp) === seconds(header.stamp)), 'the joints with the same stamp');
+  });
+
+  it('Following_MovingArm_ReportsTheLagBehindTheCommand', async t => {
+    const { bridge } = await cell(t);
+
+    await until(() => bridge.state?.following_ms !== undefined, 'a lag');
+
+    assert.ok(Math.abs(Number(bridge.state.following_ms) - 1000 * LAG_S) <= 0.1, bridge.state.following_ms);
   });
 
   it('Adapter_FasterController_IsSampledAtTheChosenInterval', async t => {
@@ -105,7 +166,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     const [{ velocity }] = await statesOf(bridge);
 
     assert.deepEqual(velocity, []);
-    assert.deepEqual(robot.recipes.at(-1), ['timestamp', 'actual_q', 'runtime_state', 'safety_status_bits']);
+    assert.deepEqual(robot.recipes.at(-1), ['timestamp', 'actual_q', 'target_q', 'target_qd', 'runtime_state', 'safety_status_bits']);
     assert.match(adapter.err, /the controller does not have actual_qd, robot_mode, safety_mode; reading continues without it/);
   });
 
@@ -273,6 +334,12 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     ['TooFast', 'plant: { kind: rtde, host: ur, rate_hz: 1000 }', /value 1000; allowed is samples per second, 1 to 500/],
     ['SeventhJoint', 'plant: { kind: rtde, host: ur }\njoints: [{ joint: a, index: 6 }]', /value 6; allowed is a whole number from 0 to 5/],
     ['JointTwice', 'plant: { kind: rtde, host: ur }\njoints:\n  - { joint: a, index: 1 }\n  - { joint: b, index: 1 }', /line 4: joints\[1\]\.index: value 1; line 3 already has this joint of the arm/],
+    ['SignalWithoutField', 'plant: { kind: rtde, host: ur }\nsignals: [{ signal: a }]', /signals\[0\]\.field: missing; add the name of an output field/],
+    ['SignalTwice', 'plant: { kind: rtde, host: ur }\nsignals:\n  - { signal: a, field: b }\n  - { signal: a, field: c }', /line 4: signals\[1\]\.signal: value "a"; line 3 already has this signal/],
+    ['Bit64', 'plant: { kind: rtde, host: ur }\nsignals: [{ signal: a, field: b, bit: 64 }]', /value 64; allowed is a whole number from 0 to 63/],
+    ['TooManyFields', `plant: { kind: rtde, host: ur }\nsignals:\n${Array.from({ length: 100 }, (_, i) => `  - { signal: s${i}, field: output_double_register_${i} }\n`).join('')}`,
+      /line 2: signals: their fields need a recipe of \d+ bytes; a controller accepts 2048/],
+    ['FrameOfAnotherField', 'plant: { kind: rtde, host: ur }\nframes: [{ frame: a, field: actual_q }]', /value "actual_q"; allowed are actual_TCP_pose, target_TCP_pose, tcp_offset/],
     ['AnotherRobotsJoints', 'plant: { kind: rtde, host: ur }\nrobot: youbot', /the robot has no such joint/],
   ])
     it(`Check_${what}_NamesTheEntry`, () => {

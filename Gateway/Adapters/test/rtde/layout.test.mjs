@@ -9,15 +9,16 @@ const { PackageReader, NotRtdeError, Recipe, RecipeError, MissingFieldsError, fi
 
 const hex = buffer => buffer.toString('hex');
 
-const NAMES = 'timestamp,actual_q,actual_qd,runtime_state,robot_mode,safety_mode,safety_status_bits';
-const TYPES = 'DOUBLE,VECTOR6D,VECTOR6D,UINT32,INT32,INT32,UINT32';
+const NAMES = 'timestamp,actual_q,actual_qd,target_q,target_qd,runtime_state,robot_mode,safety_mode,safety_status_bits';
+const TYPES = 'DOUBLE,VECTOR6D,VECTOR6D,VECTOR6D,VECTOR6D,UINT32,INT32,INT32,UINT32';
 
 const answer = (types, id = 1) => Buffer.concat([byte(id), Buffer.from(types)]);
 
 const recipe = () => new Recipe(fieldsOf('actual'), answer(TYPES));
 
 const PAYLOAD = Buffer.concat([
-  byte(1), doubles(1234.568), doubles(0.1, -1.5, 2.25, 0, 3, -3), doubles(1, 2, 3, 4, 5, 6), int(2), int(-1), int(3), int(0x404),
+  byte(1), doubles(1234.568), doubles(0.1, -1.5, 2.25, 0, 3, -3), doubles(1, 2, 3, 4, 5, 6),
+  doubles(0.1, -1, 2.25, 0.5, 3, -3), doubles(-1, -2, -3, -4, -5, -6), int(2), int(-1), int(3), int(0x404),
 ]);
 
 describe('rtde layout', () => {
@@ -74,8 +75,8 @@ describe('rtde layout', () => {
     const cycle = recipe().decode(PAYLOAD);
 
     assert.deepEqual(cycle, {
-      timestamp: 1234.568, positions: [0.1, -1.5, 2.25, 0, 3, -3], velocities: [1, 2, 3, 4, 5, 6], runtimeState: 2, robotMode: -1, safetyMode: 3,
-      safetyBits: 0x404,
+      timestamp: 1234.568, positions: [0.1, -1.5, 2.25, 0, 3, -3], velocities: [1, 2, 3, 4, 5, 6], deviations: [0, 0.5, 0, 0.5, 0, 0],
+      runtimeState: 2, robotMode: -1, safetyMode: 3, safetyBits: 0x404,
     });
     assert.equal(fieldsOf('actual').map(field => field.name).join(','), NAMES);
   });
@@ -93,10 +94,45 @@ describe('rtde layout', () => {
 
   for (const [what, types, text] of [
     ['Missing', TYPES.replace('VECTOR6D', 'NOT_FOUND'), /no field actual_q; update/], ['OfAnotherType', TYPES.replace('VECTOR6D', 'VECTOR6INT32'), /actual_q is VECTOR6INT32, not VECTOR6D/],
-    ['InAnotherNumber', 'DOUBLE', /7 fields with 1 types/],
+    ['InAnotherNumber', 'DOUBLE', /9 fields with 1 types/],
   ])
     it(`Recipe_NeededField${what}_IsAnError`, () =>
       assert.throws(() => new Recipe(fieldsOf('actual'), answer(types)), error => error instanceof RecipeError && text.test(error.message)));
+
+  it('Recipe_FieldsOfTheConfiguration_AreReadInEachType', () => {
+    const fields = [{ name: 'timestamp', type: 'DOUBLE' }, { name: 'actual_q', type: 'VECTOR6D' },
+      ...['flag', 'byte', 'bits', 'voltage', 'load', 'force', 'modes', 'counts', 'elbow', 'wide'].map(name => ({ name, isOptional: true }))];
+    const types = 'DOUBLE,VECTOR6D,BOOL,UINT8,UINT32,INT32,DOUBLE,VECTOR6D,VECTOR6INT32,VECTOR6UINT32,VECTOR3D,UINT64';
+    const payload = Buffer.concat([
+      byte(1), doubles(1, 0, 0, 0, 0, 0, 0), byte(1), byte(0xa5), int(-0x7ffffffe), int(-24), doubles(1.5), doubles(1, 2, 3, 4, 5, 6),
+      ...[-1, -2, -3, -4, -5, -6].map(int), ...[1, 2, 3, 4, 5, -1].map(int), doubles(7, 8, 9), int(-0x80000000), int(0x20001),
+    ]);
+    const mixed = new Recipe(fields, answer(types));
+    const read = address => mixed.objectionTo(address) ?? mixed.read(payload, address);
+
+    assert.equal(typeof mixed.decode(payload), 'object');
+    assert.deepEqual(
+      [{ field: 'flag' }, { field: 'byte' }, { field: 'byte', bit: 5 }, { field: 'byte', bit: 1 }, { field: 'bits', bit: 31 }, { field: 'voltage' },
+        { field: 'load' }, { field: 'force', index: 5 }, { field: 'modes', index: 1 }, { field: 'counts', index: 5 }, { field: 'elbow', index: 2 },
+        { field: 'wide', bit: 63 }, { field: 'wide', bit: 17 }, { field: 'wide', bit: 16 }].map(read),
+      [1, 0xa5, 1, 0, 1, -24, 1.5, 6, -2, 0xffffffff, 9, 1, 1, 0]);
+    for (const [address, text] of [
+      [{ field: 'none' }, /no field none/], [{ field: 'force' }, /6 numbers; index must be 0 to 5/], [{ field: 'elbow', index: 3 }, /3 numbers/],
+      [{ field: 'load', index: 0 }, /one number; remove index/], [{ field: 'load', bit: 0 }, /no bits/], [{ field: 'byte', bit: 8 }, /bit must be 0 to 7/],
+    ])
+      assert.match(read(address), text);
+  });
+
+  it('Recipe_FieldOfTheConfigurationHasAnUnknownType_IsAnError', () =>
+    assert.throws(() => new Recipe(fieldsOf('actual', [{ field: 'payload' }]), answer(`${TYPES},VECTOR7D`)), /payload is VECTOR7D, not a type of RTDE/));
+
+  it('Fields_OfSeveralSignals_AreRequestedOnce', () => {
+    const bits = [0, 1].map(bit => ({ field: 'actual_digital_output_bits', bit }));
+
+    const names = fieldsOf('target', [...bits, { field: 'robot_mode' }]).map(({ name }) => name);
+
+    assert.equal(names.join(','), `${NAMES},actual_digital_output_bits`);
+  });
 
   it('Recipe_WithoutOptionalFields_DecodesThemAsNull', () => {
     const fields = fieldsOf('target').filter(field => !field.isOptional);

@@ -4,10 +4,14 @@ import { byte, doubles, int, packageOf } from './bytes.mjs';
 
 const TYPES = {
   timestamp: 'DOUBLE', actual_q: 'VECTOR6D', actual_qd: 'VECTOR6D', target_q: 'VECTOR6D', target_qd: 'VECTOR6D', runtime_state: 'UINT32',
-  robot_mode: 'INT32', safety_mode: 'INT32', safety_status_bits: 'UINT32',
+  robot_mode: 'INT32', safety_mode: 'INT32', safety_status_bits: 'UINT32', actual_digital_output_bits: 'UINT64', actual_TCP_pose: 'VECTOR6D',
+  tool_output_voltage: 'INT32',
 };
 
 const RUNNING = 7, PLAYING = 2, NORMAL = 1;
+
+/** Time by which the arm is behind the commanded positions. */
+export const LAG_S = 0.006;
 
 /** Angle of a joint at a time of the controller's clock. */
 export const angle = (joint, seconds) => 0.3 * joint + 0.4 * Math.sin((0.9 + 0.1 * joint) * seconds);
@@ -18,6 +22,8 @@ export class RtdeRobot {
   frequencies = [];
   recipes = [];
   state = { runtime: PLAYING, mode: RUNNING, safety: NORMAL, bits: 1 };
+  outputBits = 0;
+  toolPose = [0, 0, 0, 0, 0, 0];
   /** Fields that this controller does not have; `types` has those with other types. */
   missing = [];
   types = {};
@@ -113,8 +119,12 @@ export class RtdeRobot {
     switch (field) {
       case 'timestamp': return doubles(time);
       case 'actual_q': return six(i => angle(i, this.stands ? 0 : time));
-      case 'actual_qd': case 'target_qd': return six(i => (angle(i, time + h) - angle(i, time - h)) / (2 * h));
-      case 'target_q': return six(i => angle(i, time) + 1);
+      case 'actual_qd': return six(i => (angle(i, time + h) - angle(i, time - h)) / (2 * h));
+      case 'target_qd': return six(i => (angle(i, time + LAG_S + h) - angle(i, time + LAG_S - h)) / (2 * h));
+      case 'target_q': return six(i => angle(i, time + LAG_S));
+      case 'actual_digital_output_bits': return Buffer.concat([int(0), int(this.outputBits)]);
+      case 'actual_TCP_pose': return doubles(...this.toolPose);
+      case 'tool_output_voltage': return int(24);
       case 'runtime_state': return int(this.state.runtime);
       case 'robot_mode': return int(this.state.mode);
       case 'safety_mode': return int(this.state.safety);

@@ -1,0 +1,28 @@
+import type { Cycle } from './recipe';
+
+/** Time constant of the sums' decay. */
+const WINDOW_S = 10;
+
+/** Minimum integral of the squared velocities for an estimate, rad²/s. */
+const MOVED = 0.01;
+
+/** Estimates how long after the commanded positions the arm has them: the slope of the deviation over the velocity. */
+export class Following {
+  #products = 0;
+  #squares = 0;
+  #last: number | null = null;
+
+  /** The lag in ms; null until the arm has moved. */
+  get lagMs(): number | null {
+    return this.#squares < MOVED ? null : (1000 * this.#products) / this.#squares;
+  }
+
+  add({ timestamp, deviations, velocities }: Cycle): void {
+    const passed = this.#last === null ? 0 : timestamp - this.#last;
+    this.#last = timestamp;
+    if (deviations === null || velocities === null) return;
+    const kept = Math.exp(-passed / WINDOW_S);
+    this.#products = kept * this.#products + passed * deviations.reduce((sum, deviation, i) => sum + deviation * velocities[i], 0);
+    this.#squares = kept * this.#squares + passed * velocities.reduce((sum, velocity) => sum + velocity ** 2, 0);
+  }
+}
