@@ -1,5 +1,6 @@
 import type { AdapterContext } from '../adapter';
 import { Backoff, pause } from '../backoff';
+import { publishCalibrated } from './calibration/calibration';
 import { at, RefusalError } from './connection';
 import { fieldsOf, MissingFieldsError, RecipeError } from './recipe';
 import { RtdeSession } from './session';
@@ -16,6 +17,7 @@ export async function run(context: AdapterContext): Promise<void> {
   log.line("RTDE is neither encrypted nor authenticated: anyone with access to this network can read the robot's data and imitate the robot");
   status.detail('endpoint', at(settings));
   status.detail('security', 'none');
+  if (settings.isCalibrated) void publishCalibrated(context, settings);
   status.enter('connecting');
   while (!stopping.aborted) {
     const began = performance.now();

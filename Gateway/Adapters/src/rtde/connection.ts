@@ -10,6 +10,8 @@ export class RefusalError extends Error {}
 export interface Peer {
   host: string;
   port: number;
+  /** Name of the service in PolyScope; RTDE by default. */
+  service?: string;
 }
 
 /** A TCP connection that returns whole packages with the time of their arrival. */
@@ -39,7 +41,7 @@ export class RtdeConnection {
   static open(peer: Peer, stop: AbortSignal): Promise<RtdeConnection> {
     return new Promise((resolve, reject) => {
       const socket = connect({ host: peer.host, port: peer.port });
-      const late = setTimeout(() => fail(new Error(unreachable(peer, 'ETIMEDOUT'))), CONNECT_MS);
+      const late = setTimeout(() => fail(new Error(unreachable(peer, TIMED_OUT))), CONNECT_MS);
       const stopped = (): void => fail(new Error('stopped'));
       const leave = (): void => {
         clearTimeout(late);
@@ -52,7 +54,7 @@ export class RtdeConnection {
         socket.destroy();
         reject(error);
       };
-      const failed = (error: Error): void => fail(new Error(unreachable(peer, codeOf(error))));
+      const failed = (error: Error): void => fail(new Error(unreachable(peer, error)));
       stop.addEventListener('abort', stopped);
       socket.on('error', failed);
       socket.on('connect', () => {
@@ -94,10 +96,14 @@ export const at = ({ host, port }: Peer): string => (host.includes(':') ? `[${ho
 
 const codeOf = (error: Error): string => (error as NodeJS.ErrnoException).code ?? error.message;
 
-function unreachable(peer: Peer, code: string): string {
+const TIMED_OUT = Object.assign(new Error(), { code: 'ETIMEDOUT' });
+
+/** Gets the description of a failed connection, with the remedy. */
+export function unreachable(peer: Peer, error: Error): string {
+  const code = codeOf(error);
   switch (code) {
     case 'ECONNREFUSED':
-      return `${at(peer)} refuses the connection; start the robot's controller, and enable RTDE in PolyScope under Settings > Security > Services`;
+      return `${at(peer)} refuses the connection; start the robot's controller, and enable ${peer.service ?? 'RTDE'} in PolyScope under Settings > Security > Services`;
     case 'ENOTFOUND':
     case 'EAI_AGAIN':
       return `there is no machine with the name ${peer.host}; correct plant.host, or write the robot's IP address, which PolyScope shows under Settings > Network`;

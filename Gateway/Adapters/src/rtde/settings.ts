@@ -5,6 +5,9 @@ import type { Address } from '../configuration/values';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import { fieldsOf, type PositionSource } from './recipe';
 
+/** The included robot descriptions that can be calibrated. */
+const ARMS = ['ur3e', 'ur5e', 'ur10e', 'ur16e', 'ur5'];
+
 /** Maximum length of the names in a recipe, in bytes. */
 const MAX_RECIPE = 2048;
 
@@ -18,6 +21,9 @@ export interface RtdeSettings {
   sendDelay: Nanoseconds | null;
   /** Index of each configured joint in the controller's lists of six. */
   indices: number[];
+  /** Whether the robot description has the calibration of the controller, from this port. */
+  isCalibrated: boolean;
+  calibrationPort: number;
   /** Addresses of the values after those of the joints: of the frames, then of the signals. */
   addresses: Address[];
 }
@@ -28,12 +34,15 @@ interface PlantSection {
   rate_hz: number;
   positions: PositionSource;
   send_delay_ms?: number;
+  calibration: boolean;
+  calibration_port: number;
 }
 
 const sectionOf = (configuration: Configuration): PlantSection => configuration.plant as unknown as PlantSection;
 
 export function settingsOf(configuration: Configuration): RtdeSettings {
-  const { host, port, rate_hz: rateHz, positions, send_delay_ms: sendDelayMs } = sectionOf(configuration);
+  const section = sectionOf(configuration);
+  const { host, port, rate_hz: rateHz, positions, send_delay_ms: sendDelayMs } = section;
   return {
     host,
     port,
@@ -41,13 +50,17 @@ export function settingsOf(configuration: Configuration): RtdeSettings {
     source: positions,
     sendDelay: sendDelayMs === undefined ? null : ofMilliseconds(sendDelayMs),
     indices: configuration.joints.map((joint, i) => (joint.index as number | undefined) ?? i),
+    isCalibrated: section.calibration,
+    calibrationPort: section.calibration_port,
     addresses: configuration.values.slice(configuration.joints.length).map(({ address }) => address),
   };
 }
 
 export const rtde: Kind = {
   check(file, configuration) {
-    const { indices, source, addresses } = settingsOf(configuration);
+    const { indices, source, addresses, isCalibrated } = settingsOf(configuration);
+    const { robot = '' } = file.value as { robot?: string };
+    if (isCalibrated && !ARMS.includes(robot)) file.report(['robot'], `value ${shown(robot)}; calibration needs one of ${ARMS.join(', ')}`);
     const length = fieldsOf(source, addresses)
       .map(({ name }) => name)
       .join().length;

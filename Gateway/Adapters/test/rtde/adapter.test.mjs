@@ -339,6 +339,8 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     ['Bit64', 'plant: { kind: rtde, host: ur }\nsignals: [{ signal: a, field: b, bit: 64 }]', /value 64; allowed is a whole number from 0 to 63/],
     ['TooManyFields', `plant: { kind: rtde, host: ur }\nsignals:\n${Array.from({ length: 100 }, (_, i) => `  - { signal: s${i}, field: output_double_register_${i} }\n`).join('')}`,
       /line 2: signals: their fields need a recipe of \d+ bytes; a controller accepts 2048/],
+    ['CalibrationOfAnotherRobot', 'plant: { kind: rtde, host: ur, calibration: true }\nrobot: youbot\njoints: []', /line 2: robot: value "youbot"; calibration needs one of ur3e, ur5e, ur10e, ur16e, ur5/],
+    ['CalibrationWithoutRobot', 'plant: { kind: rtde, host: ur, calibration: true }', /robot: value ""; calibration needs one of ur3e/],
     ['FrameOfAnotherField', 'plant: { kind: rtde, host: ur }\nframes: [{ frame: a, field: actual_q }]', /value "actual_q"; allowed are actual_TCP_pose, target_TCP_pose, tcp_offset/],
     ['AnotherRobotsJoints', 'plant: { kind: rtde, host: ur }\nrobot: youbot', /the robot has no such joint/],
   ])

@@ -1,0 +1,78 @@
+import type { DhJoint } from './primary';
+import { aboutX, aboutZ, cross, dot, inverse, ofRpy, ORIGIN, plus, type Rigid, rpyOf, shift, times, type Vector } from './rigid';
+
+/** The joints of the included descriptions of UR's arms from the base to the flange. The last one is fixed. */
+const CHAIN = ['shoulder_pan_joint', 'shoulder_lift_joint', 'elbow_joint', 'wrist_1_joint', 'wrist_2_joint', 'wrist_3_joint', 'tool0_joint'];
+
+/** Maximum difference at the tool that a calibration explains, m. A larger one is another robot. */
+const MAX_DIFFERENCE = 0.03;
+
+const originOf = (joint: string): RegExp => new RegExp(`(<joint name="${joint}"[^]*?<origin) xyz="([^"]*)" rpy="([^"]*)"`);
+
+/**
+ * Gives a description of a UR arm the kinematics of one arm.
+ * @returns The new description, and the largest difference at the tool in m, over some positions of the joints.
+ * @throws Error The kinematics are not those of the described robot.
+ */
+export function calibrated(urdf: string, joints: DhJoint[]): { urdf: string; difference: number } {
+  const nominal = CHAIN.map(joint => poseIn(urdf, joint));
+  const own = chainOf(joints, nominal);
+  const difference = Math.max(...POSITIONS.map(angles => distance(toolOf(nominal, angles), toolOf(own, angles))));
+  // Not "greater", because numbers from a network may be no numbers.
+  if (!(difference <= MAX_DIFFERENCE))
+    throw new Error(
+      `its tool is up to ${(1000 * difference).toFixed(0)} mm from that of the robot description, so it is another robot; correct robot`,
+    );
+  const text = CHAIN.reduce((before, joint, i) => {
+    const numbers = (vector: Vector): string => vector.map(value => value.toFixed(12)).join(' ');
+    return before.replace(originOf(joint), (_, start: string) => `${start} xyz="${numbers(own[i].at)}" rpy="${numbers(rpyOf(own[i]))}"`);
+  }, urdf);
+  return { urdf: text, difference };
+}
+
+function poseIn(urdf: string, joint: string): Rigid {
+  const [, , xyz, rpy] = originOf(joint).exec(urdf)!;
+  const vector = (text: string): Vector => text.split(' ').map(Number) as unknown as Vector;
+  return { ...ofRpy(vector(rpy)), at: vector(xyz) };
+}
+
+/**
+ * Gets the poses of the joints in each other, and of the flange in the last one. The origin of each joint is the point on its calibrated axis
+ * next to its nominal origin, so that links are drawn where they are: with Denavit-Hartenberg parameters alone, the origins of nearly parallel
+ * axes may be metres away.
+ */
+function chainOf(joints: DhJoint[], nominal: Rigid[]): Rigid[] {
+  let axis = ORIGIN;
+  let described = ORIGIN;
+  let before = ORIGIN;
+  const chain = joints.map(({ theta, a, d, alpha }, i) => {
+    described = times(described, nominal[i]);
+    const frame = onAxis(described, axis);
+    const pose = times(inverse(before), frame);
+    before = frame;
+    axis = times(times(times(axis, aboutZ(theta)), shift([a, 0, d])), aboutX(alpha));
+    return pose;
+  });
+  return [...chain, times(inverse(before), axis)];
+}
+
+/** Moves a frame by the shortest way, so that its z axis is that of another frame. */
+function onAxis(frame: Rigid, { z, at }: Rigid): Rigid {
+  const along = dot(plus(frame.at, at, -1), z);
+  // The rotation about the normal of both axes: v + n × v + n × (n × v) / (1 + cos).
+  const normal = cross(frame.z, z);
+  const scale = 1 / (1 + dot(frame.z, z));
+  const turn = (v: Vector): Vector => plus(plus(v, cross(normal, v)), cross(normal, cross(normal, v)), scale);
+  return { x: turn(frame.x), y: turn(frame.y), z, at: plus(at, z, along) };
+}
+
+/** Positions of the joints for the comparison, rad. */
+const POSITIONS = Array.from({ length: 32 }, (_, i) => Array.from({ length: 6 }, (__, joint) => ((joint + 1) * (i + 0.5) * 0.61803) % (2 * Math.PI)));
+
+const toolOf = (chain: Rigid[], angles: number[]): Vector =>
+  chain.reduce((pose, next, i) => times(times(pose, next), i < angles.length ? aboutZ(angles[i]) : ORIGIN), ORIGIN).at;
+
+function distance(a: Vector, b: Vector): number {
+  const apart = plus(a, b, -1);
+  return Math.sqrt(dot(apart, apart));
+}
