@@ -29,6 +29,7 @@ public sealed class GatewayServer : IAsyncDisposable
     static readonly TimeSpan StopTimeout = TimeSpan.FromSeconds(3);
 
     readonly GatewayOptions _options;
+    readonly Action<string> _unlimitedLog;
     readonly QuietLog _log;
     readonly AccessWatch _access;
     readonly RosbridgeServer _rosbridge;
@@ -45,7 +46,8 @@ public sealed class GatewayServer : IAsyncDisposable
     GatewayServer(GatewayOptions options, IControlClock clock, Action<string> log)
     {
         _options = options;
-        _log = new QuietLog(log, options.Time);
+        _unlimitedLog = log;
+        _log = NewLog();
         Hub = new MessageHub();
         PlantClocks = new PlantClocks(options.ControlClock, new StopwatchHeadsetClock());
         Clock = new ServedClock(clock, PlantClocks, options.SystemClock);
@@ -111,6 +113,9 @@ public sealed class GatewayServer : IAsyncDisposable
 
     /// <summary>The rate-limited log for parts of the gateway, so that peers cannot fill the disk.</summary>
     internal Action<string> Log => _log.Write;
+
+    /// <summary>Returns a log with limits of its own, for a part whose lines must not be suppressed because of others. The caller disposes it.</summary>
+    internal QuietLog NewLog() => new(_unlimitedLog, Time);
 
     internal EventList Events => _status.Events;
 

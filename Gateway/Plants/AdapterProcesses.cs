@@ -8,7 +8,15 @@ sealed class AdapterProcesses : IAsyncDisposable
 {
     readonly AdapterProcess[] _processes;
 
-    AdapterProcesses(AdapterProcess[] processes) => _processes = processes;
+    // One for each adapter, so that many lines of one do not suppress those of another.
+    readonly QuietLog[] _logs;
+
+    AdapterProcesses(PlantFile[] plants, GatewayServer gateway)
+    {
+        var access = AdapterAccess.To(gateway);
+        _logs = [.. plants.Select(_ => gateway.NewLog())];
+        _processes = [.. plants.Zip(_logs, (plant, log) => new AdapterProcess(plant, access, gateway.Time, log.Write))];
+    }
 
     /// <summary>Checks all configurations.</summary>
     /// <param name="options">Options of their gateway.</param>
@@ -49,13 +57,16 @@ sealed class AdapterProcesses : IAsyncDisposable
     /// <param name="gateway">The running gateway. It logs the programs' lines and is not ready until all of them report.</param>
     public static AdapterProcesses Start(IEnumerable<PlantFile> plants, GatewayServer gateway)
     {
-        var access = AdapterAccess.To(gateway);
-        var started = new AdapterProcesses([.. plants.Select(plant => new AdapterProcess(plant, access, gateway.Time, gateway.Log))]);
+        var started = new AdapterProcesses([.. plants], gateway);
         gateway.Expect([.. started._processes.Select(process => (Func<AdapterState>)(() => process.State))]);
         return started;
     }
 
     static bool IsAny(IPAddress bind) => bind.Equals(IPAddress.Any) || bind.Equals(IPAddress.IPv6Any);
 
-    public async ValueTask DisposeAsync() => await Task.WhenAll(_processes.Select(process => process.DisposeAsync().AsTask()));
+    public async ValueTask DisposeAsync()
+    {
+        await Task.WhenAll(_processes.Select(process => process.DisposeAsync().AsTask()));
+        foreach (var log in _logs) log.Dispose();
+    }
 }
