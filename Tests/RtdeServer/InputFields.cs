@@ -3,6 +3,9 @@ namespace Nowpose.RtdeServer;
 /// <summary>The fields that a client may write. The server accepts them but ignores their values.</summary>
 static class InputFields
 {
+    /// <summary>Stands for the type of an input that another client writes.</summary>
+    public const string InUse = "IN_USE";
+
     static readonly Dictionary<string, string> Known = new()
     {
         ["speed_slider_mask"] = "UINT32",

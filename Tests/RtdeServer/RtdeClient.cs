@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using System.Collections.Immutable;
 using System.Net.Sockets;
 using System.Text;
 
@@ -21,6 +22,9 @@ sealed class RtdeClient : IDisposable
     double _intervalTicks = 1, _due;
     volatile bool _isStarted;
     bool _isBroken;
+
+    /// <summary>The inputs that this client may write.</summary>
+    public ImmutableHashSet<string> Inputs { get; private set; } = [];
 
     public RtdeClient(Socket socket, RtdeServer server)
     {
@@ -60,7 +64,7 @@ sealed class RtdeClient : IDisposable
         if (!_isStarted || _isBroken || cycle < _due) return;
         // All clients with the same frequency receive the same cycles.
         _due = (Math.Floor(cycle / _intervalTicks) + 1) * _intervalTicks;
-        if (!_socket.Poll(0, SelectMode.SelectWrite)) return;
+        if (!CanSend()) return;
         var package = new PackageWriter(PackageType.Data);
         if (_version == 2) package.Add(OutputRecipe);
         foreach (var field in _recipe) OutputFields.Write(field, package, state);
@@ -70,7 +74,7 @@ sealed class RtdeClient : IDisposable
     /// <summary>Sends bytes that are not an RTDE package.</summary>
     public void SendGarbage(ReadOnlySpan<byte> bytes)
     {
-        if (_socket.Poll(0, SelectMode.SelectWrite)) Send(bytes);
+        if (CanSend()) Send(bytes);
     }
 
     public void Dispose() => _socket.Dispose();
@@ -94,9 +98,7 @@ sealed class RtdeClient : IDisposable
                 SetUpOutputs(payload.Span);
                 break;
             case PackageType.SetUpInputs:
-                var types = Names(payload.Span).Select(InputFields.TypeOf).ToArray();
-                var id = types.Contains(OutputFields.NotFound) ? 0 : ++_inputRecipes;
-                Send(new PackageWriter(type).Add((byte)id).Add(string.Join(',', types)));
+                SetUpInputs(Names(payload.Span));
                 break;
             case PackageType.Start:
                 var canStart = _recipe.Length > 0;
@@ -114,6 +116,15 @@ sealed class RtdeClient : IDisposable
                 SendText($"unknown package type {(byte)type}");
                 break;
         }
+    }
+
+    void SetUpInputs(string[] names)
+    {
+        var types = names.Select(name => _server.IsUsedByAnother(name, this) ? InputFields.InUse : InputFields.TypeOf(name)).ToArray();
+        var isAccepted = !types.Any(type => type is InputFields.InUse or OutputFields.NotFound);
+        if (isAccepted) Inputs = Inputs.Union(names);
+        var id = isAccepted ? ++_inputRecipes : 0;
+        Send(new PackageWriter(PackageType.SetUpInputs).Add((byte)id).Add(string.Join(',', types)));
     }
 
     void SetUpOutputs(ReadOnlySpan<byte> payload)
@@ -151,6 +162,19 @@ sealed class RtdeClient : IDisposable
         Send(_version == 2
             ? package.Add((byte)text.Length).Add(text).Add((byte)Source.Length).Add(Source).Add(Warning)
             : package.Add(Warning).Add(text));
+    }
+
+    // Another thread disposes the socket when the client disconnects.
+    bool CanSend()
+    {
+        try
+        {
+            return _socket.Poll(0, SelectMode.SelectWrite);
+        }
+        catch (Exception e) when (e is SocketException or ObjectDisposedException)
+        {
+            return false;
+        }
     }
 
     void Send(PackageWriter package, bool isHalf = false)

@@ -61,6 +61,9 @@ sealed class RtdeServer
         }
     }
 
+    /// <summary>Whether another client has set up an input.</summary>
+    public bool IsUsedByAnother(string input, RtdeClient client) => _clients.Keys.Any(other => other != client && other.Inputs.Contains(input));
+
     public async Task AcceptAsync()
     {
         while (true)
