@@ -68,7 +68,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     const [, , time] = await until(() => changes().find(([name, value]) => name === 'closed' && value === 1), 'a change');
     assert.ok(time >= before - 0.003 && time <= robot.now, `${before} ${time} ${robot.now}`);
     assert.deepEqual(new Map(changes().map(([name, value]) => [name, value])), new Map([['closed', 1], ['voltage', 24]]));
-    await until(() => bridge.state['signal/closed']?.startsWith('live'), 'a live signal');
+    await until(() => bridge.state?.['signal/closed']?.startsWith('live'), 'a live signal');
   });
 
   it('Signals_AfterARestart_AreSentAgainWithTheNewTime', async t => {
