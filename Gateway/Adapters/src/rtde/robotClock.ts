@@ -7,14 +7,19 @@ const MAX_SKEW_PPM = 700n;
 /** Maximum age of the newest package for reading the time. */
 const SILENCE: Nanoseconds = NS_PER_S;
 
-/** If all packages are late by this much for this period, the clock has stepped. Used when answers cannot show it. */
+/** If all packages are late by this much for the period, the clock has stepped. Used when answers cannot show it. */
 const LATE: Nanoseconds = 50n * NS_PER_MS;
+
+/** Minimum duration of a contradiction: a busy controller or machine is late for shorter times. */
 const PERIOD: Nanoseconds = NS_PER_S;
+
+/** Time constant with which a distance of the bounds that had to be widened returns to the assumed one. */
+const RETURN: Nanoseconds = 60n * NS_PER_S;
 
 /** Number of stored upper bounds. The next larger one takes over when the smallest is refuted. */
 const ANSWERS = 8;
 
-/** If this many answers in a row are below the lower bound, the clock has stepped back; fewer are late packages of a busy controller. */
+/** If this many answers in a row are below the lower bound for the period, the clock has stepped back. */
 const REFUTED = 5;
 
 /**
@@ -34,8 +39,8 @@ export class RobotClock {
   #newest: Nanoseconds | null = null;
   /** Since when all answers or packages have been late, the number of these answers, and the lower bound from the earliest package since. */
   #late: { since: Nanoseconds; answers: number; lower: Nanoseconds } | null = null;
-  /** Fixed distance of the bounds while no answer renews the upper one; null while answers do. */
-  #kept: Nanoseconds | null = null;
+  /** Distance of the bounds while no answer renews the upper one, and its smallest value; null while answers do. */
+  #kept: { assumed: Nanoseconds; width: Nanoseconds } | null = null;
 
   /**
    * @param sendDelay Maximum time from a package's timestamp until the controller sends it.
@@ -49,17 +54,19 @@ export class RobotClock {
   /** Distance between the two bounds; null while the upper one is unknown. */
   get width(): Nanoseconds | null {
     if (this.#lower === null) return null;
-    return this.#kept ?? (this.#uppers.length === 0 ? null : this.#uppers[0] - this.#lower);
+    return this.#kept?.width ?? (this.#uppers.length === 0 ? null : this.#uppers[0] - this.#lower);
   }
 
   /**
    * Call this when the controller does not answer while it streams. From now on, the fastest package is assumed to take no longer than the
-   * fastest answer's round-trip time before, or than shown by its first package.
+   * fastest answer's round-trip time before, or than shown by its first package. A package that is faster by more than expected shows that the
+   * ones before were late, and widens the bounds for the next minutes.
    */
   expectNoAnswers(roundTrip: Nanoseconds): void {
     const longest = this.sendDelay + roundTrip;
     const { width } = this;
-    this.#kept = width === null || longest < width ? longest : width;
+    const assumed = width === null || longest < width ? longest : width;
+    this.#kept = { assumed, width: assumed };
   }
 
   /**
@@ -74,6 +81,7 @@ export class RobotClock {
     this.#lower = lower > before ? lower : before;
     const answered = asked === null ? null : timestamp + this.sendDelay - asked;
     if (this.#late !== null && lower > this.#late.lower) this.#late.lower = lower;
+    this.#widen(lower - before);
     const isContradicted = this.#kept === null ? this.#areAnswersRefuted(answered, lower, arrived) : this.#areAllFar(before, lower, arrived);
     if (!isContradicted) return;
     this.#lower = this.#late?.lower ?? lower;
@@ -94,10 +102,19 @@ export class RobotClock {
   }
 
   #age(now: Nanoseconds): void {
-    const drift = now > this.#updated ? ((now - this.#updated) * MAX_SKEW_PPM) / 1_000_000n : 0n;
+    const passed = now > this.#updated ? now - this.#updated : 0n;
+    const drift = (passed * MAX_SKEW_PPM) / 1_000_000n;
     this.#updated = now;
+    if (this.#kept !== null) this.#kept.width -= ((this.#kept.width - this.#kept.assumed) * (passed < RETURN ? passed : RETURN)) / RETURN;
     if (this.#lower !== null) this.#lower -= drift;
     this.#uppers = this.#uppers.map(upper => upper + drift);
+  }
+
+  /** Takes the time by which a package was faster than expected. Half of it is added, because the next late period may be longer. */
+  #widen(faster: Nanoseconds): void {
+    if (this.#kept === null || faster >= LATE) return;
+    const width = this.#kept.assumed + (3n * faster) / 2n;
+    if (width > this.#kept.width) this.#kept.width = width;
   }
 
   /** Takes an answer. Returns whether the lower bound is above all earlier answers, or several new ones in a row are below it. */
@@ -112,7 +129,7 @@ export class RobotClock {
     const upheld = this.#uppers.filter(upper => upper >= this.#lower!);
     const areAllBelow = this.#uppers.length > 0 && upheld.length === 0;
     this.#uppers = answered === null || isLate ? upheld : [...upheld, answered].sort((a, b) => (a < b ? -1 : 1)).slice(0, ANSWERS);
-    return areAllBelow || this.#late?.answers === REFUTED;
+    return areAllBelow || (this.#late !== null && this.#late.answers >= REFUTED && arrived - this.#late.since >= PERIOD);
   }
 
   /** Returns whether a package is far earlier, or all packages of a period are far later, than expected. */
