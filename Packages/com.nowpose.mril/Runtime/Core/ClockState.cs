@@ -28,4 +28,10 @@ namespace Nowpose
         /// <summary>Was coarse or synchronised. No exchange has arrived recently, so the last line is extrapolated.</summary>
         Holdover = 3,
     }
+
+    static class ClockStateWord
+    {
+        /// <summary>Returns the spelling in the protocol, pages, logs and command lines.</summary>
+        public static string Word(this ClockState state) => state.ToString().ToLowerInvariant();
+    }
 }

@@ -9,4 +9,11 @@ namespace Nowpose.Anchoring
         /// <remarks>Called once per frame on its thread; must be fast and must not allocate when no marker is new.</remarks>
         void Read(List<MarkerSighting> markers);
     }
+
+    /// <summary>A source of markers that can report why it has none.</summary>
+    public interface IMarkerProblem
+    {
+        /// <summary>The problem in one line; null without a problem. The same object as long as the text is the same.</summary>
+        string Problem { get; }
+    }
 }

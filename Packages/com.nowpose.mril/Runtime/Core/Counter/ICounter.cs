@@ -1,3 +1,5 @@
+using System.Diagnostics;
+
 namespace Nowpose.Counter
 {
     /// <summary>A monotonic counter of the device.</summary>
@@ -8,5 +10,13 @@ namespace Nowpose.Counter
 
         /// <summary>Reads the counter. Allocates nothing.</summary>
         long Read();
+    }
+
+    /// <summary>The counter of <see cref="Stopwatch"/>. Under Mono and IL2CPP it counts 100 ns on every device.</summary>
+    sealed class StopwatchCounter : ICounter
+    {
+        public long Frequency => Stopwatch.Frequency;
+
+        public long Read() => Stopwatch.GetTimestamp();
     }
 }

@@ -1,5 +1,15 @@
 namespace Nowpose.Kinematics
 {
+    enum VisualShape
+    {
+        Box,
+
+        /// <summary>A cylinder about its own z axis with its centre at the origin.</summary>
+        Cylinder,
+        Sphere,
+        Mesh,
+    }
+
     /// <summary>One visual shape of a link.</summary>
     sealed class LinkVisual
     {
@@ -26,5 +36,22 @@ namespace Nowpose.Kinematics
 
         /// <summary>Null if the URDF specifies none.</summary>
         public VisualColour? Colour { get; }
+    }
+
+    /// <summary>Red, green, blue and opacity, as written in the URDF; the valid range is 0…1, which is not enforced.</summary>
+    readonly struct VisualColour
+    {
+        public VisualColour(double red, double green, double blue, double alpha)
+        {
+            Red = red;
+            Green = green;
+            Blue = blue;
+            Alpha = alpha;
+        }
+
+        public double Red { get; }
+        public double Green { get; }
+        public double Blue { get; }
+        public double Alpha { get; }
     }
 }

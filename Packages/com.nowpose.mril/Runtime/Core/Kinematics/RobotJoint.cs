@@ -1,5 +1,16 @@
 namespace Nowpose.Kinematics
 {
+    /// <summary>The motion of a joint. Positions are in radians, for <see cref="Prismatic"/> in metres.</summary>
+    public enum JointKind
+    {
+        Fixed,
+        Revolute,
+
+        /// <summary>Revolute without position limits.</summary>
+        Continuous,
+        Prismatic,
+    }
+
     /// <summary>The connection of a link to its parent.</summary>
     public sealed class RobotJoint
     {
@@ -42,5 +53,24 @@ namespace Nowpose.Kinematics
         public JointMimic Mimic { get; }
 
         public override string ToString() => Name;
+    }
+
+    /// <summary>A joint that follows another: position = multiplier · master's position + offset.</summary>
+    public sealed class JointMimic
+    {
+        internal JointMimic(string master, double multiplier, double offset)
+        {
+            Master = master;
+            Multiplier = multiplier;
+            Offset = offset;
+        }
+
+        /// <summary>Name of the joint that is mimicked. It is a moving joint, and may mimic another one.</summary>
+        public string Master { get; }
+
+        public double Multiplier { get; }
+
+        /// <summary>Offset in radians, for a prismatic follower in metres.</summary>
+        public double Offset { get; }
     }
 }

@@ -42,4 +42,21 @@ namespace Nowpose.Kinematics
         static MimicStep Step(RobotJoint follower, Dictionary<string, UrdfJoint> byName) => new MimicStep(
             follower.MovingIndex, byName[follower.Mimic.Master].Joint.MovingIndex, follower.Mimic.Multiplier, follower.Mimic.Offset);
     }
+
+    /// <summary>One mimic joint with indices instead of names. In a model, masters precede their followers.</summary>
+    readonly struct MimicStep
+    {
+        public MimicStep(int joint, int master, double multiplier, double offset)
+        {
+            Joint = joint;
+            Master = master;
+            Multiplier = multiplier;
+            Offset = offset;
+        }
+
+        public int Joint { get; }
+        public int Master { get; }
+        public double Multiplier { get; }
+        public double Offset { get; }
+    }
 }

@@ -2,6 +2,42 @@ using System;
 
 namespace Nowpose.Latency
 {
+    /// <summary>Reason why a <see cref="RangeState"/> is unknown.</summary>
+    enum RangeUnknownReason
+    {
+        /// <summary>The state is known.</summary>
+        None,
+
+        /// <summary>Neither the settings nor a calibration contain a limit.</summary>
+        NoLimit,
+
+        /// <summary>The render time is not measured.</summary>
+        NoRenderTime,
+
+        /// <summary>Too few frames were measured with the current source.</summary>
+        TooFewFrames,
+
+        /// <summary>The limit was found with another source of the render time and does not apply to this one.</summary>
+        OtherSource,
+
+        /// <summary>The render time is beyond the calibrated range, and the calibration found no limit in it.</summary>
+        BeyondMeasured,
+    }
+
+    /// <summary>Whether L_visu has its calibrated value: whether the render time is in the constant-latency range.</summary>
+    /// <remarks>Schnierle &amp; Röck 2022, Fig. 11b.</remarks>
+    public enum RangeState
+    {
+        /// <summary>Cannot be determined; <see cref="RangeUnknownReason"/> has the reason. The calibrated L_visu is used.</summary>
+        Unknown,
+
+        /// <summary>L_visu is constant.</summary>
+        Inside,
+
+        /// <summary>Frames miss the display's refresh: L_visu is longer than calibrated, by an unknown amount.</summary>
+        Outside,
+    }
+
     /// <summary>Detects, frame by frame, whether the render time is in the constant-latency range.</summary>
     /// <remarks>
     /// Schnierle &amp; Röck 2022, Fig. 11b. Uses the median of the newest 15 frames, so that one slow frame changes nothing.

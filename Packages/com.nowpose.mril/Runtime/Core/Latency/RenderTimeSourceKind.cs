@@ -1,3 +1,5 @@
+using System;
+
 namespace Nowpose.Latency
 {
     /// <summary>Source of a render time. Times of different sources are not comparable.</summary>
@@ -17,5 +19,38 @@ namespace Nowpose.Latency
 
         /// <summary>CPU time of the camera. Unverified: it does not include the time of the GPU.</summary>
         CameraCpu,
+    }
+
+    /// <summary>Names of render-time sources in files.</summary>
+    static class RenderTimeSourceNames
+    {
+        static readonly string[] Names = { "", "display_gpu_time", "engine_gpu_time", "gpu_completion", "camera_cpu" };
+
+        /// <returns>Empty for <see cref="RenderTimeSourceKind.None"/>.</returns>
+        public static string NameOf(RenderTimeSourceKind source) => Names[(int)source];
+
+        /// <param name="name">Exactly as written; empty for <see cref="RenderTimeSourceKind.None"/>.</param>
+        public static bool TryParse(string name, out RenderTimeSourceKind source)
+        {
+            var index = Array.IndexOf(Names, name);
+            source = index < 0 ? RenderTimeSourceKind.None : (RenderTimeSourceKind)index;
+            return index >= 0;
+        }
+
+        /// <summary>All names except the empty one, separated by commas, for messages.</summary>
+        public static string All => string.Join(", ", Names, 1, Names.Length - 1);
+    }
+
+    /// <summary>Checks that a number is a measured render time Δt_render: 0.001 to 1000 ms, for measuring, logging and reading.</summary>
+    /// <remarks>Drivers that do not measure report zero; a readback that spans a pause reports seconds.</remarks>
+    static class MeasuredRenderTime
+    {
+        const double MinMs = 0.001, MaxMs = 1000;
+
+        /// <param name="ms">Render time in ms; NaN is not a measured time.</param>
+        public static bool Is(double ms) => ms >= MinMs && ms <= MaxMs;
+
+        /// <exception cref="InputException">Out of range, or not a number; the message uses the name of the column in files.</exception>
+        internal static double RequireMs(double ms) => SettingRange.Require(ms, MinMs, MaxMs, "render_ms", "ms");
     }
 }

@@ -2,6 +2,16 @@ using System;
 
 namespace Nowpose.Latency
 {
+    /// <summary>The clock that a code shows. Marks in the ring distinguish the two codes of a picture.</summary>
+    enum CodeKind
+    {
+        /// <summary>Shown by the control system, on LEDs or on a monitor: C1(t_VLC) of Eq. (7).</summary>
+        Control,
+
+        /// <summary>Shown by the headset as a hologram: C2(t_MR) of Eq. (7), mapped to the control clock.</summary>
+        Headset,
+    }
+
     /// <summary>Encodes a control time in 8×8 lights that a camera can read: whole milliseconds in Gray code, with parity.</summary>
     /// <remarks>
     /// The visible light communication of Schnierle &amp; Röck 2022, Fig. 9. Row 0 is at the top, column 0 on the left. The 28 cells of

@@ -4,6 +4,29 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
+    /// <summary>Source of the control time.</summary>
+    public enum ControlClockSource
+    {
+        /// <summary>The gateway's clock sync, over a separate TCP connection.</summary>
+        ClockSync,
+
+        /// <summary>A rosbridge server without a gateway: its service /rosapi/get_time, over the WebSocket of the joint positions.</summary>
+        RosTime,
+    }
+
+    /// <summary>Security of the connections to the gateway.</summary>
+    enum TransportSecurity
+    {
+        /// <summary>No encryption: loopback, or a network that the user declared as trusted.</summary>
+        Plain,
+
+        /// <summary>TLS with a certificate that the device's own store trusts.</summary>
+        DeviceTrust,
+
+        /// <summary>TLS with a certificate that matches the pin of its public key; no other is trusted.</summary>
+        Pinned,
+    }
+
     /// <summary>Address of the gateway and the transport to it. Immutable; checked in the constructor.</summary>
     public sealed class ConnectionSettings
     {

@@ -16,4 +16,14 @@ namespace Nowpose.Network
         /// <param name="take">Called on the receiving thread. Its exceptions end the connection.</param>
         Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel);
     }
+
+    /// <summary>Creates the WebSocket link for the connection settings.</summary>
+    static class WebSocketLinks
+    {
+        public static IWebSocketLink Create(ConnectionSettings settings, IHeadsetClock clock)
+        {
+            if (settings.Security == TransportSecurity.Pinned) return new PinnedWebSocketLink(settings, clock);
+            return new ClientWebSocketLink(settings, clock);
+        }
+    }
 }

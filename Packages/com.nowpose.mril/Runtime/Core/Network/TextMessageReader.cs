@@ -1,4 +1,5 @@
 using System;
+using System.IO;
 using System.Net.WebSockets;
 using System.Threading;
 using System.Threading.Tasks;
@@ -98,5 +99,15 @@ namespace Nowpose.Network
             if (_length > ProtocolLimits.DescriptionBytes) return DropReason.TooLarge;
             return _fragments > ProtocolLimits.FragmentsPerMessage ? DropReason.TooManyFragments : DropReason.None;
         }
+    }
+
+    /// <summary>A message exceeded a limit such that the start of the next message is unknown; the connection has to end.</summary>
+    sealed class MessageLimitException : IOException
+    {
+        public MessageLimitException(string message, DropReason reason, System.Exception innerException = null)
+            : base(message, innerException) => Reason = reason;
+
+        /// <summary>The reason to count.</summary>
+        public DropReason Reason { get; }
     }
 }

@@ -2,6 +2,22 @@ using System;
 
 namespace Nowpose.Pairing
 {
+    /// <summary>The kind that a code in view declares.</summary>
+    enum PairingCodeKind
+    {
+        /// <summary>A code of another application; ignored.</summary>
+        Foreign,
+
+        /// <summary>The robot's marker, see <see cref="CellCode"/>.</summary>
+        Cell,
+
+        /// <summary>The gateway's code that is valid once, see <see cref="TokenCode"/>.</summary>
+        Token,
+
+        /// <summary>A pairing code of another kind.</summary>
+        Unknown,
+    }
+
     /// <summary>Common form of the codes that pair a headset with a gateway: "nowpose:KIND/VERSION?a=…&amp;b=…" in printable ASCII.</summary>
     static class PairingCode
     {

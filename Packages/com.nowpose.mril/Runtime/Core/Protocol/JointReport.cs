@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+
 namespace Nowpose.Protocol
 {
     /// <summary>The gateway's status of one joint.</summary>
@@ -21,5 +23,13 @@ namespace Nowpose.Protocol
         public ControlTime Since { get; }
 
         public string Reason { get; }
+    }
+
+    /// <summary>A publication on /nowpose/joint_status: the joints that are not live. Empty if all joints are live.</summary>
+    sealed class JointStatusMessage
+    {
+        public JointStatusMessage(IReadOnlyList<JointReport> joints) => Joints = joints;
+
+        public IReadOnlyList<JointReport> Joints { get; }
     }
 }

@@ -2,6 +2,16 @@ using System;
 
 namespace Nowpose.Protocol
 {
+    /// <summary>Notation of a ROS time in JSON.</summary>
+    enum RosTimeForm
+    {
+        /// <summary>ROS 2: <c>sec</c> and <c>nanosec</c>; also used if a client specifies no type.</summary>
+        Sec,
+
+        /// <summary>ROS 1: <c>secs</c> and <c>nsecs</c>.</summary>
+        Secs,
+    }
+
     /// <summary>Reads times and durations in the notations of ROS 1 and ROS 2.</summary>
     static class RosTime
     {

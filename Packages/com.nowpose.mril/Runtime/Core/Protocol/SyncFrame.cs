@@ -3,6 +3,22 @@ using System.Buffers.Binary;
 
 namespace Nowpose.Protocol
 {
+    /// <summary>Kind of a sync frame; the values are those on the wire.</summary>
+    enum SyncFrameKind : byte
+    {
+        /// <summary>t1 from the headset.</summary>
+        Request = 1,
+
+        /// <summary>t1 echoed, with t2 and t3.</summary>
+        Reply = 2,
+
+        /// <summary>Announces a token, which follows the frame (<see cref="SyncToken"/>).</summary>
+        Token = 0x10,
+
+        /// <summary>Reports whether the token was accepted.</summary>
+        TokenReply = 0x11,
+    }
+
     /// <summary>One frame of the clock sync protocol: 48 bytes, little-endian, the same layout in both directions.</summary>
     /// <remarks>
     /// Times are raw nanoseconds: t1 on the headset clock C2, t2 and t3 on the control clock C1. They come from the wire, so any
@@ -142,5 +158,15 @@ namespace Nowpose.Protocol
             var microseconds = length.Ticks / TicksPerMicrosecond + (length.Ticks % TicksPerMicrosecond > 0 ? 1 : 0);
             return (uint)Math.Max(0, Math.Min(uint.MaxValue, microseconds));
         }
+    }
+
+    /// <summary>Why bytes are not a sync frame. Each fault closes the connection.</summary>
+    enum SyncFrameFault
+    {
+        None,
+        WrongSize,
+        WrongMagic,
+        WrongVersion,
+        WrongKind,
     }
 }

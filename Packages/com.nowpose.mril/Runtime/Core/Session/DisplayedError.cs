@@ -61,4 +61,20 @@ namespace Nowpose.Session
             Frames, Rms * factor, P95 * factor, HoldRms * factor, HoldP95 * factor, Reduction, ReductionUncertainty,
             TruthUncertainty * factor, ClockUncertainty * factor);
     }
+
+    /// <summary>The error of one joint between base and tool.</summary>
+    public readonly struct JointError
+    {
+        public JointError(string joint, DisplayedError? error)
+        {
+            Joint = joint;
+            Error = error;
+        }
+
+        /// <summary>Name of the joint in the URDF.</summary>
+        public string Joint { get; }
+
+        /// <summary>Error in rad, or in m for a prismatic joint; null while unknown.</summary>
+        public DisplayedError? Error { get; }
+    }
 }

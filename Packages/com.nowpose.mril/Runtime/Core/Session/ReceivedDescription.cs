@@ -3,6 +3,18 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
+    /// <summary>Whether the displayed robot is the one that the gateway describes.</summary>
+    enum RobotDescriptionMatch
+    {
+        /// <summary>The gateway has not sent a valid description.</summary>
+        Unknown,
+
+        Same,
+
+        /// <summary>The texts differ: other lengths, axes or names may cause a wrong pose of the displayed robot.</summary>
+        Different,
+    }
+
     /// <summary>The newest valid robot description from the gateway, compared with the displayed robot. Thread-safe.</summary>
     sealed class ReceivedDescription
     {

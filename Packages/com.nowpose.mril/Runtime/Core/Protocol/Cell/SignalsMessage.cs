@@ -41,4 +41,20 @@ namespace Nowpose.Protocol.Cell
         /// <summary>Returns the message to its reader for reuse; call it as the last user. Does nothing if no reader created the message.</summary>
         public void Release() => _pool?.Return(this);
     }
+
+    /// <summary>The value of a signal of the plant.</summary>
+    readonly struct SignalValue
+    {
+        /// <param name="value">See <see cref="Value"/>.</param>
+        public SignalValue(string name, double value)
+        {
+            Name = name;
+            Value = value;
+        }
+
+        public string Name { get; }
+
+        /// <summary>Finite; 0 or 1 for a Boolean.</summary>
+        public double Value { get; }
+    }
 }
