@@ -2,7 +2,6 @@ using System.CommandLine;
 using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
-using Nowpose.Latency.Calibration;
 using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Cli.Calibrate;

@@ -1,5 +1,5 @@
+using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Latency;
-using Nowpose.Latency.Calibration;
 using Nowpose.Latency.Profile;
 using Nowpose.Latency.Sweep;
 using Nowpose.Simulation;

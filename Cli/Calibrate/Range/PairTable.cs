@@ -3,7 +3,6 @@ using CsvHelper;
 using CsvHelper.Configuration;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Latency;
-using Nowpose.Latency.Calibration;
 
 namespace Nowpose.Cli.Calibrate.Range;
 

@@ -1,5 +1,4 @@
 using Nowpose.Latency;
-using Nowpose.Latency.Calibration;
 
 namespace Nowpose.Cli.Calibrate.Range;
 

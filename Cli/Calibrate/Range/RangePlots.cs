@@ -1,6 +1,5 @@
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Latency;
-using Nowpose.Latency.Calibration;
 
 namespace Nowpose.Cli.Calibrate.Range;
 

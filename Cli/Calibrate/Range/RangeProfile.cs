@@ -1,6 +1,5 @@
 using System.Globalization;
 using Nowpose.Latency;
-using Nowpose.Latency.Calibration;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;
 

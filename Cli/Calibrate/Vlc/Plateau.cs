@@ -1,5 +1,5 @@
+using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Latency;
-using Nowpose.Latency.Calibration;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 

@@ -8,11 +8,8 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// <summary>Reads a load sweep's log, plain or compressed, of one headset with one display rate.</summary>
 static class SweepTable
 {
-    /// <exception cref="InputException">The file cannot be read, has another format, or contains several headsets.</exception>
-    public static IReadOnlyList<SweepRow> Read(string path) => Read(path, out _);
-
     /// <param name="conditions">Conditions of the whole sweep.</param>
-    /// <exception cref="InputException">The same as for the other overload.</exception>
+    /// <exception cref="InputException">The file cannot be read, has another format, or contains several headsets.</exception>
     public static IReadOnlyList<SweepRow> Read(string path, out DisplayConditions conditions)
     {
         using var text = RecordingText.Open(path);

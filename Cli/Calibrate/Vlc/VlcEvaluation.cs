@@ -1,7 +1,6 @@
 using System.Globalization;
 using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Latency;
-using Nowpose.Latency.Calibration;
 using Nowpose.Latency.Profile;
 using Nowpose.Latency.Sweep;
 

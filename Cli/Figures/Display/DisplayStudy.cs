@@ -1,7 +1,7 @@
 using Nowpose.Cli.Calibrate;
+using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Latency;
-using Nowpose.Latency.Calibration;
 using Nowpose.Latency.Sweep;
 using Nowpose.Simulation;
 

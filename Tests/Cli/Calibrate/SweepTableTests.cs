@@ -18,7 +18,7 @@ public sealed class SweepTableTests : CalibrationFolder
         using (var text = new StreamWriter(new GZipStream(File.Create(path), CompressionLevel.Fastest)))
             text.Write(Log("HoloLens 2,60", "HoloLens 2,60"));
 
-        Assert.That(SweepTable.Read(path).Select(row => row.RenderMs), Is.EqualTo(new[] { 5.5, 5.5 }));
+        Assert.That(SweepTable.Read(path, out _).Select(row => row.RenderMs), Is.EqualTo(new[] { 5.5, 5.5 }));
     }
 
     [Test]
@@ -27,13 +27,13 @@ public sealed class SweepTableTests : CalibrationFolder
         var path = Path.Combine(Folder, "sweep.csv.gz");
         File.WriteAllText(path, Log("HoloLens 2,60"));
 
-        Assert.That(() => SweepTable.Read(path), Throws.TypeOf<InputException>().With.Message.EndsWith("although its name ends in .gz"));
+        Assert.That(() => SweepTable.Read(path, out _), Throws.TypeOf<InputException>().With.Message.EndsWith("although its name ends in .gz"));
     }
 
     [Test]
     public void DisplayHz_ReportedAfterSomeFrames_IsKnown()
     {
-        var rows = SweepTable.Read(Write("sweep.csv", [Log("HoloLens 2,", "HoloLens 2,", "HoloLens 2,60")]));
+        var rows = SweepTable.Read(Write("sweep.csv", [Log("HoloLens 2,", "HoloLens 2,", "HoloLens 2,60")]), out _);
 
         Assert.That((SweepTable.Device(rows), SweepTable.DisplayHz(rows)), Is.EqualTo(("HoloLens 2", 60)));
         Assert.That(SweepTable.DisplayHz([rows[0]]), Is.Zero, "no row gives the rate");
@@ -45,6 +45,6 @@ public sealed class SweepTableTests : CalibrationFolder
     {
         var path = Write("sweep.csv", [Log(first, second)]);
 
-        Assert.That(() => SweepTable.Read(path), Throws.TypeOf<InputException>().With.Message.Contains($"{path}: {named}"));
+        Assert.That(() => SweepTable.Read(path, out _), Throws.TypeOf<InputException>().With.Message.Contains($"{path}: {named}"));
     }
 }

@@ -1,7 +1,8 @@
+using NUnit.Framework;
+using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Latency;
 using Nowpose.Latency.Sweep;
 using Nowpose.Unity;
-using NUnit.Framework;
 using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Calibration;
@@ -48,7 +49,7 @@ public sealed class LoadSweepEndTests
         Assert.That(_played.Sweep.IsRunning, Is.False);
         Assert.That(_played.Sweep.Words, Is.EqualTo("sweep stopped"));
         Assert.That(_played.Load.Vertices, Is.EqualTo(7777));
-        await Soon.BecomesAsync(() => File.Exists(path) && SweepLogReader.Read(path).Count > 30, "the log is written");
+        await Soon.BecomesAsync(() => File.Exists(path) && SweepTable.Read(path, out _).Count > 30, "the log is written");
         _played.Run(1);
         Assert.That(_played.Sweep.Verdict, Is.Null);
     }
@@ -108,7 +109,7 @@ public sealed class LoadSweepEndTests
         Assert.That(_played.Sweep.Problem, Is.EqualTo("load generator 'Load' is switched off; the sweep needs it"));
         Assert.That(_played.Cell.Messages.Count(m => m.Contains("switched off", StringComparison.Ordinal)), Is.EqualTo(1));
         Assert.That(_played.Load.Vertices, Is.EqualTo(7777), "as before");
-        await Soon.BecomesAsync(() => File.Exists(_played.Sweep.Path) && SweepLogReader.Read(_played.Sweep.Path).Count > 30, "the log is written");
+        await Soon.BecomesAsync(() => File.Exists(_played.Sweep.Path) && SweepTable.Read(_played.Sweep.Path, out _).Count > 30, "the log is written");
     }
 
     [Test]

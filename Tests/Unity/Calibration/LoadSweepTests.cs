@@ -1,7 +1,8 @@
+using NUnit.Framework;
+using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Sweep;
-using NUnit.Framework;
 using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Calibration;
@@ -32,7 +33,7 @@ public sealed class LoadSweepTests
         });
         await _played.Judged();
 
-        var rows = SweepLogReader.Read(_played.Sweep.Path);
+        var rows = SweepTable.Read(_played.Sweep.Path, out _);
         Assert.That(rows.Select(row => row.Vertices).Distinct(), Is.EquivalentTo(new[] { 0, 25_000, 50_000, 75_000, 100_000 }), "building, too");
         foreach (var load in new[] { 0, 50_000 })
             Assert.That(rows.Count(row => row.Vertices == load), Is.InRange(2 * 36, 2 * 39), "0.6 s at 60 Hz, up and down");
@@ -56,7 +57,7 @@ public sealed class LoadSweepTests
         _played.Run(5);
         await _played.Judged();
 
-        var rows = SweepLogReader.Read(_played.Sweep.Path);
+        var rows = SweepTable.Read(_played.Sweep.Path, out _);
         Assert.That(rows[0].DisplayHz, Is.NaN);
         Assert.That(rows.Where(row => row.Vertices > 0).Select(row => row.DisplayHz).Distinct(), Is.EqualTo(new[] { 72.0 }));
     }

@@ -1,9 +1,10 @@
+using NUnit.Framework;
+using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Latency;
 using Nowpose.Latency.Load;
 using Nowpose.Latency.Sweep;
 using Nowpose.Unity;
 using Nowpose.UnityPlayer;
-using NUnit.Framework;
 using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Samples;
@@ -57,7 +58,7 @@ public sealed class DisplayCalibrationTests
             },
             "the sweep is judged");
 
-        var rows = SweepLogReader.Read(_sweep.Path);
+        var rows = SweepTable.Read(_sweep.Path, out _);
         Assert.That(rows.Select(row => row.Vertices).Distinct(), Is.SupersetOf(new[] { 0, 150_000, 300_000 }));
         Assert.That(_sweep.Verdict.Words, Does.StartWith("this source does not respond to load"), "its GPU is as fast with any");
         Assert.That(WordsOf(_sweep), Is.EqualTo(_sweep.Words));

@@ -1,0 +1,99 @@
+using System.Globalization;
+using CsvHelper;
+using CsvHelper.Configuration;
+using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using Nowpose.Latency.Sweep;
+
+namespace Nowpose.Cli.Calibrate.Vlc;
+
+/// <summary>Reads texts that <see cref="SweepLog"/> wrote. Errors are one line with file, line and field.</summary>
+static class SweepLogReader
+{
+    const string Nanoseconds = "control_ns", Vertices = "vertices", RenderMs = "render_ms", Source = "source", DisplayHz = "display_hz";
+
+    static readonly int Columns = SweepLog.Header.Split(',').Length;
+
+    /// <param name="name">Name of the text in messages.</param>
+    /// <param name="conditions">Conditions above the header, without device and display rate, which are in the rows.</param>
+    /// <exception cref="InputException">The text has another format or no rows.</exception>
+    public static IReadOnlyList<SweepRow> Read(TextReader text, string name, out DisplayConditions conditions)
+    {
+        var above = 1;
+        var header = text.ReadLine();
+        var values = new string[DisplayConditionNames.Count];
+        for (; IsComment(header); header = text.ReadLine(), above++) TakeCondition(header, values);
+        conditions = ConditionsOf(values, name);
+        if (header == null || header.Trim() != SweepLog.Header)
+            throw new InputException($"{name}:{above}: the header is '{header}'; it must be {SweepLog.Header}");
+        using var csv = new CsvParser(text, new CsvConfiguration(CultureInfo.InvariantCulture) { TrimOptions = TrimOptions.Trim, BadDataFound = null });
+        var rows = new List<SweepRow>();
+        var device = "";
+        while (csv.Read()) rows.Add(RowOf(csv.Record, $"{name}:{above + csv.RawRow}", ref device));
+        if (rows.Count == 0) throw new InputException($"{name}: there are no rows below the header; a sweep log has one for each frame");
+        return rows;
+    }
+
+    static bool IsComment(string line) => line != null && line.StartsWith(SweepLog.ConditionPrefix, StringComparison.Ordinal);
+
+    // Unknown fields, which newer versions may add, are ignored.
+    static void TakeCondition(string line, string[] values)
+    {
+        var end = line.IndexOf(SweepLog.ConditionSeparator, StringComparison.Ordinal);
+        if (end < 0) return;
+        if (DisplayConditionNames.TryParse(line[SweepLog.ConditionPrefix.Length..end], out var condition))
+            values[(int)condition] = line[(end + SweepLog.ConditionSeparator.Length)..].Trim();
+    }
+
+    static DisplayConditions ConditionsOf(string[] values, string name)
+    {
+        try
+        {
+            return DisplayConditions.Parse(condition => values[(int)condition]);
+        }
+        catch (InputException fault)
+        {
+            throw new InputException($"{name}: {fault.Message}", fault);
+        }
+    }
+
+    /// <param name="device">Device of the previous row; reused when it is equal, so that the string is stored once.</param>
+    static SweepRow RowOf(string[] fields, string place, ref string device)
+    {
+        if (fields.Length != Columns) throw new InputException($"{place}: {fields.Length} fields; it must have {Columns}");
+        if (fields[4] != device) device = fields[4];
+        try
+        {
+            return new SweepRow(
+                ControlTime.FromNanoseconds(Whole(fields[0], Nanoseconds, "nanoseconds")),
+                (int)Math.Min(Whole(fields[1], Vertices, "vertices"), int.MaxValue),
+                fields[2].Length == 0 ? null : Number(fields[2], RenderMs, "milliseconds"),
+                SourceOf(fields[3]),
+                device,
+                fields[5].Length == 0 ? double.NaN : Number(fields[5], DisplayHz, "hertz"));
+        }
+        catch (InputException fault)
+        {
+            throw new InputException($"{place}: {fault.Message}", fault);
+        }
+    }
+
+    static RenderTimeSourceKind SourceOf(string text)
+    {
+        if (RenderTimeSourceNames.TryParse(text, out var source)) return source;
+        throw new InputException(
+            $"{Source}: '{text}' is not a source of render times; allowed are {RenderTimeSourceNames.All}, or nothing");
+    }
+
+    static long Whole(string text, string field, string unit)
+    {
+        if (long.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var number)) return number;
+        throw new InputException($"{field}: '{text}' is not a whole number of {unit}");
+    }
+
+    static double Number(string text, string field, string unit)
+    {
+        if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var number)) return number;
+        throw new InputException($"{field}: '{text}' is not a number of {unit}");
+    }
+}

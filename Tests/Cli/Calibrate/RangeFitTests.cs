@@ -1,0 +1,242 @@
+using Nowpose.Cli.Calibrate.Range;
+using Nowpose.Latency;
+using Nowpose.Simulation;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Calibrate;
+
+public class RangeFitTests
+{
+    const double TrueLimitMs = 1000 / 60.0 - 1.5;
+    const double PlateauMs = 40;
+    static readonly double[] BelowTheLimit = Enumerable.Range(0, 11).Select(i => 100_000.0 * i).ToArray();
+
+    static int CountNear(SimulatedPictures pictures, out string limits)
+    {
+        var found = Enumerable.Range(2000, 100).Select(seed => RangeFit.Fit(pictures.Take(seed)).LimitRenderMs ?? 0).ToArray();
+        limits = "limits " + string.Join(" ", found.OrderBy(limit => limit).Select(limit => limit.ToString("0.00")));
+        return found.Count(limit => limit >= 0.94 * TrueLimitMs && limit <= 1.02 * TrueLimitMs);
+    }
+
+    [TestCase(30)]
+    [TestCase(100)]
+    public void Fit_SweepsOverTheLimit_FindTheLimitWithinSixPercentBelowAndTwoAbove(int perLoad)
+    {
+        var near = CountNear(new SimulatedPictures { PerLoad = perLoad }, out var limits);
+
+        Assert.That(near, Is.GreaterThanOrEqualTo(95), limits);
+    }
+
+    [Test]
+    public void Fit_CoarseLoadsAndFewPictures_FindsTheLimit()
+    {
+        var coarse = new SimulatedPictures { PerLoad = 20, Loads = Enumerable.Range(0, 11).Select(i => 200_000.0 * i).ToArray() };
+
+        Assert.That(CountNear(coarse, out var limits), Is.GreaterThanOrEqualTo(95), limits);
+    }
+
+    // All pictures of one load have nearly the same render time, so the gap around the limit is as wide as one load step.
+    [TestCase(0.001)]
+    [TestCase(0.003)]
+    [TestCase(0.01)]
+    public void Fit_CoarseLoadsOfSteadyRenderTime_FindsTheLimit(double scatter)
+    {
+        var steady = new SimulatedPictures
+        {
+            PerLoad = 30, Loads = Enumerable.Range(0, 11).Select(i => 200_000.0 * i).ToArray(),
+            Display = new DisplayPipelineSettings(scatter: scatter),
+        };
+
+        Assert.That(CountNear(steady, out var limits), Is.GreaterThanOrEqualTo(95), limits);
+    }
+
+    [Test]
+    public void Fit_FivePercentMisreadAndThreePercentSlow_FindsTheLimit()
+    {
+        var spoiled = new SimulatedPictures { Misread = 0.05, Display = new DisplayPipelineSettings(spikeChance: 0.03) };
+
+        Assert.That(CountNear(spoiled, out var limits), Is.GreaterThanOrEqualTo(95), limits);
+    }
+
+    [Test]
+    public void Fit_PicturesMisreadByUpToAPeriod_AreRejected()
+    {
+        foreach (var seed in Enumerable.Range(1, 20))
+        {
+            var pairs = new SimulatedPictures { Misread = 0 }.Take(seed);
+            var random = new Random(seed);
+            var spoiled = pairs.Select(
+                (pair, i) => i % 50 == 0 ? new LatencyPair(pair.RenderMs, 65_536 * (2 * random.NextDouble() - 1)) : pair).ToArray();
+
+            RangeFitResult clean = RangeFit.Fit(pairs), fit = RangeFit.Fit(spoiled);
+
+            Assert.That(fit.VisuMs, Is.EqualTo(clean.VisuMs).Within(0.1), "seed " + seed);
+            Assert.That(fit.LimitRenderMs, Is.EqualTo(clean.LimitRenderMs.Value).Within(0.05), "seed " + seed);
+        }
+    }
+
+    // On a display that is lit all the time, each frame is seen up to half a refresh before or after its middle.
+    [Test]
+    public void Fit_LatencyScattersByHalfARefresh_FindsTheLimit()
+    {
+        var near = CountNear(new SimulatedPictures { NoiseMs = 4 }, out var limits);
+
+        Assert.That(near, Is.GreaterThanOrEqualTo(90), limits);
+    }
+
+    [TestCase(30, 0.02, 0.01)]
+    [TestCase(30, 0.05, 0.01)]
+    [TestCase(100, 0.02, 0.03)]
+    public void Fit_LoadsBelowTheLimit_FindsNoLimit(int perLoad, double misread, double spikeChance)
+    {
+        var plateau = new SimulatedPictures { PerLoad = perLoad, Loads = BelowTheLimit, Misread = misread, Display = new DisplayPipelineSettings(spikeChance: spikeChance) };
+
+        foreach (var seed in Enumerable.Range(3000, 100))
+        {
+            var pairs = plateau.Take(seed);
+
+            var fit = RangeFit.Fit(pairs);
+
+            Assert.That(fit.LimitRenderMs, Is.Null, "seed " + seed);
+            Assert.That(fit.ValidToRenderMs, Is.InRange(0.9 * pairs.Select(pair => pair.RenderMs).Where(each => each < TrueLimitMs).Max(), 32), "seed " + seed);
+        }
+    }
+
+    [Test]
+    public void Fit_Sweeps_FindThePlateauAndItsSpread()
+    {
+        foreach (var seed in Enumerable.Range(1, 20))
+        {
+            var fit = RangeFit.Fit(new SimulatedPictures().Take(seed));
+
+            Assert.That(fit.VisuMs, Is.EqualTo(PlateauMs).Within(0.25), "seed " + seed);
+            Assert.That(fit.SpreadMs, Is.InRange(0.8, 1.4), "seed " + seed);
+            Assert.That(fit.Rejected, Is.InRange(1, 0.08 * fit.Pairs), "seed " + seed);
+        }
+    }
+
+    [Test]
+    public void Fit_StepOfTheLatency_IsFoundBetweenTheNeighbouringPairs()
+    {
+        var pairs = Enumerable.Range(0, 200).Select(i => new LatencyPair(5 + 0.1 * i, i < 100 ? 40 : 57)).ToArray();
+
+        var fit = RangeFit.Fit(pairs);
+
+        Assert.That(fit.LimitRenderMs, Is.GreaterThan(14.9).And.LessThan(15));
+        Assert.That(fit.VisuMs, Is.EqualTo(40));
+        Assert.That(fit.Rejected, Is.Zero);
+        Assert.That((fit.Pairs, fit.Used), Is.EqualTo((200, 100)), "L_visu is of those before the turn");
+    }
+
+    [Test]
+    public void Fit_PlateauToTheEnd_IsValidToTheMaximumRenderTime()
+    {
+        var fit = RangeFit.Fit(Enumerable.Range(0, 60).Select(i => new LatencyPair(4 + 0.1 * i, 40 + i % 3)).ToArray());
+
+        Assert.That(fit.LimitRenderMs, Is.Null);
+        Assert.That(fit.ValidToRenderMs, Is.EqualTo(9.9).Within(1e-9));
+    }
+
+    [Test]
+    public void Fit_TooFewPairs_StatesTheMinimum() =>
+        Assert.That(() => RangeFit.Fit(new LatencyPair[19]), Throws.TypeOf<InputException>().With.Message.Contains("19").And.Message.Contains("20"));
+
+    // A source that counts whole milliseconds or frames: the limit must not lie within a group of equal render times.
+    [TestCase(1)]
+    [TestCase(2)]
+    [TestCase(1000 / 60.0)]
+    public void Fit_RenderTimesInSteps_SplitsOnlyBetweenSteps(double stepMs)
+    {
+        foreach (var seed in Enumerable.Range(1, 20))
+        {
+            var pairs = new SimulatedPictures().Take(seed)
+                .Select(pair => new LatencyPair(Math.Ceiling(pair.RenderMs / stepMs) * stepMs, pair.VisuMs)).ToArray();
+
+            var limit = RangeFit.Fit(pairs).LimitRenderMs;
+
+            // The last step entirely within the limit, or the next one if most of it is within; plus at most a small part of the gap after it.
+            var (before, after) = (Math.Floor(TrueLimitMs / stepMs) * stepMs, Math.Ceiling(TrueLimitMs / stepMs) * stepMs);
+            Assert.That(limit, Is.InRange(before - 1e-9, 1.021 * after), "seed " + seed);
+        }
+    }
+
+    [Test]
+    public void Fit_ConstantRenderTime_FindsNoLimit()
+    {
+        var pairs = new SimulatedPictures().Take(1).Select(pair => new LatencyPair(8, pair.VisuMs)).ToArray();
+
+        double? limit = null;
+        try
+        {
+            limit = RangeFit.Fit(pairs).LimitRenderMs;
+        }
+        catch (InputException)
+        {
+            // A plateau would not be correct either.
+        }
+
+        Assert.That(limit, Is.Null);
+    }
+
+    [Test]
+    public void Fit_NoiseWithoutAPlateau_Throws()
+    {
+        var random = new Random(4);
+        var noise = Enumerable.Range(0, 300).Select(i => new LatencyPair(4 + 0.05 * i, 20 + 60 * random.NextDouble())).ToArray();
+
+        Assert.That(() => RangeFit.Fit(noise), Throws.TypeOf<InputException>().With.Message.Contains("scatters by").And.Message.Contains("10 ms"));
+    }
+
+    [TestCase(21, false)]
+    [TestCase(5, true)]
+    public void Fit_LoadsFarApart_StatesTheRangeOfTheLimit(int loads, bool isOpen)
+    {
+        var pictures = new SimulatedPictures { Loads = Enumerable.Range(0, loads).Select(i => 2e6 * i / (loads - 1)).ToArray() };
+
+        foreach (var seed in Enumerable.Range(1, 20))
+        {
+            var fit = RangeFit.Fit(pictures.Take(seed));
+
+            Assert.That(fit.OpenToRenderMs.HasValue, Is.EqualTo(isOpen), "seed " + seed);
+            if (isOpen) Assert.That(TrueLimitMs, Is.InRange(fit.LimitRenderMs, fit.OpenToRenderMs), "seed " + seed);
+        }
+    }
+
+    // Any input gives either a plausible result or one line that states why there is none.
+    [Test]
+    public void Fit_AnyPairs_ReturnsAResultWithinThemOrThrows()
+    {
+        var refused = 0;
+        for (var seed = 0; seed < 500; seed++)
+        {
+            var random = new Random(seed);
+            var clusters = Enumerable.Range(0, 1 + random.Next(5)).Select(_ => -500 + 1000 * random.NextDouble()).ToArray();
+            var width = Math.Pow(10, 3 * random.NextDouble() - 1);
+            var pairs = Enumerable.Range(0, 20 + random.Next(60)).Select(_ => new LatencyPair(
+                0.1 + 30 * random.NextDouble(), clusters[random.Next(clusters.Length)] + width * (random.NextDouble() - 0.5))).ToArray();
+            try
+            {
+                var fit = RangeFit.Fit(pairs);
+
+                Assert.That(fit.ValidToRenderMs, Is.InRange(pairs.Min(pair => pair.RenderMs), pairs.Max(pair => pair.RenderMs)), "seed " + seed);
+                Assert.That(fit.VisuMs, Is.InRange(-1000, 1000), "seed " + seed);
+            }
+            catch (InputException)
+            {
+                refused++;
+            }
+        }
+        Assert.That(refused, Is.InRange(1, 400));
+    }
+
+    [TestCase(0, 40, "render_ms", "0.001 to 1000 ms")]
+    [TestCase(-1, 40, "render_ms", "0.001 to 1000 ms")]
+    [TestCase(double.NaN, 40, "render_ms", "0.001 to 1000 ms")]
+    [TestCase(double.PositiveInfinity, 40, "render_ms", "0.001 to 1000 ms")]
+    [TestCase(5, double.NaN, "visu_ms", "-65536 to 65536 ms")]
+    [TestCase(5, 65_537, "visu_ms", "-65536 to 65536 ms")]
+    public void Pair_InvalidMeasurement_NamesFieldAndRange(double renderMs, double visuMs, string field, string range) =>
+        Assert.That(
+            () => new LatencyPair(renderMs, visuMs),
+            Throws.TypeOf<InputException>().With.Message.Contains(field).And.Message.Contains(range));
+}
