@@ -15,9 +15,6 @@ sealed class SessionTruth
         foreach (var truth in _truths.Values) truth.Complete();
     }
 
-    /// <summary>Whether a joint has any samples.</summary>
-    public bool Has(int joint) => _truths.Keys.Any(key => key.Joint == joint);
-
     /// <returns>False if the truth is unknown at that time.</returns>
     public bool TryAt(int joint, in RecordedSession.Event frame, out double position)
     {

@@ -26,8 +26,6 @@ sealed class PlantClockCaller : IDisposable
         _call = call;
     }
 
-    public PlantClock Clock => _clock;
-
     /// <summary>Starts the requests.</summary>
     public void Start() => _ = Task.Run(AskAsync);
 

@@ -25,9 +25,6 @@ public sealed class MessageHub
     /// <summary>Number of topics with at least one subscriber.</summary>
     internal int Topics => Volatile.Read(ref _subscribers).Count;
 
-    /// <summary>The description of the robot without a namespace; null until a source has published one.</summary>
-    internal string Description => DescriptionOf("");
-
     /// <summary>The robots in namespaces.</summary>
     internal IReadOnlyList<string> Robots
     {

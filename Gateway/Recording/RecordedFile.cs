@@ -74,9 +74,6 @@ sealed class RecordedFile
 
     public void Publish(SessionRecord record) => _ring.Publish(record);
 
-    /// <summary>Completes when all records up to now are in the file, or the recording has ended.</summary>
-    public Task FlushAsync() => _writer.FlushAsync();
-
     /// <summary>Stops the recording. Records up to now are still written. Returns immediately; see <see cref="Ended"/>.</summary>
     public void Stop() => _writer.Stop();
 

@@ -18,7 +18,6 @@ sealed class RosbridgeServer(
     readonly CancellationTokenSource _stop = new();
     readonly NamesInUse _names = new(options.Time);
 
-    public ConnectionCounters Counters => counters;
     public DropCounters Drops { get; } = new();
 
     /// <summary>Ends every connection.</summary>

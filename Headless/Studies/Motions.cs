@@ -119,8 +119,6 @@ public static class Motions
         return sequence.Motion("position jumps");
     }
 
-    public static AxisMotion Standstill(double seconds = 30) => new("standstill", seconds, _ => 0);
-
     static AxisMotion RandomMoves(string name, int seed, double seconds, Func<Random, Limits> limitsOf)
     {
         var random = new Random(seed);

@@ -11,8 +11,6 @@ sealed class SweepData(IReadOnlyList<double> values, IReadOnlyDictionary<string,
 
     public IReadOnlyList<double> RmsMm(string predictor) => rms[predictor];
 
-    public bool Has(string predictor) => rms.ContainsKey(predictor);
-
     /// <summary>Gets the RMS error divided by that of hold, at the index of a value.</summary>
     public double Ratio(string predictor, int index) => rms[predictor][index] / rms["hold"][index];
 

@@ -36,9 +36,6 @@ public sealed class AssetLibrary
 
     AssetLibrary(IEnumerable<(string Name, string FullPath)> folders) => _files = new AssetFiles(new AssetIndex(folders));
 
-    /// <summary>Paths of all assets and folders, in Unity's form: <c>Assets/Scenes/Demo.unity</c>, <c>Packages/…</c>.</summary>
-    public IEnumerable<string> Paths => _files.Index.Files.Select(f => f.Path);
-
     internal LoadedAssets Loaded => _loaded.GetValue(World.Current, _ => new LoadedAssets(_files));
 
     /// <summary>Loads the main object of an asset for the current player; for a prefab, its root.</summary>

@@ -12,8 +12,6 @@ namespace Nowpose.Editor.Setup
         static readonly Regex InAddress = new Regex(
             @"(?:#(?:[^#]*[-/])?v?(\d+\.\d+\.\d+)(?:-[\w.-]+)?$)|(?:-(\d+\.\d+\.\d+)(?:-[\w.]+)?\.tgz$)", RegexOptions.CultureInvariant);
 
-        public static bool IsAtLeast(string version, Version min) => Version.TryParse(version.Split('-')[0], out var parsed) && parsed >= min;
-
         /// <summary>Reads the version in a manifest value: a version, a git address with a tag, or a tarball.</summary>
         /// <returns>Null if the text does not contain the version, as with a folder or a commit.</returns>
         public static Version Read(string reference)

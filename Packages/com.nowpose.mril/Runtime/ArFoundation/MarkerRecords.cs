@@ -10,8 +10,6 @@ namespace Nowpose.ArFoundation
         readonly List<TrackableId> _gone = new List<TrackableId>();
         int _reading;
 
-        public int Count => _records.Count;
-
         /// <summary>Starts a new reading.</summary>
         public void Begin() => _reading++;
 

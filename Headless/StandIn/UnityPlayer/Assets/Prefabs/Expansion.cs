@@ -29,8 +29,6 @@ sealed class Expansion
     /// <summary>FileIDs of stripped placeholders, with the fileIDs of their objects.</summary>
     public IReadOnlyDictionary<long, long> Stripped => _stripped;
 
-    public IReadOnlyList<PrefabInstance> Instances => _instances.Select(i => i.Instance).ToList();
-
     public void Add(UnityDocument document)
     {
         if (document.IsStripped) _strippedDocuments.Add(document.FileId, document);

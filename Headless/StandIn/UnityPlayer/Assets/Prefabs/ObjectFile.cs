@@ -12,11 +12,10 @@ sealed class ObjectFile
     readonly Dictionary<long, FileObject> _objects;
     readonly IReadOnlyDictionary<long, long> _stripped;
 
-    ObjectFile(string name, IEnumerable<FileObject> objects, IReadOnlyDictionary<long, long> stripped, IReadOnlyList<PrefabInstance> instances)
+    ObjectFile(string name, IEnumerable<FileObject> objects, IReadOnlyDictionary<long, long> stripped)
     {
         Name = name;
         Objects = objects.ToList();
-        Instances = instances;
         _objects = Objects.ToDictionary(o => o.FileId);
         _stripped = stripped;
     }
@@ -27,8 +26,6 @@ sealed class ObjectFile
     /// <summary>The objects in the order of the file; those of an instance are at the instance's position.</summary>
     public IReadOnlyList<FileObject> Objects { get; }
 
-    public IReadOnlyList<PrefabInstance> Instances { get; }
-
     /// <param name="documents">Documents of the file.</param>
     /// <param name="name">Name of the file in errors.</param>
     /// <param name="prefabAt">Gets the prefab of a GUID; throws for an unknown one.</param>
@@ -37,7 +34,7 @@ sealed class ObjectFile
         var expansion = new Expansion(name, prefabAt);
         foreach (var document in documents) expansion.Add(document);
         expansion.Connect();
-        return new ObjectFile(name, expansion.Objects, expansion.Stripped, expansion.Instances);
+        return new ObjectFile(name, expansion.Objects, expansion.Stripped);
     }
 
     /// <param name="fileId">FileID of an object of this file or of one of its stripped placeholders.</param>

@@ -80,8 +80,6 @@ namespace Nowpose.Anchoring
         /// <summary>Estimate at the lock, in the frame of the base; valid only if the marker is part of the lock.</summary>
         internal MarkerEstimate Locked { get; private set; }
 
-        internal RigidTransform Pose => _pose;
-
         /// <summary>Whether the marker may improve a lock.</summary>
         internal bool IsOpen => !IsPart && !IsContradicted;
 

@@ -51,9 +51,6 @@ namespace Nowpose.Latency
             return (int)(milliseconds & (PeriodMs - 1));
         }
 
-        /// <summary>Returns the first encoded time minus the second, wrapped to minus half a period to half a period, in ms.</summary>
-        public static int Difference(int later, int earlier) => (short)(later - earlier);
-
         /// <summary>Returns the bits of all pairs, first pair in the highest bit: Gray code, then the two parity bits.</summary>
         /// <param name="value">0 to <see cref="PeriodMs"/> − 1.</param>
         public static int WordOf(int value)

@@ -12,8 +12,6 @@ namespace Nowpose.Simulation
 
         public PacketQueue(PacketLink link) => _link = link;
 
-        public int Count => _underWay.Count;
-
         /// <summary>Arrival time of the next packet; null if none is in transit.</summary>
         public HeadsetTime? NextArrival => _underWay.Count == 0 ? (HeadsetTime?)null : _underWay[0].Arrival;
 

@@ -171,8 +171,15 @@ namespace Nowpose.Anchoring.Fitting
         public double MedianOf(double[] values, int count)
         {
             Array.Copy(values, _sorted, count);
-            Array.Sort(_sorted, 0, count);
-            return (_sorted[(count - 1) / 2] + _sorted[count / 2]) / 2;
+            return SortToMedian(_sorted, count);
+        }
+
+        /// <summary>Returns the median of the first values, which it sorts.</summary>
+        /// <param name="count">One or more.</param>
+        public static double SortToMedian(double[] values, int count)
+        {
+            Array.Sort(values, 0, count);
+            return (values[(count - 1) / 2] + values[count / 2]) / 2;
         }
     }
 }

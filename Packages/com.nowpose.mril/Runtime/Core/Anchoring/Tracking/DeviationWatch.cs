@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Anchoring.Fitting;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Tracking
@@ -73,19 +74,13 @@ namespace Nowpose.Anchoring.Tracking
             for (var number = first; number < first + 3; number++)
             {
                 for (var back = 0; back < count; back++) _sorted[back] = _values[(_next - 1 - back + Capacity) % Capacity * Numbers + number];
-                var middle = Median(count);
+                var middle = PoseMeanSpace.SortToMedian(_sorted, count);
                 for (var i = 0; i < count; i++) _sorted[i] = Math.Abs(_sorted[i] - middle);
-                var sd = SdPerMedian * Median(count);
+                var sd = SdPerMedian * PoseMeanSpace.SortToMedian(_sorted, count);
                 size += middle * middle;
                 variance += sd * sd / 3;
             }
             return (Math.Sqrt(size), MedianPerMean * Math.Sqrt(variance / count));
-        }
-
-        double Median(int count)
-        {
-            Array.Sort(_sorted, 0, count);
-            return (_sorted[(count - 1) / 2] + _sorted[count / 2]) / 2;
         }
 
         HeadsetTime TimeOf(int back) => _times[(_next - 1 - back + Capacity) % Capacity];

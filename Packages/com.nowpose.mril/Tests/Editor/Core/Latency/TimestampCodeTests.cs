@@ -85,12 +85,6 @@ namespace Nowpose.Tests.Core.Latency
                     Assert.That(seen.Add(Picture(turned)), Is.True, kind + " " + Picture(turned));
         }
 
-        [TestCase(10, 65_530, 16)]
-        [TestCase(65_530, 10, -16)]
-        [TestCase(40, 7, 33)]
-        public void Difference_AcrossTheEndOfThePeriod_IsTheShortest(int later, int earlier, int expected) =>
-            Assert.That(TimestampCode.Difference(later, earlier), Is.EqualTo(expected));
-
         [TestCase(-1)]
         [TestCase(65_536)]
         public void WordOf_OutsideThePeriod_Throws(int value) =>
