@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import WebSocket from 'ws';
 import { until } from './program.mjs';
-import { program, start } from './roslib/gateway.mjs';
+import { program, start } from './ros/gateway.mjs';
 import { Robot } from './ros/robot.mjs';
 import { temporaryFile } from './temporary.mjs';
 

@@ -8,7 +8,7 @@ import { createInterface } from 'node:readline';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
-const worker = join(dirname(fileURLToPath(import.meta.url)), '..', 'dist', 'worker.mjs');
+const worker = join(dirname(fileURLToPath(import.meta.url)), 'dist', 'worker.mjs');
 
 const cells = [...Array(64).keys()];
 const ring = cells.filter(cell => cell < 8 || cell >= 56 || cell % 8 === 0 || cell % 8 === 7);

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { WebSocket } from 'ws';
-import { program, start } from '../roslib/gateway.mjs';
+import { program, start } from './gateway.mjs';
 
 const skip = program ? false : 'the gateway is not built: dotnet build Gateway';
 const limit = { timeout: 60000, skip };
