@@ -1,15 +1,21 @@
 using System.Globalization;
 using System.Reflection;
+using System.Runtime.CompilerServices;
 
 namespace Nowpose.Unity.Tests.Surface;
 
-/// <summary>Lists the public surface of an assembly: one line for each public type and each public or protected member, sorted.</summary>
+/// <summary>
+/// Lists the surface of an assembly, sorted: one line for each assembly that sees its internal types, each public type, and each public or
+/// protected member.
+/// </summary>
 static class PublicApi
 {
     const BindingFlags Declared = BindingFlags.DeclaredOnly | BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic;
 
     public static IEnumerable<string> Of(Assembly assembly) =>
-        assembly.GetExportedTypes().OrderBy(type => type.FullName, StringComparer.Ordinal).SelectMany(Of);
+        assembly.GetCustomAttributes<InternalsVisibleToAttribute>().Select(friend => $"internals visible to {friend.AssemblyName}")
+            .Order(StringComparer.Ordinal)
+            .Concat(assembly.GetExportedTypes().OrderBy(type => type.FullName, StringComparer.Ordinal).SelectMany(Of));
 
     static IEnumerable<string> Of(Type type)
     {
