@@ -1,16 +1,24 @@
+using System.Reflection;
 using NUnit.Framework;
 using UnityEngine.Serialization;
 
 namespace Nowpose.Unity.Tests;
 
-/// <summary>Sets fields like a user in the Inspector.</summary>
+/// <summary>Sets and gets serialised fields, like a user in the Inspector.</summary>
 static class Inspector
 {
-    public static T With<T>(this T target, string field, object value) where T : UnityEngine.Object
+    public static T With<T>(this T target, string field, object value) where T : class
     {
-        var found = SerializedFields.Find(typeof(T), field);
-        Assert.That(found, Is.Not.Null, typeof(T).Name + " has no serialised field " + field);
-        found.SetValue(target, value);
+        FieldOf(target, field).SetValue(target, value);
         return target;
+    }
+
+    public static object Shown(this object target, string field) => FieldOf(target, field).GetValue(target);
+
+    static FieldInfo FieldOf(object target, string field)
+    {
+        var found = SerializedFields.Find(target.GetType(), field);
+        Assert.That(found, Is.Not.Null, target.GetType().Name + " has no serialised field " + field);
+        return found;
     }
 }

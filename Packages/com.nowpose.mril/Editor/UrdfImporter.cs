@@ -64,7 +64,7 @@ namespace Nowpose.Editor
         }
 
         // Unity calls this method by name before any import, to import the dependencies first. OnImportAsset reports the errors.
-        static string[] GatherDependenciesFromSourceFile(string path)
+        internal static string[] GatherDependenciesFromSourceFile(string path)
         {
             try
             {

@@ -21,8 +21,7 @@ public class HeadsetVerdictTests
 
     static SessionStatistics Statistics(long samples = 100, params JointStatus[] joints)
     {
-        var statistics = new SessionStatistics();
-        typeof(SessionStatistics).GetProperty(nameof(SessionStatistics.Samples)).SetValue(statistics, samples);
+        var statistics = new SessionStatistics { Samples = samples };
         statistics.ChangeableJointStatuses.AddRange(joints);
         return statistics;
     }

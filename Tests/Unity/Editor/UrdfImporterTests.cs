@@ -1,4 +1,3 @@
-using System.Reflection;
 using Nowpose.Editor;
 using Nowpose.Unity;
 using NUnit.Framework;
@@ -143,6 +142,5 @@ public sealed class UrdfImporterTests : EditorFixture
         Assert.That(Gather(Urdf), Is.Empty);
     }
 
-    static string[] Gather(string path) => Project.InRoot(() => (string[])typeof(UrdfImporter)
-        .GetMethod("GatherDependenciesFromSourceFile", BindingFlags.Static | BindingFlags.NonPublic).Invoke(null, new object[] { path }));
+    static string[] Gather(string path) => Project.InRoot(() => UrdfImporter.GatherDependenciesFromSourceFile(path));
 }

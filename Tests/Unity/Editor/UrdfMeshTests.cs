@@ -1,4 +1,3 @@
-using System.Reflection;
 using Nowpose.Editor;
 using Nowpose.Editor.Import;
 using Nowpose.Kinematics;
@@ -168,8 +167,7 @@ public sealed class UrdfMeshTests : EditorFixture
         Project.Put("Assets/arm_description/meshes/a.obj", AsUnityImports((1, 2, 3), UpAxis.Y, isBaked: true));
         Material arm = NewMaterial(), tool = NewMaterial();
         var importer = new UrdfImporter();
-        Set(importer, "_armMaterial", arm);
-        Set(importer, "_toolMaterial", tool);
+        importer.With("_armMaterial", arm).With("_toolMaterial", tool);
 
         var robot = _imported.Import(
             "<link name='base'>" + Visual("<box size='1 1 1'/>") + Visual("<mesh filename='../meshes/a.obj'/>") + "</link>"
@@ -208,9 +206,6 @@ public sealed class UrdfMeshTests : EditorFixture
     }
 
     Material NewMaterial() => Keep(new Material(Shader.Find("Standard")));
-
-    static void Set(object target, string field, object value) =>
-        target.GetType().GetField(field, BindingFlags.Instance | BindingFlags.NonPublic).SetValue(target, value);
 
     static void RequireAt(Vector3 actual, RigidTransform expected)
     {

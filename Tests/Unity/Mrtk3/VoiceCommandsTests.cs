@@ -22,7 +22,7 @@ public sealed class VoiceCommandsTests
         _heard = 0;
         _speech = new SpokenKeywords();
         var command = new VoiceCommand();
-        Fill(command, "_keyword", "overlay ghost");
+        command.With("_keyword", "overlay ghost");
         command.OnHeard.AddListener(() => _heard++);
         _voice = new GameObject("Voice").AddComponent<VoiceCommands>().With("_commands", new List<VoiceCommand> { command });
     }
@@ -33,9 +33,6 @@ public sealed class VoiceCommandsTests
         XRSubsystemHelpers.Provide(null);
         _player.Dispose();
     }
-
-    static void Fill(object target, string field, object value) => target.GetType()
-        .GetField(field, System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic).SetValue(target, value);
 
     void Run(double seconds)
     {

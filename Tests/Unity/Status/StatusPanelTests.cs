@@ -1,4 +1,3 @@
-using System.Reflection;
 using Nowpose.Latency;
 using Nowpose.Protocol;
 using Nowpose.Unity;
@@ -79,7 +78,7 @@ public class StatusPanelTests
         var before = _played.Sheet;
         var scale = before.localScale.x;
 
-        typeof(StatusPanel).GetField("_cells", BindingFlags.Instance | BindingFlags.NonPublic).SetValue(_played.Panel, null);
+        _played.Panel.Cells = null;
         _played.Run(1);
 
         Assert.That(before == null, "the old ones are still there");

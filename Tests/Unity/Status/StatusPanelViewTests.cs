@@ -1,4 +1,3 @@
-using System.Reflection;
 using Nowpose.Anchoring;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
@@ -40,7 +39,7 @@ public sealed class StatusPanelViewTests(string scene)
         });
         Run(1);
         _panel = _cell.Player.Find<StatusPanel>();
-        _cells = (PanelCells)typeof(StatusPanel).GetField("_cells", BindingFlags.Instance | BindingFlags.NonPublic).GetValue(_panel);
+        _cells = _panel.Cells;
         _head = _cell.Player.Find<Camera>().transform;
     }
 
@@ -120,24 +119,26 @@ public sealed class StatusPanelViewTests(string scene)
         yield return ("nothing known", new StatusTexts());
         foreach (var pose in Enum.GetValues<PoseState>())
             foreach (var response in Enum.GetValues<OutsideRangeResponse>())
-                yield return State($"{pose} {response}", ("Pose", pose), ("OutsideRange", response));
+                yield return State($"{pose} {response}", new SessionStatistics { Pose = pose, OutsideRange = response });
         foreach (var state in Enum.GetValues<ClockState>())
-            yield return State($"{state}", ("Clock", new ClockModel(default, default, 0, Ms(888.8), state)));
+            yield return State($"{state}", new SessionStatistics { Clock = new ClockModel(default, default, 0, Ms(888.8), state) });
         foreach (var ms in new[] { -888.8, 0.88, 88.8, 888.8, 1e9, -1e9 })
-            yield return State($"{ms} ms", ("ApplicationLatency", Ms(ms)), ("ApplicationLatency95", Ms(ms)), ("VisualisationLatency", Ms(ms)),
-                ("Horizon", Ms(ms)), ("RenderTime", Ms(ms)),
-                ("ToolError", (DisplayedError?)new DisplayedError(600, ms, ms, 30, 60, ms, ms, 0.2, 0.1)));
+            yield return State($"{ms} ms", new SessionStatistics
+            {
+                ApplicationLatency = Ms(ms), ApplicationLatency95 = Ms(ms), VisualisationLatency = Ms(ms), Horizon = Ms(ms), RenderTime = Ms(ms),
+                ToolError = new DisplayedError(600, ms, ms, 30, 60, ms, ms, 0.2, 0.1),
+            });
         foreach (var method in Enum.GetValues<CalibrationMethod>())
-            yield return State($"{method}", ("Profile", new LatencyProfile(40.2, 1, "", 0, new DateTime(2026, 12, 28), method, 3)));
-        yield return State("predicted", ("IsLightPredicted", true));
-        yield return State("inconsistent", ("IsDisplayTimeInconsistent", true));
-        foreach (var source in Enum.GetValues<RenderTimeSourceKind>()) yield return State($"{source}", ("RenderTimeSource", source));
-        foreach (var range in Enum.GetValues<RangeState>()) yield return State($"{range}", ("Range", range));
-        foreach (var reason in Enum.GetValues<RangeUnknownReason>()) yield return State($"{reason}", ("RangeUnknownReason", reason));
-        foreach (var security in Enum.GetValues<TransportSecurity>()) yield return State($"{security}", ("Security", security));
+            yield return State($"{method}", new SessionStatistics { Profile = new LatencyProfile(40.2, 1, "", 0, new DateTime(2026, 12, 28), method, 3) });
+        yield return State("predicted", new SessionStatistics { IsLightPredicted = true });
+        yield return State("inconsistent", new SessionStatistics { IsDisplayTimeInconsistent = true });
+        foreach (var source in Enum.GetValues<RenderTimeSourceKind>()) yield return State($"{source}", new SessionStatistics { RenderTimeSource = source });
+        foreach (var range in Enum.GetValues<RangeState>()) yield return State($"{range}", new SessionStatistics { Range = range });
+        foreach (var reason in Enum.GetValues<RangeUnknownReason>()) yield return State($"{reason}", new SessionStatistics { RangeUnknownReason = reason });
+        foreach (var security in Enum.GetValues<TransportSecurity>()) yield return State($"{security}", new SessionStatistics { Security = security });
         foreach (var link in new[] { LinkStatus.Idle, LinkStatus.Connecting, LinkStatus.Connected, LinkStatus.Waiting(new string('W', 700)) })
-            yield return State($"{link.State}", ("SyncLink", link), ("SampleLink", link));
-        foreach (var match in Enum.GetValues<RobotDescriptionMatch>()) yield return State($"{match}", ("RobotDescriptionMatch", match));
+            yield return State($"{link.State}", new SessionStatistics { SyncLink = link, SampleLink = link });
+        foreach (var match in Enum.GetValues<RobotDescriptionMatch>()) yield return State($"{match}", new SessionStatistics { RobotDescriptionMatch = match });
         foreach (var joints in new[] { 1, 7, 256 })
         {
             var statistics = new SessionStatistics();
@@ -153,8 +154,7 @@ public sealed class StatusPanelViewTests(string scene)
             var parts = new ShownParts();
             for (var i = 0; i < count; i++) parts.Add(new Part("object WORKPIECE_WITH_A_LONG_NAME_" + i, new string('W', 128)));
             var texts = new StatusTexts();
-            var statistics = new SessionStatistics();
-            typeof(SessionStatistics).GetProperty("Pose", Declared).SetValue(statistics, PoseState.Current);
+            var statistics = new SessionStatistics { Pose = PoseState.Current };
             texts.Update(statistics, Network, "youbot", null, parts: parts);
             yield return ($"{count} objects that are not current", texts);
         }
@@ -173,12 +173,8 @@ public sealed class StatusPanelViewTests(string scene)
 
     static TimeSpan Ms(double ms) => TimeSpan.FromMilliseconds(ms);
 
-    const BindingFlags Declared = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
-
-    static (string, StatusTexts) State(string what, params (string Property, object Value)[] values)
+    static (string, StatusTexts) State(string what, SessionStatistics statistics)
     {
-        var statistics = new SessionStatistics();
-        foreach (var (property, value) in values) typeof(SessionStatistics).GetProperty(property, Declared).SetValue(statistics, value);
         var texts = new StatusTexts();
         texts.Update(statistics, Network, "youbot", null);
         return (what, texts);

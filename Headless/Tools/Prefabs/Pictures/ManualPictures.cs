@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Reflection;
 using MixedReality.Toolkit.UX;
 using Nowpose.Prefabs.Mrtk3;
 using Nowpose.Unity;
@@ -74,16 +73,13 @@ static class ManualPictures
         texts.Update(cell.Session.Statistics, cell.Session.Settings, cell.Session.Robot.Name,
             "joint positions: no connection to 192.168.0.20:47011 (connection refused); start the gateway there, or correct Host in the session "
             + "settings; trying again in 4 s");
-        Cells(cell.Panel).Show(texts);
+        cell.Panel.Cells.Show(texts);
         var drawing = new SceneDrawing(eye).Draw([cell.Panel.gameObject]) + Buttons(cell.Panel, eye);
         return Svg(PanelWidth, height,
             $"""<line x1="0" x2="{PanelWidth}" y1="{height / 2}" y2="{height / 2}" stroke="#55616f" stroke-dasharray="2 6"/>""" + "\n"
             + $"""<text x="8" y="{height / 2 - 6}" font-size="13" fill="#8b98a7">level</text>""" + "\n" + drawing,
             "The status panel with a message on top, in a HoloLens 2's field of view of 43 by 29 degrees");
     }
-
-    static PanelCells Cells(StatusPanel panel) =>
-        (PanelCells)typeof(StatusPanel).GetField("_cells", BindingFlags.Instance | BindingFlags.NonPublic).GetValue(panel);
 
     /// <summary>Draws outlines of MRTK3's buttons, whose meshes are not available here.</summary>
     static string Buttons(StatusPanel panel, Eye eye) => string.Concat(panel.GetComponentsInChildren<PressableButton>().Select(button =>

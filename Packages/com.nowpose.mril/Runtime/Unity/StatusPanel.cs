@@ -41,11 +41,13 @@ namespace Nowpose.Unity
         MrilSession _source;
         BaseAnchor _anchor;
         CellPairing _pairing;
-        PanelCells _cells;
         ReadingDistance _distance;
         float _due;
 
         internal StatusTexts Texts => _texts;
+
+        /// <summary>The texts and their ground in the scene; null until they were made, and after scripts were compiled in play mode.</summary>
+        internal PanelCells Cells { get; set; }
 
         /// <summary>Maximum distance at which its letters are high enough, in metres; null before it was drawn for a viewer.</summary>
         internal float? LegibleMetres => _distance.Metres > 0 ? _distance.Metres : (float?)null;
@@ -61,19 +63,19 @@ namespace Nowpose.Unity
         }
 
         // Hides numbers that are no longer updated.
-        void OnDisable() => _cells?.Hide();
+        void OnDisable() => Cells?.Hide();
 
-        void OnDestroy() => _cells?.Destroy();
+        void OnDestroy() => Cells?.Destroy();
 
         void LateUpdate()
         {
             if (_cell == null || Time.unscaledTime < _due) return;
             _due = Time.unscaledTime + _refreshSeconds;
-            if (_cells == null) MakeCells();
+            if (Cells == null) MakeCells();
             _texts.ShowsJointErrors = _showJoints;
             if (_source == null) _texts.Update(null, null, null, null);
             else _texts.Update(_source.Statistics, _source.Settings, _source.Robot?.Name, _source.Problem, _anchor, _pairing, _source.Parts);
-            _cells.Show(_texts);
+            Cells.Show(_texts);
             var viewer = Viewer.Head;
             if (viewer == null) return;
             _distance.Update(Vector3.Distance(transform.position, viewer.position));
@@ -85,7 +87,7 @@ namespace Nowpose.Unity
         {
             var above = transform.parent != null ? Mathf.Abs(transform.parent.lossyScale.x) : 1;
             if (above > 0) size /= above;
-            _cells.Resize(size);
+            Cells.Resize(size);
             if (_bar == null) return;
             _bar.localScale = Vector3.one * size;
             _bar.localPosition = new Vector3(0, PanelCells.LowerEdge * size, 0);
@@ -96,7 +98,7 @@ namespace Nowpose.Unity
         void MakeCells()
         {
             PanelCells.RemoveFrom(transform);
-            _cells = new PanelCells(transform, _cell, _ground);
+            Cells = new PanelCells(transform, _cell, _ground);
             _distance = default;
         }
     }

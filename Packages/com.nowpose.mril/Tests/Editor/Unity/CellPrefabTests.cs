@@ -1,5 +1,4 @@
 using System.Linq;
-using System.Reflection;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Tests.Core.Kinematics;
@@ -42,9 +41,6 @@ namespace Nowpose.Tests.Unity
         [TearDown]
         public void Destroy() => Object.DestroyImmediate(_cell);
 
-        static object Reference(Component owner, string field) =>
-            owner.GetType().GetField(field, BindingFlags.Instance | BindingFlags.NonPublic).GetValue(owner);
-
         [Test]
         public void Parts_EachReference_IsOfThisInstance()
         {
@@ -52,15 +48,15 @@ namespace Nowpose.Tests.Unity
             var panel = _cell.GetComponentInChildren<StatusPanel>();
 
             Assert.That(rigs.Length, Is.EqualTo(2));
-            foreach (var rig in rigs) Assert.That(Reference(rig, "_session"), Is.SameAs(_session), rig.name);
-            Assert.That(Reference(_cell.GetComponent<RenderTimeSource>(), "_session"), Is.SameAs(_session));
+            foreach (var rig in rigs) Assert.That(rig.Shown("_session"), Is.SameAs(_session), rig.name);
+            Assert.That(_cell.GetComponent<RenderTimeSource>().Shown("_session"), Is.SameAs(_session));
             foreach (var look in _cell.GetComponentsInChildren<PoseAppearance>(true))
-                Assert.That(Reference(look, "_session"), Is.SameAs(_session), look.name);
-            Assert.That(Reference(panel, "_session"), Is.SameAs(_session));
-            Assert.That(((Component)Reference(panel, "_cell")).transform.IsChildOf(panel.transform), Is.True);
+                Assert.That(look.Shown("_session"), Is.SameAs(_session), look.name);
+            Assert.That(panel.Shown("_session"), Is.SameAs(_session));
+            Assert.That(((Component)panel.Shown("_cell")).transform.IsChildOf(panel.transform), Is.True);
             Assert.That(panel.GetComponent<BodyFollow>(), Is.Not.Null);
-            Assert.That(Reference(_ghost, "_displayed"), Is.SameAs(_displayed));
-            var words = (TextMesh)Reference(_displayed.GetComponent<PoseAppearance>(), "_words");
+            Assert.That(_ghost.Shown("_displayed"), Is.SameAs(_displayed));
+            var words = (TextMesh)_displayed.GetComponent<PoseAppearance>().Shown("_words");
             Assert.That(words.transform.IsChildOf(_displayed.transform), Is.True);
         }
 

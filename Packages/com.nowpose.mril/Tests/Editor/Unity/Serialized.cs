@@ -4,15 +4,22 @@ using UnityEngine;
 
 namespace Nowpose.Tests.Unity
 {
-    /// <summary>Sets the fields that the Inspector shows.</summary>
+    /// <summary>Sets and gets the serialised fields, which the Inspector shows.</summary>
     static class Serialized
     {
         public static T With<T>(this T target, string field, object value) where T : Object
         {
-            var info = typeof(T).GetField(field, BindingFlags.Instance | BindingFlags.NonPublic);
-            Assert.That(info, Is.Not.Null, typeof(T).Name + " has no field " + field);
-            info.SetValue(target, value);
+            FieldOf(target, field).SetValue(target, value);
             return target;
+        }
+
+        public static object Shown(this Object target, string field) => FieldOf(target, field).GetValue(target);
+
+        static FieldInfo FieldOf(Object target, string field)
+        {
+            var info = target.GetType().GetField(field, BindingFlags.Instance | BindingFlags.NonPublic);
+            Assert.That(info?.IsDefined(typeof(SerializeField)), Is.True, target.GetType().Name + " has no serialised field " + field);
+            return info;
         }
     }
 }

@@ -117,12 +117,9 @@ namespace Nowpose.Tests.Unity.Inspectors
             Shortcomings.Of(new Object[] { below, one, two }).Single().Fix();
 
             Assert.That(Of(one).Concat(Of(two)), Is.Empty);
-            Assert.That(SessionOf(one), Is.SameAs(session));
-            Assert.That(SessionOf(below), Is.Null);
+            Assert.That(one.Shown("_session"), Is.SameAs(session));
+            Assert.That(below.Shown("_session"), Is.Null);
         }
-
-        static object SessionOf(RobotRig rig) => typeof(RobotRig)
-            .GetField("_session", System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic).GetValue(rig);
 
         static Shortcoming[] Of(Object component) => Shortcomings.Of(new[] { component }).ToArray();
     }

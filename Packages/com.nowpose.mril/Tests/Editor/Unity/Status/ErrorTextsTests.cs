@@ -18,26 +18,26 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(0.874, null, "87 %|")]
         public void Update_Reduction_HasItsUncertaintyOnceKnown(double reduction, double? uncertainty, string expected)
         {
-            Assert.That(Row(StatusRow.Reduction, ("ToolError", (DisplayedError?)Error(3, 8, reduction, uncertainty))), Is.EqualTo(expected));
+            Assert.That(Row(StatusRow.Reduction, new SessionStatistics { ToolError = Error(3, 8, reduction, uncertainty) }), Is.EqualTo(expected));
         }
 
         [TestCase("Reduction")]
         [TestCase("Error")]
         public void Update_RangeOutside_NamesItBesideTheMissingError(string row)
         {
-            Assert.That(Row(Enum.Parse<StatusRow>(row), ("Range", RangeState.Outside)), Is.EqualTo("–|outside range"));
+            Assert.That(Row(Enum.Parse<StatusRow>(row), new SessionStatistics { Range = RangeState.Outside }), Is.EqualTo("–|outside range"));
         }
 
         [Test]
         public void Update_Error_ShowsTheErrorWithCompensation()
         {
-            Assert.That(Row(StatusRow.Error, ("ToolError", (DisplayedError?)Error(3.24, 8.17, 0.9, 0.01))), Is.EqualTo("3.2 mm|95 % below 8.2 mm"));
+            Assert.That(Row(StatusRow.Error, new SessionStatistics { ToolError = Error(3.24, 8.17, 0.9, 0.01) }), Is.EqualTo("3.2 mm|95 % below 8.2 mm"));
         }
 
         [Test]
         public void Update_RobotAtRest_ShowsAnErrorButNoReduction()
         {
-            var statistics = Statistics(("ToolError", (DisplayedError?)Error(0, 0, null, null)));
+            var statistics = new SessionStatistics { ToolError = Error(0, 0, null, null) };
 
             Assert.That(Row(StatusRow.Reduction, statistics), Is.EqualTo("–|"));
             Assert.That(Row(StatusRow.Error, statistics), Is.EqualTo("0.0 mm|95 % below 0.0 mm"));

@@ -1,4 +1,3 @@
-using System.Reflection;
 using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Unity;
@@ -11,31 +10,20 @@ namespace Nowpose.Tests.Unity.Status
     {
         public static readonly SessionSettings Loopback = new SessionSettings(new ConnectionSettings("127.0.0.1"), default);
 
-        const BindingFlags Declared = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
-
-        // Uses reflection, because only the session can set these properties.
-        public static SessionStatistics Statistics(params (string Property, object Value)[] values)
-        {
-            var statistics = new SessionStatistics();
-            foreach (var (property, value) in values) typeof(SessionStatistics).GetProperty(property, Declared).SetValue(statistics, value);
-            return statistics;
-        }
-
         public static SessionStatistics Statistics(long samples, params JointStatus[] joints)
         {
-            var statistics = Statistics(("Samples", samples));
+            var statistics = new SessionStatistics { Samples = samples };
             statistics.ChangeableJointStatuses.AddRange(joints);
             return statistics;
         }
 
         /// <summary>Returns value and note of a row, separated by a bar.</summary>
-        public static string Row(StatusRow row, SessionStatistics statistics, SessionSettings settings = null, string robot = null)
+        /// <param name="statistics">Those of a new session if null.</param>
+        public static string Row(StatusRow row, SessionStatistics statistics = null, SessionSettings settings = null, string robot = null)
         {
             var texts = new StatusTexts();
-            texts.Update(statistics, settings ?? Loopback, robot, null);
+            texts.Update(statistics ?? new SessionStatistics(), settings ?? Loopback, robot, null);
             return texts.ValueOf(row) + "|" + texts.NoteOf(row);
         }
-
-        public static string Row(StatusRow row, params (string Property, object Value)[] values) => Row(row, Statistics(values));
     }
 }

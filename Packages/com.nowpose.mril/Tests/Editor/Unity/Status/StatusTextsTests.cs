@@ -43,7 +43,7 @@ namespace Nowpose.Tests.Unity.Status
         {
             var watch = new LimitWatch(TestRobot.Model);
             for (var i = 0; i < 3; i++) watch.Add(0, 45);
-            var statistics = Statistics(("BeyondLimits", watch.Present), ("RobotDescriptionMatch", RobotDescriptionMatch.Same));
+            var statistics = new SessionStatistics { BeyondLimits = watch.Present, RobotDescriptionMatch = RobotDescriptionMatch.Same };
             var texts = new StatusTexts();
 
             texts.Update(statistics, Loopback, "test", null);
@@ -61,7 +61,7 @@ namespace Nowpose.Tests.Unity.Status
             var conditions = new DisplayConditions(graphicsApi: "Direct3D11", reprojection: ReprojectionMode.Depth);
             var profile = new LatencyProfile(40, 1, conditions, DateTime.UtcNow, CalibrationMethod.Sine, 1);
             var mismatches = profile.MismatchesWith(new DisplayConditions(graphicsApi: "Vulkan", reprojection: ReprojectionMode.None));
-            var statistics = Statistics(("VisualisationLatency", Ms(40)), ("Profile", profile), ("ProfileMismatches", mismatches));
+            var statistics = new SessionStatistics { VisualisationLatency = Ms(40), Profile = profile, ProfileMismatches = mismatches };
             var texts = new StatusTexts();
 
             texts.Update(statistics, Loopback, "test", null);
@@ -96,7 +96,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(PoseState.Incomplete, "! no positions yet")]
         public void Update_Pose_HasWordsAndAMark(PoseState pose, string value)
         {
-            var row = Row(StatusRow.Pose, ("Pose", pose)).Split('|');
+            var row = Row(StatusRow.Pose, new SessionStatistics { Pose = pose }).Split('|');
 
             Assert.That(row[0], Is.EqualTo(value));
             Assert.That(row[1].Length > 0, Is.EqualTo(pose != PoseState.Current), "why");
@@ -112,7 +112,7 @@ namespace Nowpose.Tests.Unity.Status
         {
             var clock = new ClockModel(default, default, 0, Ms(8), state, estimatedError: Ms(0.35));
 
-            Assert.That(Row(StatusRow.Clock, ("Clock", clock)), Is.EqualTo(expected));
+            Assert.That(Row(StatusRow.Clock, new SessionStatistics { Clock = clock }), Is.EqualTo(expected));
         }
 
         [TestCase(PoseState.Current, ClockState.Coarse, "current|clock ± 3.1 ms")]
@@ -123,14 +123,16 @@ namespace Nowpose.Tests.Unity.Status
         {
             var clock = new ClockModel(default, default, 0, Ms(14), state, estimatedError: Ms(3.14));
 
-            Assert.That(Row(StatusRow.Pose, ("Pose", pose), ("Clock", clock)), Is.EqualTo(expected));
+            Assert.That(Row(StatusRow.Pose, new SessionStatistics { Pose = pose, Clock = clock }), Is.EqualTo(expected));
         }
 
         [Test]
         public void Update_Latencies_AreInMilliseconds()
         {
-            var statistics = Statistics(
-                ("ApplicationLatency", Ms(83.44)), ("ApplicationLatency95", Ms(110.4)), ("VisualisationLatency", Ms(40)), ("Horizon", Ms(-3.2)));
+            var statistics = new SessionStatistics
+            {
+                ApplicationLatency = Ms(83.44), ApplicationLatency95 = Ms(110.4), VisualisationLatency = Ms(40), Horizon = Ms(-3.2),
+            };
 
             Assert.That(Row(StatusRow.ApplicationLatency, statistics), Is.EqualTo("83.4 ms|95 % below 110 ms"));
             Assert.That(Row(StatusRow.VisualisationLatency, statistics), Does.StartWith("40.0 ms|"));
@@ -145,7 +147,7 @@ namespace Nowpose.Tests.Unity.Status
         {
             var profile = new LatencyProfile(40.2, 1, "", 0, new DateTime(2026, 11, 20, 23, 0, 0, DateTimeKind.Utc), (CalibrationMethod)method, 3);
 
-            Assert.That(Row(StatusRow.VisualisationLatency, ("VisualisationLatency", Ms(40.2)), ("Profile", profile)), Is.EqualTo(expected));
+            Assert.That(Row(StatusRow.VisualisationLatency, new SessionStatistics { VisualisationLatency = Ms(40.2), Profile = profile }), Is.EqualTo(expected));
         }
 
         [TestCase(false, false, "47.0 ms|as set")]
@@ -153,8 +155,11 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(true, true, "! 47.0 ms|runtime and calibration differ")]
         public void Update_VisualisationLatency_NamesItsSource(bool isPredicted, bool isInconsistent, string expected)
         {
-            Assert.That(Row(StatusRow.VisualisationLatency, ("VisualisationLatency", Ms(47)), ("IsLightPredicted", isPredicted),
-                ("IsDisplayTimeInconsistent", isInconsistent)), Is.EqualTo(expected));
+            var statistics = new SessionStatistics
+            {
+                VisualisationLatency = Ms(47), IsLightPredicted = isPredicted, IsDisplayTimeInconsistent = isInconsistent,
+            };
+            Assert.That(Row(StatusRow.VisualisationLatency, statistics), Is.EqualTo(expected));
         }
 
         [TestCase(OutsideRangeResponse.Fade)]
@@ -162,7 +167,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(OutsideRangeResponse.Hold)]
         public void Update_PoseOutsideRange_HasTheWordsOfPoseAppearance(OutsideRangeResponse response)
         {
-            var row = Row(StatusRow.Pose, ("Pose", PoseState.OutsideRange), ("OutsideRange", response)).Split('|');
+            var row = Row(StatusRow.Pose, new SessionStatistics { Pose = PoseState.OutsideRange, OutsideRange = response }).Split('|');
 
             Assert.That(row[0], Is.EqualTo("! " + PoseLook.Of(PoseState.OutsideRange, response).Words));
             Assert.That(row[1], Is.EqualTo("rendering takes too long"));
@@ -174,7 +179,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(RenderTimeSourceKind.CameraCpu, "9.5 ms|camera CPU, unverified")]
         public void Update_RenderTime_NamesItsSource(RenderTimeSourceKind source, string expected)
         {
-            Assert.That(Row(StatusRow.RenderTime, ("RenderTime", Ms(9.5)), ("RenderTimeSource", source)), Is.EqualTo(expected));
+            Assert.That(Row(StatusRow.RenderTime, new SessionStatistics { RenderTime = Ms(9.5), RenderTimeSource = source }), Is.EqualTo(expected));
         }
 
         [TestCase(RangeState.Inside, RangeUnknownReason.None, "inside|")]
@@ -186,7 +191,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(RangeState.Unknown, RangeUnknownReason.OtherSource, "–|limit of another source")]
         public void Update_Range_ShowsTheReasonIfUnknown(RangeState range, object reason, string expected)
         {
-            Assert.That(Row(StatusRow.Range, ("Range", range), ("RangeUnknownReason", (RangeUnknownReason)reason)), Is.EqualTo(expected));
+            Assert.That(Row(StatusRow.Range, new SessionStatistics { Range = range, RangeUnknownReason = (RangeUnknownReason)reason }), Is.EqualTo(expected));
         }
 
         static readonly LinkStatus Failed = LinkStatus.Waiting("clock sync: refused");
@@ -206,7 +211,7 @@ namespace Nowpose.Tests.Unity.Status
         {
             var texts = new StatusTexts();
 
-            texts.Update(Statistics(("SyncLink", sync), ("SampleLink", samples)), Loopback, null, null);
+            texts.Update(new SessionStatistics { SyncLink = sync, SampleLink = samples }, Loopback, null, null);
 
             Assert.That(texts.ValueOf(StatusRow.Connection), Is.EqualTo(value));
             Assert.That(texts.ValueOf(StatusRow.Message), Is.EqualTo(message));
@@ -216,7 +221,7 @@ namespace Nowpose.Tests.Unity.Status
         public void Update_Security_MarksPlainTextInANetwork()
         {
             string Note(TransportSecurity security, SessionSettings settings) =>
-                Row(StatusRow.Connection, Statistics(("Security", security)), settings).Split('|')[1];
+                Row(StatusRow.Connection, new SessionStatistics { Security = security }, settings).Split('|')[1];
 
             Assert.That(Note(TransportSecurity.Pinned, Plain), Is.EqualTo("encrypted, pinned key"));
             Assert.That(Note(TransportSecurity.DeviceTrust, Plain), Is.EqualTo("encrypted, device trust"));
@@ -229,7 +234,8 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(RobotDescriptionMatch.Unknown, "–|youBot")]
         public void Update_Robot_ShowsWhetherTheDescriptionMatches(object match, string expected)
         {
-            Assert.That(Row(StatusRow.Robot, Statistics(("RobotDescriptionMatch", (RobotDescriptionMatch)match)), robot: "youBot"), Is.EqualTo(expected));
+            var statistics = new SessionStatistics { RobotDescriptionMatch = (RobotDescriptionMatch)match };
+            Assert.That(Row(StatusRow.Robot, statistics, robot: "youBot"), Is.EqualTo(expected));
         }
 
         [Test]
@@ -257,10 +263,8 @@ namespace Nowpose.Tests.Unity.Status
                 for (var clock = ClockState.Unsynchronised; clock <= ClockState.Holdover; clock++)
                     for (var reason = RangeUnknownReason.None; reason <= RangeUnknownReason.OtherSource; reason++)
                     {
-                        texts.Update(
-                            Statistics(
-                                ("Pose", pose), ("Clock", new ClockModel(default, default, 0, Ms(0.35), clock)), ("RangeUnknownReason", reason)),
-                            Plain, "", null);
+                        var model = new ClockModel(default, default, 0, Ms(0.35), clock);
+                        texts.Update(new SessionStatistics { Pose = pose, Clock = model, RangeUnknownReason = reason }, Plain, "", null);
                         for (var row = StatusRow.Pose; row < StatusRow.Message; row++)
                         {
                             values.Add(texts.ValueOf(row));
