@@ -30,7 +30,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         using var session = Open(robot);
         var recorder = settings.RecordingPath == null
             ? null : new SessionRecorder(session, new RecordingSettings(settings.RecordingPath, startedUtc: DateTime.UtcNow));
-        session.ToolJudged += _stretches.AddError;
+        session.Robots[0].Hindcast.ToolJudged += _stretches.AddError;
         session.Connect();
         var start = _clock.Now;
         Frames(session, start, report, cancel);

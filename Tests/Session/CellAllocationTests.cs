@@ -24,7 +24,7 @@ public class CellAllocationTests
         var robot = RobotFiles.Load("youbot");
         var session = new CompensationSession(
             new SessionSettings(new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40)), robot, new StopwatchHeadsetClock());
-        session.AddRobot("arm2", robot);
+        session.Robots.Add("arm2", robot);
         var names = Enumerable.Range(0, Objects).Select(i => $"object{i}").ToArray();
         foreach (var name in names) session.Frames.Need(name);
         var joints = robot.MovingJoints.Select(joint => joint.Name).ToArray();

@@ -60,7 +60,7 @@ public class HeadsetOutageTests
                 new ConnectionSettings("127.0.0.1"), new VisualisationLatency(TimeSpan.FromMilliseconds(40)), new PredictionSettings()),
             robot, new StopwatchHeadsetClock());
         var (stretches, outages) = (new PoseStretches(), new PoseOutages(_ => { }));
-        session.ToolJudged += stretches.AddError;
+        session.Robots[0].Hindcast.ToolJudged += stretches.AddError;
         for (var i = 0; i < Length * FramesPerSecond; i++)
         {
             var time = TimeSpan.FromSeconds(i / FramesPerSecond);

@@ -31,8 +31,6 @@ namespace Nowpose.Session
         readonly object _gate = new object();
         readonly SessionDisplay _display;
         readonly SessionConnections _connections;
-        // Replaced as a whole, because network threads read it.
-        volatile SessionRobot[] _robots = Array.Empty<SessionRobot>();
 
         /// <param name="robot">Robot whose moving joints are matched with the names in the samples.</param>
         /// <param name="clock">Clock for time stamps of received messages.</param>
@@ -51,7 +49,8 @@ namespace Nowpose.Session
             Frames = new SessionFrames(settings.Prediction, _subscriptions, Drops);
             Signals = new SessionSignals(_subscriptions, Drops);
             Grips = new SessionGrips(Signals);
-            _main = AddRobot(settings.RobotNamespace, robot);
+            Robots = new SessionRobots(settings, _latency, Drops, Frames, _subscriptions, _gate);
+            _main = Robots.Add(settings.RobotNamespace, robot);
             _measurements = new SessionMeasurements(_synchroniser, _latency, _display, _main.Frame, _main.Hindcast);
             Listener = new SessionListener(this, clock);
             _connections = new SessionConnections(settings, clock, newLink, Listener, _subscriptions, _synchroniser, SyncFaults);
@@ -60,8 +59,8 @@ namespace Nowpose.Session
         /// <summary>The robot of <see cref="SessionSettings.RobotNamespace"/>, of which the session's statistics and frames are.</summary>
         public RobotModel Robot => _main.Robot;
 
-        /// <summary>All robots of the cell, that robot first. Thread-safe; replaced when a robot is added.</summary>
-        internal IReadOnlyList<SessionRobot> Robots => _robots;
+        /// <summary>All robots of the cell, that robot first.</summary>
+        internal SessionRobots Robots { get; }
 
         /// <summary>Objects of the cell. On the thread of <see cref="Tick"/>.</summary>
         internal SessionFrames Frames { get; }
@@ -119,13 +118,6 @@ namespace Nowpose.Session
         /// A handler must be fast, must not throw, and must not call methods of the session except <see cref="Fill"/>; it may read properties.
         /// </remarks>
         public event Action<DisplayFrame> Ticked;
-
-        /// <summary>Forwards <see cref="HindcastMonitor.ToolJudged"/>; raised within <see cref="Tick"/>.</summary>
-        internal event Action<ControlTime, PoseState, ErrorSample> ToolJudged
-        {
-            add => _main.Hindcast.ToolJudged += value;
-            remove => _main.Hindcast.ToolJudged -= value;
-        }
 
         /// <summary>Counts of dropped messages by reason.</summary>
         internal DropCounters Drops { get; } = new DropCounters();
@@ -212,7 +204,7 @@ namespace Nowpose.Session
             {
                 var clock = _displayClock.Follow(_synchroniser.ModelAt(start), start);
                 if (_displayClock.IsRestarted) Restart(start, clock);
-                foreach (var robot in _robots) robot.Intake.TakeAll(clock);
+                Robots.Take(clock);
                 var seen = _display.Light.LightOf(start, isComparable: isLast && _display.RenderTimes.State != RangeState.Outside);
                 var light = clock.IsKnown ? clock.ToControl(seen) : (ControlTime?)null;
                 Show(new DisplayMoment(start, light, clock, Settings.Clock.Trusts(clock), _display.Light, _display.RenderTimes));
@@ -224,13 +216,13 @@ namespace Nowpose.Session
 
         void Show(in DisplayMoment moment)
         {
-            foreach (var robot in _robots) robot.Show(moment);
+            Robots.Show(moment);
             Frames.Take(moment);
             Signals.Show(moment);
             // A gripper takes an object in the frame in which its signal's change is visible.
             Grips.Decide(moment);
             Frames.Show(moment);
-            foreach (var robot in _robots) robot.RootPose = Frames.Tree.RootOf(robot);
+            Robots.PlaceRoots();
         }
 
         /// <summary>
@@ -250,36 +242,6 @@ namespace Nowpose.Session
 
         /// <summary>Reads a received robot description, which may take some time. Thread-safe.</summary>
         public void Described(string urdf) => Listener.Described(urdf, _main.Namespace);
-
-        /// <summary>Adds a robot to the cell, which is received and shown from then on. On the thread of <see cref="Tick"/>.</summary>
-        /// <param name="name">Namespace of the robot, or empty for the robot without one.</param>
-        /// <returns>The known robot if the session has one with that namespace and the same description.</returns>
-        /// <exception cref="InputException">It is no namespace, or another robot has it.</exception>
-        internal SessionRobot AddRobot(string name, RobotModel robot)
-        {
-            if (name.Length > 0) RobotTopic.RequireNamespace(name);
-            var known = RobotOf(name);
-            if (known?.Robot.SourceHash == robot.SourceHash) return known;
-            if (known != null) throw new InputException("robot namespace '" + name + "': is that of the robot " + known.Robot.Name);
-            if (_robots.Length >= ProtocolLimits.Robots)
-                throw new InputException("robot namespace '" + name + "': the cell has " + ProtocolLimits.Robots + " robots, which is the maximum");
-            var added = new SessionRobot(name, robot, Settings, _latency, Drops);
-            lock (_gate)
-            {
-                Frames.Add(added);
-                _robots = new List<SessionRobot>(_robots) { added }.ToArray();
-            }
-            _subscriptions.AddRobot(name);
-            return added;
-        }
-
-        /// <summary>Returns the robot with a namespace; null if the session has none. Thread-safe.</summary>
-        internal SessionRobot RobotOf(string name)
-        {
-            foreach (var robot in _robots)
-                if (robot.Namespace == name) return robot;
-            return null;
-        }
 
         /// <summary>Starts a new run of <see cref="SessionStatistics.ToolErrorOfRun"/> with the next frame. Thread-safe.</summary>
         public void RestartErrorRun()
@@ -324,7 +286,7 @@ namespace Nowpose.Session
         {
             _latency.Reset();
             Grips.Settle();
-            foreach (var robot in _robots) robot.Restart();
+            Robots.Restart();
             Frames.Restart();
             Signals.Table.Restart();
             Restarted?.Invoke(now, clock);

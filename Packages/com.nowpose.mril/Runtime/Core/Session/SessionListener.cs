@@ -19,13 +19,13 @@ namespace Nowpose.Session
 
         public void Received(JointStateMessage message, HeadsetTime arrival, string robot = "")
         {
-            var receiver = _session.RobotOf(robot);
+            var receiver = _session.Robots.Of(robot);
             if (receiver != null) receiver.Intake.Add(message, arrival);
             else message.Release();
         }
 
         public void Planned(JointTrajectoryMessage message, HeadsetTime arrival, string robot = "") =>
-            _session.RobotOf(robot)?.Intake.Add(message, arrival);
+            _session.Robots.Of(robot)?.Intake.Add(message, arrival);
 
         public void FramesReceived(TransformsMessage message, bool isStationary, HeadsetTime arrival) =>
             _session.Frames.Add(message, isStationary, arrival);
@@ -41,7 +41,7 @@ namespace Nowpose.Session
 
         public void Described(string urdf, string robot = "")
         {
-            var receiver = _session.RobotOf(robot);
+            var receiver = _session.Robots.Of(robot);
             if (receiver != null && !receiver.Description.Receive(urdf)) Dropped(DropReason.NotUrdf);
         }
 

@@ -63,7 +63,7 @@ namespace Nowpose.Unity.Cell
             {
                 if (_description == null)
                     throw new InputException("robot namespace '" + _name + "': has no description; assign a Robot Description to the rig '" + _rig.name + "'");
-                return session.AddRobot(_name, _description.Read());
+                return session.Robots.Add(_name, _description.Read());
             }
             catch (InputException fault)
             {

@@ -24,5 +24,10 @@ namespace Nowpose.Tests.Core.Recording
         /// <summary>Returns an exchange that ends at this time and took 4 ms.</summary>
         public static SyncExchange Exchange(HeadsetTime at, double resolutionMs = 0) => new SyncExchange(
             at - Lengths.Ms(2), new ControlTime(at.SinceEpoch), new ControlTime(at.SinceEpoch), at, Lengths.Ms(resolutionMs), Lengths.Ms(0.3));
+
+        public static void Synchronise(CompensationSession session)
+        {
+            for (var i = 1; i <= 4; i++) session.Clock.Add(Exchange(Start + Lengths.Ms(200 * i)), out _);
+        }
     }
 }

@@ -13,7 +13,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         public void Robots_EqualJointNames_DoNotMix()
         {
             var cell = new CellSession();
-            var second = cell.Session.AddRobot("arm2", TestRobot.Model);
+            var second = cell.Session.Robots.Add("arm2", TestRobot.Model);
             cell.Sampling = t =>
             {
                 cell.SendJoints(t, 0.1 * (t - 20), 0);
@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         public void Robot_WithoutSamples_IsNotCurrentWhileTheOtherIs()
         {
             var cell = new CellSession();
-            var second = cell.Session.AddRobot("arm2", TestRobot.Model);
+            var second = cell.Session.Robots.Add("arm2", TestRobot.Model);
             cell.Sampling = t => cell.SendJoints(t, 0.5, 0.5);
 
             cell.Run(1);
@@ -64,7 +64,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         public void Reports_OfQualifiedJoints_BelongToTheirRobot()
         {
             var cell = new CellSession();
-            var second = cell.Session.AddRobot("arm2", TestRobot.Model);
+            var second = cell.Session.Robots.Add("arm2", TestRobot.Model);
             cell.Sampling = t =>
             {
                 cell.SendJoints(t, 0, 0);
@@ -83,7 +83,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         public void RootPose_RootLinkIsAFrame_FollowsIt()
         {
             var cell = new CellSession();
-            var second = cell.Session.AddRobot("cart", TestRobot.Model);
+            var second = cell.Session.Robots.Add("cart", TestRobot.Model);
             cell.Sampling = t =>
             {
                 cell.SendJoints(t, 0, 0);
@@ -104,30 +104,30 @@ namespace Nowpose.Tests.Core.Session.Cell
         [TestCase("1st")]
         [TestCase("arm 2")]
         [TestCase("an_arm_with_a_name_that_is_too_long")]
-        public void AddRobot_InvalidOrTakenNamespace_Throws(string name)
+        public void Add_InvalidOrTakenNamespace_Throws(string name)
         {
             var session = new CellSession().Session;
 
-            var refused = Assert.Throws<InputException>(() => session.AddRobot(name, Other()));
+            var refused = Assert.Throws<InputException>(() => session.Robots.Add(name, Other()));
 
             Assert.That(refused.Message, Does.StartWith("robot namespace").And.Contain("'" + name + "'"));
         }
 
         [Test]
-        public void AddRobot_SameAgain_IsTheKnownOne()
+        public void Add_SameAgain_IsTheKnownOne()
         {
             var session = new CellSession().Session;
 
-            Assert.That(session.AddRobot("arm2", TestRobot.Model), Is.SameAs(session.AddRobot("arm2", TestRobot.Model)));
+            Assert.That(session.Robots.Add("arm2", TestRobot.Model), Is.SameAs(session.Robots.Add("arm2", TestRobot.Model)));
         }
 
         [Test]
-        public void AddRobot_MoreThanAllowed_Throws()
+        public void Add_MoreThanAllowed_Throws()
         {
             var session = new CellSession().Session;
-            for (var i = 1; i < ProtocolLimits.Robots; i++) session.AddRobot("arm" + i, TestRobot.Model);
+            for (var i = 1; i < ProtocolLimits.Robots; i++) session.Robots.Add("arm" + i, TestRobot.Model);
 
-            Assert.Throws<InputException>(() => session.AddRobot("one_more", TestRobot.Model));
+            Assert.Throws<InputException>(() => session.Robots.Add("one_more", TestRobot.Model));
         }
 
         [TestCase("1st")]

@@ -1,0 +1,101 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using Nowpose.Kinematics;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Session.Cell;
+using Nowpose.Sync;
+
+namespace Nowpose.Session
+{
+    /// <summary>The robots of a session, the main one first. Robots are added and shown on the thread of ticks; the rest is thread-safe.</summary>
+    sealed class SessionRobots : IReadOnlyList<SessionRobot>
+    {
+        readonly SessionSettings _settings;
+        readonly ApplicationLatency _latency;
+        readonly DropCounters _drops;
+        readonly SessionFrames _frames;
+        readonly Subscriptions _subscriptions;
+        readonly object _gate;
+        // Replaced as a whole, because network threads read it.
+        volatile SessionRobot[] _all = Array.Empty<SessionRobot>();
+
+        /// <param name="latency">Statistics of L_app, updated with each sample.</param>
+        /// <param name="drops">Counts of dropped messages.</param>
+        /// <param name="frames">Objects of the cell, to which the robots' links are added.</param>
+        /// <param name="gate">Lock of the session.</param>
+        public SessionRobots(
+            SessionSettings settings, ApplicationLatency latency, DropCounters drops, SessionFrames frames, Subscriptions subscriptions, object gate)
+        {
+            _settings = settings;
+            _latency = latency;
+            _drops = drops;
+            _frames = frames;
+            _subscriptions = subscriptions;
+            _gate = gate;
+        }
+
+        public int Count => _all.Length;
+
+        public SessionRobot this[int index] => _all[index];
+
+        /// <summary>Adds a robot to the cell, which is received and shown from then on.</summary>
+        /// <param name="name">Namespace of the robot, or empty for the robot without one.</param>
+        /// <returns>The known robot if the session has one with that namespace and the same description.</returns>
+        /// <exception cref="InputException">It is no namespace, or another robot has it.</exception>
+        public SessionRobot Add(string name, RobotModel robot)
+        {
+            if (name.Length > 0) RobotTopic.RequireNamespace(name);
+            var known = Of(name);
+            if (known?.Robot.SourceHash == robot.SourceHash) return known;
+            if (known != null) throw new InputException("robot namespace '" + name + "': is that of the robot " + known.Robot.Name);
+            if (_all.Length >= ProtocolLimits.Robots)
+                throw new InputException("robot namespace '" + name + "': the cell has " + ProtocolLimits.Robots + " robots, which is the maximum");
+            var added = new SessionRobot(name, robot, _settings, _latency, _drops);
+            lock (_gate)
+            {
+                _frames.Add(added);
+                _all = new List<SessionRobot>(_all) { added }.ToArray();
+            }
+            _subscriptions.AddRobot(name);
+            return added;
+        }
+
+        /// <summary>Returns the robot with a namespace; null if the session has none.</summary>
+        public SessionRobot Of(string name)
+        {
+            foreach (var robot in _all)
+                if (robot.Namespace == name) return robot;
+            return null;
+        }
+
+        /// <summary>Takes all messages that have arrived.</summary>
+        public void Take(in ClockModel clock)
+        {
+            foreach (var robot in _all) robot.Intake.TakeAll(clock);
+        }
+
+        public void Show(in DisplayMoment moment)
+        {
+            foreach (var robot in _all) robot.Show(moment);
+        }
+
+        /// <summary>Places each robot at the frame of the cell that has its root link's name.</summary>
+        public void PlaceRoots()
+        {
+            foreach (var robot in _all) robot.RootPose = _frames.Tree.RootOf(robot);
+        }
+
+        /// <summary>Discards all samples, because their times are not valid any more.</summary>
+        public void Restart()
+        {
+            foreach (var robot in _all) robot.Restart();
+        }
+
+        public IEnumerator<SessionRobot> GetEnumerator() => ((IEnumerable<SessionRobot>)_all).GetEnumerator();
+
+        IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+    }
+}

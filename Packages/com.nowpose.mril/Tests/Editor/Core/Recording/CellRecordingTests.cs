@@ -1,0 +1,83 @@
+using System.Linq;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+using Nowpose.Tests.Core.Session;
+using NUnit.Framework;
+using static Nowpose.Tests.Core.Recording.RecordableSession;
+
+namespace Nowpose.Tests.Core.Recording
+{
+    /// <summary>The lines that a recording contains of objects, signals and further robots.</summary>
+    public class CellRecordingTests
+    {
+        [Test]
+        public void Pose_ReceivedFrames_HaveTheirParentsAndStamps()
+        {
+            var session = NewSession();
+            RecordedRun run;
+            using (run = new RecordedRun(session))
+            {
+                Synchronise(session);
+                var stamp = new ControlTime((Start + Lengths.Ms(900)).SinceEpoch);
+                session.Frames.Add(new TransformsMessage(new FrameTransform(default, "world", "table", 1, 2, 3, 0, 0, 0, 1)), true, Start + Lengths.Ms(910));
+                session.Frames.Add(new TransformsMessage(new FrameTransform(stamp, "table", "part", 0.1, 0.2, 1 / 3.0, 0, 0.6, 0, 0.8)), false, Start + Lengths.Ms(950));
+                session.Frames.Add(new TransformsMessage(new FrameTransform(stamp, "table", "part", 0.1, 0.2, 0.3, 0, 0.6, 0, 0.8)), false, Start + Lengths.Ms(960));
+                session.Tick(Start + Lengths.Ms(1000));
+                run.Flush();
+            }
+
+            var poses = run.Of("pose").ToList();
+            Assert.That(poses.Select(pose => (string)pose["frame"]), Is.EqualTo(new[] { "table", "part", "part" }));
+            Assert.That(poses.Select(pose => (string)pose["parent"]), Is.EqualTo(new[] { "world", "table", "table" }));
+            Assert.That(poses.Select(pose => (bool?)pose["stationary"]), Is.EqualTo(new bool?[] { true, null, null }));
+            Assert.That((long)poses[1]["stamp_ns"], Is.EqualTo(100_900_000_000));
+            Assert.That((long)poses[1]["arrival_ns"], Is.EqualTo(100_950_000_000));
+            Assert.That(poses[1]["position"].Select(number => (double)number), Is.EqualTo(new[] { 0.1, 0.2, 1 / 3.0 }));
+            Assert.That(poses[1]["rotation"].Select(number => (double)number), Is.EqualTo(new[] { 0, 0.6, 0, 0.8 }));
+            Assert.That(poses.Select(pose => (string)pose["dropped"]), Is.EqualTo(new[] { null, null, "late_sample" }));
+        }
+
+        [Test]
+        public void Signal_ReceivedValues_HaveTheirStamps()
+        {
+            var session = NewSession();
+            RecordedRun run;
+            using (run = new RecordedRun(session))
+            {
+                Synchronise(session);
+                var stamp = new ControlTime((Start + Lengths.Ms(900)).SinceEpoch);
+                session.Signals.Add(new SignalsMessage(stamp, new SignalValue("closed", 1), new SignalValue("speed", 0.25)), Start + Lengths.Ms(950));
+                session.Signals.Add(new SignalsMessage(stamp + Lengths.Ms(5000), new SignalValue("closed", 0)), Start + Lengths.Ms(960));
+                session.Tick(Start + Lengths.Ms(1000));
+                run.Flush();
+            }
+
+            Assert.That(run.Of("signal").Select(line => ((string)line["name"], (double)line["value"], (long)line["stamp_ns"], (string)line["dropped"])), Is.EqualTo(new[]
+            {
+                ("closed", 1.0, 100_900_000_000, null), ("speed", 0.25, 100_900_000_000, null), ("closed", 0.0, 105_900_000_000, "stamp_in_future"),
+            }));
+        }
+
+        [Test]
+        public void Sample_OfAnotherRobot_HasItsNamespaceBeforeTheJoints()
+        {
+            var session = NewSession();
+            RecordedRun run;
+            using (run = new RecordedRun(session))
+            {
+                Synchronise(session);
+                var other = session.Robots.Add("arm2", TestRobot.Model);
+                session.Tick(Start + Lengths.Ms(1000));
+                var names = TestRobot.Model.MovingJoints.Select(joint => joint.Name).ToArray();
+                var message = new JointStateMessage(new ControlTime((Start + Lengths.Ms(1000)).SinceEpoch), names, new double[names.Length]);
+                other.Intake.Add(message, Start + Lengths.Ms(1050));
+                session.Intake.Add(message, Start + Lengths.Ms(1060));
+                session.Tick(Start + Lengths.Ms(1100));
+                run.Flush();
+            }
+
+            Assert.That(run.Of("sample").Select(line => (string)line["names"][0]), Is.EquivalentTo(
+                new[] { "arm2/" + TestRobot.Model.MovingJoints[0].Name, TestRobot.Model.MovingJoints[0].Name }));
+        }
+    }
+}
