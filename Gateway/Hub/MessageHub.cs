@@ -118,11 +118,9 @@ public sealed class MessageHub
     internal void Publish(HubMessage message)
     {
         var subscribers = Volatile.Read(ref _subscribers);
-        foreach (var receive in subscribers.GetValueOrDefault(message.Topic, []))
-            receive(message);
+        foreach (var receive in subscribers.GetValueOrDefault(message.Topic, [])) receive(message);
         if (message.Robot.Length == 0) return;
-        foreach (var receive in subscribers.GetValueOrDefault(OfAllRobots(message.Kind), []))
-            receive(message);
+        foreach (var receive in subscribers.GetValueOrDefault(OfAllRobots(message.Kind), [])) receive(message);
     }
 
     internal Refusal? Publish(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long receivedAt)

@@ -48,10 +48,7 @@ sealed class RosbridgeSession : IDisposable
     }
 
     /// <summary>Address of the client, for messages about a client without a name.</summary>
-    public string Address
-    {
-        set => _source.Address = value;
-    }
+    public string Address { set => _source.Address = value; }
 
     /// <summary>
     /// Removes the state that the client reported of itself, because it closed the connection normally. Call it before <see cref="Dispose"/>.

@@ -30,7 +30,8 @@ static class RepositoryFiles
 
     static IEnumerable<string> FilesIn(string folder)
     {
-        var files = Directory.GetFiles(folder).Select(f => Path.GetRelativePath(Root, f).Replace('\\', '/'));
+        var files = Directory.GetFiles(folder).Where(f => !NotOurs.Contains(Path.GetFileName(f)))
+            .Select(f => Path.GetRelativePath(Root, f).Replace('\\', '/'));
         var folders = Directory.GetDirectories(folder).Where(d => !NotOurs.Contains(Path.GetFileName(d)));
         return files.Concat(folders.SelectMany(FilesIn));
     }

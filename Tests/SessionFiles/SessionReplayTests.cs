@@ -11,8 +11,7 @@ public class SessionReplayTests
 {
     static readonly string[] Names = [.. Predictors.Names];
 
-    string _folder;
-    string _path;
+    string _folder, _path;
 
     [SetUp]
     public void CreateFolder()

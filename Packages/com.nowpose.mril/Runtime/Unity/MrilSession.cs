@@ -218,8 +218,7 @@ namespace Nowpose.Unity
             Begin();
         }
 
-        // A listener may disable or destroy this component or change its settings. So events are raised when the state is
-        // complete, and the code after an event checks the state again.
+        // A listener may disable this component or change its settings, so events come last, and the code after one checks the state.
         void Begin()
         {
             if (!_isRunning || _presence.IsAway || Session != null) return;

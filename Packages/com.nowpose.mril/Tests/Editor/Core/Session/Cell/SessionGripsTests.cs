@@ -4,45 +4,13 @@ using Nowpose.Kinematics;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using NUnit.Framework;
+using static Nowpose.Tests.Core.Session.Cell.GripScene;
 
 namespace Nowpose.Tests.Core.Session.Cell
 {
     /// <summary>Objects that no source attaches to the gripper: its reach at the stamp of its signal decides.</summary>
     public class SessionGripsTests
     {
-        const double Reach = 0.1, Close = 22, Open = 24, Rate = 0.3;
-
-        static RigidTransform At(double x, double y) => RigidTransform.FromXyzRpy(x, y, 0, 0, 0, 0);
-
-        static double Distance(in RigidTransform a, in RigidTransform b) =>
-            Math.Sqrt((a.X - b.X) * (a.X - b.X) + (a.Y - b.Y) * (a.Y - b.Y) + (a.Z - b.Z) * (a.Z - b.Z));
-
-        static double AngleOf(in RigidTransform a, in RigidTransform b) => UnitQuaternion.Of(a.Inverse * b).Log().Length;
-
-        /// <summary>The tool of the straight arm, 1 m long, turned by the shoulder.</summary>
-        static RigidTransform Tool(double shoulder) =>
-            RigidTransform.FromXyzRpy(Math.Cos(shoulder), Math.Sin(shoulder), 0, 0, 0, shoulder);
-
-        // The arm passes the angle 0 at the stamp at which it closes, and turns on.
-        static double Shoulder(double t) => Rate * (t - Close);
-
-        static (CellSession Cell, ReachGrip Grip) NewCell(params string[] objects)
-        {
-            var cell = new CellSession { Sampling = null };
-            foreach (var name in objects) cell.Session.Frames.Need(name);
-            var robot = cell.Session.Robots[0];
-            var grip = new ReachGrip(
-                cell.Session.Frames.Tree, robot, robot.Robot.IndexOfLink("tool_centre_point"), Reach, objects);
-            cell.Session.Grips.Add(grip, "grip");
-            return (cell, grip);
-        }
-
-        static CellFrame Find(CellSession cell, string name) => cell.Session.Frames.Find(name);
-
-        static RigidTransform ToolOf(CellSession cell) => cell.Session.Robots[0].Frame.ToolPose;
-
-        static void Until(CellSession cell, double time, Action<double> seen = null) => cell.Run(time - cell.Now, seen);
-
         [Test]
         public void Close_ObjectInReach_MovesWithTheDisplayedTool([Values(0, 1)] int isStationary)
         {

@@ -1,0 +1,43 @@
+using System;
+using Nowpose.Frames;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Tests.Core.Session.Cell
+{
+    /// <summary>An arm whose gripper closes near objects, for tests of grips by reach.</summary>
+    static class GripScene
+    {
+        public const double Reach = 0.1, Close = 22, Open = 24, Rate = 0.3;
+
+        public static RigidTransform At(double x, double y) => RigidTransform.FromXyzRpy(x, y, 0, 0, 0, 0);
+
+        public static double Distance(in RigidTransform a, in RigidTransform b) =>
+            Math.Sqrt((a.X - b.X) * (a.X - b.X) + (a.Y - b.Y) * (a.Y - b.Y) + (a.Z - b.Z) * (a.Z - b.Z));
+
+        public static double AngleOf(in RigidTransform a, in RigidTransform b) => UnitQuaternion.Of(a.Inverse * b).Log().Length;
+
+        /// <summary>The tool of the straight arm, 1 m long, turned by the shoulder.</summary>
+        public static RigidTransform Tool(double shoulder) =>
+            RigidTransform.FromXyzRpy(Math.Cos(shoulder), Math.Sin(shoulder), 0, 0, 0, shoulder);
+
+        // The arm passes the angle 0 at the stamp at which it closes, and turns on.
+        public static double Shoulder(double t) => Rate * (t - Close);
+
+        public static (CellSession Cell, ReachGrip Grip) NewCell(params string[] objects)
+        {
+            var cell = new CellSession { Sampling = null };
+            foreach (var name in objects) cell.Session.Frames.Need(name);
+            var robot = cell.Session.Robots[0];
+            var grip = new ReachGrip(
+                cell.Session.Frames.Tree, robot, robot.Robot.IndexOfLink("tool_centre_point"), Reach, objects);
+            cell.Session.Grips.Add(grip, "grip");
+            return (cell, grip);
+        }
+
+        public static CellFrame Find(CellSession cell, string name) => cell.Session.Frames.Find(name);
+
+        public static RigidTransform ToolOf(CellSession cell) => cell.Session.Robots[0].Frame.ToolPose;
+
+        public static void Until(CellSession cell, double time, Action<double> seen = null) => cell.Run(time - cell.Now, seen);
+    }
+}

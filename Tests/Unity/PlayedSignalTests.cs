@@ -1,0 +1,229 @@
+using Nowpose.Frames;
+using Nowpose.Gateway.Plants;
+using Nowpose.Kinematics;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+using Nowpose.Session;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests;
+
+/// <summary>Planned paths, signals and a second robot of the cell in a running scene.</summary>
+public class PlayedSignalTests : PlayedParts
+{
+    [Test]
+    public void PlannedPath_SetPointsPublished_LeadsAlongTheToolsWay()
+    {
+        var (rig, path, line) = NewPath();
+        Run(1);
+        Assert.That((line.enabled, path.DrawnSeconds), Is.EqualTo((false, 0f)), "no plan");
+
+        SendPlan(_cell.Now, 3);
+        Run(0.2);
+        Assert.That(path.DrawnSeconds, Is.EqualTo(1).Within(1e-6));
+        var expected = line.GetPosition(line.positionCount - 1);
+        Assert.That(Vector3.Distance(line.GetPosition(0), rig.Tool.position), Is.LessThan(2e-4), "begins at the displayed tool");
+        Run(1);
+        Assert.That(Vector3.Distance(expected, rig.Tool.position), Is.LessThan(1e-3), "one second later, the tool is where the line ended");
+        Assert.That(Vector3.Distance(expected, line.GetPosition(line.positionCount - 1)), Is.GreaterThan(1e-3), "the tool does move");
+
+        Run(2.5);
+        Assert.That((line.enabled, path.DrawnSeconds), Is.EqualTo((false, 0f)));
+    }
+
+    [Test]
+    public void PlannedPath_PoseNotCurrent_IsHidden()
+    {
+        var (_, path, line) = NewPath();
+        Run(1);
+        SendPlan(_cell.Now, 6);
+        Run(0.2);
+        Assert.That(line.enabled, Is.True);
+
+        _cell.IsPlantUp = false;
+        Run(1.5);
+
+        Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Held));
+        Assert.That((line.enabled, path.DrawnSeconds), Is.EqualTo((false, 0f)));
+        _cell.IsPlantUp = true;
+        Run(1);
+        Assert.That(line.enabled, Is.True);
+        _session.enabled = false;
+        Assert.That(line.enabled, Is.False, "no session");
+    }
+
+    [Test]
+    public void PlannedPath_Drawn_AllocatesNothing()
+    {
+        var (_, path, _) = NewPath();
+        Run(1);
+        SendPlan(_cell.Now, 9);
+        Run(1);
+
+        Assert.That(_cell.AllocatedIn(() => _cell.Run(1, _session)), Is.Zero);
+        Assert.That(path.DrawnSeconds, Is.GreaterThan(0.9));
+    }
+
+    (RobotRig Rig, PlannedPath Path, LineRenderer Line) NewPath()
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var path = Below<PlannedPath>("path", rig.transform);
+        return (rig, path, path.GetComponent<LineRenderer>());
+    }
+
+    // The set-points are those that the robot follows; they arrive with the samples' latency.
+    void SendPlan(double from, double seconds)
+    {
+        var robot = _session.Session.Robot;
+        var joints = robot.MovingJoints.Select(joint => joint.Name).ToArray();
+        var points = new List<JointTrajectoryPoint>();
+        for (var t = 0.0; t <= seconds; t += 0.02)
+        {
+            var at = HeadsetTime.FromSeconds(1000 + from + t);
+            points.Add(new JointTrajectoryPoint(TimeSpan.FromSeconds(t), [.. joints.Select((_, j) => PlayedCell.PositionAt(robot, at, j))]));
+        }
+        _session.Session.Listener.Planned(new JointTrajectoryMessage(At(from), joints, points.ToArray()), HeadsetTime.FromSeconds(1000 + from));
+    }
+
+    [Test]
+    public void Signal_Changes_RaiseEventsOnceInOrderAndInTime()
+    {
+        var signal = Below<CellSignal>("gripper", _session.transform);
+        var seen = new List<(double Light, double Value)>();
+        signal.Changed += value => seen.Add((_cell.Now + Visu, value));
+        Run(1);
+        SendSignal("gripper", _cell.Now - 1, 0);
+        Run(0.5);
+        var change = _cell.Now + 0.5;
+        SendSignal("gripper", change, 1, latency: -0.4);
+        SendSignal("gripper", change + 0.005, 0, latency: -0.4);
+
+        Run(1);
+
+        Assert.That(seen.Select(each => each.Value), Is.EqualTo(new[] { 0.0, 1, 0 }));
+        Assert.That(seen[1].Light - change, Is.InRange(-1e-6, 1 / 60.0 + 1e-6), "in the frame whose light has its stamp");
+        Assert.That(signal.Value, Is.Zero);
+    }
+
+    [Test]
+    public void Signal_NoGateway_StatesIt()
+    {
+        var signal = Below<CellSignal>("gripper", _session.transform);
+        Run(0.5);
+
+        Assert.That((signal.Value, signal.Fault), Is.EqualTo(((double?)null, "no connection")));
+    }
+
+    [Test]
+    public void ActuatedPart_LateNews_IsInPhase()
+    {
+        var part = Below<ActuatedPart>("jaw", _session.transform).With("_wayMetres", new Vector3(0, 0, 0.02f)).With("_strokeMs", 300f);
+        Run(1);
+        SendSignal("jaw", _cell.Now - 1, 0);
+        Run(0.5);
+        Assert.That(part.Share, Is.Zero);
+
+        var change = _cell.Now - Latency;
+        SendSignal("jaw", change, 1);
+        Run(0.1);
+
+        var passed = _cell.Now + Visu - change;
+        Assert.That(passed, Is.InRange(0.2, 0.25));
+        var stroke = new Signals.ActuatedStroke(0, 1, 0.3);
+        stroke.Change(0, At(0));
+        stroke.Change(1, At(1));
+        Assert.That(part.Share, Is.EqualTo(stroke.At(At(1 + passed))).Within(1e-4));
+        Assert.That(part.transform.localPosition.z, Is.EqualTo(0.02 * part.Share).Within(1e-6));
+
+        Run(0.5);
+        Assert.That(part.Share, Is.EqualTo(1).Within(1e-6));
+    }
+
+    [Test]
+    public void Rig_InANamespace_ShowsItsRobotOnItsMovingBase()
+    {
+        var text = RobotFiles.LoadText("youbot");
+        var rig = Second(text);
+        var joints = RobotFiles.Load("youbot").MovingJoints.Select(joint => joint.Name).ToArray();
+        void Send(double t)
+        {
+            _session.Session.Listener.Received(
+                new JointStateMessage(At(t), joints, joints.Select(_ => 0.003).ToArray()), HeadsetTime.FromSeconds(1000 + t + Latency), "arm2");
+            SendPose("world", "arm2/arm_link_0", t, Along(0.1 * t));
+        }
+        Run(2, Send);
+
+        Assert.That(rig.IsFollowing, Is.True);
+        Assert.That(rig.Joints[0], Is.EqualTo(0.003).Within(1e-6));
+        AssertAt(rig.transform, _session.transform, Along(0.1 * (_cell.Now + Visu)), 1e-3);
+        Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Current));
+
+        Run(1);
+        Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Held), "its source has ended; the session's robot goes on");
+        Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
+    }
+
+    RobotRig Second(string urdf)
+    {
+        var made = new GameObject("Second");
+        made.SetActive(false);
+        made.transform.SetParent(_session.transform, false);
+        var rig = made.AddComponent<RobotRig>().With("_robotNamespace", "arm2");
+        if (urdf != null) rig.With("_description", RobotDescriptionAsset.Create("second", urdf));
+        made.SetActive(true);
+        return rig;
+    }
+
+    [Test]
+    public void Rig_InANamespaceWithoutDescription_StatesWhatToAssign()
+    {
+        var rig = Second(null);
+        Run(0.5);
+
+        Assert.That(rig.IsFollowing, Is.False);
+        Assert.That(_cell.Messages, Has.Exactly(1).Contains("assign a Robot Description to the rig 'Second'"));
+    }
+
+    [Test]
+    public void Cell_ObjectsAndSignals_AllocateNothing()
+    {
+        Below<TrackedObject>("box", _session.transform);
+        Below<CellSignal>("grip", _session.transform);
+        Below<ActuatedPart>("jaw", _session.transform);
+        Run(2, t => SendPose("world", "box", t, Along(t)));
+        SendSignal("grip", _cell.Now - 1, 1);
+        Run(1);
+
+        Assert.That(_cell.AllocatedIn(() => _cell.Run(1, _session)), Is.Zero);
+    }
+
+    [Test]
+    public void Parts_NotCurrent_AreNamedWithTheirFaults()
+    {
+        Below<TrackedObject>("part", _session.transform);
+        Below<TrackedObject>("lid", _session.transform);
+        var parts = _session.Parts;
+        Run(6, t => SendPose("world", "part", t, Along(0.1 * t)));
+
+        parts.Update();
+        Assert.That((parts.Summary, parts.FirstFault), Is.EqualTo(("! 1 not current", "object lid: no pose received")));
+
+        SendPose("world", "lid", _cell.Now - Latency, Along(1));
+        Run(2);
+
+        parts.Update();
+        Assert.That(parts.Summary, Is.EqualTo("! 2 not current"));
+        Assert.That(parts.Faults, Is.EqualTo("object part: its poses have stopped; object lid: its poses have stopped"));
+        var signal = Below<CellSignal>("closed", _session.transform);
+        _session.transform.Find("part").gameObject.SetActive(false);
+        Run(0.1);
+        parts.Update();
+        Assert.That(parts.Faults, Is.EqualTo("object lid: its poses have stopped; signal closed: " + signal.Fault), "a hidden object is not shown");
+        Run(1, t => SendPose("world", "lid", t, Along(1)));
+        signal.gameObject.SetActive(false);
+        parts.Update();
+        Assert.That((parts.Summary, parts.Faults), Is.EqualTo(("1 current", (string)null)));
+    }
+}
