@@ -154,7 +154,7 @@ public sealed class VlcVerbTests
 
     // The whole result: means and reasons, with pictures that are rejected alone, by their neighbours and by their size.
     [Test]
-    public async Task Json_OfShuffledOrReversedPictures_IsTheSame()
+    public async Task Json_OfShuffledPictures_IsTheSame()
     {
         string[] files = [.. Directory.GetFiles(In("pictures")).Order(StringComparer.Ordinal).Take(26), In("none.jpg")];
         File.WriteAllBytes(In("none.jpg"), []);
@@ -173,7 +173,6 @@ public sealed class VlcVerbTests
         var expected = await ResultOf(files);
 
         Assert.That(expected, Does.Contain("none.jpg"));
-        Assert.That(await ResultOf([.. files.Reverse()]), Is.EqualTo(expected));
         Assert.That(await ResultOf(shuffled), Is.EqualTo(expected));
     }
 
