@@ -6,10 +6,16 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>The states of the clock, its steps and the exchanges that it drops.</summary>
+    /// <summary>The states of the clock, its steps and the exchanges that it drops, with both estimators.</summary>
+    [TestFixture(ClockEstimators.Default)]
+    [TestFixture(ClockEstimators.Ransac)]
     public class ClockSynchroniserTests
     {
-        static SyncRun NewRun() => new SyncRun(new RansacClockEstimator(RansacSettings.Paper));
+        readonly string _estimator;
+
+        public ClockSynchroniserTests(string estimator) => _estimator = estimator;
+
+        SyncRun NewRun() => new SyncRun(ClockEstimators.Create(_estimator));
 
         [Test]
         public void State_FromTheStart_PassesAllStatesInOrder()
@@ -144,7 +150,7 @@ namespace Nowpose.Tests.Core.Sync
         public void Add_RandomTimes_KeepsTheModelValid()
         {
             var random = new Random(11);
-            var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
+            var clock = new ClockSynchroniser(ClockEstimators.Create(_estimator), ClockSettings.Default);
             var now = HeadsetTime.FromSeconds(0);
             for (var i = 0; i < 2000; i++)
             {
@@ -177,7 +183,7 @@ namespace Nowpose.Tests.Core.Sync
         [Test]
         public void Add_NotNewerThanTheLast_IsDroppedByReason()
         {
-            var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
+            var clock = new ClockSynchroniser(ClockEstimators.Create(_estimator), ClockSettings.Default);
             var exchange = new SyncExchange(HeadsetTime.FromSeconds(1), default, default, HeadsetTime.FromSeconds(1.01));
             clock.Add(exchange, out _);
 
@@ -190,7 +196,7 @@ namespace Nowpose.Tests.Core.Sync
         [Test]
         public void State_ServerIsNotSynchronised_StaysConverging()
         {
-            var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
+            var clock = new ClockSynchroniser(ClockEstimators.Create(_estimator), ClockSettings.Default);
             for (var i = 0; i < 50; i++)
             {
                 var t = HeadsetTime.FromSeconds(i * 0.2);
