@@ -59,7 +59,8 @@ static class AblationVerb
         for (var i = 0; i < whole.Length; i++)
             Console.WriteLine(Text(
                 $"| {group.Runs[i].Motion} | {quadratic[i] / hold[i]:0.00} | {whole[i] / quadratic[i]:0.00} | {whole[i] / best[i]:0.00} |"));
-        Console.WriteLine(Text($"| mean | | | {whole.Zip(best, (error, least) => error / least).Average():0.000} |"));
+        var overQuadratic = Means.Geometric(whole.Zip(quadratic, (error, of) => error / of));
+        Console.WriteLine(Text($"| mean; of adaptive ÷ quadratic the geometric one | | {overQuadratic:0.0000} | {whole.Zip(best, (error, least) => error / least).Average():0.0000} |"));
     }
 
     static double[] Fixed(AblationGroup group, string name) => group.Errors(() => Predictors.Create(name, PredictionLimits.Unlimited));

@@ -1,33 +1,17 @@
-using System;
-
 namespace Nowpose.Prediction.Forecasting
 {
     /// <summary>Ordinary least squares for Eq. (8) with more points than coefficients.</summary>
     /// <remarks>
-    /// The basis is orthogonalised on the sample times, each power from the one before, so the solve needs no
-    /// matrix and does not square the condition number as normal equations do.
+    /// The basis consists of polynomials that are orthogonal on the sample times, from a three-term recurrence (Forsythe 1957), so the
+    /// solve needs no matrix and does not square the condition number as normal equations do.
     /// </remarks>
     sealed class OrthogonalFit
     {
-        /// <summary>
-        /// Threshold of a second pass, which removes the rounding errors of the first. It is needed only for clustered stamps, where the first
-        /// pass removes nearly everything: ratio of the squared norm after the first pass to that before.
-        /// </summary>
-        const double NearlyAll = 0.01;
+        // Values at the sample times and coefficients of the newest polynomial of the basis, and of the one before.
+        double[] _values, _valuesBefore;
+        double[] _powers = new double[PolynomialSection.HighestDegree + 1], _powersBefore = new double[PolynomialSection.HighestDegree + 1];
 
-        readonly double[][] _values;
-        readonly double[][] _powers;
-
-        public OrthogonalFit(int degree, int points)
-        {
-            _values = new double[degree + 1][];
-            _powers = new double[degree + 1][];
-            for (var j = 0; j <= degree; j++)
-            {
-                _values[j] = new double[points];
-                _powers[j] = new double[degree + 1];
-            }
-        }
+        public OrthogonalFit(int points) => (_values, _valuesBefore) = (new double[points], new double[points]);
 
         /// <summary>
         /// Adds the fit of the first <paramref name="count"/> points to the coefficients, the constant first. Overwrites the
@@ -35,62 +19,45 @@ namespace Nowpose.Prediction.Forecasting
         /// </summary>
         public void Solve(double[] times, double[] positions, int count, int degree, double[] coefficients)
         {
-            for (var j = 0; j <= degree; j++)
+            for (var i = 0; i < count; i++) (_values[i], _valuesBefore[i]) = (1, 0);
+            for (var k = 0; k < _powers.Length; k++) _powers[k] = _powersBefore[k] = 0;
+            _powers[0] = 1;
+            double norm = count, normBefore = double.PositiveInfinity;
+            for (var j = 0; ; j++)
             {
-                MakeNext(j, times, count, degree);
-                var before = Dot(_values[j], _values[j], count);
-                RemoveOthers(j, count, degree);
-                if (Dot(_values[j], _values[j], count) < NearlyAll * before) RemoveOthers(j, count, degree);
-                Normalise(j, count, degree);
-
-                var (values, powers) = (_values[j], _powers[j]);
-                var share = Dot(values, positions, count);
-                for (var i = 0; i < count; i++) positions[i] -= share * values[i];
-                for (var k = 0; k <= degree; k++) coefficients[k] += share * powers[k];
+                Project(positions, count, norm, coefficients);
+                if (j == degree) return;
+                normBefore = Next(times, count, norm, norm / normBefore);
+                (norm, normBefore) = (normBefore, norm);
             }
         }
 
-        void MakeNext(int j, double[] times, int count, int degree)
+        // Removes the share of the newest polynomial from the positions.
+        void Project(double[] positions, int count, double norm, double[] coefficients)
         {
-            if (j == 0)
+            var (values, powers, share) = (_values, _powers, 0.0);
+            for (var i = 0; i < count; i++) share += positions[i] * values[i];
+            share /= norm;
+            for (var i = 0; i < count; i++) positions[i] -= share * values[i];
+            for (var k = 0; k < powers.Length; k++) coefficients[k] += share * powers[k];
+        }
+
+        // Returns the squared norm of the next polynomial, (t - centre) * newest - ratio * the one before.
+        double Next(double[] times, int count, double norm, double ratio)
+        {
+            var (values, next, centre, square) = (_values, _valuesBefore, 0.0, 0.0);
+            for (var i = 0; i < count; i++) centre += times[i] * values[i] * values[i];
+            centre /= norm;
+            for (var i = 0; i < count; i++)
             {
-                Array.Clear(_powers[0], 0, degree + 1);
-                _powers[0][0] = 1;
-                for (var i = 0; i < count; i++) _values[0][i] = 1;
-                return;
+                var value = (times[i] - centre) * values[i] - ratio * next[i];
+                next[i] = value;
+                square += value * value;
             }
-            var (values, powers, valuesBefore, powersBefore) = (_values[j], _powers[j], _values[j - 1], _powers[j - 1]);
-            for (var i = 0; i < count; i++) values[i] = times[i] * valuesBefore[i];
-            for (var k = degree; k > 0; k--) powers[k] = powersBefore[k - 1];
-            powers[0] = 0;
-        }
-
-        void RemoveOthers(int j, int count, int degree)
-        {
-            for (var other = 0; other < j; other++) RemoveFrom(j, other, count, degree);
-        }
-
-        void RemoveFrom(int j, int other, int count, int degree)
-        {
-            var (values, powers, otherValues, otherPowers) = (_values[j], _powers[j], _values[other], _powers[other]);
-            var share = Dot(values, otherValues, count);
-            for (var i = 0; i < count; i++) values[i] -= share * otherValues[i];
-            for (var k = 0; k <= degree; k++) powers[k] -= share * otherPowers[k];
-        }
-
-        void Normalise(int j, int count, int degree)
-        {
-            var (values, powers) = (_values[j], _powers[j]);
-            var perLength = 1 / Math.Sqrt(Dot(values, values, count));
-            for (var i = 0; i < count; i++) values[i] *= perLength;
-            for (var k = 0; k <= degree; k++) powers[k] *= perLength;
-        }
-
-        static double Dot(double[] a, double[] b, int count)
-        {
-            var sum = 0.0;
-            for (var i = 0; i < count; i++) sum += a[i] * b[i];
-            return sum;
+            var (powers, nextPowers) = (_powers, _powersBefore);
+            for (var k = 0; k < powers.Length; k++) nextPowers[k] = (k > 0 ? powers[k - 1] : 0) - centre * powers[k] - ratio * nextPowers[k];
+            (_values, _valuesBefore, _powers, _powersBefore) = (next, values, nextPowers, powers);
+            return square;
         }
     }
 }

@@ -28,7 +28,7 @@ namespace Nowpose.Prediction.Forecasting
             _times = new double[points];
             _positions = new double[points];
             _coefficients = new double[HighestDegree + 1];
-            _fit = new OrthogonalFit(degree, points);
+            _fit = new OrthogonalFit(points);
         }
 
         /// <summary>Degree of the section in use; 0 if the stamps determine no velocity.</summary>

@@ -70,7 +70,7 @@ namespace Nowpose.Prediction.Mixing
             public ref bool HasForecast(int forecast) => ref _hasForecast[forecast];
 
             /// <summary>Returns a forecast position, in the samples' unit.</summary>
-            public double At(int forecast, double ahead) => Position + ForecastTable.Read(Tables, forecast * ForecastTable.Points, ahead);
+            public double At(int forecast, in TableTime time) => Position + time.Read(Tables, forecast * ForecastTable.Points);
         }
     }
 }

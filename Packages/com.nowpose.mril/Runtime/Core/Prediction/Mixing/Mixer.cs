@@ -60,6 +60,9 @@ namespace Nowpose.Prediction.Mixing
         readonly int _points;
         double[] _weights;
 
+        // Forgetting factor of one sample.
+        double _keeping;
+
         // The displayed forecast: one table of the newest snapshot.
         double[] _section;
         int _sectionStart;
@@ -114,6 +117,7 @@ namespace Nowpose.Prediction.Mixing
         {
             if (motion.IsNewest)
             {
+                _keeping = Math.Exp(-motion.MeanInterval / Memory);
                 Score(motion);
                 _weights = Choose(motion);
                 Forecast(motion, _snapshots.Append());
@@ -172,7 +176,7 @@ namespace Nowpose.Prediction.Mixing
                 if (weight == 0) continue;
                 for (int point = 0, from = i * ForecastTable.Points; point < _points; point++) tables[start + point] += weight * tables[from + point];
             }
-            if (motion.Connected >= 2) SpeedLimits.Apply(tables, start, motion.Speed, motion.Interval, _limits);
+            if (motion.Connected >= 2) SpeedLimits.Apply(tables, start, _points, motion.Speed, motion.Interval, _limits);
         }
 
         // The weights are updated from the snapshot whose age is nearest to the horizon; at rest, where noise decides, from the next older
@@ -188,12 +192,13 @@ namespace Nowpose.Prediction.Mixing
             var learned = false;
             if (isYoungerNearer && !motion.Rest.IsAtRest)
             {
-                if (isOlderUsed) ScoreCandidates(motion, _snapshots[older], Threshold);
+                var ahead = now - _snapshots[older].Time;
+                if (isOlderUsed && IsInTable(ahead)) ScoreCandidates(motion, _snapshots[older], new TableTime(ahead), Threshold);
                 learned = Learn(motion, _snapshots[older + 1]);
             }
             else if (isOlderUsed) learned = Learn(motion, _snapshots[older]);
             _snapshots.Drop(older);
-            if (learned) _overall.Solve(PriorNow(motion), SampleShare(motion));
+            if (learned) _overall.Solve(PriorNow(motion), 1 - _keeping);
         }
 
         bool Learn(MotionState motion, ForecastSnapshots.Snapshot snapshot)
@@ -202,29 +207,30 @@ namespace Nowpose.Prediction.Mixing
             if (!IsInTable(ahead)) return false;
             // The forecaster is not responsible for an error across a change point.
             var isOfOneMotion = snapshot.ChangePoints == motion.ChangePoints.Count;
-            var threshold = FillErrors(snapshot, ahead, motion.Samples.NewestPosition, isOfOneMotion, out var max);
-            ScoreCandidates(motion, snapshot, threshold);
+            var time = new TableTime(ahead);
+            var threshold = FillErrors(snapshot, time, motion.Samples.NewestPosition, isOfOneMotion, out var max);
+            ScoreCandidates(motion, snapshot, time, threshold);
             if (!isOfOneMotion) return false;
             var square = max * max;
-            var keeping = Math.Exp(-motion.MeanInterval / Memory);
-            _maxSquare = Math.Max(_maxSquare * keeping, square);
+            _maxSquare = Math.Max(_maxSquare * _keeping, square);
             var isTelling = square > MinShareOfSquare * _maxSquare;
-            if (isTelling) _overall.Learn(_errors, keeping);
-            if (snapshot.WasAtRest) _resting.Learn(_errors, keeping);
-            else if (isTelling) _moving.Learn(_errors, keeping);
+            if (isTelling) _overall.Learn(_errors, _keeping);
+            if (snapshot.WasAtRest) _resting.Learn(_errors, _keeping);
+            else if (isTelling) _moving.Learn(_errors, _keeping);
             return isTelling || snapshot.WasAtRest;
         }
 
         /// <param name="isOfOneMotion">Whether no change point lies between forecast and sample, so that the threshold adapts.</param>
         /// <param name="max">The larger error of hold and mixture, limited by the threshold.</param>
         /// <returns>The outlier threshold.</returns>
-        double FillErrors(ForecastSnapshots.Snapshot snapshot, double ahead, double truth, bool isOfOneMotion, out double max)
+        double FillErrors(ForecastSnapshots.Snapshot snapshot, in TableTime time, double truth, bool isOfOneMotion, out double max)
         {
             var mixture = 0.0;
             for (var i = 0; i < Mixture; i++)
             {
-                _errors[i] = snapshot.At(i, ahead) - truth;
-                mixture += _overall.Values[i] * _errors[i];
+                var error = snapshot.At(i, time) - truth;
+                _errors[i] = error;
+                mixture += _overall.Values[i] * error;
             }
             max = Math.Max(Math.Abs(_errors[Hold]), Math.Abs(mixture));
             var threshold = Threshold;
@@ -236,17 +242,15 @@ namespace Nowpose.Prediction.Mixing
             return threshold;
         }
 
-        void ScoreCandidates(MotionState motion, ForecastSnapshots.Snapshot snapshot, double threshold)
+        void ScoreCandidates(MotionState motion, ForecastSnapshots.Snapshot snapshot, in TableTime time, double threshold)
         {
-            var ahead = motion.Samples.NewestTime - snapshot.Time;
-            if (!IsInTable(ahead)) return;
             var truth = motion.Samples.NewestPosition;
-            var mixture = Math.Min(Math.Abs(snapshot.At(Mixture, ahead) - truth), threshold);
+            var mixture = Math.Min(Math.Abs(snapshot.At(Mixture, time) - truth), threshold);
             for (var i = 0; i < _candidates.Length; i++)
             {
                 var forecast = Mixture + 1 + i;
                 if (!snapshot.HasForecast(forecast)) continue;
-                var forecastPosition = snapshot.At(forecast, ahead);
+                var forecastPosition = snapshot.At(forecast, time);
                 var displacement = Math.Max(Math.Abs(truth - snapshot.Position), Math.Abs(forecastPosition - snapshot.Position));
                 _candidates[i].Score(forecastPosition - truth, mixture, Math.Min(displacement, threshold), snapshot.WasStill);
             }
@@ -259,9 +263,6 @@ namespace Nowpose.Prediction.Mixing
 
         double Threshold => _overall.Evidence < MinEvidence || !Has(PredictionParts.OutlierThreshold)
             ? double.PositiveInfinity : _outliers.Of(UsualError);
-
-        // Weight of one sample in the exponential means over the memory.
-        static double SampleShare(MotionState motion) => 1 - Math.Exp(-motion.MeanInterval / Memory);
 
         double[] PriorNow(MotionState motion) => double.IsNaN(motion.Samples[0].Velocity + motion.Samples[0].Acceleration) ? _prior : _priorWhenReported;
 
@@ -277,7 +278,7 @@ namespace Nowpose.Prediction.Mixing
             {
                 if (!Has(PredictionParts.RestWeights)) return _overall.Values;
                 var weights = rest.IsAtRest ? _resting : _moving;
-                weights.Solve(_overall.Values, SampleShare(motion));
+                weights.Solve(_overall.Values, 1 - _keeping);
                 return weights.Values;
             }
             var sinceStart = motion.Samples.NewestTime - motion.Start;

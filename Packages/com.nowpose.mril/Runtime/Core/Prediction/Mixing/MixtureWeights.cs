@@ -31,6 +31,9 @@ namespace Nowpose.Prediction.Mixing
         readonly double[] _products;
         readonly double[] _gradient;
 
+        // Gw, kept up to date instead of computed for each solve.
+        readonly double[] _weighted;
+
         /// <param name="regularisation">λ as a share of the minimum mean square among the forecasts.</param>
         /// <param name="prior">The weights without evidence, one per forecast.</param>
         public MixtureWeights(double regularisation, double[] prior)
@@ -39,6 +42,7 @@ namespace Nowpose.Prediction.Mixing
             _regularisation = regularisation;
             _products = new double[_count * _count];
             _gradient = new double[_count];
+            _weighted = new double[_count];
             Values = (double[])prior.Clone();
         }
 
@@ -55,11 +59,13 @@ namespace Nowpose.Prediction.Mixing
         /// <param name="keeping">Forgetting factor, 0 to 1.</param>
         public void Learn(double[] errors, double keeping)
         {
-            var (products, share, k) = (_products, 1 - keeping, 0);
-            for (var i = 0; i < _count; i++)
+            var (products, share, mixture) = (_products, 1 - keeping, 0.0);
+            for (var i = 0; i < errors.Length; i++) mixture += Values[i] * errors[i];
+            for (int i = 0, row = 0; i < errors.Length; i++, row += _count)
             {
                 var error = share * errors[i];
-                for (var j = 0; j < _count; j++, k++) products[k] = keeping * products[k] + error * errors[j];
+                for (var j = 0; j < errors.Length; j++) products[row + j] = keeping * products[row + j] + error * errors[j];
+                _weighted[i] = keeping * _weighted[i] + error * mixture;
             }
             Evidence = keeping * Evidence + share;
         }
@@ -74,7 +80,7 @@ namespace Nowpose.Prediction.Mixing
                 if (_products[i] < min) min = _products[i];
             min += Tiny;
             var pull = _regularisation * min * (1 + PriorSamples * sampleShare / Math.Max(Evidence, Positive));
-            FillGradient(prior, pull);
+            for (var i = 0; i < _gradient.Length; i++) _gradient[i] = _weighted[i] + pull * (Values[i] - prior[i]);
             for (var step = 0; step < Steps; step++)
                 if (!(MoveBestPair(pull) > MinGain * min)) return;
         }
@@ -82,19 +88,9 @@ namespace Nowpose.Prediction.Mixing
         public void Reset(double[] prior)
         {
             Array.Clear(_products, 0, _products.Length);
+            Array.Clear(_weighted, 0, _count);
             Array.Copy(prior, Values, _count);
             Evidence = 0;
-        }
-
-        void FillGradient(double[] prior, double pull)
-        {
-            var (products, values, k) = (_products, Values, 0);
-            for (var i = 0; i < _count; i++)
-            {
-                var sum = pull * (values[i] - prior[i]);
-                for (var j = 0; j < values.Length; j++, k++) sum += products[k] * values[j];
-                _gradient[i] = sum;
-            }
         }
 
         // Moves weight from the forecast with the largest gradient to the one with the smallest. Returns the reduction of the cost.
@@ -116,7 +112,12 @@ namespace Nowpose.Prediction.Mixing
             var move = Math.Min(difference / Math.Max(curvature, Tiny), values[from]);
             values[to] += move;
             values[from] -= move;
-            for (var i = 0; i < gradient.Length; i++) gradient[i] += move * (products[toRow + i] - products[fromRow + i]);
+            for (var i = 0; i < gradient.Length; i++)
+            {
+                var change = move * (products[toRow + i] - products[fromRow + i]);
+                gradient[i] += change;
+                _weighted[i] += change;
+            }
             gradient[to] += pull * move;
             gradient[from] -= pull * move;
             return move * (difference - 0.5 * move * curvature);

@@ -7,15 +7,16 @@ namespace Nowpose.Prediction.Mixing
     static class SpeedLimits
     {
         /// <param name="table">Contains a table of <see cref="ForecastTable"/> from <paramref name="start"/> on, which is changed in place.</param>
+        /// <param name="points">Number of points of the table that are used.</param>
         /// <param name="speed">Mean speed over the interval before the newest sample.</param>
         /// <param name="interval">That interval, in s.</param>
-        public static void Apply(double[] table, int start, double speed, double interval, PredictionLimits limits)
+        public static void Apply(double[] table, int start, int points, double speed, double interval, PredictionLimits limits)
         {
             if (double.IsInfinity(limits.Velocity) && double.IsInfinity(limits.Acceleration)) return;
             // The observed speed overrides a smaller limit, because URDFs can be wrong.
             var max = Math.Max(limits.Velocity, Math.Abs(speed));
             var wanted = table[start];
-            for (var cell = 1; cell < ForecastTable.Points; cell++)
+            for (var cell = 1; cell < points; cell++)
             {
                 var i = start + cell;
                 var displacement = table[i] - wanted;

@@ -37,83 +37,95 @@ namespace Nowpose.Prediction.Repetition
         /// <summary>Grid points between a lag's match and the newest one that the spline of <see cref="MotionHistory"/> needs.</summary>
         const int Margin = 4;
 
-        readonly double[] _costs = new double[MotionHistory.Capacity];
+        readonly MotionHistory _history;
+
+        // One cost per lag, after an infinite one, which is never a minimum.
+        readonly double[] _costs = new double[MotionHistory.Capacity + 1];
         readonly int[] _best = new int[Kept];
         readonly double[] _bestCosts = new double[Kept];
         int _bestCount;
         long _taken;
 
-        // The current pass: its grid point, the next lag, and the costs of the last two lags.
+        // Grid steps between two compared lags and between two compared points, grid points that share a pass, and forgetting factor.
+        int _step, _stride, _parts;
+        double _keeping;
+
+        // The current pass: its grid point, and the number of lags that it has compared.
         long _point;
-        int _lag;
-        double _cost, _costBefore;
+        int _minLag, _compared;
+
+        public LagSearch(MotionHistory history) => _history = history;
 
         /// <summary>The best lags, best first, as many as <see cref="Count"/>.</summary>
         public int[] Lags { get; } = new int[Kept];
 
         public int Count { get; private set; }
 
-        public void Reset()
+        /// <summary>Discards all costs, after the history has been cleared.</summary>
+        public void Start()
         {
             Array.Clear(_costs, 0, _costs.Length);
+            _costs[0] = double.PositiveInfinity;
             _taken = 0;
             Count = 0;
+            if (!(_history.Step > 0)) return;
+            _step = Math.Max(1, (int)(LagStep / _history.Step + 1e-6));
+            _stride = (int)Math.Ceiling(ComparedEvery / _history.Step - 1e-6);
+            _parts = Math.Max(1, (int)(MaxDuration / _history.Step + 1e-6));
+            _keeping = Math.Exp(-_stride * _history.Step / Forgetting);
         }
 
         /// <summary>Processes the new grid points.</summary>
         /// <param name="minLag">Minimum lag in grid steps; smaller lags would compare the motion with itself.</param>
-        public void Follow(MotionHistory history, int minLag)
+        public void Follow(int minLag)
         {
-            if (_taken == history.Count) return;
-            var step = Math.Max(1, (int)(LagStep / history.Step + 1e-6));
-            var stride = (int)Math.Ceiling(ComparedEvery / history.Step - 1e-6);
-            var parts = Math.Max(1, (int)(MaxDuration / history.Step + 1e-6));
-            var keeping = Math.Exp(-stride * history.Step / Forgetting);
-            for (; _taken < history.Count; _taken++)
+            _minLag = minLag;
+            for (; _taken < _history.Count; _taken++)
             {
-                var part = (int)(_taken % stride);
-                if (part >= parts) continue;
-                if (part == 0) Begin(minLag);
-                var longest = (int)Math.Min(Math.Min(MaxLag / history.Step, MotionHistory.Capacity - 1), _point);
-                var lags = Math.Max(0, (longest - minLag) / step + 1);
-                Continue(history, minLag + lags * (part + 1) / parts * step, minLag, step, keeping);
-                if (part < parts - 1) continue;
+                var part = (int)(_taken % _stride);
+                if (part >= _parts) continue;
+                if (part == 0) (_point, _compared, _bestCount) = (_taken, 0, 0);
+                var longest = (int)Math.Min(Math.Min(MaxLag / _history.Step, MotionHistory.Capacity - 1), _point);
+                var lags = Math.Max(0, (longest - minLag) / _step + 1);
+                Continue(lags * (part + 1) / _parts);
+                if (part < _parts - 1) continue;
                 Count = _bestCount;
                 Array.Copy(_best, Lags, Kept);
             }
         }
 
-        void Begin(int minLag)
+        // Adds the squared differences at the next lags to their costs, and finds the local minima.
+        void Continue(int end)
         {
-            (_point, _lag, _bestCount) = (_taken, minLag, 0);
-            // The first lag has no lower neighbour and is never chosen.
-            (_cost, _costBefore) = (double.NegativeInfinity, double.NaN);
-        }
-
-        void Continue(MotionHistory history, int end, int minLag, int step, double keeping)
-        {
-            var (points, costs, now) = (history.Points, _costs, history[_point]);
-            var (newest, cost, costBefore) = ((int)_point, _cost, _costBefore);
-            var longest = (int)Math.Min(_point, MotionHistory.Capacity) - Margin;
-            var i = (_lag - minLag) / step;
-            for (var lag = _lag; lag < end; lag += step, i++)
+            var (points, costs, now, keeping, step, worst) = (_history.Points, _costs, _history[_point], _keeping, _step, Worst);
+            var point = (int)_point - _minLag - _compared * step;
+            for (var i = _compared + 1; i <= end; i++)
             {
-                var difference = now - points[(newest - lag) & MotionHistory.Mask];
-                var next = keeping * costs[i] + difference * difference;
-                costs[i] = next;
-                if (cost < next && cost <= costBefore && lag < longest) Choose(lag - step, cost);
-                (costBefore, cost) = (cost, next);
+                costs[i] = keeping * costs[i] + Square(now - points[point & MotionHistory.Mask]);
+                point -= step;
+                if (costs[i - 1] < worst && costs[i - 1] < costs[i] && costs[i - 1] <= costs[i - 2]) worst = Consider(i - 1);
             }
-            (_lag, _cost, _costBefore) = (end, cost, costBefore);
+            _compared = end;
         }
 
-        void Choose(int lag, double cost)
+        static double Square(double x) => x * x;
+
+        // Returns the cost below which a further lag is kept.
+        double Consider(int i)
         {
-            var place = _bestCount;
-            while (place > 0 && cost < _bestCosts[place - 1]) place--;
-            if (place == Kept) return;
+            var lag = _minLag + (i - 1) * _step;
+            // The first lag has no lower neighbour, and the history must cover the neighbourhood of the last one.
+            if (i > 1 && lag + _step < Math.Min(_point, MotionHistory.Capacity) - Margin) Keep(lag, _costs[i]);
+            return Worst;
+        }
+
+        double Worst => _bestCount < Kept ? double.PositiveInfinity : _bestCosts[Kept - 1];
+
+        void Keep(int lag, double cost)
+        {
             if (_bestCount < Kept) _bestCount++;
-            for (var i = _bestCount - 1; i > place; i--) (_best[i], _bestCosts[i]) = (_best[i - 1], _bestCosts[i - 1]);
+            var place = _bestCount - 1;
+            for (; place > 0 && cost < _bestCosts[place - 1]; place--) (_best[place], _bestCosts[place]) = (_best[place - 1], _bestCosts[place - 1]);
             (_best[place], _bestCosts[place]) = (lag, cost);
         }
     }

@@ -39,13 +39,10 @@ namespace Nowpose.Prediction.Repetition
         /// <summary>Grid points since the start; the newest <see cref="Capacity"/> of them are kept.</summary>
         public long Count { get; private set; }
 
-        /// <summary>Index of the oldest point kept.</summary>
-        public long First => Math.Max(0, Count - Capacity);
-
         /// <summary>The grid points, for loops over many of them.</summary>
         public double[] Points { get; } = new double[RingSize];
 
-        /// <summary>Position at a grid point between <see cref="First"/> and the last.</summary>
+        /// <summary>Position at one of the newest <see cref="Capacity"/> grid points.</summary>
         public double this[long index] => Points[(int)index & Mask];
 
         /// <summary>Clears the history and sets the grid step.</summary>
@@ -123,7 +120,7 @@ namespace Nowpose.Prediction.Repetition
         }
 
         /// <summary>Returns whether <see cref="At"/> has a position for an index.</summary>
-        public bool Covers(double index) => index >= First + 1 && index < Count - 2;
+        public bool Covers(double index) => index < Count - 2 && index >= 1 && index >= Count - Capacity + 1;
 
         double TimeOf(long index) => _start + index * Step;
 

@@ -44,7 +44,7 @@ namespace Nowpose.Prediction.Repetition
 
         readonly double _maximumGap;
         readonly MotionHistory _history = new MotionHistory();
-        readonly LagSearch _search = new LagSearch();
+        readonly LagSearch _search;
         readonly MotionOverlay _overlay;
         readonly int[] _found = new int[LagSearch.Kept];
         readonly double[] _refined = new double[LagSearch.Kept];
@@ -65,6 +65,7 @@ namespace Nowpose.Prediction.Repetition
         {
             _maximumGap = Math.Min(limits.MaximumGap, MaxGap);
             _overlay = new MotionOverlay(_history);
+            _search = new LagSearch(_history);
             Reset();
         }
 
@@ -103,7 +104,7 @@ namespace Nowpose.Prediction.Repetition
         {
             _rhythm = 0;
             _history.Start(0);
-            _search.Reset();
+            _search.Start();
             Array.Clear(_found, 0, _found.Length);
             _matches = 0;
         }
@@ -129,7 +130,7 @@ namespace Nowpose.Prediction.Repetition
             }
             (_newestTime, _newestPosition) = (motion.Samples.NewestTime, motion.Samples.NewestPosition);
             _history.Add(_newestTime, _newestPosition);
-            _search.Follow(_history, MinLag);
+            _search.Follow(MinLag);
             var isSoon = _newestTime - _matchedAt < MinMatchInterval;
             if (before > 0 && (isSoon || motion.Rest.StillSamples > LongRest)) GoOn(before);
             else Match(motion);
@@ -152,6 +153,7 @@ namespace Nowpose.Prediction.Repetition
             Array.Sort(_intervals);
             _rhythm = _intervals[MinSamples / 2];
             _history.Start(_rhythm * Math.Ceiling(MinStep / _rhythm - 1e-6));
+            _search.Start();
             for (var i = MinSamples; i >= 0; i--) _history.Add(samples[i].Time, samples[i].Position);
         }
 
