@@ -7,7 +7,9 @@ namespace Nowpose.Gateway;
 /// <remarks>The .NET runtime raises the soft limit to the hard one when it starts.</remarks>
 static class DescriptorLimit
 {
-    /// <summary>Descriptors of the process without connections: 155 of a gateway that has just started, plus adapters, files and pages.</summary>
+    /// <summary>
+    /// Descriptors of the process without connections: 155 for a gateway that has just started, plus adapters, files and pages.
+    /// </summary>
     internal const int Reserve = 250;
 
     /// <summary>Descriptors that connections must not use.</summary>

@@ -20,8 +20,8 @@ public sealed record GatewayOptions
     public IPAddress Bind { get; init; } = IPAddress.Loopback;
 
     /// <summary>
-    /// Name of the plant's clock that is C1; null for the first that an adapter offers, and the gateway's own until then;
-    /// <see cref="PlantClocks.Own"/> for always the gateway's own.
+    /// Name of the plant's clock that is C1. Null selects the first one that an adapter offers, and the gateway's own until then.
+    /// <see cref="PlantClocks.Own"/> always selects the gateway's own.
     /// </summary>
     public string ControlClock { get; init; }
 

@@ -25,7 +25,7 @@ sealed class GuardedTask(Action task, string failure, Action<string> log)
         }
     }
 
-    /// <summary>Runs an action while the task is not running; waits for its end first.</summary>
+    /// <summary>Waits until the task is not running, and runs an action before it can start again.</summary>
     public void Exclude(Action action)
     {
         lock (_lock) action();

@@ -30,8 +30,8 @@ sealed partial class HtmlPage(string html)
         return response.Body.WriteAsync(_page).AsTask();
     }
 
-    // The page's own policy, which has the hashes of its script and style. Only a header can restrict framing: another site could have the
-    // visitor click in the page, or read it.
+    // The page's own policy, which has the hashes of its script and style. Only a header can restrict framing: another site could make the
+    // visitor click in the page, or could read it.
     static string PolicyOf(string html) => html == null ? null : $"{Policy().Match(html).Groups[1].Value}; frame-ancestors 'none'";
 
     [GeneratedRegex("http-equiv=\"Content-Security-Policy\"\\s+content=\"([^\"]*)\"")]

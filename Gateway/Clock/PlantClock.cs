@@ -43,7 +43,7 @@ public sealed class PlantClock
     /// <inheritdoc cref="Exchanges"/>
     public long Failures => Interlocked.Read(ref _failures);
 
-    /// <summary>The reason of the newest failure; null without one.</summary>
+    /// <summary>The reason of the newest failure; null if there is none.</summary>
     public string LastFailure => _lastFailure;
 
     /// <summary>The current estimate. Φ is this machine's counter minus this clock.</summary>
@@ -65,7 +65,7 @@ public sealed class PlantClock
 
     internal bool IsAskedBy(PlantClockCaller caller) => Volatile.Read(ref _caller) == caller;
 
-    /// <summary>Sets the adapter that offers this clock. The previous one is not asked any more.</summary>
+    /// <summary>Sets the adapter that offers this clock. The previous one gets no more requests.</summary>
     /// <returns>False while it is not <see cref="IsFree"/>.</returns>
     internal bool TryAttach(PlantClockCaller caller)
     {
@@ -82,7 +82,7 @@ public sealed class PlantClock
         return true;
     }
 
-    /// <summary>Reports an answer of an adapter, with a time or without.</summary>
+    /// <summary>Records that an adapter has answered, with or without a time.</summary>
     /// <returns>Whether this adapter is the current one.</returns>
     internal bool TryHear(PlantClockCaller caller)
     {

@@ -34,7 +34,7 @@ public sealed class ServedClock : IControlClock
     public TimeSpan Resolution => Known == null ? _own.Resolution : new TimeSpan(1);
     public double Skew => -Known?.Skew ?? _own.Skew;
 
-    // Null while the gateway's own clock is served, also while the selected clock is unknown.
+    // Null while the gateway's own clock is served, which includes the time in which the selected clock is unknown.
     ClockModel? Known => _plant.Control?.Model is { IsKnown: true } model ? model : null;
 
     /// <summary>State of C1. The gateway's own clock is synchronised, or converging if it is not synchronised with its reference.</summary>
@@ -51,7 +51,7 @@ public sealed class ServedClock : IControlClock
         if (from == _plant.Control) return model.IsKnown;
         var now = _plant.Counter.Now;
         if (!ClockSettings.Default.Trusts(model) || OffsetToControl(model, now) is not { } ahead || !IsNear(time, model.ToControl(now))) return false;
-        // Uses the current difference. Stamps are at most a second old, in which two clocks diverge by microseconds.
+        // Uses the current difference. Stamps are at most a second old. In a second, two clocks diverge by microseconds.
         onControl = time - ahead;
         return true;
     }

@@ -47,7 +47,7 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
     TimeSpan _correction;
     string _said;
 
-    /// <summary>The fault that was found, with its remedy; null without one.</summary>
+    /// <summary>The fault that was found, with its remedy; null if there is none.</summary>
     public StampWarning Found { get; private set; }
 
     /// <summary><see cref="Found"/> as text.</summary>
@@ -56,7 +56,7 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
     /// <summary>Whether most samples of a source in the last seconds cannot be used with the control clock.</summary>
     public bool IsContradicted => Found is { IsContradiction: true };
 
-    /// <summary>The sources whose accepted samples have been in the future for long, and by how much.</summary>
+    /// <summary>The sources whose accepted samples have been in the future for a long time, and by how much.</summary>
     public IReadOnlyList<(string Source, string By)> Ahead { get; private set; } = [];
 
     long Now => time.GetTimestamp() / time.TimestampFrequency;

@@ -21,7 +21,7 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, Door door, Co
 
     public bool IsBuilt => _page.IsBuilt;
 
-    /// <summary>Answers its own requests and passes on the others, WebSockets on every path.</summary>
+    /// <summary>Answers its own requests and passes on all others, including WebSockets on any path.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         // Reads the time first, because any work before it would count as network latency.

@@ -33,7 +33,7 @@ sealed class QrCode : IDisposable
         var text = new StringBuilder();
         for (var row = 0; row < Edge; row += 2)
         {
-            // Black on white independent of the terminal's own colours: not every reader accepts an inverted code.
+            // Black on white regardless of the terminal's own colours: not every reader accepts an inverted code.
             if (hasColours) text.Append("\u001b[30;107m");
             for (var column = 0; column < Edge; column++)
                 text.Append(Block(IsInk(row, column, hasColours), IsInk(row + 1, column, hasColours)));

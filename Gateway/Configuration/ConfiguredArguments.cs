@@ -70,7 +70,7 @@ sealed class ConfiguredArguments
         }
     }
 
-    // The message that the command line would give for an option of another form.
+    // Returns what is wrong with an option's value, in the words of the command line; null for a valid value.
     static string Fault(ConfigurationEntry entry, Option option)
     {
         var takesMany = option.Arity.MaximumNumberOfValues > 1;

@@ -1,7 +1,7 @@
 namespace Nowpose.Gateway.Hub;
 
 /// <summary>The newest message of each name on a topic. Not thread-safe.</summary>
-/// <param name="only">Returns a message with the accepted names of another one only.</param>
+/// <param name="only">Returns a copy of a message that contains only the accepted names.</param>
 sealed class LatchedMessages(Func<HubMessage, Predicate<string>, HubMessage> only)
 {
     readonly Dictionary<string, HubMessage> _newest = [];

@@ -13,7 +13,7 @@ public sealed class MessageHub
     ImmutableDictionary<string, ImmutableArray<Action<HubMessage>>> _subscribers =
         ImmutableDictionary<string, ImmutableArray<Action<HubMessage>>>.Empty;
     readonly Dictionary<(HubSource Source, string Topic), HubMessage> _newest = [];
-    // By topic, which has the robot's namespace.
+    // By topic, including the robot's namespace.
     readonly Dictionary<string, HubMessage> _descriptions = [];
     readonly RobotRegistry _robots = new();
     readonly CellFrames _frames;

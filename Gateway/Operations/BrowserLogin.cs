@@ -4,7 +4,7 @@ using Nowpose.Gateway.Security;
 namespace Nowpose.Gateway.Operations;
 
 /// <summary>Exchanges a token for a session cookie, and ends the session.</summary>
-/// <remarks>The cookie is hidden from scripts and other sites, and with TLS sent over TLS only. It is valid as long as its token.</remarks>
+/// <remarks>Scripts and other sites cannot read the cookie. With TLS, it is sent over TLS only. It is valid as long as its token.</remarks>
 sealed class BrowserLogin(GatewayOptions options, Door door, ConnectionCounters counters, Action<string> log)
 {
     readonly WrongTokens _wrong = new(options.Time);

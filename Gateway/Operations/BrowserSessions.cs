@@ -4,7 +4,10 @@ using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Operations;
 
-/// <summary>Sessions of browsers that have presented a token. They send a random id, as a page cannot store a token safely. Thread-safe.</summary>
+/// <summary>
+/// Sessions of browsers that have presented a token. A browser gets a random id instead of the token, because a page cannot store a token
+/// safely. Thread-safe.
+/// </summary>
 /// <remarks>Kept in memory only, so a restarted gateway requires a new login. A session has the current rights of its token.</remarks>
 sealed class BrowserSessions(TimeProvider time)
 {

@@ -13,7 +13,7 @@ sealed class OperationsRoutes(GatewayOptions options, Door door, ConnectionCount
     readonly HtmlPage _page = new(html);
     readonly BrowserLogin _login = new(options, door, counters, log);
 
-    /// <summary>Answers its own requests and passes on the others, WebSockets on every path.</summary>
+    /// <summary>Answers its own requests and passes on all others, including WebSockets on any path.</summary>
     public async Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         var request = context.Request;

@@ -23,7 +23,7 @@ sealed class PairingRoutes
 
     public PairingPage Page { get; }
 
-    /// <summary>Answers its own requests and passes on the others, WebSockets on every path.</summary>
+    /// <summary>Answers its own requests and passes on all others, including WebSockets on any path.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         var request = context.Request;

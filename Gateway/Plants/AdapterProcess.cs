@@ -24,7 +24,7 @@ sealed class AdapterProcess : IAsyncDisposable
     int _starts;
 
     /// <summary>Starts the program immediately.</summary>
-    /// <param name="log">Receives the program's lines, too.</param>
+    /// <param name="log">Also receives the lines of the program.</param>
     public AdapterProcess(PlantFile plant, AdapterAccess access, TimeProvider time, Action<string> log)
     {
         _plant = plant;

@@ -79,7 +79,7 @@ static class AdapterProgram
     {
         static readonly JsonSerializerOptions Names = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
 
-        /// <exception cref="InputException">The program printed something else, as one of another version may do.</exception>
+        /// <exception cref="InputException">The program printed something else, for example because its version is different.</exception>
         public static PlantContent Read(string file, string json)
         {
             try

@@ -13,9 +13,13 @@ public sealed class RecordedMotion : IMotion
     readonly bool[] _given;
     readonly double[] _rest;
 
-    /// <summary>Assigns columns to joints by name; if any name is not a joint of the robot, to its joints in order.</summary>
+    /// <summary>
+    /// Assigns columns to joints by name. If any name is not a joint of the robot, assigns all columns to its joints in order.
+    /// </summary>
     /// <remarks>Joints without a column stay at 0, or at the limit nearest to 0. Mimic joints follow their masters.</remarks>
-    /// <exception cref="InputException">The recording has more columns than the robot has joints, or the robot has too many joints.</exception>
+    /// <exception cref="InputException">
+    /// The recording has more columns than the robot has joints, or the robot has too many joints.
+    /// </exception>
     public RecordedMotion(MotionRecording recording, RobotModel robot)
     {
         _recording = recording;

@@ -10,8 +10,8 @@ namespace Nowpose.Gateway.Recording;
 
 /// <summary>Records the gateway's traffic to session files while it is enabled. Thread-safe; the hub never waits for it.</summary>
 /// <remarks>
-/// A new robot starts a new file, because a file's header describes one robot; so does reaching the maximum size. A disk error ends the
-/// recording until it is enabled again. The status gives the reason and the number of missing lines.
+/// A new file starts when the robot changes, because a file's header describes one robot, and when the file reaches its maximum size. A
+/// disk error ends the recording until it is enabled again. The status gives the reason and the number of missing lines.
 /// </remarks>
 public sealed class Recorder : IAsyncDisposable
 {
@@ -21,7 +21,7 @@ public sealed class Recorder : IAsyncDisposable
     static readonly string[] RobotTopics = [RosTopics.JointStates, RosTopics.JointTrajectory];
     static readonly TimeSpan TickInterval = TimeSpan.FromSeconds(1);
 
-    /// <summary>Time after which no producer uses the previous file any more.</summary>
+    /// <summary>Time after which no producer uses the previous file.</summary>
     static readonly TimeSpan Retirement = TimeSpan.FromSeconds(0.5);
 
     /// <summary>Timeout for a disk that hangs, not for a slow one.</summary>
@@ -244,7 +244,7 @@ public sealed class Recorder : IAsyncDisposable
         _file = file;
         _log($"recording {file.Path}");
         _traffic.Tick(file);
-        // Published before, and not published again.
+        // These messages were published earlier and are not published again.
         foreach (var topic in LatchedTopics)
             foreach (var message in _hub.ReadLatched(topic, () => 0)) _traffic.Add(file, message);
         _ending.RemoveAll(ended => ended.IsCompleted);

@@ -12,7 +12,7 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, Door do
 {
     const string SwitchPath = "/operations/recording", ListPath = "/operations/recordings", FilePath = ListPath + "/";
 
-    /// <summary>Answers its own requests and passes on the others, WebSockets on every path.</summary>
+    /// <summary>Answers its own requests and passes on all others, including WebSockets on any path.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         if (context.Request.Headers.Upgrade.Count > 0) return next(context);

@@ -27,7 +27,7 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
     /// <summary>Whether values wait outside of the queue.</summary>
     public bool HasMore => _read.Count > 0;
 
-    /// <summary>Begins with the values of today. Call it after the subscription.</summary>
+    /// <summary>Starts with the current values. Call this after the subscription.</summary>
     public void Start() => queue.Writer.TryWrite(Wake);
 
     /// <summary>Takes a message that was dropped from the full queue. Called under the hub's lock, or at the start.</summary>
@@ -40,7 +40,8 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
 
     /// <summary>Takes the next message; null if there is none. For one thread at a time.</summary>
     /// <param name="isOld">
-    /// Whether something of a time, a count of <see cref="Stopwatch"/>, waited too long for the client. The newest values are then sent instead.
+    /// Returns whether a message received at a time, a count of <see cref="Stopwatch"/>, has waited too long for the client.
+    /// The newest values are then sent instead.
     /// </param>
     public HubMessage Next(Func<long, bool> isOld)
     {
@@ -56,7 +57,7 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
         }
     }
 
-    // Replaces what waits by the newest values.
+    // Replaces the waiting messages by the newest values.
     void ReadAgain(long from)
     {
         var waiting = new List<long>();

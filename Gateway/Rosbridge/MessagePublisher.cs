@@ -48,7 +48,7 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
         return null;
     }
 
-    /// <summary>Takes a stamp as evidence about the clocks. A source whose joints belong to another one is not evidence about this cell.</summary>
+    /// <summary>Uses a stamp to check the clocks. The stamps of a source whose joints belong to another source are not used.</summary>
     /// <param name="isRefused">Whether the message was refused because the stamp is in the future.</param>
     public void AddStamp(RosbridgeMessage message, ControlTime stamp, bool isRefused)
     {

@@ -9,7 +9,7 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
 {
     readonly Dictionary<string, Offered> _offers = [];
 
-    /// <summary>The clock that stamps this client's messages: the first it offered, whichever client serves it; null without one.</summary>
+    /// <summary>The clock that stamps this client's messages: the first it offered, whichever client serves it; null if there is none.</summary>
     public PlantClock StampClock { get; private set; }
 
     /// <summary>
@@ -25,7 +25,7 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
         {
             if (clocks.Find(name) is not { } clock)
             {
-                // Its stamps are not on C1 either. A clock without exchanges is set, so that they are not mapped.
+                // The client's stamps are not on C1. A clock without exchanges keeps them from being mapped.
                 StampClock ??= new PlantClock(name, clocks.Counter);
                 return DropReason.OutOfRange;
             }

@@ -35,7 +35,7 @@ static class Publications
     /// <summary>Whether clients can publish on the topic. Only the gateway publishes the state of joints and signals.</summary>
     public static bool IsOpen(RobotTopic topic) => IsKnown(topic) && topic.Kind is not (RosTopics.JointStatus or RosTopics.SignalStatus);
 
-    /// <summary>Whether a type matches that of a known topic, with its ROS 1 or ROS 2 name. No type matches, too.</summary>
+    /// <summary>Whether a type matches that of a known topic, with its ROS 1 or ROS 2 name. A missing type matches, too.</summary>
     public static bool HasType(RobotTopic topic, string type) =>
         string.IsNullOrEmpty(type) || type.Replace("/msg/", "/", StringComparison.Ordinal) == TypeOf(topic);
 
@@ -45,7 +45,7 @@ static class Publications
     /// <summary>Gets the client's own name in a message; null for kinds of messages without one.</summary>
     public static string NameIn(RosbridgeMessage message) => message.Diagnostics?.HardwareId ?? message.Displayed?.FrameId;
 
-    /// <summary>Gets the stamp that must not be in the future; null if there is none. Transforms have a stamp each.</summary>
+    /// <summary>Gets the stamp that must not be in the future; null if there is none. Each transform has its own stamp.</summary>
     public static ControlTime? StampOf(RosbridgeMessage message) =>
         (message.JointState ?? message.Displayed)?.Stamp ?? message.JointTrajectory?.Stamp ?? message.Signals?.Stamp;
 }

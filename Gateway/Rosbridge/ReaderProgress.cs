@@ -113,7 +113,7 @@ sealed class ReaderProgress : IDisposable
         Signal();
     }
 
-    /// <summary>Sends a ping each interval until the client does not answer in time.</summary>
+    /// <summary>Sends a ping in each interval until the client fails to answer in time.</summary>
     /// <exception cref="OperationCanceledException">The wait was cancelled.</exception>
     public async Task BecomesSilentAsync(CancellationToken stop)
     {

@@ -34,7 +34,7 @@ sealed class SendWindow
 
     static readonly TimeSpan Near = TimeSpan.FromMilliseconds(10);
 
-    /// <summary>Target time to read a window. Pings are at least half a window behind the oldest unread byte: at most twice this is unread.</summary>
+    /// <summary>Target time to read a window. A ping is due after half a window of unread data.</summary>
     internal static readonly TimeSpan Target = TimeSpan.FromMilliseconds(200);
 
     /// <summary>

@@ -49,8 +49,8 @@ sealed class Subscription : IDisposable
 
     /// <summary>Sends messages until the subscription is disposed or sending fails.</summary>
     /// <param name="send">
-    /// Sends the message from its argument when the client has room for one. It passes the end of the last time in which messages had to wait
-    /// for the client, a count of <see cref="Stopwatch"/>.
+    /// Waits until the client has room for a message, and sends the one that its argument selects. The argument gets the end of the last time
+    /// in which messages had to wait for the client, a count of <see cref="Stopwatch"/>.
     /// </param>
     public async Task PumpAsync(Func<Func<long, ReadOnlyMemory<byte>>, Task> send, CancellationToken stop)
     {

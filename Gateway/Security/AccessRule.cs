@@ -31,7 +31,10 @@ sealed class AccessRule(GatewayOptions options, BrowserSessions sessions)
         ", ", OwnHosts.Of(context.Connection.LocalIpAddress).Select(host => $"{Scheme}://{host}:{context.Connection.LocalPort}"));
 
     /// <summary>Gets the role of a request, or null if its token is missing or unknown.</summary>
-    /// <remarks>The gateway's own adapter sends its token even if no tokens are required, because it may connect from the bound address.</remarks>
+    /// <remarks>
+    /// The gateway's own adapter sends its token even if no tokens are required, because it may connect from the address that the gateway
+    /// is bound to.
+    /// </remarks>
     public Role? RoleOf(HttpContext context)
     {
         var known = TokenHashOf(context) is { } hash ? options.RoleOf(hash) : null;
@@ -43,7 +46,7 @@ sealed class AccessRule(GatewayOptions options, BrowserSessions sessions)
     /// <summary>Whether the request may control the recorder and pair headsets.</summary>
     public bool IsOperator(HttpContext context) => options.AsksForTokens ? RoleOf(context) == Role.Operator : IsFromHere(context);
 
-    /// <summary>Gets the hash of the token in the request's header or of its browser's login, known or not; null without one.</summary>
+    /// <summary>Gets the hash of the token in the request's header or of its browser's login, known or not; null if there is none.</summary>
     public byte[] TokenHashOf(HttpContext context)
     {
         var values = context.Request.Headers[HeaderNames.Authorization];

@@ -47,7 +47,7 @@ sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters 
     /// <inheritdoc cref="AccessRule.LoginOf"/>
     public Func<bool> LoginOf(HttpContext context) => Rule.LoginOf(context);
 
-    /// <summary>Whether DNS rebinding is excluded for a request. Where tokens are required, a page that uses it has no token.</summary>
+    /// <summary>Whether DNS rebinding is excluded for a request. If tokens are required, a page that uses rebinding has none.</summary>
     public bool IsNoRebinding(HttpContext context) => options.AsksForTokens || IsOwnHost(context);
 
     /// <inheritdoc cref="AccessRule.IsOwnHost"/>

@@ -2,14 +2,14 @@ using System.Globalization;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Logs once each that a certificate will expire soon, that it has expired, and that it was renewed.</summary>
+/// <summary>Logs three events, each once: a certificate will expire soon, has expired, or was renewed.</summary>
 sealed class ExpiryNotice(Action<string> log)
 {
     static readonly TimeSpan Ahead = TimeSpan.FromDays(30);
 
     bool _isClose, _isOver;
 
-    /// <param name="expires">Expiry of the certificate; null without one.</param>
+    /// <param name="expires">Expiry of the certificate; null if there is none.</param>
     public void Look(DateTime? expires, DateTime now)
     {
         if (expires is not { } end) return;

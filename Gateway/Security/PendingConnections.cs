@@ -60,7 +60,7 @@ sealed class PendingConnections(int maxOfAddress, int maxInAll = int.MaxValue)
         return evicted != null;
     }
 
-    // A silent connection if there is one.
+    // Prefers a silent connection.
     PendingConnection OldestOfAll() => _all.FirstOrDefault(one => !one.IsKnown) ?? _all.First?.Value;
 
     internal void MarkKnown(PendingConnection connection)

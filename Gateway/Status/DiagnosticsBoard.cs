@@ -11,7 +11,9 @@ sealed class DiagnosticsBoard(TimeProvider time)
 
     internal const int MaxValues = 256;
 
-    /// <summary>Maximum length of a value, that of the adapters' log lines. The reason for a refused certificate needs half of it.</summary>
+    /// <summary>
+    /// Maximum length of a value, equal to that of an adapter's log line. The reason for a refused certificate needs half of it.
+    /// </summary>
     internal const int MaxValueLength = 1000;
 
     /// <summary>Maximum number of characters of all names and values together.</summary>

@@ -11,7 +11,7 @@ readonly record struct HopTimes(double? PlantMs, double? GatewayMs);
 /// <summary>The diagnostics of headsets and adapters as JSON, with values that the gateway derives from them.</summary>
 static class StatusObjects
 {
-    // Two prefixes: adapters of one release use plant/.
+    // Two prefixes: adapters of an earlier release use plant/.
     static readonly string[] AdapterPrefixes = ["plant/", "adapter/"];
 
     // Keys of the gateway, which diagnostics of clients must not replace.

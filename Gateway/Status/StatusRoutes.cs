@@ -22,7 +22,7 @@ sealed class StatusRoutes(GatewayStatus status, Door door)
         Converters = { new FiniteNumbers() },
     };
 
-    /// <summary>Answers its own requests and passes on the others, WebSockets on every path.</summary>
+    /// <summary>Answers its own requests and passes on all others, including WebSockets on any path.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         if (context.Request.Headers.Upgrade.Count > 0) return next(context);

@@ -58,6 +58,6 @@ static class PlantVerb
         return command;
     }
 
-    // A recorded motion does not tell when it grips.
+    // A recorded motion does not show when it grips.
     static CellWork WorkOf(RobotModel robot, IMotion motion, int robots) => motion is IGrippingMotion gripping ? new CellWork(robot, gripping, robots) : null;
 }

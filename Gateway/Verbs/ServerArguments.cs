@@ -106,7 +106,7 @@ sealed class ServerArguments
     /// <summary>Whether to check the configuration only, without serving.</summary>
     public bool IsCheck(ParseResult parsed) => parsed.GetValue(_check);
 
-    /// <summary>Gets the same as <see cref="Options"/>, without creating or writing a file.</summary>
+    /// <summary>Gets the options like <see cref="Options"/>, but without creating or writing a file.</summary>
     public GatewayOptions Check(ParseResult parsed, Findings findings)
     {
         var (tokens, certificate) = (parsed.GetValue(_tokens), parsed.GetValue(_certificate));
@@ -229,7 +229,7 @@ sealed class ServerArguments
 
     static double? ParseSeconds(ArgumentResult result)
     {
-        const double Last = 4294967295; // what ROS can say
+        const double Last = 4294967295; // the maximum of a time stamp in ROS
         var text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
         if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value) && value >= 0 && value <= Last)
             return value;

@@ -5,8 +5,8 @@ using Nowpose.Protocol.Cell;
 namespace Nowpose.Gateway.Status.Cell;
 
 /// <summary>The objects and signals of the cell with their states. Thread-safe.</summary>
-/// <remarks>What a source has published stays listed after the source has ended, so that its absence is seen, until another source publishes it.</remarks>
-/// <param name="reports">The reports of the adapters, which explain what does not arrive.</param>
+/// <remarks>What a source has published stays listed after its end, so that its absence is visible, until another source publishes it.</remarks>
+/// <param name="reports">The reports of the adapters, which explain missing data.</param>
 sealed class CellBoard(TimeProvider time, CellReports reports)
 {
     /// <summary>Time without a pose after which a tracked frame is stale.</summary>

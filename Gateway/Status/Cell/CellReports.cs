@@ -9,7 +9,7 @@ sealed record CellReport(string Name, string Adapter, AdapterReport Report);
 /// <remarks>A silent adapter is reported as such, and its source ends with its connection, so its old reports are not used.</remarks>
 sealed class CellReports(TimeProvider time)
 {
-    /// <summary>Maximum number of adapters. A gateway has few; diagnostics with invented names must not use memory without end.</summary>
+    /// <summary>Maximum number of adapters. A gateway has few; diagnostics with invented names must not use unlimited memory.</summary>
     internal const int MaxAdapters = 16;
 
     readonly Lock _lock = new();

@@ -18,7 +18,7 @@ sealed class Conditions(
     /// <summary>Timeout of the reports of adapters and headsets, which come once per second.</summary>
     static readonly TimeSpan Silence = TimeSpan.FromSeconds(3);
 
-    /// <summary>Remaining validity from which on a certificate is reported.</summary>
+    /// <summary>Remaining validity below which a certificate is reported.</summary>
     static readonly TimeSpan CertificateNotice = TimeSpan.FromDays(30);
 
     const string DoesNotReport = "does not report";
