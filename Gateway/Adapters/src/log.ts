@@ -8,7 +8,7 @@ export class Log {
   readonly #lately = new Map<string, { lines: number; newest: string }>();
   readonly #secrets: string[];
 
-  /** @param later Schedules a function, which is not run if the process ends before. */
+  /** @param later Schedules a function, which does not run if the process ends first. */
   constructor(
     readonly name: string,
     secrets: string[],

@@ -1,6 +1,9 @@
 import type { Nanoseconds } from '../times';
 
-/** Maximum number of cycles whose values wait for their time, in addition to those of a maximum delay, within which a PLC sends both. */
+/**
+ * Maximum number of cycles whose values wait for their time, beyond the cycles of one maximum delay. A PLC sends values and time within
+ * that delay.
+ */
 const MORE_WAITING = 16;
 
 /** Maximum number of stored times: those of 10 s, the longest delay, for a task of 5 ms. */

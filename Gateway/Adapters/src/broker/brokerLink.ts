@@ -19,7 +19,7 @@ export const DESCRIPTION = 'robot_description';
 export const STATUS = 'joint_status';
 export const ALIVE = 'alive';
 
-/** Gets the topic of a robot; an empty namespace is none. */
+/** Gets the topic of a robot; an empty namespace means none. */
 export const below = (robot: string, topic: string): string => (robot === '' ? topic : `${robot}/${topic}`);
 
 /** Values of ALIVE: bridge and gateway are present, the bridge is present without its gateway, or the bridge is absent. */

@@ -235,7 +235,7 @@ function silenceOf({ intervals, isRepeated }: Track, silence: Nanoseconds): Nano
 }
 
 /**
- * Gets the pose of a frame; null if a number is missing, and a refusal if they are not those of a parent and a rotation.
+ * Gets the pose of a frame; null if a number is missing, and a refusal if the numbers are not a valid parent and rotation.
  * @param numberOf Gets the number of a value; a larger difference of two numbers than `jump` must not be interpolated.
  */
 function poseOf(

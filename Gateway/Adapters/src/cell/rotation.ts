@@ -24,7 +24,7 @@ export function ofVector([x, y, z]: readonly number[]): Quaternion {
  * Gets the rotation of three successive rotations about coordinate axes.
  * @param angles In rad.
  * @param order The axes in the order of the angles, such as "xyz".
- * @param isFixed Whether the axes are those of the parent; otherwise they turn with the rotations before.
+ * @param isFixed Whether the axes are those of the parent; otherwise they turn with the preceding rotations.
  * @remarks Fixed axes: R = R₃ R₂ R₁. Moving axes: R = R₁ R₂ R₃.
  */
 export function ofAngles(angles: readonly number[], order: string, isFixed: boolean): Quaternion {

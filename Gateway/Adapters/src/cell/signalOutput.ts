@@ -71,7 +71,7 @@ export class SignalOutput {
     this.status.signals.fault(this.#nameOf(value), reason);
   }
 
-  /** Counts a value that is invalid. The signal keeps its last valid value, and its state says so. */
+  /** Counts a value that is invalid. The signal keeps its last valid value, and its state shows that the newest value is invalid. */
   refuse(value: number, { reason, text }: Refusal): void {
     this.#valid.delete(value - this.offset);
     this.status.refuse(reason, this.#nameOf(value), text, this.status.signals);

@@ -72,7 +72,7 @@ export class PlantClock {
     return this.#isOffered || this.#isMissing;
   }
 
-  /** The approximate control time now, from the newest reading; null without one. For checking stamps, not for creating them. */
+  /** The approximate control time now, from the newest reading; null if there is none. For checking stamps, not for creating them. */
   get now(): Nanoseconds | null {
     return this.#ahead === null ? null : this.counter() + this.#ahead;
   }

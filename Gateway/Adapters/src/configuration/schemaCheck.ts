@@ -10,7 +10,7 @@ type Described = { $ref?: string; description?: string; enum?: unknown[]; proper
 /** The kinds that the schema describes. */
 export const KINDS = schema.properties.plant.properties.kind.enum;
 
-/** Gets the entries that any kind has at the top level, or in the section at this path. */
+/** Gets the names of all entries that a kind of plant may have at the top level, or in the section at this path. */
 export const knownEntries = (path: string[]): string[] =>
   KINDS.flatMap(kind => {
     const top = (schema.$defs as Record<string, Described>)[kind];

@@ -4,7 +4,7 @@ import { ConfigurationError, type Problem } from './problem';
 
 export type Path = readonly (string | number)[];
 
-/** Replaces characters that would break a line, or that nobody sees, by their code. */
+/** Replaces characters that would break a line or are invisible by their code. */
 const visible = (key: string): string =>
   key.replace(/[\p{C}\p{Zl}\p{Zp}]/gu, character => `\\u${character.charCodeAt(0).toString(16).padStart(4, '0')}`);
 

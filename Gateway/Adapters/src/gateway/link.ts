@@ -21,7 +21,7 @@ const OFFER_MS = 5000;
 /** Maximum number of stored status texts. */
 const MAX_STATUSES = 32;
 
-/** A gateway's status while the stamping clock is unknown. During this time it may still be measuring it. */
+/** Status text of a gateway that does not know the stamping clock, for example because it is still measuring the clock. */
 const UNSYNCHRONISED = /\(Unsynchronised\)$/;
 const MEASURING_MS = 20_000;
 

@@ -10,7 +10,7 @@ export const DIAGNOSTICS = '/nowpose/diagnostics';
 export const JOINT_STATUS = '/nowpose/joint_status';
 export const SIGNAL_STATUS = '/nowpose/signal_status';
 
-/** Gets the topic of a robot in a namespace; an empty one is none. */
+/** Gets the topic of a robot in a namespace; an empty namespace means none. */
 export const topicOf = (robot: string, topic: string): string => (robot === '' ? topic : `/${robot}${topic}`);
 
 /** Gets the type of a topic of the gateway, with or without the namespace of a robot. */

@@ -51,7 +51,7 @@ export async function run(context: AdapterContext): Promise<void> {
   }
 }
 
-/** Gets this application's certificate as soon as its folder is accessible; null if the adapter must end before. */
+/** Gets this application's certificate as soon as its folder is accessible; null if the adapter is stopped first. */
 async function certificateOf({ status, stopping }: AdapterContext, { security }: OpcUaSettings, trust: TrustList): Promise<OwnCertificate | null> {
   const backoff = new Backoff();
   while (!stopping.aborted) {

@@ -12,7 +12,7 @@ const CURRENT_TIME = 'ns=0;i=2258';
 /** A clock that stands still for longer than this is less accurate than the time of the answers. */
 const STANDS: Nanoseconds = 16n * NS_PER_MS;
 
-/** Maximum difference for the time of the answers to be of the same clock: some servers write CurrentTime once a second. */
+/** Maximum difference at which CurrentTime and the time of the answers count as one clock. Some servers write CurrentTime once a second. */
 const SAME_CLOCK: Nanoseconds = 3000n * NS_PER_MS;
 
 /**

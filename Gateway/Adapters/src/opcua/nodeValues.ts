@@ -18,7 +18,7 @@ export const isGood = (status: StatusCode): boolean => severity(status) === 0;
 
 const GONE = ['BadNodeIdUnknown', 'BadNodeIdInvalid'];
 
-/** Whether the server does not have the node (any more). */
+/** Whether the server does not have the node, or no longer has it. */
 export const isGone = (status: StatusCode): boolean => GONE.includes(status.name);
 
 export const isOverflown = (status: StatusCode): boolean => (status.value & OVERFLOW) !== 0;

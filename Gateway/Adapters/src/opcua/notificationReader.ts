@@ -74,7 +74,7 @@ export class NotificationReader {
     this.hold(time, new Set(this.#readers.flatMap((values, node) => (nodes.has(node) ? [] : values))));
   }
 
-  /** Reports that the server does not have this node (any more). */
+  /** Reports that the server does not have this node, or no longer has it. */
   lose(node: number, reason: string): void {
     for (const value of this.#readers[node]) this.context.output.lose(value, reason);
   }
@@ -84,7 +84,7 @@ export class NotificationReader {
     for (const value of this.#readers[node]) this.context.output.refuse(value, reason, text);
   }
 
-  /** Sets how to find out when the source of a node stopped writing it. */
+  /** Sets the function that returns when the source of a node stopped writing it. */
   set stopOf(stopOf: (node: number) => SourceStop | null) {
     this.context.output.sourceStopOf = value => stopOf(this.#readers.findIndex(values => values.includes(value)));
   }

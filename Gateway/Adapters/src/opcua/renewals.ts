@@ -50,7 +50,7 @@ export class Renewals {
 
   /**
    * Reports the source timestamp of a value that did not change. Returns whether the source has written it again.
-   * @param isInFault Whether the source is known to have stopped. Otherwise the interval was a normal one, also if it was long.
+   * @param isInFault Whether the source is known to have stopped. Otherwise even a long interval counts as normal.
    */
   unchanged(node: number, stamp: Nanoseconds | null, isInFault = false): boolean {
     const known = this.#nodes[node];

@@ -10,7 +10,10 @@ import { sourceStamp } from './stamps';
 /** Time without a notification after which a node is read. */
 const SILENT_MS = 60;
 
-/** If reads differ from the last notification for this long and this multiple of the normal delay, the server no longer sends notifications. */
+/**
+ * If reads differ from the last notification for this time and for this multiple of the normal delay, the server has stopped sending
+ * notifications.
+ */
 const DIFFERENT_MS = 400;
 const DELAYS = 2;
 
@@ -20,7 +23,7 @@ interface NodeState {
   value: DataValue | null;
   /** Whether the server does not have the node, or does not monitor it. */
   isGone: boolean;
-  /** Whether its value was unusable when it was read, without a notification of it. */
+  /** Whether a read found its value unusable although the server had sent no notification of it. */
   isBad: boolean;
   /** Time of the first of the consecutive reads that differ from the last notification; null if the last one does not differ. */
   differsSince: number | null;

@@ -71,7 +71,7 @@ export class RobotClock {
 
   /**
    * @param arrived Arrival time on this machine's counter.
-   * @param asked Time of the request whose answer arrived just before this package; null without one.
+   * @param asked Time of the request whose answer arrived just before this package; null if there is none.
    */
   heard(timestamp: Nanoseconds, arrived: Nanoseconds, asked: Nanoseconds | null): void {
     this.#age(arrived);

@@ -96,7 +96,7 @@ export class EndOfData {
     return median(this.#intervals().slice(-RECENT));
   }
 
-  /** Takes a sample that is newer than the one before. */
+  /** Takes a sample that is newer than the previous one. */
   add(stamp: Nanoseconds, position: number): void {
     this.#start ??= stamp;
     const time = this.#secondsOf(stamp);
@@ -131,7 +131,7 @@ export class EndOfData {
     return after.length > GOES_ON_STEPS && after.at(-1)!.time - from > GOES_ON_S && directions.size === 1 && !directions.has(0);
   }
 
-  /** Stamp of the last sample; null without one. */
+  /** Stamp of the last sample; null if there is none. */
   get newest(): Nanoseconds | null {
     return this.#newest;
   }

@@ -37,7 +37,7 @@ export class ControlClock {
   }
 }
 
-/** A date and the rest below its millisecond, as the library takes both. */
+/** A date and the fraction below its millisecond: the library takes them separately. */
 const dated = ns => ({ date: new Date(Number(ns / 1_000_000n)), picoseconds: Number(ns % 1_000_000n / 100n) * 100_000 });
 
 const halves = ns => [Number(BigInt.asUintN(64, ns) >> 32n), Number(ns & 0xffffffffn)];

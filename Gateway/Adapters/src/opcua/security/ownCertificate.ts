@@ -67,7 +67,7 @@ function fits(certificate: Buffer, pem: string): boolean {
   }
 }
 
-/** Writes a file with all of its content at once, unless another program was first; only its owner can read it. */
+/** Writes a complete file, readable only by its owner, unless another program has written it first. */
 function writeFirst(file: string, content: string | Buffer): void {
   const draft = `${file}.${randomUUID()}`;
   try {
