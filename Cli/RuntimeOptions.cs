@@ -5,7 +5,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli;
 
-/// <c>--estimator</c> and <c>--profile</c>: settings of the runtime that several verbs take alike.
+/// <c>--estimator</c> and <c>--profile</c>: settings of the runtime that several verbs accept in the same way.
 static class RuntimeOptions
 {
     public static Option<string> Estimator() => ChoiceOption.Create(

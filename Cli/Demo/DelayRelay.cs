@@ -30,7 +30,7 @@ sealed class DelayRelay : IDisposable
     public void Dispose()
     {
         _listener.Stop();
-        // The list does not change any more after this.
+        // The list no longer changes after this.
         _accepting.Join();
         foreach (var connection in _connections) connection.Dispose();
     }

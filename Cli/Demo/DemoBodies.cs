@@ -24,7 +24,7 @@ sealed class DemoBodies(CellWork work)
         if (session == null || session == _followed) return;
         _followed = session;
         foreach (var name in _names) session.Frames.Need(name);
-        // Shown too, because the objects stand on them later.
+        // Also requested, because the objects stand there later.
         session.Frames.Need(CellWork.Conveyor);
         foreach (var robot in work.Robots) session.Frames.Need(robot.Fixture);
     }

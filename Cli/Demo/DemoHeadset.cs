@@ -36,7 +36,7 @@ sealed class DemoHeadset : IDemoHeadset
             var component = roots.SelectMany(root => root.GetComponentsInChildren<MrilSession>(includeInactive: true)).Single();
             component.HeadsetClock = clock;
             component.Settings = settings;
-            // The demo has calibrated it. Profiles stored on this machine belong to other devices.
+            // The demo has calibrated the headset. Profiles stored on this machine belong to other devices.
             foreach (var loader in roots.SelectMany(root => root.GetComponentsInChildren<LatencyProfileLoader>(includeInactive: true)))
                 loader.enabled = false;
         });

@@ -11,7 +11,7 @@ sealed class SessionLog
     readonly Lock _gate = new();
     readonly List<SyncExchange> _exchanges = new(ExpectedExchanges);
 
-    // With capacity for all samples: the frame is checked for allocations, and this list is filled within it.
+    // Has capacity for all samples, because it is filled within the frame, which is checked for allocations.
     readonly List<TimeSpan> _latencies;
 
     /// <param name="samples">Expected number of samples; more are accepted.</param>
@@ -26,7 +26,7 @@ sealed class SessionLog
         lock (_gate) return [.. _exchanges];
     }
 
-    /// <summary>Follows a session. The exchanges of a former one are forgotten.</summary>
+    /// <summary>Follows a session. Discards the exchanges of the previous one.</summary>
     public void Follow(CompensationSession session)
     {
         lock (_gate) _exchanges.Clear();

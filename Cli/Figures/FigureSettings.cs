@@ -37,7 +37,7 @@ sealed record FigureSettings
     /// <summary>The profile of the swing's display; null to measure it.</summary>
     public LatencyProfile Profile { get; init; }
 
-    /// <summary>Those of <see cref="OurPredictors"/> that the sweeps compare with the paper's.</summary>
+    /// <summary>The predictors of <see cref="OurPredictors"/> that the sweeps compare with the paper's.</summary>
     public IReadOnlyList<string> Ours { get; init; } = OurPredictors;
 
     /// <summary>The paper's conditions: T_s 50 ms, L 100 ms, 60 frames a second.</summary>

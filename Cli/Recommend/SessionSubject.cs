@@ -24,7 +24,7 @@ sealed class SessionSubject : ISubject
 
     public ReplayResult Try(string predictor, Half half, double? blendMs, CancellationToken cancellation)
     {
-        // With the plan, all candidates would show the same.
+        // With the plan, all candidates would show the same positions.
         var settings = new ReplaySettings { Predictor = predictor, Blend = blendMs / 1000, FollowPlan = false };
         var replay = new SessionReplay(_path, _session, _truth, settings);
         return half == Half.First ? replay.Run(0, _middle, cancellation) : replay.Run(_middle, _session.Events.Count, cancellation);

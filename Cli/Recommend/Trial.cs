@@ -17,7 +17,7 @@ sealed record Trial(string Predictor, ReplayResult First, ReplayResult Second)
     /// <summary>Gets the relative error reduction over another, for both halves: 0.1 is a tenth less. Null if the other has no error.</summary>
     public double? GainOver(Trial other) => Share(Rms, other.Rms);
 
-    /// <summary>Gets the same for one half.</summary>
+    /// <summary>Gets the relative error reduction over another, for one half.</summary>
     public double? GainOver(Trial other, Half half) => Share(On(half).Rms, other.On(half).Rms);
 
     public bool IsBetterThan(Trial other, Half half) => On(half).Rms < other.On(half).Rms;

@@ -12,7 +12,7 @@ sealed class Verdict
     /// <summary>Minimum gain for a recommendation other than the default.</summary>
     public const double MinGain = 0.02;
 
-    /// <param name="subject">The subject on which they were tried.</param>
+    /// <param name="subject">The subject on which the candidates were tried.</param>
     /// <param name="trials">The trials, including those of the default and of hold.</param>
     public Verdict(ISubject subject, IReadOnlyCollection<Trial> trials)
     {

@@ -11,7 +11,7 @@ namespace Nowpose.Cli.Replay;
 /// </remarks>
 sealed class SessionBodies
 {
-    /// <summary>As for the joints.</summary>
+    /// <summary>The same number as for the joints.</summary>
     const int SamplesBeforeScoring = 5;
 
     readonly RecordedSession _session;
@@ -34,7 +34,7 @@ sealed class SessionBodies
         }
     }
 
-    /// <summary>Gets the result of each object that moves. When cancelled, it has the results so far.</summary>
+    /// <summary>Gets the result of each object that moves. When cancelled, it returns the results so far.</summary>
     public IReadOnlyList<BodyReplayResult> Run(CancellationToken cancellation = default)
     {
         foreach (var next in _session.Events)

@@ -38,7 +38,7 @@ static class HeadsetCode
         return best.Share < MinShare ? Reading.Not("two codes alike") : Reading.Of(value);
     }
 
-    /// <summary>Fits the pairs by two codes; the same code twice for one.</summary>
+    /// <summary>Fits two codes to the pairs. They are the same code if the exposure shows only one.</summary>
     static (double Unexplained, double Share, double Amplitude) Fit(CodeContrasts contrasts, int first, int second)
     {
         // Pairs that are equal in both codes show the sum of both lights, the others the difference.

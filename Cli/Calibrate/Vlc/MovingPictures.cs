@@ -22,7 +22,7 @@ static class MovingPictures
     /// <summary>Maximum share of the read pictures that may be moving. Above it, the series was not taken with a still headset.</summary>
     const double MaxShare = 0.5;
 
-    /// <summary>Returns the same pictures in the same order, with those taken in motion rejected: all of them if most were.</summary>
+    /// <summary>Returns the same pictures in the same order. Rejects those taken in motion, and all of them if most were.</summary>
     /// <param name="refusal">The reason why all are rejected; null if they are not.</param>
     public static IReadOnlyList<PictureResult> Rejected(IReadOnlyList<PictureResult> pictures, out string refusal)
     {
@@ -51,7 +51,7 @@ static class MovingPictures
         var ms = to.Ms - from.Ms;
         if (ms <= 0 || ms > MaxIntervalMs) return default;
         CodePlaces before = from.Picture.Places, after = to.Picture.Places;
-        // The same scale in both directions of time.
+        // Uses the same scale for both directions of time.
         var scale = 2000 / (ms * (before.ControlSide + after.ControlSide));
         return (scale * (after.Control.X - before.Control.X), scale * (after.Control.Y - before.Control.Y));
     }

@@ -35,7 +35,9 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
                     + "if the control code is displayed late, state the delay with --control-delay-ms");
     }
 
-    /// <summary>Reads the control's code. LEDs show a run of codes. A monitor shows one code per frame, but any code may follow.</summary>
+    /// <summary>
+    /// Reads the code of the control clock. LEDs show a run of codes. A monitor shows one code per frame, and any code can come next.
+    /// </summary>
     static Reading ReadControl(CodeContrasts contrasts, double[] delaysMs)
     {
         Reading run = ControlCode.Read(contrasts, delaysMs), frame = HeadsetCode.Read(contrasts, minStep: 1);

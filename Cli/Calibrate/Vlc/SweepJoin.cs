@@ -5,10 +5,10 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>Finds the frame of a sweep that a picture's headset code belongs to.</summary>
 /// <remarks>
-/// Codes repeat after 65.5 s. In a shorter sweep, a code matches one frame, and the pictures may have any order. In a longer one, a code may
-/// match several frames, and the pictures' order tells which: that in which they were taken, or the reverse. Of all assignments whose
-/// frames never go back, the one with the most assigned pictures is used. A picture that was misread, or whose frame is not in the log,
-/// stays unassigned and does not affect the others. The camera may start at any time.
+/// Codes repeat after 65.5 s. In a shorter sweep, a code matches one frame, and the pictures may have any order. In a longer one, a code
+/// may match several frames, and the order of the pictures shows which one: the order in which they were taken, or its reverse. Of all
+/// assignments whose frames never go back, the one with the most assigned pictures is used. A picture that was misread, or whose frame is
+/// not in the log, stays unassigned and does not affect the others. The camera may start at any time.
 /// </remarks>
 sealed class SweepJoin
 {

@@ -4,8 +4,9 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>The read pictures of a series in the order of their control time, with that time relative to one of them.</summary>
 /// <remarks>
-/// Codes repeat after 65.5 s. The given order tells the period if it is that of the camera, or the reverse. In any other order, all pictures
-/// count as taken within one period. The result is the same for all orders of a series that is shorter than half a period.
+/// Codes repeat after 65.5 s. The given order shows the period of each picture if it is the camera's order, or its reverse. In any other
+/// order, all pictures count as taken within one period. The result is the same for all orders of a series that is shorter than half a
+/// period.
 /// </remarks>
 sealed class TimeOrder
 {

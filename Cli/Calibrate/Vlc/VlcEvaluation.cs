@@ -27,7 +27,7 @@ sealed class VlcEvaluation
     public VlcEvaluation(VlcResult result, IReadOnlyList<SweepRow> sweep, EarlierProfile earlier)
     {
         _result = result;
-        // Without a picture, the sweep says nothing.
+        // Without a picture, the sweep has no use.
         if (result.Read.Count == 0) sweep = null;
         var sensitivity = sweep == null ? null : LoadSensitivity.Judge(sweep);
         if (sweep != null) Pictures = Joined(sweep, sensitivity.Source);
@@ -38,7 +38,7 @@ sealed class VlcEvaluation
         Page = earlier.WithWarnings(fit != null ? RangeProfile.Page("Visible light", Profile, fit, Pictures, Facts(), _warnings) : PlainPage());
     }
 
-    /// <summary>The pictures joined with the sweep; empty without one.</summary>
+    /// <summary>The pictures joined with the sweep; empty if there is none.</summary>
     public IReadOnlyList<MeasuredPicture> Pictures { get; } = [];
 
     /// <summary>The profile, or null if there are too few pictures.</summary>

@@ -28,7 +28,7 @@ static class PaperSession
             var run = await DemoStage.PlayAsync(settings with { Profile = calibration.Profile }, repeat == 1 ? output.SessionPath : null, cancel);
             // A clock that does not become synchronised is a result: its claim does not hold.
             if (!cancel.IsCancellationRequested && run.Failure(needsClock: false) is string failure) throw new DemoFailedException(failure);
-            // Claims need whole repeats. An interrupted first one still has the demo's results.
+            // Claims need complete repeats. An interrupted first repeat still has the demo's results.
             if (repeat == 1 || !cancel.IsCancellationRequested) runs.Add(new PaperRun(repeat, run, swing));
         }
         if (runs.Count > 0) Finish(runs, firstCalibration, output);

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Demo.Virtual;
 
-/// <summary>A headset clock that is set. Each reading advances it by a microsecond, like some work.</summary>
+/// <summary>A headset clock whose time is set by its owner. Each reading advances it by a microsecond, as if work had been done.</summary>
 sealed class VirtualHeadsetClock : IHeadsetClock
 {
     static readonly TimeSpan Work = TimeSpan.FromMicroseconds(1);

@@ -87,7 +87,7 @@ static class Figure11
         ];
     }
 
-    // Of normal scatter, all but 2 % are within two deviations.
+    // Of normally distributed values, all but 2 % are within two deviations.
     static bool IsInside(IEnumerable<MeasuredPicture> load)
     {
         var (median, deviation) = Middle.Of(load.Select(each => each.RenderMs.Value));

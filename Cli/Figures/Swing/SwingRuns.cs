@@ -9,8 +9,8 @@ using Nowpose.Studies;
 namespace Nowpose.Cli.Figures.Swing;
 
 /// <summary>
-/// The swing by the whole chain in virtual time: sampling and stamps in the control system, a simulated network, the clock by RANSAC,
-/// L_visu from pictures of the simulated display, the session's prediction and forward kinematics.
+/// Plays the swing through the whole chain in virtual time: sampling and stamps in the control system, a simulated network, the clock by
+/// RANSAC, L_visu from pictures of the simulated display, the session's prediction and forward kinematics.
 /// </summary>
 sealed class SwingRuns
 {
@@ -65,7 +65,7 @@ sealed class SwingRuns
 
     StudyFrame[] Play(int scenario, string predictor, int run)
     {
-        // Each run has another phase of the swing relative to samples and frames.
+        // Each run has a different phase of the swing relative to samples and frames.
         var swing = Scenarios[scenario].SwingAfter(PaperScenario.SamplingMs / 1000 * run / _settings.Phases);
         var given = Conditions with { Seconds = swing.Motion.Seconds, Seed = _settings.Seed * 1000 + run, Profile = Profile };
         var settings = PaperScenario.Of(given, swing) with { Predictor = predictor };
