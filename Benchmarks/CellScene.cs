@@ -53,7 +53,7 @@ sealed class CellScene : IDisposable, IHeadsetClock
         _player.Step(_frame * FrameSeconds);
     }
 
-    /// <summary>Runs only the plants' part of it.</summary>
+    /// <summary>Runs only the plants' part of a frame.</summary>
     public void Receive()
     {
         _frame++;

@@ -8,7 +8,7 @@ namespace Nowpose.Benchmarks;
 /// </summary>
 public class SceneBenchmarks : IDisposable
 {
-    /// <summary>How many are in the scene.</summary>
+    /// <summary>Number of robots in the scene.</summary>
     public const int Robots = 50;
 
     CellScene _scene;

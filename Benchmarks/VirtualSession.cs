@@ -56,7 +56,7 @@ sealed class VirtualSession
         return session;
     }
 
-    /// <summary>The next sample arrives.</summary>
+    /// <summary>Receives the next sample.</summary>
     /// <returns>Arrival time of the sample.</returns>
     public HeadsetTime Sample()
     {

@@ -15,7 +15,9 @@ public sealed class VisionPool : IDisposable
     /// <summary>Number of pictures per worker. The start of a worker takes as long as reading about that many pictures.</summary>
     const int PicturesPerWorker = 12;
 
-    /// <summary>Number of consecutive pictures that end a worker after which the cause is assumed not to be the pictures.</summary>
+    /// <summary>
+    /// Number of consecutive pictures that end a worker. From this number on, the cause is assumed to be something other than the pictures.
+    /// </summary>
     const int MaxEnded = 3;
 
     readonly string _script;

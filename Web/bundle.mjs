@@ -23,7 +23,7 @@ const licences = {
   uPlot: read('node_modules/uplot/LICENSE'),
   'qrcode-generator': `${maker}\n\n${mit}`,
   'three.js': read('node_modules/three/LICENSE'),
-  // Its text is the same in every package with this licence.
+  // The text of this licence is the same in every package.
   'urdf-loader': `${readme.slice(readme.indexOf('Copyright ©')).trim()}\n\n${read('node_modules/playwright-core/LICENSE').replace(/(?<=END OF TERMS AND CONDITIONS)[^]*/, '')}`,
 };
 const plots = ['uPlot'], robots = ['three.js', 'urdf-loader'];

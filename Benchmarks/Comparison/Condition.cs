@@ -3,7 +3,7 @@ using Nowpose.Studies;
 namespace Nowpose.Benchmarks.Comparison;
 
 /// <summary>A kind of motion with the sampling and transmission of its samples.</summary>
-/// <param name="Name">For tables.</param>
+/// <param name="Name">Name for tables.</param>
 /// <param name="Motion">Creates the motion for a seed.</param>
 public sealed record Condition(string Name, Func<int, AxisMotion> Motion, StudySettings Settings)
 {

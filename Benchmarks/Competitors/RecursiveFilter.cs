@@ -10,7 +10,7 @@ abstract class RecursiveFilter : Forecaster
     /// <summary>The newest sample, and the previous one for the interval.</summary>
     public override int Samples => 2;
 
-    /// <summary>Position of the sample before that of <see cref="Update"/>.</summary>
+    /// <summary>Position of the sample before the one that <see cref="Update"/> receives.</summary>
     protected double Newest { get; private set; }
 
     public override bool Solve(MotionState motion)

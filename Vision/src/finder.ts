@@ -31,7 +31,7 @@ const minShare = 0.6;
 const minShareOfCertain = 0.88;
 /** Minimum share of agreeing steps of a second code of one kind. A part of another object may resemble a code up to this share. */
 const minShareOfSecond = 0.8;
-/** The same where no code of the other kind is found: this may be one that a bright scene makes similar to the first kind. */
+/** The same threshold if no code of the other kind is found: a bright scene may have made that code similar to the first kind. */
 const minShareOfOnlyKind = 0.9;
 /** Minimum agreement of a candidate before any refinement. */
 const minShareOfGuess = 0.1;
@@ -121,7 +121,7 @@ const isCode = (fit: Fit, layer: Layer) => fit.light >= minLight && fit.share >=
 
 const isCertain = ({ share }: Fit) => share >= minShareOfCertain;
 
-/** Leaves out weak fits of a kind of which there is a stronger one: parts of other objects, and codes of the other kind. Expects the best fit first. */
+/** Leaves out weak fits if there is a stronger one of their kind: they are other objects, or codes of the other kind. Expects the best fit first. */
 function withoutResemblances(codes: Fit[]): Fit[] {
   const isOnlyKind = codes.every(code => code.kind === codes[0].kind);
   return codes.filter(fit => {

@@ -139,7 +139,7 @@ export class Chart {
         },
       },
       hooks: {
-        // uPlot ranges its scales after the constructor has returned.
+        // uPlot determines the ranges of its scales after the constructor has returned.
         ready: [
           () => {
             this.full = { x: this.range('x'), y: this.range('y') };
@@ -174,7 +174,7 @@ function tick(value: number): string {
 const redrawAll = () => charts.forEach(c => c.plot.redraw(false));
 onColoursChanged(redrawAll);
 
-// A canvas does not adapt to the narrower page and the light colours of a print without help.
+// A canvas does not adapt by itself to the narrower page and the light colours of a print.
 function print(printing: boolean): void {
   document.documentElement.classList.toggle('printing', printing);
   charts.forEach(c => c.fit());

@@ -89,7 +89,7 @@ export class Bodies {
     for (const part of Object.keys(PARTS) as Part[]) if (this.isShown(part)) box.expandByObject(this.robots[part].root);
   }
 
-  /** Gets the pose of a link in the robot's base frame; null for an unknown one or one that is not drawn. */
+  /** Gets the pose of a link in the robot's base frame; null for a link that is unknown or not drawn. */
   linkOf(part: Part, name: string): Matrix4 | null {
     const { root } = this.robots[part];
     const link = linkOf(this.robots[part], name);

@@ -7,7 +7,7 @@ const AXES = 0.05;
 const MAX_DEPTH = 16;
 const MAX_FRAMES = 256;
 
-/** Time after which a pose is not drawn any more without a newer one, s. */
+/** Time after which a pose is no longer drawn unless a newer one arrives, s. */
 const MAX_AGE = 1;
 
 /** Samples kept per frame: more than the shown delay at 100 samples a second. */

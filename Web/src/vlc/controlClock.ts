@@ -4,7 +4,7 @@ export interface Exchange {
   t2: bigint;
   t3: bigint;
   t4: number;
-  /** Resolution of the control clock, ns. It shows the beginning of a step. */
+  /** Resolution of the control clock, ns. The clock shows the beginning of a step. */
   resolutionNs: number;
 }
 
