@@ -143,7 +143,7 @@ namespace Nowpose.Anchoring.Tracking
                 case SightingFault.Behind: return "is behind you: look at it";
                 case SightingFault.OtherSize: return "does not have the configured size";
                 case SightingFault.TwoPlaces: return "is in two places: cover one";
-                case SightingFault.Old: return "is not in view any more: look at it";
+                case SightingFault.Old: return "is no longer in view: look at it";
                 default: return "is not placed by the headset yet: look at it";
             }
         }

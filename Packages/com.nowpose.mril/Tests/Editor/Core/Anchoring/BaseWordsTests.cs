@@ -64,7 +64,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Report(RigidTransform.FromXyzRpy(1.2, -0.4, 0.3, 0, -1, 0));
             Assert.That(Words(), Is.EqualTo("marker 'a' is behind you: look at it"));
             Report(ageSeconds: 1);
-            Assert.That(Words(), Is.EqualTo("marker 'a' is not in view any more: look at it"));
+            Assert.That(Words(), Is.EqualTo("marker 'a' is no longer in view: look at it"));
         }
 
         [Test]
