@@ -20,7 +20,9 @@ namespace Nowpose.Frames
         /// </summary>
         const PredictionParts Parts = PredictionParts.All & ~PredictionParts.FirstMoves & ~PredictionParts.Profiles;
 
-        /// <summary>Forecasts beside <c>adaptive</c>, hold first: the fixed ones, and least squares over more samples for noise.</summary>
+        /// <summary>
+        /// Forecasts in addition to <c>adaptive</c>: hold first, then the fixed ones, and least squares over more samples against noise.
+        /// </summary>
         static readonly string[] MixedWithAdaptive = { "hold", "linear", "quadratic", "quadratic-h4", "linear-h4", "linear-h9" };
 
         readonly VectorMixture _position;

@@ -62,7 +62,7 @@ namespace Nowpose.Frames
         /// <summary>Stamp of the newest pose; null before the first, and for a stationary frame.</summary>
         public ControlTime? Newest => _isStationary ? null : _newest;
 
-        /// <summary>Adds a received pose, whose parent may be another one than before.</summary>
+        /// <summary>Adds a received pose, whose parent may differ from the previous one.</summary>
         /// <param name="epoch">Time from which the predictor counts.</param>
         public DropReason Add(in FrameTransform pose, bool isStationary, ControlTime epoch)
         {
@@ -87,7 +87,7 @@ namespace Nowpose.Frames
             _isReachWaiting = true;
         }
 
-        /// <summary>Returns the pose in <see cref="SourceParent"/> at another time than the displayed one, as its source says.</summary>
+        /// <summary>Returns the pose in <see cref="SourceParent"/> at a time other than the displayed one, according to its source.</summary>
         /// <param name="time">Time since the epoch, s.</param>
         public RigidTransform PoseAt(double time, out PoseOrigin origin)
         {
@@ -100,8 +100,9 @@ namespace Nowpose.Frames
         }
 
         /// <summary>
-        /// Changes to the parent of the waiting poses, or to the place by a gripper's reach. With another parent, the history starts again with them, and the displayed pose goes on from
-        /// <see cref="World"/>, which must be the one that the former parent gives at the next display time.
+        /// Changes to the parent of the waiting poses, or to the place by a gripper's reach. With another parent, the history starts again
+        /// with them, and the displayed pose continues from <see cref="World"/>, which must be the one that the former parent gives at the
+        /// next display time.
         /// </summary>
         public void ChangeParent(ControlTime epoch)
         {
@@ -109,7 +110,7 @@ namespace Nowpose.Frames
             if (_isReachWaiting) _reach = _nextReach;
             _isReachWaiting = false;
             if (_waitingCount == 0) return;
-            // The object's source decides: it has given it another parent.
+            // The object's source has priority: it has given the object another parent.
             _reach = null;
             Begin(_waiting[0], _isNextStationary, hasFormerParent: true);
             for (var i = 0; i < _waitingCount; i++) Take(_waiting[i], epoch);
@@ -138,7 +139,7 @@ namespace Nowpose.Frames
         /// <summary>The parent is unknown: keeps the pose that was shown last.</summary>
         public void Orphan() => State = FrameState.Orphan;
 
-        /// <summary>Discards the poses of a tracked frame, because their times are not valid any more. The displayed pose is kept.</summary>
+        /// <summary>Discards the poses of a tracked frame, because their times are no longer valid. The displayed pose is kept.</summary>
         public void Reset()
         {
             _waitingCount = 0;

@@ -72,7 +72,7 @@ namespace Nowpose.Frames
         }
 
         /// <summary>Returns the pose of a robot's root link in the world, and whether it is current.</summary>
-        /// <param name="robot">Index of the robot; one that was added after the last arrangement is in the world's origin.</param>
+        /// <param name="robot">Index of the robot; one that was added after the last arrangement is at the world's origin.</param>
         public RigidTransform RootOf(int robot, out bool isCurrent)
         {
             var root = RootIndexOf(robot);
@@ -97,7 +97,7 @@ namespace Nowpose.Frames
             return place.IsInWorld ? pose : _frames[frame].World;
         }
 
-        /// <summary>Returns the pose of a frame in the world at another time than the displayed one.</summary>
+        /// <summary>Returns the pose of a frame in the world at a time other than the displayed one.</summary>
         /// <param name="frame">Index of the frame, known at the last arrangement.</param>
         /// <param name="at">The time, and the same in seconds since the epoch of the predictors.</param>
         /// <param name="reach">The place that a gripper has given the frame; null if its own source places it.</param>
@@ -114,7 +114,7 @@ namespace Nowpose.Frames
             return pose;
         }
 
-        /// <summary>Returns the pose of a robot's link in the world at another time than the displayed one.</summary>
+        /// <summary>Returns the pose of a robot's link in the world at a time other than the displayed one.</summary>
         public RigidTransform LinkAt(int robot, int link, (ControlTime Time, double Seconds) at, out PoseOrigin origin)
         {
             var pose = _robots[robot].PoseAt(link, at.Time, out origin);

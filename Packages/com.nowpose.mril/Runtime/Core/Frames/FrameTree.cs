@@ -80,7 +80,7 @@ namespace Nowpose.Frames
             _isHandedOver = true;
         }
 
-        /// <summary>Returns the pose of a frame in the world at another time than the displayed one.</summary>
+        /// <summary>Returns the pose of a frame in the world at a time other than the displayed one.</summary>
         /// <param name="reach">The place that a gripper has given the frame; null if its own source places it.</param>
         public RigidTransform PoseAt(int index, ReachPlace reach, ControlTime at, out PoseOrigin origin)
         {
@@ -88,10 +88,10 @@ namespace Nowpose.Frames
             return _order.PoseAt(index, reach, MomentOf(at), out origin);
         }
 
-        /// <summary>Returns whether a frame's own source says that a robot carries it.</summary>
+        /// <summary>Returns whether a robot carries a frame, according to the frame's own source.</summary>
         public bool IsCarried(int index) => _order.IsLink(_frames[index].SourceParent);
 
-        /// <summary>Returns the pose of a robot's link in the world at another time than the displayed one.</summary>
+        /// <summary>Returns the pose of a robot's link in the world at a time other than the displayed one.</summary>
         public RigidTransform LinkAt(int robot, int link, ControlTime at, out PoseOrigin origin)
         {
             Arrange();
@@ -120,7 +120,7 @@ namespace Nowpose.Frames
         /// <param name="index">Index of the frame, known before the last <see cref="Evaluate"/>.</param>
         public RigidTransform HeldOf(int index) => _order.HeldOf(index);
 
-        /// <summary>Discards all poses of tracked frames, because their times are not valid any more. The displayed poses are kept.</summary>
+        /// <summary>Discards all poses of tracked frames, because their times are no longer valid. The displayed poses are kept.</summary>
         public void Reset()
         {
             foreach (var frame in _frames) frame.Reset();
@@ -140,7 +140,7 @@ namespace Nowpose.Frames
             _isChanged = false;
         }
 
-        // The former structure gives the poses from which the frames go on.
+        // The former structure gives the poses from which the frames continue.
         void HandOver(double time)
         {
             EvaluateAll(time);

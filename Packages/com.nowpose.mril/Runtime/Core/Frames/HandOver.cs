@@ -8,7 +8,7 @@ namespace Nowpose.Frames
     /// With D the pose shown at the hand-over, relative to the new one, the displayed pose after the time t is T(t) · D^w, where w falls
     /// from 1 to 0 within <see cref="Seconds"/> without a jump of the velocity. A difference as small as the corrections by each sample is not
     /// kept, so that a gripped object is in the gripper at once; nor is one so large that the object must have been moved elsewhere.
-    /// <c>default</c> is a hand-over that is over.
+    /// <c>default</c> is a hand-over that has ended.
     /// </remarks>
     readonly struct HandOver
     {

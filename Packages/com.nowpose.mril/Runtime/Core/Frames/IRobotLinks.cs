@@ -20,7 +20,7 @@ namespace Nowpose.Frames
         /// <summary>The same for the newest samples, which a display without compensation shows.</summary>
         ReadOnlySpan<RigidTransform> HeldPoses { get; }
 
-        /// <summary>Returns the pose of a link in the robot's root link at another time than the displayed one.</summary>
+        /// <summary>Returns the pose of a link in the robot's root link at a time other than the displayed one.</summary>
         RigidTransform PoseAt(int link, ControlTime at, out PoseOrigin origin);
     }
 }

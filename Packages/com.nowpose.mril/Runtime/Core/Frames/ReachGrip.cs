@@ -6,12 +6,13 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Frames
 {
-    /// <summary>A gripper that takes the object within its reach when its signal changes, where no source says what is gripped.</summary>
+    /// <summary>A gripper that takes the object within its reach when its signal changes, if no source reports what it grips.</summary>
     /// <remarks>
-    /// The poses at the stamp of the change decide, not those when the news arrives. At first they are predicted, because the display time is
-    /// ahead of the samples; as soon as there are samples from after the stamp, these decide, so that every headset that receives the same
-    /// samples takes the same object in the same place. A source that gives the object a parent itself has priority. A released object stays
-    /// in the world where it was at the stamp of the release, until its source moves it. Use it on the frame's thread.
+    /// The poses at the stamp of the change decide, not those at the arrival of its message. At first they are predicted, because the
+    /// display time is ahead of the samples; as soon as there are samples from after the stamp, these decide, so that every headset that
+    /// receives the same samples takes the same object in the same place. A source that gives the object a parent itself has priority. A
+    /// released object stays in the world where it was at the stamp of the release, until its source moves it. Use it on the frame's
+    /// thread.
     /// </remarks>
     sealed class ReachGrip
     {
@@ -54,7 +55,7 @@ namespace Nowpose.Frames
         bool IsMine => _held >= 0 && _tree[_held].Reach?.Gripper == this;
 
         /// <summary>Closes or opens the gripper. Decided with the next call of <see cref="Decide(ControlTime)"/>.</summary>
-        /// <param name="since">Stamp of the change; null if its time is not known any more.</param>
+        /// <param name="since">Stamp of the change; null if its time is no longer known.</param>
         public void Change(bool isClosed, ControlTime? since)
         {
             if (isClosed == _isClosed) return;

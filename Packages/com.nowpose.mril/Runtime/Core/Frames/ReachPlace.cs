@@ -2,7 +2,10 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Frames
 {
-    /// <summary>Where an object is because of a gripper, and not of its own source: in the gripper, or where that has released it.</summary>
+    /// <summary>
+    /// Place of an object that a gripper determines instead of the object's own source: in the gripper, or where the gripper has released
+    /// it.
+    /// </summary>
     sealed class ReachPlace
     {
         /// <param name="gripper">The gripper that has put it there.</param>

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Frames
 {
-    /// <summary>Detects samples that only scatter about a place, as those of a tracker with noise whose object is at rest.</summary>
+    /// <summary>Detects samples that only scatter about a place, like those of a noisy tracker whose object is at rest.</summary>
     /// <remarks>
     /// For white noise, the mean second difference is √3 times the mean first difference, and the samples make no progress; a smooth motion
     /// has small second differences. The lengths of vectors decide, so three components give more evidence than one. Allocates nothing
