@@ -42,10 +42,10 @@ namespace Nowpose.Anchoring
         /// <summary>Reason why the newest sighting was ignored; None when it was accepted, or without a sighting.</summary>
         internal SightingFault Fault { get; private set; }
 
-        /// <summary>Time of the newest accepted sighting; null without one.</summary>
+        /// <summary>Time of the newest accepted sighting; null if there is none.</summary>
         public HeadsetTime? LastSeen => _taken;
 
-        /// <summary>Time of the newest report by a source, accepted or not; null without one.</summary>
+        /// <summary>Time of the newest report by a source, accepted or not; null if there is none.</summary>
         public HeadsetTime? LastReported { get; private set; }
 
         [Obsolete("use LastReported")]

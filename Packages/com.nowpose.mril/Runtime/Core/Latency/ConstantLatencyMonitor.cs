@@ -106,7 +106,7 @@ namespace Nowpose.Latency
 
         /// <summary>Adds the render time of one frame. A change of the source restarts the window.</summary>
         /// <param name="renderTime">Zero and negative values are ignored: drivers that do not measure report zero.</param>
-        /// <param name="source"><see cref="RenderTimeSourceKind.None"/> when the render time is not measured any more.</param>
+        /// <param name="source"><see cref="RenderTimeSourceKind.None"/> when the render time is no longer measured.</param>
         public void Add(TimeSpan renderTime, RenderTimeSourceKind source)
         {
             if (source != Source) Restart(source);

@@ -205,7 +205,7 @@ namespace Nowpose.Network
             else if (message.Data != null) DescriptionsOf(message.RobotTopic.Robot).Add(message.Data);
         }
 
-        // On the receiving thread of one connection after the other.
+        // Called on the receiving threads of successive connections.
         NewestInBackground DescriptionsOf(string robot)
         {
             if (_descriptions.TryGetValue(robot, out var known)) return known;

@@ -11,7 +11,7 @@ namespace Nowpose.Pairing
             Gateway = cell == null ? null : cell.Cell + "\n" + cell.Host + "\n" + cell.Pin + "\n" + cell.SyncPort + "\n" + cell.WebSocketPort;
         }
 
-        /// <summary>The parsed code; null if the text is another one.</summary>
+        /// <summary>The parsed code; null if the text is a code of another kind.</summary>
         public CellCode Cell { get; }
 
         /// <inheritdoc cref="Cell"/>

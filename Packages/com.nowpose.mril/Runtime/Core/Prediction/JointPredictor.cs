@@ -223,7 +223,7 @@ namespace Nowpose.Prediction
             _seam = _isSolved && _interpolates ? _forecaster.At(0) : 0;
         }
 
-        // Only blending needs it.
+        // Only blending needs the displayed position.
         JointPrediction ShownAt(double displayed) => _timeConstant == 0 || double.IsNaN(displayed) ? default : UnwrappedAt(displayed);
 
         double TimeConstant => Math.Min(_timeConstant, MaxShareOfInterval * _motion.MeanInterval);

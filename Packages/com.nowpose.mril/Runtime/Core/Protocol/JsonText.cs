@@ -105,7 +105,7 @@ namespace Nowpose.Protocol
             }
         }
 
-        // Returns 0 without a valid escape.
+        // Returns 0 if there is no valid escape.
         static int EscapeLength(ReadOnlySpan<byte> text)
         {
             if (text.Length < 2) return 0;

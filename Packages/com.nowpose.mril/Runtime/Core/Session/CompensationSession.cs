@@ -56,7 +56,7 @@ namespace Nowpose.Session
             _connections = new SessionConnections(settings, clock, newLink, Listener, _subscriptions, _synchroniser, SyncFaults);
         }
 
-        /// <summary>The robot of <see cref="SessionSettings.RobotNamespace"/>, of which the session's statistics and frames are.</summary>
+        /// <summary>The robot of <see cref="SessionSettings.RobotNamespace"/>, to which the session's statistics and frames refer.</summary>
         public RobotModel Robot => _main.Robot;
 
         /// <summary>All robots of the cell, that robot first.</summary>
@@ -88,12 +88,12 @@ namespace Nowpose.Session
         /// <summary>Whether <see cref="Robot"/> was read from the same text. Thread-safe.</summary>
         internal RobotDescriptionMatch RobotDescriptionMatch => _main.Description.Match;
 
-        /// <summary>Reason why the newest description could not be read, in one line; null without an error or description. Thread-safe.</summary>
+        /// <summary>Reason why the newest description could not be read, in one line; null if there is none. Thread-safe.</summary>
         public string RobotDescriptionFault => _main.Description.Fault;
 
         /// <summary>
-        /// Joints with samples outside the robot's limits, which are therefore drawn in another position, in the order of detection, each
-        /// once. On the thread of <see cref="Tick"/>.
+        /// Joints whose samples are outside the robot's limits, so that they are drawn in another position. Each is listed once, in the
+        /// order of detection. On the thread of <see cref="Tick"/>.
         /// </summary>
         public IReadOnlyList<JointBeyondLimits> BeyondLimits => _main.Limits.Found;
 
@@ -144,7 +144,7 @@ namespace Nowpose.Session
         public bool IsLightPredicted => _display.IsLightPredicted;
 
         /// <summary>
-        /// Newest display time from <see cref="DisplayTimeSource"/> minus its frame's start, used or not; null without one. Thread-safe.
+        /// Newest display time from <see cref="DisplayTimeSource"/> minus its frame's start, used or not; null if there is none. Thread-safe.
         /// </summary>
         public TimeSpan? DisplayTimeAhead => _display.Ahead;
 
@@ -237,7 +237,7 @@ namespace Nowpose.Session
 
         /// <summary>Reports the render time of a frame, which shows whether L_visu has its calibrated value. Once per frame. Thread-safe.</summary>
         /// <param name="renderTime">Δt_render. Zero and negative values are not measurements and are ignored.</param>
-        /// <param name="source"><see cref="RenderTimeSourceKind.None"/> when the render time is not measured any more.</param>
+        /// <param name="source"><see cref="RenderTimeSourceKind.None"/> when the render time is no longer measured.</param>
         public void Rendered(TimeSpan renderTime, RenderTimeSourceKind source) => _display.Rendered(renderTime, source);
 
         /// <summary>Reads a received robot description, which may take some time. Thread-safe.</summary>

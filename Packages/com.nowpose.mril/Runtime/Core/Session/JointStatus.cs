@@ -36,7 +36,7 @@ namespace Nowpose.Session
         /// <summary>State, age and reason in one line, such as "no data since 4 s: node deleted"; allocates.</summary>
         public string Description => DescriptionSince(Age.HasValue ? TextOf(Age.Value) : null);
 
-        /// <summary>The same with a time in the caller's format, such as "no data since 14:03:12: node deleted"; allocates.</summary>
+        /// <summary>Returns the description with a time in the caller's format, such as "no data since 14:03:12: node deleted"; allocates.</summary>
         /// <param name="since">Text of the time; null for none.</param>
         public string DescriptionSince(string since) =>
             WordsOf(State) + (since == null ? "" : " since " + since) + (string.IsNullOrEmpty(Reason) ? "" : ": " + Reason);

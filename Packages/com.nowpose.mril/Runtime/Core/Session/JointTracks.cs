@@ -113,7 +113,7 @@ namespace Nowpose.Session
             CompleteMimics();
         }
 
-        /// <summary>Computes the positions at another time than the displayed one. Joints without samples have their displayed positions.</summary>
+        /// <summary>Computes the positions at a time other than the displayed one. Joints without samples have their displayed positions.</summary>
         /// <param name="judged">Joints whose data determine the result's origin; no mimic joints.</param>
         /// <param name="positions">Receives one position per moving joint.</param>
         public PoseOrigin At(ControlTime at, int[] judged, double[] positions)
@@ -156,7 +156,7 @@ namespace Nowpose.Session
             CompleteMimics();
         }
 
-        /// <summary>Removes all samples because their times are not valid any more. The displayed positions are kept.</summary>
+        /// <summary>Removes all samples because their times are no longer valid. The displayed positions are kept.</summary>
         public void Reset()
         {
             foreach (var joint in _joints) joint.Reset();

@@ -14,7 +14,7 @@ namespace Nowpose.Session
         /// </summary>
         Synchronised = 1,
 
-        /// <summary>The display time is not accurate enough any more: a clock step is suspected, or sync exchanges are missing.</summary>
+        /// <summary>The display time is no longer accurate enough: a clock step is suspected, or sync exchanges are missing.</summary>
         Lost = 2,
 
         /// <summary>

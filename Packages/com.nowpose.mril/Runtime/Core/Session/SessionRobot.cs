@@ -75,7 +75,7 @@ namespace Nowpose.Session
             Hindcast.Shown(Frame, moment.Clock.ErrorBound);
         }
 
-        /// <summary>Discards all samples, because their times are not valid any more.</summary>
+        /// <summary>Discards all samples, because their times are no longer valid.</summary>
         public void Restart()
         {
             _tracks.Reset();

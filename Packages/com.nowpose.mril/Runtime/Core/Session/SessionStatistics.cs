@@ -56,7 +56,7 @@ namespace Nowpose.Session
         [Obsolete("use IsDisplayTimeInconsistent")]
         public bool IsDisplayTimeDoubted => IsDisplayTimeInconsistent;
 
-        /// <summary>Newest display time from the source minus its frame's start, used or not; null without one.</summary>
+        /// <summary>Newest display time from the source minus its frame's start, used or not; null if there is none.</summary>
         public TimeSpan? DisplayTimeAhead { get; internal set; }
 
         /// <summary>
@@ -97,7 +97,7 @@ namespace Nowpose.Session
         public DisplayedError? ToolError { get; internal set; }
 
         /// <summary>
-        /// The same since the session began, or since <see cref="CompensationSession.RestartErrorRun"/>; mm. Null as well if
+        /// The same error since the session began, or since <see cref="CompensationSession.RestartErrorRun"/>; mm. Null as well if
         /// <see cref="Range"/> has been outside since then.
         /// </summary>
         public DisplayedError? ToolErrorOfRun { get; internal set; }

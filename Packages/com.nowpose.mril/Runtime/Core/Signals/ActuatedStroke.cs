@@ -3,12 +3,14 @@ using Nowpose.Motion;
 
 namespace Nowpose.Signals
 {
-    /// <summary>The position of a part that a signal drives, such as the jaw of a gripper: from one end to the other in a known time.</summary>
+    /// <summary>
+    /// The position of a part that a signal drives, such as the jaw of a gripper: from one end to the other in a known time.
+    /// </summary>
     /// <remarks>
-    /// Each change starts a seven-phase move at its stamp, from the position at that time, so the part is in phase although the news of the
-    /// change was late. A move over the whole stroke takes the stroke time; a shorter one has the same acceleration and jerk. A signal between
-    /// 0 and 1 gives a position between the ends. With the whole stroke d and its time T: v = 1.5 d/T, a = 6.75 d/T², j = 60.75 d/T³, so that
-    /// acceleration, constant velocity and deceleration take T/3 each.
+    /// Each change starts a seven-phase move at its stamp, from the position at that time, so the part is in phase although the message
+    /// about the change was late. A move over the whole stroke takes the stroke time; a shorter one has the same acceleration and jerk. A
+    /// signal between 0 and 1 gives a position between the ends. With the whole stroke d and its time T: v = 1.5 d/T, a = 6.75 d/T², j =
+    /// 60.75 d/T³, so that acceleration, constant velocity and deceleration take T/3 each.
     /// </remarks>
     sealed class ActuatedStroke
     {
@@ -46,7 +48,7 @@ namespace Nowpose.Signals
         /// <summary>Returns the position at a display time.</summary>
         public double At(ControlTime at) => _start.HasValue ? _from + _move.PositionAt(ClockTicks.Seconds(at - _start.Value)) : _from;
 
-        /// <summary>Forgets the value, because its time is not valid any more. The position is kept.</summary>
+        /// <summary>Forgets the value, because its time is no longer valid. The position is kept.</summary>
         public void Forget(ControlTime? at)
         {
             if (at.HasValue) _from = At(at.Value);

@@ -48,7 +48,7 @@ namespace Nowpose.Signals
                 while (signal.Next(at)) Changed?.Invoke(signal);
         }
 
-        /// <summary>Forgets all times, because they are not valid any more, see <see cref="SignalTrack.Restart"/>.</summary>
+        /// <summary>Forgets all times, because they are no longer valid, see <see cref="SignalTrack.Restart"/>.</summary>
         public void Restart()
         {
             foreach (var signal in _signals) signal.Restart();

@@ -8,7 +8,7 @@ namespace Nowpose.Signals
         /// <summary>Maximum number of kept changes; more than a second of a signal that changes in each 60th of a second.</summary>
         const int Capacity = 64;
 
-        /// <summary>Stamp of a value whose time is not valid any more: before all stamps, which are positive.</summary>
+        /// <summary>Stamp of a value whose time is no longer valid: before all stamps, which are positive.</summary>
         static ControlTime Always => default;
 
         // Oldest first. The first is the visible one, once a display time has reached it.
@@ -59,7 +59,7 @@ namespace Nowpose.Signals
         }
 
         /// <summary>
-        /// Forgets all times, because they are not valid any more. The newest value becomes the visible one: it is still the last that is known,
+        /// Forgets all times, because they are no longer valid. The newest value becomes the visible one: it is still the last that is known,
         /// and a source that publishes changes only will not repeat it.
         /// </summary>
         public void Restart()

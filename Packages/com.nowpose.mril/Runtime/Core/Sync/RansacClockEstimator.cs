@@ -15,8 +15,8 @@ namespace Nowpose.Sync
         const int MatureExchanges = 50;
 
         /// <summary>
-        /// Error of the skew beyond its standard errors, which do not include delays that come in bursts. In simulated outages of
-        /// 30 s on a loaded WiFi, three times 80 ppm was exceeded in one of fifty, three times 130 ppm in none.
+        /// Error of the skew beyond its standard errors, which do not include delays that come in bursts. In fifty simulated outages of 30
+        /// s on a loaded WiFi, the error exceeded three times 80 ppm in one, and three times 130 ppm in none.
         /// </summary>
         const double BurstError = 130e-6;
 

@@ -10,7 +10,10 @@ namespace Nowpose.Anchoring.Fitting
     /// </remarks>
     readonly struct PoseMean
     {
-        /// <summary>Outlier threshold in medians of the distance: for normal noise in three directions 3.8 sd of one, which 0.2 % exceed.</summary>
+        /// <summary>
+        /// Outlier threshold in medians of the distance. For normally distributed noise in three directions, it is 3.8 standard deviations
+        /// of one direction, which 0.2 % exceed.
+        /// </summary>
         const double Reach = 2.5;
 
         /// <summary>Minimum thresholds, which cover the rounding errors of equal poses.</summary>

@@ -56,7 +56,7 @@ namespace Nowpose.Anchoring.Tracking
         }
 
         /// <param name="payload">Null for the base itself.</param>
-        /// <returns>The pose of the marker with this payload in the base frame; null without one.</returns>
+        /// <returns>The pose of the marker with this payload in the base frame; null if there is none.</returns>
         public RigidTransform? PoseInBase(string payload)
         {
             if (payload == null) return RigidTransform.Identity;

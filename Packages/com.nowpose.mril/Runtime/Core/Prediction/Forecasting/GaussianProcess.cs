@@ -151,7 +151,7 @@ namespace Nowpose.Prediction.Forecasting
             }
         }
 
-        // Fills the table on the way.
+        // Also fills the table.
         void StopAtReversal(int direction)
         {
             var (table, ahead, decay) = (_table, 0.0, 1.0);

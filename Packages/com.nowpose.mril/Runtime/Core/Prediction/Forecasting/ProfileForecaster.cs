@@ -27,7 +27,7 @@ namespace Nowpose.Prediction.Forecasting
         /// </summary>
         const double ToleranceShare = 0.02;
 
-        /// <summary>Steps of the bisection: further ones exceed the resolution of a double.</summary>
+        /// <summary>Number of bisection steps. More steps would exceed the resolution of a double.</summary>
         const int Bisections = 50;
 
         readonly PredictionLimits _limits;

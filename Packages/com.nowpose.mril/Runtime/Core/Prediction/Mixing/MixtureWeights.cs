@@ -17,7 +17,9 @@ namespace Nowpose.Prediction.Mixing
         /// </summary>
         const int Steps = 5;
 
-        /// <summary>A step that reduces the mean square by a smaller share of that of the best forecast ends the solve.</summary>
+        /// <summary>
+        /// A solve ends at a step that reduces the mean square by less than this share of the best forecast's mean square.
+        /// </summary>
         const double MinGain = 1e-4;
 
         /// <summary>Number of samples whose evidence has the same weight as the prior.</summary>

@@ -106,7 +106,7 @@ namespace Nowpose.Prediction.Repetition
         /// <summary>Adds the weighted positions at equidistant indices to a table.</summary>
         /// <param name="index">First index, as in <see cref="At"/>.</param>
         /// <param name="step">Interval of the indices.</param>
-        /// <param name="offset">Is added to each position.</param>
+        /// <param name="offset">Value that is added to each position.</param>
         public void AddTo(double[] table, int start, int count, double index, double step, double weight, double offset)
         {
             var points = Points;

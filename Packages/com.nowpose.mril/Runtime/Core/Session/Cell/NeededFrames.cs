@@ -34,7 +34,7 @@ namespace Nowpose.Session.Cell
             return reason;
         }
 
-        /// <summary>Discards the kept poses of tracked frames, because their times are not valid any more.</summary>
+        /// <summary>Discards the kept poses of tracked frames, because their times are no longer valid.</summary>
         public void Restart()
         {
             var stale = new List<string>();

@@ -15,7 +15,7 @@ namespace Nowpose.Session.Cell
         /// <summary>Maximum number of messages of tracked frames that wait for the next display frame with a known control time.</summary>
         const int QueueLength = 1000;
 
-        /// <summary>The same of stationary frames, whose poses are sent only once: one message per frame.</summary>
+        /// <summary>The same maximum for stationary frames, whose poses are sent only once: one message per frame.</summary>
         const int StationaryQueueLength = ProtocolLimits.Frames;
 
         readonly Arrivals<TransformsMessage> _tracked = new Arrivals<TransformsMessage>(QueueLength);
@@ -68,7 +68,7 @@ namespace Nowpose.Session.Cell
             return index < 0 ? null : Tree[index];
         }
 
-        /// <summary>Returns whether a frame is shown where it is at the display time, in the words of a robot's pose.</summary>
+        /// <summary>Returns whether a frame is shown where it is at the display time, as a state of a robot's pose.</summary>
         /// <param name="frame">A frame of <see cref="Tree"/>; null for an unknown one.</param>
         public PoseState StateOf(CellFrame frame)
         {
@@ -98,7 +98,7 @@ namespace Nowpose.Session.Cell
         /// <summary>Computes all poses; call it after the robots have computed theirs.</summary>
         public void Show(in DisplayMoment moment) => Tree.Evaluate(moment.DisplayTime);
 
-        /// <summary>Discards the poses of tracked frames, because their times are not valid any more.</summary>
+        /// <summary>Discards the poses of tracked frames, because their times are no longer valid.</summary>
         public void Restart()
         {
             Tree.Reset();

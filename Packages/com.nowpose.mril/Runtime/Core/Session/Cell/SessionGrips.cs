@@ -4,7 +4,9 @@ using Nowpose.Signals;
 
 namespace Nowpose.Session.Cell
 {
-    /// <summary>Grippers of a session that take objects by their reach: each follows a signal, of which 0.5 and more means closed.</summary>
+    /// <summary>
+    /// Grippers of a session that take objects by their reach: each follows a signal, whose values of 0.5 and more mean closed.
+    /// </summary>
     sealed class SessionGrips
     {
         readonly SessionSignals _signals;
@@ -16,7 +18,7 @@ namespace Nowpose.Session.Cell
             signals.Table.Changed += Take;
         }
 
-        /// <summary>Lets a gripper follow a signal from now on. On the thread of <see cref="CompensationSession.Tick"/>.</summary>
+        /// <summary>Makes a gripper follow a signal from now on. On the thread of <see cref="CompensationSession.Tick"/>.</summary>
         public void Add(ReachGrip grip, string signal)
         {
             _signals.Need();
@@ -25,7 +27,7 @@ namespace Nowpose.Session.Cell
             if (known >= 0 && _signals.Table[known].IsKnown) Change(grip, _signals.Table[known]);
         }
 
-        /// <summary>Ends a gripper, which gives back what it holds.</summary>
+        /// <summary>Removes a gripper. An object that it holds returns to the control of its own source.</summary>
         public void Remove(ReachGrip grip)
         {
             _grips.RemoveAll(each => each.Grip == grip);
@@ -39,7 +41,7 @@ namespace Nowpose.Session.Cell
             foreach (var (grip, _) in _grips) grip.Decide(light);
         }
 
-        /// <summary>Decides with what is known; call it before the samples are discarded.</summary>
+        /// <summary>Decides pending changes with the data at hand; call this before the samples are discarded.</summary>
         public void Settle()
         {
             foreach (var (grip, _) in _grips) grip.Settle();

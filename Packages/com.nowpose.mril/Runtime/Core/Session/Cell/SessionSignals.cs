@@ -34,7 +34,9 @@ namespace Nowpose.Session.Cell
         /// <remarks>A handler must be fast, must not throw, and must not call the session.</remarks>
         public event SignalJudged Judged;
 
-        /// <summary>Receives signals from now on. A session that shows none does not subscribe, as a ROS system need not know the type.</summary>
+        /// <summary>
+        /// Receives signals from now on. A session without signals does not subscribe, because a ROS system may not have the type.
+        /// </summary>
         public void Need()
         {
             _subscriptions.Add(RosTopics.Signals, RosTopics.SignalsType);

@@ -75,7 +75,7 @@ namespace Nowpose.Session.Hindcast
         public void Shown(DisplayFrame frame, TimeSpan clockError)
         {
             _now = frame.IsTimeTrusted ? frame.DisplayTime : null;
-            // Then the frame appears at another time than its display time.
+            // Then the frame appears at a time other than its display time.
             _isOutside = frame.Range == RangeState.Outside || frame.IsBeyondCalibration;
             IsRunPartlyOutside |= _isOutside;
             if (_now == null || frame.State == PoseState.Incomplete || _isOutside) return;

@@ -8,7 +8,7 @@ namespace Nowpose.Simulation.Work
     /// <summary>A belt that moves workpieces from the place where they are put down to the one where they are taken.</summary>
     /// <remarks>
     /// It moves once per cycle of the robot by one station, from rest to rest. On a ring around the world's origin, angle, radius and height
-    /// change evenly with the way, and workpieces turn with the belt; a straight belt changes position and rotation evenly.
+    /// change evenly along the way, and workpieces turn with the belt; a straight belt changes position and rotation evenly.
     /// </remarks>
     sealed class Belt
     {
@@ -25,7 +25,7 @@ namespace Nowpose.Simulation.Work
         /// <param name="from">Pose of a workpiece that was put down.</param>
         /// <param name="to">Pose of a workpiece that is taken.</param>
         /// <param name="stations">Number of steps from one to the other.</param>
-        /// <param name="maxSeconds">Maximum duration of a step, s; the belt becomes faster if it is needed.</param>
+        /// <param name="maxSeconds">Maximum duration of a step, s; the belt becomes faster if necessary.</param>
         /// <param name="isRing">Whether the belt runs around the world's origin, the longer way, because the robot swings the shorter one.</param>
         public Belt(in RigidTransform from, in RigidTransform to, int stations, double maxSeconds, bool isRing)
         {
