@@ -36,7 +36,7 @@ namespace Nowpose.Editor.Import
             return mesh;
         }
 
-        // The conversion of axes mirrors the mesh, so the corner order is reversed to keep the outside outside.
+        // The conversion of axes mirrors the mesh, so the corner order is reversed; otherwise the mesh would be inside out.
         void Add(IReadOnlyList<float> coordinates, int at)
         {
             Vector3 a = Corner(coordinates, at), b = Corner(coordinates, at + 6), c = Corner(coordinates, at + 3);

@@ -16,7 +16,7 @@ namespace Nowpose.Editor.Inspectors
         /// <param name="field">Name of the serialised reference.</param>
         /// <param name="above">Type that the component finds on its object or above if the reference is empty; null if it finds none.</param>
         /// <param name="remedy">Returns the object to set the reference to; null if only the user can choose.</param>
-        /// <param name="applies">Whether the component needs the reference; null for always.</param>
+        /// <param name="applies">Whether the component needs the reference; null if it always needs it.</param>
         public ReferenceRule(
             Type component, string field, Type above, string message, Func<Component, Object> remedy, Func<Component, bool> applies = null)
         {

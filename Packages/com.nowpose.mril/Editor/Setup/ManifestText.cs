@@ -24,10 +24,10 @@ namespace Nowpose.Editor.Setup
         public string PlaceOf(JsonOutline value) =>
             _file + ":" + JsonOutlineReader.LineOf(Text, value.ItemStart).ToString(CultureInfo.InvariantCulture);
 
-        /// <summary>Adds a member behind the last one of the root object.</summary>
+        /// <summary>Adds a member after the last one of the root object.</summary>
         public void Add(string name, JToken value) => Add(Root, name, value);
 
-        /// <summary>Adds behind the last item. Outlines that were read before become invalid.</summary>
+        /// <summary>Adds an item after the last one. Outlines that were read before become invalid.</summary>
         /// <param name="container">An object or an array of this text.</param>
         /// <param name="name">Null for an array.</param>
         public void Add(JsonOutline container, string name, JToken value)

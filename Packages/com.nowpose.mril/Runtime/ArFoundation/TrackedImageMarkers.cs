@@ -38,7 +38,7 @@ namespace Nowpose.ArFoundation
         readonly MarkerRecords _records = new MarkerRecords();
         MrilSession _source;
 
-        /// <summary>Why no images are tracked, in one line; null without a problem.</summary>
+        /// <summary>Why no images are tracked, in one line; null if there is no problem.</summary>
         public string Problem => _images.Problem;
 
         public void Read(List<MarkerSighting> markers)

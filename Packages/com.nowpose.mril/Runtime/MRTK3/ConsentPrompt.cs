@@ -28,7 +28,7 @@ namespace Nowpose.Mrtk3
         [SerializeField, Tooltip("The button that declines. Its event calls Refuse.")]
         StatefulInteractable _refuse = null;
 
-        /// <summary>Maximum width of a line as a multiple of the font size, so that the question fits its ground.</summary>
+        /// <summary>Maximum width of a line as a multiple of the font size, so that the question fits its background.</summary>
         const float LineWidth = 30;
 
         /// <summary>Minimum time to read a question, in s: an earlier press was intended for something else.</summary>

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-// Chooses between the links.
+// This assembly chooses between the links.
 [assembly: InternalsVisibleTo("Nowpose.Unity")]
 
 // These exist only in this package's repository.

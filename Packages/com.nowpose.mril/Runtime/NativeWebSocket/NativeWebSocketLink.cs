@@ -70,7 +70,7 @@ namespace Nowpose.Network
             }
         }
 
-        /// <summary>Closes the connection orderly, in the background and within a second.</summary>
+        /// <summary>Closes the connection in an orderly way, in the background and within a second.</summary>
         public void Dispose()
         {
             // First, because an opening that detects the disposal cancels, which would report another end.

@@ -8,7 +8,7 @@ namespace Nowpose.Unity
 {
     /// <summary>Moves this object between two places by a signal, such as the jaw of a gripper, a cylinder or a door.</summary>
     /// <remarks>
-    /// The move starts at the stamp of the change and takes the stroke time, so it is in phase with the real part although the news was late
+    /// The move starts at the stamp of the change and takes the stroke time, so it is in phase with the real part although the message was late
     /// (<see cref="ActuatedStroke"/>). The place at 0 is that of the object when it is enabled, in its parent's axes. While no value is known, the
     /// object stays there.
     /// </remarks>

@@ -105,7 +105,10 @@ namespace Nowpose.Unity
             Notify();
         }
 
-        /// <summary>Starts a new search for the base by its markers; until it succeeds, the base keeps its place and looks not locked.</summary>
+        /// <summary>
+        /// Starts a new search for the base by its markers; until it succeeds, the base keeps its place and its look shows that it is not
+        /// locked.
+        /// </summary>
         /// <remarks>Without markers, a pose restored from an earlier run is accepted.</remarks>
         public void Relock()
         {

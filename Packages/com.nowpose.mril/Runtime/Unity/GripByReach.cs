@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Lets the virtual gripper carry the object within its reach while a signal is on, where no source says what is gripped.</summary>
+    /// <summary>Lets the virtual gripper carry the object within its reach while a signal is on, if no source reports what it grips.</summary>
     /// <remarks>
     /// Objects are those of Tracked Object and Stationary Object in the same session. The poses at the stamp of the signal's change decide, so
     /// that all headsets show the same. A source that gives the object a parent itself has priority.

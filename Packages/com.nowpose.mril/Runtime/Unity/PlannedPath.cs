@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Draws the way that the tool will take, where the control system publishes its set-points.</summary>
+    /// <summary>Draws the path that the tool will take, if the control system publishes its set-points.</summary>
     /// <remarks>
     /// The line begins at the displayed tool and ends where the plan does, or after the time ahead. It is hidden while the pose is not current,
     /// while no plan is known, and while the robot does not follow its plan.

@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Nowpose.Unity.Cell
 {
     /// <summary>
-    /// Places objects in the frame <c>world</c> of the cell: the Base Anchor above them, or without one that of the session, or without any
-    /// the session's object.
+    /// Places objects in the frame <c>world</c> of the cell. That frame is the Base Anchor above the objects; without one, the Base Anchor
+    /// of the session; without any, the session's object.
     /// </summary>
     static class CellPlace
     {

@@ -2,7 +2,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Cell
 {
-    /// <summary>A component that places its object by a frame of the cell, whose state its look shows.</summary>
+    /// <summary>A component that shows an object at a frame of the cell. The object's look shows the state of the frame.</summary>
     interface ICellObject
     {
         /// <summary>Whether the object is shown where it is at the display time, and otherwise why not.</summary>

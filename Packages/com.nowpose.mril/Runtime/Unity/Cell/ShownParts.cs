@@ -30,7 +30,9 @@ namespace Nowpose.Unity.Cell
         /// <summary>Number of those that are not current, at the last <see cref="Update"/>.</summary>
         public int FaultCount => _faults.Count;
 
-        /// <summary>The number of parts and, if any is not current, of these; constant while both are.</summary>
+        /// <summary>
+        /// Number of parts and, if some of them are not current, the number of those. The same text while both numbers are unchanged.
+        /// </summary>
         public string Summary { get; private set; } = "";
 
         /// <summary>Title and fault of each part that is not current; null if all are. Constant while nothing changes.</summary>
