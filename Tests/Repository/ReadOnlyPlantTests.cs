@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>Control systems can only be read: code that could write is in two files, which allow only reading requests.</summary>
+/// <summary>Control systems can only be read: code that could write is in two files, which allow only read requests.</summary>
 public sealed partial class ReadOnlyPlantTests
 {
     const string Sources = "Gateway/Adapters/src";

@@ -11,7 +11,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>Set-points in advance from a simulated cell through a gateway to a session, over loopback.</summary>
+/// <summary>Set-points of a simulated cell pass through a gateway to a session, over loopback.</summary>
 public class GatewayPlanTests
 {
     static readonly CellTiming Timing = new(TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(20), TimeSpan.FromMilliseconds(40));

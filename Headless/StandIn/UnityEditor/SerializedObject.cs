@@ -47,6 +47,6 @@ public class SerializedObject : IDisposable
     internal IEnumerable<SerializedProperty> All() =>
         SerializedFields.Of(targetObject.GetType()).Select(f => FindProperty(f.Name));
 
-    /// <summary>Takes place when it is applied.</summary>
+    /// <summary>Records a change that takes place when the object is applied.</summary>
     internal void Change(Action change) => _changes.Add(change);
 }

@@ -41,7 +41,9 @@ static class MaterialAssets
         return workshop.Asset(new Material(workshop.Load<Shader>(PackagePaths.OccluderShader)) { name = "Occluder", enableInstancing = true });
     }
 
-    /// <summary>Material behind the status panel's text: dark: nearly invisible on a headset, a background for bright text in the editor.</summary>
+    /// <summary>
+    /// Dark material behind the status panel's text: nearly invisible on a headset, and a background for bright text in the editor.
+    /// </summary>
     public static string Panel(Workshop workshop) => Make(workshop, "Panel", new Color(0.05f, 0.07f, 0.1f, 0.8f), BehindText);
 
     /// <summary>Material of the lit squares of a code: as bright as possible.</summary>

@@ -34,7 +34,7 @@ sealed class MovingPlant : IPlantTruth, IDisposable
         return new MovingPlant(program, kind);
     }
 
-    /// <summary>A configuration that reads it, in a folder of the test's.</summary>
+    /// <summary>Creates a configuration that reads the plant, in a folder of the test.</summary>
     public string Configure(string folder)
     {
         var path = Path.Combine(folder, _kind + ".yaml");
@@ -74,7 +74,7 @@ sealed class MovingPlant : IPlantTruth, IDisposable
     }
 
     /// <summary>Gives the OPC UA server a command: delete, stop, bad, nan or repair with the name of a node, or rest with a time in ms.</summary>
-    /// <returns>When it had taken effect.</returns>
+    /// <returns>Time at which it had taken effect.</returns>
     public async Task<DateTimeOffset> CommandAsync(string command, string argument)
     {
         var key = $"done {command} {++_commands}";

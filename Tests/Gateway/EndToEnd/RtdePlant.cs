@@ -30,7 +30,7 @@ sealed partial class RtdePlant : IPlantTruth, IDisposable
         return new RtdePlant(program, robot);
     }
 
-    /// <summary>A configuration that reads it, in a folder of the test's.</summary>
+    /// <summary>Creates a configuration that reads the plant, in a folder of the test.</summary>
     public string Configure(string folder)
     {
         var path = Path.Combine(folder, "rtde.yaml");

@@ -69,7 +69,7 @@ public class AnswerReaderTests
         await isEnded.Task.Bounded();
     }
 
-    // An endless answer, longer than all buffers in between.
+    // The answer never ends, so that it exceeds all buffers on the way.
     static async Task AnswerAsync(HttpContext context, TaskCompletionSource isBegun, TaskCompletionSource isEnded)
     {
         isBegun.SetResult();

@@ -47,7 +47,7 @@ sealed class PlayedSweep : IAsyncDisposable
     {
         for (var end = Cell.Now + seconds; Cell.Now < end; seen?.Invoke())
         {
-            // A much larger effect than this number of vertices has, because the test is about the verdict.
+            // Exaggerates the effect of the vertices, because the test is about the verdict.
             var vertices = gpuSeesLoad ? 10.0 * Load.VerticesShown : 0;
             Cell.Player.World.Gpu.DisplayGpuTime = (float)_gpu.Next(vertices).RenderTime.TotalSeconds;
             Cell.Frame(Session);

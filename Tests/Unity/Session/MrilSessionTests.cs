@@ -196,7 +196,7 @@ public class MrilSessionTests
     public void Statistics_ReadTwiceInAFrame_AreFilledOnce()
     {
         var session = _cell.Play();
-        // Runs beyond the log entry of the synchronised clock, which reads the statistics.
+        // Runs until the clock is logged as synchronised, because that log entry reads the statistics.
         _cell.Run(3, session);
 
         var first = session.Statistics;

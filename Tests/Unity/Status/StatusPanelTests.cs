@@ -90,7 +90,7 @@ public class StatusPanelTests
     public void OnDisable_Playing_IsHiddenUntilEnabledAgain()
     {
         _played.Panel.With("_ground", new Material((Shader)null));
-        // Runs beyond the last of the first texts that appear: the coarse clock's error, and the reduction.
+        // Runs until all texts of the start have appeared; the last ones are the coarse clock's error and the reduction.
         _played.Play(8);
         var shown = Seen();
 

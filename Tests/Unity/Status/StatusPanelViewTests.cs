@@ -105,7 +105,7 @@ public sealed class StatusPanelViewTests(string scene)
         Assert.That(middle, Is.EqualTo(-6).Within(1.5));
     }
 
-    /// <summary>Elevation of the lowest part of the panel: its ground, or the ground of its bar.</summary>
+    /// <summary>Elevation of the lowest part of the panel: its background, or the background of its bar.</summary>
     float Lowest() => _panel.GetComponentsInChildren<MeshRenderer>().Where(r => r.name == "Ground").Min(r => SeenText.Elevation(r.bounds.min, _head));
 
     [Test]

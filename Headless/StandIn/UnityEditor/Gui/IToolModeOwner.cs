@@ -1,6 +1,6 @@
 namespace UnityEditor;
 
-/// <summary>Only for the bases of <see cref="Editor"/>.</summary>
+/// <summary>Used only as a base of <see cref="Editor"/>.</summary>
 interface IToolModeOwner
 {
 }

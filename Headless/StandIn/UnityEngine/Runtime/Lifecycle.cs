@@ -21,7 +21,7 @@ static class Lifecycle
         // OrderBy keeps the hierarchy's order among equals.
         foreach (var component in waking.SelectMany(g => g.Components).OrderBy(Order).ToList())
         {
-            // A script that woke before may have deactivated or destroyed it.
+            // A script that woke earlier may have deactivated or destroyed it.
             if (!component.Destroyed && component.Owner.activeInHierarchy) component.Activated();
         }
     }

@@ -45,7 +45,7 @@ sealed class ScriptType
         _focus = MessageCall<bool>.To(type, Method(type, "OnApplicationFocus", typeof(bool)));
     }
 
-    /// <summary>Lower runs earlier.</summary>
+    /// <summary>Execution order; lower numbers run earlier.</summary>
     internal int Order { get; }
 
     internal bool RunsInEditMode { get; }

@@ -47,7 +47,7 @@ sealed class World
 
     internal IReadOnlyCollection<Object> Objects => _objects;
 
-    /// <summary>Makes it the current one until the scope is disposed.</summary>
+    /// <summary>Makes this world the current one until the scope is disposed.</summary>
     internal WorldScope Enter() => new(this);
 
     internal bool RunsScript(ScriptType type) => IsPlaying || type.RunsInEditMode;

@@ -10,7 +10,7 @@ namespace Nowpose.Prefabs.Mrtk3;
 /// <summary>The prefabs that a HoloLens user grasps, reads and answers.</summary>
 static class HoloLensPrefabs
 {
-    /// <summary>Size of the status panel's bar in font sizes: as wide as the panel's ground.</summary>
+    /// <summary>Size of the status panel's bar in font sizes: as wide as the panel's background.</summary>
     const float BarWidth = 31.5f, BarHeight = 2.8f;
 
     /// <summary>One unit of its canvas in font sizes. A button of 32 units is 2° high at the reading distance, which is Microsoft's minimum.</summary>

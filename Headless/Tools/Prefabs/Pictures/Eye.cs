@@ -5,8 +5,8 @@ namespace Nowpose.Prefabs.Pictures;
 /// <summary>The camera of a picture, with the projection of points in the world.</summary>
 /// <param name="Place">Pose in the world, metres.</param>
 /// <param name="HorizontalDegrees">Field of view over the picture's width.</param>
-/// <param name="Width">Of the picture, pixels.</param>
-/// <param name="Height">Of the picture, pixels.</param>
+/// <param name="Width">Width of the picture, pixels.</param>
+/// <param name="Height">Height of the picture, pixels.</param>
 sealed record Eye(Pose Place, double HorizontalDegrees, int Width, int Height)
 {
     /// <summary>Pixels of a length of 1 at a distance of 1.</summary>

@@ -9,7 +9,7 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Unity.Tests.Demo.Paper;
 
-/// <summary>The paper's scenario in virtual time, complete or with a broken ingredient.</summary>
+/// <summary>The paper's scenario in virtual time, complete, or with one fault.</summary>
 static class PaperScene
 {
     public const double VisuMs = 40;
@@ -35,7 +35,7 @@ static class PaperScene
 
     public static IReadOnlyList<PaperClaim> Claims(PaperRun run) => PaperClaims.Of([PaperMeasures.Of(run)]);
 
-    /// <summary>A motion that is sampled at another time than the stamp states, up to a maximum error in both directions.</summary>
+    /// <summary>A motion that is sampled at a time other than the stamp states, up to a maximum error in both directions.</summary>
     sealed class LateSampling(IMotion motion, double maxSeconds) : IMotion
     {
         readonly Random _random = new(5);

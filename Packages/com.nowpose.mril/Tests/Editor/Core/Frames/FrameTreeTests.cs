@@ -183,7 +183,7 @@ namespace Nowpose.Tests.Core.Frames
             for (var frame = 0; frame * frameSeconds < 2; frame++)
             {
                 var now = frame * frameSeconds;
-                // The gripper moves with the conveyor, and 5 mm beside the place where the twin has the part in it.
+                // The gripper moves with the conveyor, 5 mm beside the part.
                 var link = arm.Move(tool, UnitQuaternion.Identity.At(speed * now, 0, 0.1));
                 for (; sample * Sampling <= now - 0.1; sample++)
                 {

@@ -4,7 +4,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Frames
 {
-    /// <summary>A robot whose links a test puts where it wants.</summary>
+    /// <summary>A robot whose links are placed by a test.</summary>
     sealed class MovingLinks : IRobotLinks
     {
         readonly RigidTransform[] _poses;

@@ -52,7 +52,7 @@ namespace Nowpose.Tests.Core.Session
         /// <summary>Whether sync exchanges succeed.</summary>
         public bool IsSyncUp { get; set; } = true;
 
-        /// <summary>Whether each joint arrives in a message of its own, sampled at another time.</summary>
+        /// <summary>Whether each joint arrives in a message of its own, sampled at a different time.</summary>
         public bool IsEachJointApart { get; set; }
 
         /// <summary>Whether the test sends the samples instead of the simulation.</summary>

@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Core.Signals
             for (var i = 0; i < stamps.Length; i++)
             {
                 Assert.That(seen[i].Value, Is.EqualTo((i + 1) % 2));
-                // Late news cannot be visible before a frame has begun after its arrival.
+                // A late message cannot become visible before a frame has begun after its arrival.
                 var possible = Math.Max(stamps[i], stamps[i] + latency + Visu);
                 Assert.That(seen[i].Light - possible, Is.InRange(-1e-9, FrameSeconds + 1e-9), "change " + i);
             }

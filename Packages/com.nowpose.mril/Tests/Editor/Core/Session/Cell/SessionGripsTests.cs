@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         public void Close_SeveralInReach_TakesTheNearestAtTheStamp()
         {
             var (cell, grip) = NewCell("left", "right");
-            // The nearer object changes while the news of the signal is on its way.
+            // The nearer object changes while the message about the signal is on its way.
             cell.Sampling = t =>
             {
                 cell.SendJoints(t, 0, 0);
@@ -65,7 +65,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         [Test]
         public void Close_MotionThatChangesAfterTheStamp_IsDecidedBySamplesAlikeOnEveryHeadset()
         {
-            // The belt stops at the stamp. Prediction goes on, so what is displayed first depends on the latency; the samples do not.
+            // The belt stops at the stamp. Prediction continues, so what is displayed first depends on the latency; the samples do not.
             double X(double t) => 1.02 + 0.5 * (Math.Min(t, Close) - Close);
             var poses = new RigidTransform[2];
             for (var headset = 0; headset < 2; headset++)

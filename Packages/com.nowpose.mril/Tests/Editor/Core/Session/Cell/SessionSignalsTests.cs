@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             var shown = new List<(double Light, double Value)>();
             cell.Send("grip", 19.5, 0);
             cell.Run(0.5);
-            // The news arrives before light of that time is shown: the display latency is longer than the rest of the way.
+            // The message arrives before light of that time is shown, because the display latency is longer than the remaining delay.
             cell.Session.Listener.SignalsReceived(
                 new SignalsMessage(ControlTime.FromSeconds(20.7), new SignalValue("grip", 1)), HeadsetTime.FromSeconds(20.62));
 
