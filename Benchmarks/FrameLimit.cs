@@ -15,7 +15,7 @@ static class FrameLimit
             var method = report.BenchmarkCase.Descriptor.WorkloadMethod;
             if (method.DeclaringType != typeof(SceneBenchmarks) || method.Name != nameof(SceneBenchmarks.Play)) continue;
             if (report.ResultStatistics is { } times && !(times.Mean < Nanoseconds))
-                return FormattableString.Invariant($"a frame of {SceneBenchmarks.Robots} robots takes {times.Mean / 1e6:0.00} ms; allowed is less than 1 ms");
+                return FormattableString.Invariant($"a frame of {SceneBenchmarks.Robots} robots takes {times.Mean / 1e6:0.00} ms; allowed: less than 1 ms");
         }
         return null;
     }

@@ -19,7 +19,7 @@ static class SampleLimit
             if (method.DeclaringType != typeof(SampleBenchmarks) || !Limited.Contains(method.Name)) continue;
             if (report.ResultStatistics is { } times && !(times.Mean / SevenJointArm.JointNames.Length < Nanoseconds))
                 return FormattableString.Invariant(
-                    $"a joint's sample takes '{Predictors.Default}' {times.Mean / SevenJointArm.JointNames.Length / 1e3:0.0} µs; allowed is less than {Nanoseconds / 1e3:0} µs");
+                    $"a joint's sample takes '{Predictors.Default}' {times.Mean / SevenJointArm.JointNames.Length / 1e3:0.0} µs; allowed: less than {Nanoseconds / 1e3:0} µs");
         }
         return null;
     }

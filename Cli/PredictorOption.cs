@@ -18,7 +18,7 @@ static class PredictorOption
         option.Validators.Add(result =>
         {
             if (result.GetValueOrDefault<string>() is string value && !IsKnown(value))
-                result.AddError($"{name}: '{value}' is unknown; allowed are {list}, or one with another history h, for example linear-h4.");
+                result.AddError($"{name}: '{value}' is unknown; allowed: {list}, or one with another history h, for example linear-h4.");
         });
         return option;
     }

@@ -169,7 +169,7 @@ public sealed record GatewayOptions
     static void CheckRate(string option, int perSecond)
     {
         if (perSecond is < 1 or > MaxRate)
-            throw new InputException($"{option} {perSecond}: allowed are 1 to {MaxRate}");
+            throw new InputException($"{option} {perSecond} is out of range; allowed: 1 to {MaxRate}");
     }
 
     // The option that was set explicitly; the other has its default.
@@ -178,6 +178,6 @@ public sealed record GatewayOptions
     static void CheckPort(string option, int port)
     {
         if (port is < 0 or > IPEndPoint.MaxPort)
-            throw new InputException($"{option} {port}: allowed are 0 (any free port) to {IPEndPoint.MaxPort}");
+            throw new InputException($"{option} {port} is out of range; allowed: 0 (any free port) to {IPEndPoint.MaxPort}");
     }
 }

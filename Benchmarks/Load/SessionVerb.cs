@@ -86,7 +86,7 @@ static class SessionVerb
         Console.WriteLine();
         Console.WriteLine(FormattableString.Invariant($"last quarter {last:0.0} MiB, the quarter before {before:0.0} MiB ({100 * growth:+0.0;-0.0} %)"));
         if (growth <= MaxGrowth) return ExitStatus.Done;
-        Console.Error.WriteLine(FormattableString.Invariant($"error: the memory still grows by {100 * growth:0.0} %; allowed are {100 * MaxGrowth:0} %"));
+        Console.Error.WriteLine(FormattableString.Invariant($"error: the memory still grows by {100 * growth:0.0} %; allowed: {100 * MaxGrowth:0} %"));
         return ExitStatus.Failed;
     }
 }

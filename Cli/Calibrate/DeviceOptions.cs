@@ -63,7 +63,7 @@ sealed class DeviceOptions
 
     /// <param name="source">A choice of <see cref="Source"/>.</param>
     public static RenderTimeSourceKind KindOf(string source) =>
-        RenderTimeSourceNames.TryParse(source, out var kind) ? kind : throw new InputException($"--source: '{source}' is unknown; allowed are {RenderTimeSourceNames.All}");
+        RenderTimeSourceNames.TryParse(source, out var kind) ? kind : throw new InputException($"--source: '{source}' is unknown; allowed: {RenderTimeSourceNames.All}");
 
     static Option<string> Text(string name, string description) => new(name) { Description = description + "; default as for --device" };
 

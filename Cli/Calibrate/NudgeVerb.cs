@@ -36,7 +36,7 @@ static class NudgeVerb
             Console.Out.Write(NudgeGuide.Text);
             return ExitStatus.Done;
         }
-        if (parsed.GetResult(Speed)?.Implicit != false) throw new InputException("--speed-mm-s is missing; allowed are 1 to 10000 mm/s");
+        if (parsed.GetResult(Speed)?.Implicit != false) throw new InputException("--speed-mm-s is missing; allowed: 1 to 10000 mm/s");
         var marks = new NudgeMarks(parsed.GetValue(Speed), parsed.GetValue(Configured), parsed.GetValue(Forward), parsed.GetValue(Backward));
         var result = marks.Result();
         var output = CalibrationOutput.At(parsed.GetValue(Output));

@@ -88,7 +88,7 @@ static class DemoVerb
         var seconds = IsGiven(parsed, Seconds) ? parsed.GetValue(Seconds) : PaperScenario.Seconds;
         if (seconds < PaperScenario.MinSeconds)
             throw new InputException(FormattableString.Invariant(
-                $"--seconds: {seconds} s is out of range; with --paper allowed are {PaperScenario.MinSeconds} to 3600 s"));
+                $"--seconds: {seconds} s is out of range; allowed with --paper: {PaperScenario.MinSeconds} to 3600 s"));
         return Settings(parsed) with { Seconds = seconds };
     }
 
@@ -103,7 +103,7 @@ static class DemoVerb
         var assumed = parsed.GetValue(Visualisation) + parsed.GetValue(VisualisationError);
         if (assumed is < 0 or > 500)
             throw new InputException(FormattableString.Invariant(
-                $"--visu-ms plus --visu-error-ms: {assumed} ms is out of range; allowed are 0 to 500 ms"));
+                $"--visu-ms plus --visu-error-ms: {assumed} ms is out of range; allowed: 0 to 500 ms"));
         var renders = parsed.GetValue(Paper) ? Paper.Name : parsed.GetValue(Load) != null ? Load.Name : null;
         if (renders != null && parsed.GetValue(Visualisation) < MinWithLoadMs)
             throw new InputException(FormattableString.Invariant($"--visu-ms: {parsed.GetValue(Visualisation)} ms is out of range; ")

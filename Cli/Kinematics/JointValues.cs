@@ -61,7 +61,7 @@ sealed class JointValues
         if (index >= 0) return index;
         var reason = _model.Joints.Any(joint => joint.Name == name) ? $"{name} is a fixed joint" : $"there is no joint {name}";
         var names = string.Join(", ", _model.MovingJoints.Select(joint => joint.Name));
-        throw new InputException($"--joints: {reason}; {(names.Length == 0 ? "this robot has no moving joint" : "allowed are " + names)}");
+        throw new InputException($"--joints: {reason}; {(names.Length == 0 ? "this robot has no moving joint" : "allowed: " + names)}");
     }
 
     static double Value(RobotJoint joint, string text)

@@ -92,7 +92,7 @@ sealed class Preparation
         from package in ProjectNeeds.Mrtk3.Append(ProjectNeeds.XrInteraction)
         let version = _merge.VersionOf(package.Name)
         where version != null && package.IsTooNew(version)
-        select $"{package.Name} {version} is not supported, so the components for MRTK3 are not compiled; allowed is {package.Bounds}";
+        select $"{package.Name} {version} is not supported, so the components for MRTK3 are not compiled; allowed: {package.Bounds}";
 
     void NeedPackage(PackageFolder package)
     {

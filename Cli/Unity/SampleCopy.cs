@@ -29,7 +29,7 @@ sealed class SampleCopy
     {
         var sample = package.Samples.FirstOrDefault(s => string.Equals(s.Name, name, StringComparison.OrdinalIgnoreCase))
             ?? throw new InputException(
-                $"--sample: '{name}' is not a sample of the package; allowed are {string.Join(", ", package.Samples.Select(s => s.Name))}");
+                $"--sample: '{name}' is not a sample of the package; allowed: {string.Join(", ", package.Samples.Select(s => s.Name))}");
         if (!Directory.Exists(sample.Folder))
             throw new InputException($"--sample: the files of '{sample.Name}' are missing: {sample.Folder}");
         var target = Path.Combine(project.Root, "Assets", "Samples", package.DisplayName, package.Version, sample.Name);

@@ -89,7 +89,7 @@ static class ConfigurationFile
         var entry = ReadValue(parser, key, place);
         var earlier = entries.FirstOrDefault(other => other.Key == key);
         if (earlier != null) wrong.Add($"{place}: {key}: occurs twice, first at {earlier.Place}; remove one");
-        else if (entry == null) wrong.Add($"{place}: {key}: allowed is a word, a number, or a list of words, without tags and anchors");
+        else if (entry == null) wrong.Add($"{place}: {key}: must be a word, a number, or a list of words, without tags and anchors");
         else entries.Add(entry);
     }
 

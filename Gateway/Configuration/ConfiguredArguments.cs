@@ -74,7 +74,7 @@ sealed class ConfiguredArguments
     static string Fault(ConfigurationEntry entry, Option option)
     {
         var takesMany = option.Arity.MaximumNumberOfValues > 1;
-        if (entry.IsList && !takesMany) return "is a list; allowed is one value";
+        if (entry.IsList && !takesMany) return "is a list; give one value";
         if (entry.Values.Count == 0 || entry.Values.Any(value => value.Length == 0)) return "has no value";
         if (entry.Values.Any(value => value.Any(char.IsControl))) return "contains a line end or another control character";
         if (option.ValueType == typeof(bool) && entry.Values[0] is not ("true" or "false"))
@@ -95,6 +95,6 @@ sealed class ConfiguredArguments
     {
         var keys = verb.Options.Where(option => !NotInAFile.Contains(option.Name)).Select(option => option.Name[2..])
             .Select(name => Plurals.FirstOrDefault(plural => plural.Value == name).Key ?? name).ToArray();
-        return Nearest.Of(key, keys) is { } near ? $"did you mean '{near}'?" : $"allowed are {string.Join(", ", keys.Order(StringComparer.Ordinal))}";
+        return Nearest.Of(key, keys) is { } near ? $"did you mean '{near}'?" : $"allowed: {string.Join(", ", keys.Order(StringComparer.Ordinal))}";
     }
 }

@@ -108,7 +108,7 @@ sealed class MotionRecordingReader : IDisposable
         if (UnitQuaternion.TryNormalise(quaternion[0], quaternion[1], quaternion[2], quaternion[3], out _)) return;
         var length = UnitQuaternion.LengthOf(quaternion[0], quaternion[1], quaternion[2], quaternion[3]);
         throw Wrong($"fields {BodyColumns.Quaternion}: the quaternion has length " + FormattableString.Invariant(
-            $"{length:G6}; allowed is {1 - UnitQuaternion.LengthTolerance:G6} to {1 + UnitQuaternion.LengthTolerance:G6}"));
+            $"{length:G6}; allowed: {1 - UnitQuaternion.LengthTolerance:G6} to {1 + UnitQuaternion.LengthTolerance:G6}"));
     }
 
     /// <summary>Gets the exact time of the row; null if a decimal cannot hold it.</summary>

@@ -17,7 +17,7 @@ public static class ChoiceOption
         {
             var value = result.GetValueOrDefault<string>();
             if (value != null && !allowed.Contains(value))
-                result.AddError($"{name}: '{value}' is not known; allowed are {list}.");
+                result.AddError($"{name}: '{value}' is not known; allowed: {list}.");
         });
         return option;
     }

@@ -35,7 +35,7 @@ public static class NumberOption
         where T : INumber<T>
     {
         var text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
-        var allowed = Invariant($"allowed are {min} to {max}{Suffix(unit)}.");
+        var allowed = Invariant($"allowed: {min} to {max}{Suffix(unit)}.");
         // Parsed as a double first: a number that does not fit the type is out of range, not "no number".
         if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var number))
             result.AddError($"{name}: '{text}' is not a number; {allowed}");

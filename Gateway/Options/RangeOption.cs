@@ -24,7 +24,7 @@ public static class RangeOption
         var ends = text.Split('-');
         if (ends.Length <= 2 && IsNumber(ends[0], out var min) && IsNumber(ends[^1], out var max) && min <= max && max <= limit)
             return new MillisecondRange(min, max);
-        result.AddError(FormattableString.Invariant($"{name}: '{text}' is not a range; allowed is MIN-MAX with 0 <= MIN <= MAX <= {limit} ms."));
+        result.AddError(FormattableString.Invariant($"{name}: '{text}' is not a range; allowed: MIN-MAX with 0 <= MIN <= MAX <= {limit} ms."));
         return default;
     }
 

@@ -57,7 +57,7 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, Door door, str
         {
             var offset = Field("offset");
             if (!MarkerOffset.TryReadNumber(Field("size_mm"), out var sizeMm) || sizeMm <= 0)
-                throw new InputException($"marker size: '{Field("size_mm")}' is not a size; allowed are 10 to 999 mm");
+                throw new InputException($"marker size: '{Field("size_mm")}' is not a size; allowed: 10 to 999 mm");
             var code = new CellCode(
                 Field("name"), Field("host"), Pin, offset.Length == 0 ? null : MarkerOffset.Parse(offset, "marker offset"), sizeMm / 1000,
                 SyncPort, WebSocketPort);

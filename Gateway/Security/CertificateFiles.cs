@@ -59,7 +59,7 @@ public static class CertificateFiles
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or CryptographicException)
         {
-            throw new InputException($"{path}: no usable certificate with private key ({e.Message}); allowed are .pfx without password and .pem", e);
+            throw new InputException($"{path}: no usable certificate with private key ({e.Message}); allowed: .pfx without password and .pem", e);
         }
     }
 

@@ -24,7 +24,7 @@ sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters 
     {
         if (Rule.IsOriginAllowed(context)) return true;
         await RefuseAsync(context, StatusCodes.Status403Forbidden, Closure.Origin,
-            $"the Origin is not that of the gateway; allowed are {Rule.AllowedOrigins(context)}");
+            $"the Origin is not that of the gateway; allowed: {Rule.AllowedOrigins(context)}");
         return false;
     }
 
@@ -67,7 +67,7 @@ sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters 
     public static Task RefuseMethodAsync(HttpContext context, string allowed)
     {
         context.Response.Headers.Allow = allowed;
-        return AnswerAsync(context, StatusCodes.Status405MethodNotAllowed, $"{context.Request.Path}: allowed is {allowed}");
+        return AnswerAsync(context, StatusCodes.Status405MethodNotAllowed, $"{context.Request.Path}: the method must be {allowed}");
     }
 
     /// <summary>Answers requests that may be repeated after a while.</summary>

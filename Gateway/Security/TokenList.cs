@@ -55,7 +55,7 @@ public sealed class TokenList
             return Hashed(Entries(path));
         }, Settles, log);
         if (tokens.Current.Length == 0)
-            throw new InputException($"{path}: contains no token; allowed are lines {Lines}");
+            throw new InputException($"{path}: contains no token; allowed: lines {Lines}");
         return new TokenList(tokens, path) { _weak = [.. WeakEntries(path)] };
     }
 
@@ -113,7 +113,7 @@ public sealed class TokenList
     {
         var words = line.Split([' ', '\t'], StringSplitOptions.RemoveEmptyEntries);
         if (words.Length != 2 || !Roles.TryGetValue(words[0], out var role))
-            throw new InputException($"{where}: allowed is {Lines}, the token without spaces");
+            throw new InputException($"{where}: the line must be {Lines}, the token without spaces");
         if (Encoding.UTF8.GetByteCount(words[1]) > ProtocolLimits.TokenBytes)
             throw new InputException($"{where}: the token is longer than {ProtocolLimits.TokenBytes} bytes");
         return (words[1], role);

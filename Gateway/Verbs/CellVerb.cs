@@ -65,7 +65,7 @@ static class CellVerb
     {
         var isPng = path.EndsWith(".png", StringComparison.OrdinalIgnoreCase);
         if (!isPng && !path.EndsWith(".svg", StringComparison.OrdinalIgnoreCase))
-            throw new InputException($"--out {path}: allowed are .svg and .png");
+            throw new InputException($"--out {path}: the file name must end in .svg or .png");
         try
         {
             if (isPng) File.WriteAllBytes(path, drawn.Png(PixelsPerModule));

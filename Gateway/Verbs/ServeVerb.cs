@@ -114,7 +114,7 @@ static class ServeVerb
     {
         var name = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
         if (name != PlantClocks.Own && !PlantClocks.IsName(name))
-            result.AddError($"--clock: '{name}' names no clock; allowed are own, and 1 to 32 of a-z, 0-9, _ and -.");
+            result.AddError($"--clock: '{name}' names no clock; allowed: own, and 1 to 32 of a-z, 0-9, _ and -.");
     }
 
     // Parsed, too, so that a file that no headset could use is refused here.

@@ -223,7 +223,7 @@ sealed class ServerArguments
         if (text == "any")
             return IPAddress.Any;
         if (!IPAddress.TryParse(text, out var address))
-            result.AddError($"--bind: '{text}' is not an address; allowed are an IP address, localhost and any.");
+            result.AddError($"--bind: '{text}' is not an address; allowed: an IP address, localhost and any.");
         return address;
     }
 
@@ -233,7 +233,7 @@ sealed class ServerArguments
         var text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
         if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value) && value >= 0 && value <= Last)
             return value;
-        result.AddError($"--clock-start-s: '{text}' is out of range; allowed are 0 to {Last} s.");
+        result.AddError($"--clock-start-s: '{text}' is out of range; allowed: 0 to {Last} s.");
         return null;
     }
 }

@@ -86,8 +86,8 @@ public class KinematicsVerbTests
         Assert.That(run.Output, Does.Contain('"' + tool + '"'));
     }
 
-    [TestCase("nothing=1", "there is no joint nothing; allowed are lead, follow")]
-    [TestCase("mount=1", "mount is a fixed joint; allowed are lead, follow")]
+    [TestCase("nothing=1", "there is no joint nothing; allowed: lead, follow")]
+    [TestCase("mount=1", "mount is a fixed joint; allowed: lead, follow")]
     [TestCase("lead=1,lead=1", "lead is given twice")]
     [TestCase("lead=x", "lead: 'x' is not a finite number in m")]
     [TestCase("lead=NaN", "lead: 'NaN' is not a finite number in m")]

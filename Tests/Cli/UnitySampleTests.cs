@@ -77,7 +77,7 @@ public class UnitySampleTests
 
         var run = await project.RunAsync("--sample", "Virtual");
 
-        AssertRefused(run, "'Virtual' is not a sample of the package; allowed are Virtual Robot Cell, Connect to a Gateway, ");
+        AssertRefused(run, "'Virtual' is not a sample of the package; allowed: Virtual Robot Cell, Connect to a Gateway, ");
         Assert.That(project.Manifest, Is.EqualTo(Empty));
     }
 

@@ -62,7 +62,7 @@ public class GatewayOptionsTests
     {
         Refuse(Gateways.Options() with { SourceMessagesPerSecond = perSecond }, "SourceMessagesPerSecond");
         Refuse(Gateways.Options() with { ObserverMessagesPerSecond = perSecond }, "ObserverMessagesPerSecond");
-        Refuse(Gateways.Options() with { SyncRequestsPerSecond = perSecond }, "allowed are 1 to 100000");
+        Refuse(Gateways.Options() with { SyncRequestsPerSecond = perSecond }, "allowed: 1 to 100000");
     }
 
     [TestCase(-1)]

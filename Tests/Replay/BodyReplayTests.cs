@@ -129,7 +129,7 @@ public class BodyReplayTests
         Assert.That(Number(result, "error_deg", "rms"), Is.LessThan(1e-6));
     }
 
-    [TestCase("0,0,0,1,0,0,0,1.01", ":3: fields qx,qy,qz,qw", "1.01; allowed is 0.999 to 1.001")]
+    [TestCase("0,0,0,1,0,0,0,1.01", ":3: fields qx,qy,qz,qw", "1.01; allowed: 0.999 to 1.001")]
     [TestCase("0.2,0,0,1,0,0,0,0", ":3: fields qx,qy,qz,qw", "length 0;")]
     [TestCase("0.2,0,0,1,NaN,0,0,1", ":3: field 'qx'", "'NaN'")]
     [TestCase("0.2,0,0,one,0,0,0,1", ":3: field 'z'", "'one'")]

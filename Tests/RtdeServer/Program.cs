@@ -17,7 +17,7 @@ var fault = new Option<Fault>("--fault") { Description = "What goes wrong: " + N
 fault.CustomParser = result => Find(result.Tokens[0].Value) ?? Fault.None;
 fault.Validators.Add(result =>
 {
-    if (result.Tokens.Count > 0 && Find(result.Tokens[0].Value) == null) result.AddError($"--fault {result.Tokens[0].Value}; allowed are {Names()}");
+    if (result.Tokens.Count > 0 && Find(result.Tokens[0].Value) == null) result.AddError($"--fault {result.Tokens[0].Value}; allowed: {Names()}");
 });
 var after = new Option<double>("--after") { Description = "Seconds until then" };
 
@@ -48,7 +48,7 @@ static void Obey(RtdeServer server, Controller controller)
     {
         if (Find(line.Trim()) is not { } fault)
         {
-            Console.WriteLine($"unknown {line}; allowed are {Names()}");
+            Console.WriteLine($"unknown {line}; allowed: {Names()}");
             continue;
         }
 

@@ -61,7 +61,7 @@ static class LagEstimator
                 + "check the columns; if one of them counts in the opposite direction, add --inverted");
         if (peak == 0 || peak == correlations.Length - 1)
             throw new InputException(FormattableString.Invariant(
-                $"recording: the best lag lies at or beyond {(first + peak) * interval * 1000:0} ms; allowed are {MinLag * 1000:0} to {MaxLag * 1000:0} ms; check both clocks"));
+                $"recording: the best lag lies at or beyond {(first + peak) * interval * 1000:0} ms; allowed: {MinLag * 1000:0} to {MaxLag * 1000:0} ms; check both clocks"));
         for (var i = 1; i < correlations.Length - 1; i++)
         {
             var isPeak = correlations[i] >= correlations[i - 1] && correlations[i] >= correlations[i + 1];

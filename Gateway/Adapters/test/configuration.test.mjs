@@ -52,7 +52,7 @@ describe('configuration', () => {
   });
 
   for (const [name, from, to, expected] of [
-    ['UnknownKind', 'kind: opcua', 'kind: opcau', /^line 4: plant\.kind: value "opcau"; did you mean opcua\? allowed are .*opcua/],
+    ['UnknownKind', 'kind: opcua', 'kind: opcau', /^line 4: plant\.kind: value "opcau"; did you mean opcua\? allowed: .*opcua/],
     ['KeyWithALineSeparator', 'plant:', '\u2028lant:', /^line 3: \\u2028lant: not known here; did you mean plant\?$/],
     ['NoKind', '  kind: opcua\n', '', /^line 3: plant\.kind: missing; .*opcua/],
     ['NoPlant', /plant:\n.*\n.*\n/, '', /^line 1: plant: missing/],
@@ -68,34 +68,34 @@ describe('configuration', () => {
     ['NodeNumberTooLarge', 'ns=4;i=1002', 'ns=4;i=4294967296', /^line 11: joints\[1\]\.node: .* from 0 to 4294967295$/],
     ['TimeNodeTooLarge', 'joints:', '  time: {node: ns=65536;s=t}\njoints:', /^line 6: plant\.time\.node: .* from 0 to 65535$/],
     ['UnknownKey', 'endpoint: opc', 'endpont: opc', /^line 5: plant\.endpont: not known here; did you mean endpoint\?/],
-    ['UnknownSection', 'joints:', 'axes:', /^line 6: axes: not known here; allowed are gateway, plant, joints, frames, signals, robot, robots$/],
-    ['WrongEndpoint', 'opc.tcp://plc.example:4840', 'http://plc', /^line 5: plant\.endpoint: value "http:\/\/plc"; allowed is .*opc\.tcp:\/\/HOST/],
+    ['UnknownSection', 'joints:', 'axes:', /^line 6: axes: not known here; allowed: gateway, plant, joints, frames, signals, robot, robots$/],
+    ['WrongEndpoint', 'opc.tcp://plc.example:4840', 'http://plc', /^line 5: plant\.endpoint: value "http:\/\/plc"; allowed: .*opc\.tcp:\/\/HOST/],
     ['PasswordInEndpoint', 'opc.tcp://plc', 'opc.tcp://me:word@plc', /^line 5: plant\.endpoint: .*without user name or password$/],
     ['PasswordWithSlash', 'opc.tcp://plc', 'opc.tcp:/me:wo/rd@x@plc', /^line 5: plant\.endpoint: value "opc\.tcp:\/\*\*\*@plc/],
-    ['UnknownUnit', 'unit: deg', 'unit: degrees', /^line 9: joints\[0\]\.unit: value "degrees"; did you mean deg\? allowed are rad, deg, m, mm$/],
+    ['UnknownUnit', 'unit: deg', 'unit: degrees', /^line 9: joints\[0\]\.unit: value "degrees"; did you mean deg\? allowed: rad, deg, m, mm$/],
     ['UnitAndScale', 'scale: 0.5', 'scale: 0.5\n    unit: mm', /^line 12: joints\[1\]\.scale: the unit already determines the scale/],
-    ['ScaleOfZero', 'scale: 0.5', 'scale: 0', /^line 12: joints\[1\]\.scale: value 0; allowed is .*not 0/],
-    ['ScaleInWords', 'scale: 0.5', 'scale: half', /^line 12: joints\[1\]\.scale: value "half"; allowed is a number/],
+    ['ScaleOfZero', 'scale: 0.5', 'scale: 0', /^line 12: joints\[1\]\.scale: value 0; allowed: .*not 0/],
+    ['ScaleInWords', 'scale: 0.5', 'scale: half', /^line 12: joints\[1\]\.scale: value "half"; allowed: a number/],
     ['OffsetNaN', 'offset: -1.5', 'offset: .nan', /^line 13: joints\[1\]\.offset: value \.nan; /],
     ['OffsetInfinite', 'offset: -1.5', 'offset: -.inf', /^line 13: joints\[1\]\.offset: value -\.inf; /],
     ['NoNode', '    node: ns=4;i=1002\n', '', /^line 10: joints\[1\]\.node: missing; add the node's id as ns=/],
-    ['WrongNode', 'ns=4;i=1002', 'MAIN.x', /^line 11: joints\[1\]\.node: value "MAIN\.x"; allowed is .*ns=NUMBER;s=NAME/],
+    ['WrongNode', 'ns=4;i=1002', 'MAIN.x', /^line 11: joints\[1\]\.node: value "MAIN\.x"; allowed: .*ns=NUMBER;s=NAME/],
     ['JointTwice', 'arm_joint_2', 'arm_joint_1', /^line 10: joints\[1\]\.joint: value "arm_joint_1"; line 7 already has this joint/],
     ['KeyTwice', 'unit: deg', 'unit: deg\n    unit: rad', /^line 10: this key occurs twice/],
     ['Tab', '  endpoint', '\tendpoint', /^line 5: a tab precedes the entry/],
     ['AliasWithoutEnd', 'gateway:', '&all\ngateway: *all\nown:', /^line 1: an alias \(\*\) refers to an entry that contains it; write the entry out$/],
     ['NoYaml', 'unit: deg', 'unit: "deg', /^line \d+: not valid YAML: /],
-    ['JointsNoList', /joints:[^]*/, 'joints: {}\n', /^line 6: joints: value \{\}; allowed is a list of joints/],
-    ['GatewayNoWebSocket', 'ws://127.0.0.1:47011', '127.0.0.1', /^line 2: gateway\.url: value "127\.0\.0\.1"; allowed is .*ws:\/\/HOST:PORT/],
+    ['JointsNoList', /joints:[^]*/, 'joints: {}\n', /^line 6: joints: value \{\}; allowed: a list of joints/],
+    ['GatewayNoWebSocket', 'ws://127.0.0.1:47011', '127.0.0.1', /^line 2: gateway\.url: value "127\.0\.0\.1"; allowed: .*ws:\/\/HOST:PORT/],
     ['PinWithoutTls', 'plant:', `  pin: sha256/${'A'.repeat(43)}=\nplant:`, /^line 3: gateway\.pin: not used with ws:\/\/; write wss:\/\//],
     ['OpenAndGuarded', 'joints:', '  security: { i_know_this_is_open: true }\njoints:', /^line 6: plant\.security\.i_know_this_is_open: security\.mode is sign_and_encrypt/],
-    ['WrongPin', 'plant:', '  pin: sha256/abc\nplant:', /^line 3: gateway\.pin: value "sha256\/abc"; allowed is the pin/],
+    ['WrongPin', 'plant:', '  pin: sha256/abc\nplant:', /^line 3: gateway\.pin: value "sha256\/abc"; allowed: the pin/],
     ['TokenInFile', 'plant:', '  token: hush-hush\nplant:', /^line 3: gateway\.token: not known here; did you mean token_file\?/],
     ['NoTokenFile', 'plant:', '  token_file: none\nplant:', /^line 3: gateway\.token_file: value "none"; the file cannot be read \(ENOENT\)/],
-    ['SilenceMisspelt', 'joints:', '  silence: rset\njoints:', /^line 6: plant\.silence: value "rset"; allowed is .*rest .*fault_after_s: SECONDS/],
+    ['SilenceMisspelt', 'joints:', '  silence: rset\njoints:', /^line 6: plant\.silence: value "rset"; allowed: .*rest .*fault_after_s: SECONDS/],
     ['SilenceWithoutTime', 'joints:', '  silence: {}\njoints:', /^line 6: plant\.silence\.fault_after_s: missing; add a time from 0\.5 to 3600 s$/],
-    ['SilenceTooShort', 'unit: deg', 'unit: deg\n    silence: {fault_after_s: 0.1}', /^line 10: joints\[0\]\.silence\.fault_after_s: value 0\.1; allowed is a time from 0\.5 to 3600 s$/],
-    ['DecelerationOfZero', 'unit: deg', 'unit: deg\n    max_deceleration: 0', /^line 10: joints\[0\]\.max_deceleration: value 0; allowed is a number above 0/],
+    ['SilenceTooShort', 'unit: deg', 'unit: deg\n    silence: {fault_after_s: 0.1}', /^line 10: joints\[0\]\.silence\.fault_after_s: value 0\.1; allowed: a time from 0\.5 to 3600 s$/],
+    ['DecelerationOfZero', 'unit: deg', 'unit: deg\n    max_deceleration: 0', /^line 10: joints\[0\]\.max_deceleration: value 0; allowed: a number above 0/],
     ['NoRobotFile', 'plant:', 'robot: none.urdf\nplant:', /^line 3: robot: value "none\.urdf"; the file cannot be read/],
   ]) {
     it(`Check_${name}_NamesLineAndRemedy`, () => {
@@ -136,7 +136,7 @@ describe('configuration', () => {
 
     assert.equal(lines.length, 2, lines.join('\n'));
     assert.match(lines[0], /^line 1: plant: missing/);
-    assert.match(lines[1], /^line 3: endpont: not known here; allowed are gateway, plant, joints, frames, signals, robot, robots/);
+    assert.match(lines[1], /^line 3: endpont: not known here; allowed: gateway, plant, joints, frames, signals, robot, robots/);
   });
 
   it('Check_AddressesOfAllForms_AreValid', () => {

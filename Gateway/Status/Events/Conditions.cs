@@ -202,7 +202,7 @@ sealed class Conditions(
         var (joint, allowed) = (found.Joint, found.Joint.Limits);
         var (unit, other) = joint.Kind == JointKind.Prismatic ? ("m", "mm") : ("rad", "degrees");
         return new Condition("limit", joint.Name, "is exceeded", string.Create(
-            CultureInfo.InvariantCulture, $"its position was {found.Position:0.###} {unit}; allowed are {allowed.Lower:0.###} to {allowed.Upper:0.###} {unit}"), Level.Warning)
+            CultureInfo.InvariantCulture, $"its position was {found.Position:0.###} {unit}; allowed: {allowed.Lower:0.###} to {allowed.Upper:0.###} {unit}"), Level.Warning)
         {
             Headline = $"joint {joint.Name} is outside the limits of the robot description",
             Remedy = $"Check that the description belongs to this robot and that the source sends {unit}, not {other}.",

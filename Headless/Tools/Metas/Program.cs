@@ -16,7 +16,7 @@ if (args.Contains("--help"))
     return 0;
 }
 var unknown = args.FirstOrDefault(a => a is not ("--check" or "--prune"));
-if (unknown != null) return Refuse($"unknown option {unknown}; allowed are --check, --prune and --help");
+if (unknown != null) return Refuse($"unknown option {unknown}; use --check, --prune or --help");
 if (args.Contains("--check") && args.Contains("--prune")) return Refuse("--check writes nothing, so it cannot be combined with --prune");
 
 var root = ProjectRoot.Find(Directory.GetCurrentDirectory());

@@ -83,7 +83,7 @@ public class RangeVerbTests : CalibrationFolder
         Assert.That(run.Errors, Does.Match(@"the limit is between 1[345]\.\d\d ms, which is used, and 1[567]\.\d\d ms"));
     }
 
-    [TestCase("render_ms,visu_ms\n5,40\n0,40", ":3: render_ms: 0 ms is out of range; allowed are 0.001 to 1000 ms")]
+    [TestCase("render_ms,visu_ms\n5,40\n0,40", ":3: render_ms: 0 ms is out of range; allowed: 0.001 to 1000 ms")]
     [TestCase("render_ms,visu_ms\nNaN,40", ":2: render_ms: NaN ms is out of range")]
     [TestCase("render_ms,visu_ms\n5,4o", ":2: visu_ms: '4o' is not a number")]
     [TestCase("render_ms,visu_ms\n5", ":2: 1 fields; the header has 2")]
@@ -125,7 +125,7 @@ public class RangeVerbTests : CalibrationFolder
 
         var refusal = await RefusalOf("range", bad);
 
-        Assert.That(refusal, Is.EqualTo($"nowpose: {bad}:301: render_ms: {named} is out of range; allowed are 0.001 to 1000 ms"));
+        Assert.That(refusal, Is.EqualTo($"nowpose: {bad}:301: render_ms: {named} is out of range; allowed: 0.001 to 1000 ms"));
         Assert.That(await File.ReadAllBytesAsync(ProfilePath), Is.EqualTo(before));
     }
 

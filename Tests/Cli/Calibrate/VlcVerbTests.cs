@@ -91,7 +91,7 @@ public sealed class VlcVerbTests
         var run = await Run(In("pictures"), "--sweep", In("bad.csv"));
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors.Trim(), Is.EqualTo($"nowpose: {In("bad.csv")}:201: render_ms: {named} is out of range; allowed are 0.001 to 1000 ms"));
+        Assert.That(run.Errors.Trim(), Is.EqualTo($"nowpose: {In("bad.csv")}:201: render_ms: {named} is out of range; allowed: 0.001 to 1000 ms"));
         Assert.That(File.ReadAllText(In("out/profile.json")), Is.EqualTo("good"));
     }
 

@@ -68,7 +68,7 @@ public sealed class LoadGeneratorTests
         Build();
 
         Assert.That(() => _load.Vertices = 2_000_001, Throws.TypeOf<InputException>().With.Message.EqualTo(
-            "load, vertices: 2000001 is out of range; allowed are 0 to 2000000"));
+            "load, vertices: 2000001 is out of range; allowed: 0 to 2000000"));
         _cell.Frame(null);
 
         Assert.That(_load.VerticesShown, Is.EqualTo(50_000));

@@ -51,7 +51,7 @@ public sealed class PackageChecksTests : EditorFixture
 
         var found = _reviewed.Review.Results[_reviewed.IndexOf("AR Foundation")];
         Assert.That(found.State, Is.EqualTo(CheckState.Advice));
-        Assert.That(found.Found, Is.EqualTo("com.unity.xr.arfoundation 4.1.7 is too old; allowed is 5.0.0 or newer, but older than 7.0.0"));
+        Assert.That(found.Found, Is.EqualTo("com.unity.xr.arfoundation 4.1.7 is too old; allowed: 5.0.0 or newer, but older than 7.0.0"));
         Assert.That(_reviewed.Review.Results[_reviewed.IndexOf("Mixed Reality OpenXR")].State, Is.EqualTo(CheckState.Good));
     }
 
@@ -144,7 +144,7 @@ public sealed class PackageChecksTests : EditorFixture
         _reviewed.Review.Refresh();
         Assert.That(
             _reviewed.Review.Results[_reviewed.IndexOf("MRTK3 (optional)")].Found,
-            Is.EqualTo("org.mixedrealitytoolkit.uxcomponents 3.2.9 is too old; allowed is 3.3.0 or newer, but older than 4.0.0"));
+            Is.EqualTo("org.mixedrealitytoolkit.uxcomponents 3.2.9 is too old; allowed: 3.3.0 or newer, but older than 4.0.0"));
     }
 
     [Test]

@@ -54,7 +54,7 @@ export const check: OwnCheck = (file, configuration) => {
     file.report(['plant', 'time'], 'timestamp is notification; remove time, or set timestamp to variable');
   const { samplingMs, publishingMs } = intervalsOf(plant);
   if (publishingMs < samplingMs)
-    file.report(['plant', 'publishing_ms'], `value ${publishingMs}; allowed is a time from sampling_ms, ${samplingMs}, to 10000 ms`);
+    file.report(['plant', 'publishing_ms'], `value ${publishingMs}; allowed: a time from sampling_ms, ${samplingMs}, to 10000 ms`);
   const { joints = [], frames = [] } = file.value as Record<'joints' | 'frames', { silence?: unknown }[] | undefined>;
   const silent: [Path, { silence?: unknown }][] = [
     [['plant'], (file.value as { plant: object }).plant],

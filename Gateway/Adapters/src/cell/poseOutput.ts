@@ -251,10 +251,10 @@ function poseOf(
   const [choice] = selector === null ? [0] : (found([selector], STEP) ?? [null]);
   if (place === null || parts === null || choice === null) return null;
   if (!Number.isInteger(choice) || choice < 0 || choice >= parents.length)
-    return { reason: 'parent', text: `its parent is number ${choice}; allowed is a whole number from 0 to ${parents.length - 1}` };
+    return { reason: 'parent', text: `its parent is number ${choice}; allowed: a whole number from 0 to ${parents.length - 1}` };
   const turned = turnOf(rotation, parts);
   if (turned === null)
-    return { reason: 'not-unit', text: `the quaternion has the length ${Math.hypot(...parts).toFixed(3)}; allowed is 0.99 to 1.01` };
+    return { reason: 'not-unit', text: `the quaternion has the length ${Math.hypot(...parts).toFixed(3)}; allowed: 0.99 to 1.01` };
   return { frame, parent: parents[choice], position: place.map(value => value * scale), rotation: turned };
 }
 

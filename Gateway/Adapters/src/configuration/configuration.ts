@@ -116,7 +116,7 @@ function kindOf(file: YamlFile): string {
   const root = file.value as { plant?: { kind?: unknown } } | null;
   const isSection = typeof root === 'object' && typeof root?.plant === 'object' && root.plant !== null;
   const kind = isSection ? root?.plant?.kind : undefined;
-  const allowed = `allowed are ${KINDS.join(', ')}`;
+  const allowed = `allowed: ${KINDS.join(', ')}`;
   if (kind === undefined) {
     const path = isSection ? ['plant'] : [];
     const missing = isSection ? 'kind' : 'plant';
@@ -136,7 +136,7 @@ function kindOf(file: YamlFile): string {
 function reportUnknown(file: YamlFile, root: object | null, reported: string | undefined): void {
   const known = [...new Set(knownEntries([]))];
   for (const key of Object.keys(root ?? {}))
-    if (key !== reported && !known.includes(key)) file.report([key], `not known here; allowed are ${known.join(', ')}`);
+    if (key !== reported && !known.includes(key)) file.report([key], `not known here; allowed: ${known.join(', ')}`);
 }
 
 /** Gets the unknown entry that is probably a misspelling of a missing one. */

@@ -116,7 +116,7 @@ function rotationOf(
 function read(file: YamlFile, kind: string, { label, path, address }: Value, values: Value[]): Component {
   const allowed = ADDRESS[kind];
   for (const key of Object.keys(address))
-    if (!allowed.includes(key as keyof Address)) file.report([...path, key], `not known here; allowed are ${allowed.join(', ')}`);
+    if (!allowed.includes(key as keyof Address)) file.report([...path, key], `not known here; allowed: ${allowed.join(', ')}`);
   if (address[allowed[0]] === undefined) file.report([...path, allowed[0]], `missing; add the ${allowed[0]} of the variable with this number`);
   values.push({ label, path, address: addressIn(address) });
   return { value: values.length - 1 };

@@ -44,7 +44,7 @@ function inWords(error: ErrorObject, root: unknown): { path: Path; text: string 
     case 'additionalProperties': {
       const name = error.params.additionalProperty as string;
       const known = Object.keys(parent.properties ?? {});
-      return { path: [...at, name], text: `not known here; ${meant(name, known)}allowed are ${known.join(', ')}` };
+      return { path: [...at, name], text: `not known here; ${meant(name, known)}allowed: ${known.join(', ')}` };
     }
     case 'const':
     case 'enum': {
@@ -53,7 +53,7 @@ function inWords(error: ErrorObject, root: unknown): { path: Path; text: string 
       return { path: at, text: `value ${shown(error.data)}; ${guess}allowed ${allowed.length > 1 ? 'are' : 'is'} ${allowed.join(', ')}` };
     }
     default:
-      return { path: at, text: `value ${shown(error.data)}; ${parent.description ? `allowed is ${parent.description}` : error.message}` };
+      return { path: at, text: `value ${shown(error.data)}; ${parent.description ? `allowed: ${parent.description}` : error.message}` };
   }
 }
 
@@ -62,7 +62,7 @@ const named = (property?: Described): Described | undefined =>
   property?.$ref === undefined ? property : (schema.$defs as Record<string, Described>)[property.$ref.replace('#/$defs/', '')];
 
 const because = (property?: Described): string =>
-  property?.enum ? `; allowed are ${property.enum.join(', ')}` : property?.description ? `; add ${property.description}` : '';
+  property?.enum ? `; allowed: ${property.enum.join(', ')}` : property?.description ? `; add ${property.description}` : '';
 
 function meant(name: string, known: string[]): string {
   const [guess] = nearest(name, known);

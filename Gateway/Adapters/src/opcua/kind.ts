@@ -42,7 +42,7 @@ export const opcua: Kind = {
     const samplingMs = section.sampling_ms ?? SAMPLING_MS;
     const publishingMs = section.publishing_ms ?? Math.max(samplingMs, PUBLISHING_MS);
     if (publishingMs < samplingMs)
-      file.report([...at, 'publishing_ms'], `value ${publishingMs}; allowed is a time from sampling_ms, ${samplingMs}, to 10000 ms`);
+      file.report([...at, 'publishing_ms'], `value ${publishingMs}; allowed: a time from sampling_ms, ${samplingMs}, to 10000 ms`);
     const timestamp = section.timestamp ?? (section.time === undefined ? 'source' : 'variable');
     if (timestamp === 'variable' && section.time === undefined)
       file.report([...at, 'timestamp'], 'value "variable"; add time with the node of the time variable');

@@ -69,7 +69,7 @@ export const rtde: Kind = {
     indices.forEach((index, i) => {
       const entry = ['joints', i, 'index'];
       const first = indices.indexOf(index);
-      if (index > 5) file.report(entry, `value ${shown(index)}; the arm has six joints; allowed is a whole number from 0 to 5`);
+      if (index > 5) file.report(entry, `value ${shown(index)}; the arm has six joints; allowed: a whole number from 0 to 5`);
       else if (first < i)
         file.report(entry, `value ${shown(index)}; line ${file.lineOf(['joints', first])} already has this joint of the arm; use each index once`);
     });

@@ -15,7 +15,7 @@ describe('broker configuration', () => {
       /line 1: plant\.plain: missing; mqtt:\/\/ to another machine/],
     ['Port', plant('  clock: { host: a }\n').replace('127.0.0.1', '127.0.0.1:x'), /line 4: plant\.endpoint: .* a port from 1 to 65535/],
     ['Topic', plant('  clock: { host: a }\n').replace('nowpose/cell', 'nowpose/#'),
-      /line 5: plant\.topic: value "nowpose\/#"; allowed is what the plant's topics begin with/],
+      /line 5: plant\.topic: value "nowpose\/#"; allowed: what the plant's topics begin with/],
     ['Direction', plant('').replace('subscribe', 'subscrib'), /line 3: plant\.direction: .*did you mean subscribe\?/],
     ['PasswordInEndpoint', plant('').replace('mqtt://', 'mqtt://me:word@'), /line 4: plant\.endpoint: .*without user name or password/],
     ['PasswordInTheOpen', plant('  clock: { host: a }\n  plain: true\n  user: { name: me, password_file: none }\n').replace('127.0.0.1', '10.0.0.5'),

@@ -204,7 +204,7 @@ describe('poses', () => {
   it('Quaternion_OfAnotherLength_IsRefusedWithItsLength', () => {
     const { take, poses, status, time } = cell({ frames: [turned], values: ['x', 'y', 'z', 'w'] });
     take({ 0: 0, 1: 0, 2: 0, 3: 2 });
-    assert.match(status.values()['frame/turned'], /the quaternion has the length 2\.000; allowed is 0\.99 to 1\.01/);
+    assert.match(status.values()['frame/turned'], /the quaternion has the length 2\.000; allowed: 0\.99 to 1\.01/);
 
     time.ms = 10;
     take({ 3: 1.004 });
@@ -228,7 +228,7 @@ describe('poses', () => {
 
     assert.equal(poses().length, 3);
     assert.equal(stateOf('frame/part'), 'refused');
-    assert.match(status.values()['frame/part'], /its parent is number 2; allowed is a whole number from 0 to 1$/);
+    assert.match(status.values()['frame/part'], /its parent is number 2; allowed: a whole number from 0 to 1$/);
   });
 
   it('ConstantFrame_IsPublishedOnceAsStationary', () => {

@@ -149,8 +149,8 @@ describe('security in the configuration', () => {
   for (const [name, plant, expected] of [
     ['NoneWithoutFlag', ['security:', '  mode: none'], /line 8: plant\.security\.mode: value "none"; anyone .* i_know_this_is_open: true/],
     ['FlagOfFalse', ['security:', '  mode: none', '  i_know_this_is_open: false'], /line 9: plant\.security\.i_know_this_is_open: /],
-    ['WeakPolicy', ['security:', '  policy: Basic128Rsa15'], /line 8: plant\.security\.policy: value "Basic128Rsa15"; .*allowed are Basic256Sha256/],
-    ['WrongThumbprint', ['security:', '  thumbprint: 12 34'], /line 8: plant\.security\.thumbprint: value "12 34"; allowed is the thumbprint/],
+    ['WeakPolicy', ['security:', '  policy: Basic128Rsa15'], /line 8: plant\.security\.policy: value "Basic128Rsa15"; .*allowed: Basic256Sha256/],
+    ['WrongThumbprint', ['security:', '  thumbprint: 12 34'], /line 8: plant\.security\.thumbprint: value "12 34"; allowed: the thumbprint/],
     ['PasswordInFile', ['user: {name: me, password: hush-hush}'], /line 7: plant\.user\.password: not known here; did you mean password_file\?/],
     ['PasswordOverOpen', ['security: {mode: none, i_know_this_is_open: true}', 'user: {name: me}'], /line 8: plant\.user: the password would be sent unencrypted/],
     ['NoPassword', ['user:', '  name: me'], /line 7: plant\.user\.password_file: missing; add the path of a file .*NOWPOSE_PLANT_PASSWORD/],

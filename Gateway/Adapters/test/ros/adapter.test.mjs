@@ -167,10 +167,10 @@ describe('ros', { concurrency: 4 }, () => {
 
   for (const [name, text, expected] of [
     ['PlainToAnother', 'plant:\n  kind: ros\n  endpoint: ws://192.168.0.30:9090\n', /line 1: plant\.plain: missing; ws:\/\/ to another machine/],
-    ['Endpoint', 'plant:\n  kind: ros\n  endpoint: http://192.168.0.30\n', /line 3: plant\.endpoint: value "http:\/\/192\.168\.0\.30"; allowed is the rosbridge's address/],
+    ['Endpoint', 'plant:\n  kind: ros\n  endpoint: http://192.168.0.30\n', /line 3: plant\.endpoint: value "http:\/\/192\.168\.0\.30"; allowed: the rosbridge's address/],
     ['PinWithoutTls', `plant:\n  kind: ros\n  endpoint: ws://127.0.0.1\n  pin: sha256/${'A'.repeat(43)}=\n`, /line 4: plant\.pin: not used with ws:/],
     ['Port', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:90900\n', /line 3: plant\.endpoint: .* a port from 1 to 65535/],
-    ['Topic', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\n  topics: { joint_states: joint states }\n', /line 4: plant\.topics\.joint_states: .*allowed is a topic's name/],
+    ['Topic', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\n  topics: { joint_states: joint states }\n', /line 4: plant\.topics\.joint_states: .*allowed: a topic's name/],
     ['SourceTwice', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\njoints:\n  - joint: a\n  - joint: b\n    source: a\n', /line 6: joints\[1\]: the robot's joint a occurs twice/],
   ])
     it(`Check_Invalid${name}_NamesItsLine`, () => {

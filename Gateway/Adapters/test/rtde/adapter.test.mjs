@@ -329,10 +329,10 @@ describe('rtde adapter', { concurrency: 4 }, () => {
 
   for (const [what, yaml, text] of [
     ['NoHost', 'plant: { kind: rtde }', /line 1: plant\.host: missing; add the name or the address of the robot's controller/],
-    ['HostWithPort', 'plant: { kind: rtde, host: "10.0.0.1:30004" }', /value "10\.0\.0\.1:30004"; allowed is .* without a port, which stands under port/],
-    ['HostWithScheme', 'plant: { kind: rtde, host: "tcp://10.0.0.1" }', /value "tcp:\/\/10\.0\.0\.1"; allowed is the name or the address/],
-    ['TooFast', 'plant: { kind: rtde, host: ur, rate_hz: 1000 }', /value 1000; allowed is samples per second, 1 to 500/],
-    ['SeventhJoint', 'plant: { kind: rtde, host: ur }\njoints: [{ joint: a, index: 6 }]', /value 6; allowed is a whole number from 0 to 5/],
+    ['HostWithPort', 'plant: { kind: rtde, host: "10.0.0.1:30004" }', /value "10\.0\.0\.1:30004"; allowed: .* without a port, which stands under port/],
+    ['HostWithScheme', 'plant: { kind: rtde, host: "tcp://10.0.0.1" }', /value "tcp:\/\/10\.0\.0\.1"; allowed: the name or the address/],
+    ['TooFast', 'plant: { kind: rtde, host: ur, rate_hz: 1000 }', /value 1000; allowed: samples per second, 1 to 500/],
+    ['SeventhJoint', 'plant: { kind: rtde, host: ur }\njoints: [{ joint: a, index: 6 }]', /value 6; allowed: a whole number from 0 to 5/],
     ['JointTwice', 'plant: { kind: rtde, host: ur }\njoints:\n  - { joint: a, index: 1 }\n  - { joint: b, index: 1 }', /line 4: joints\[1\]\.index: value 1; line 3 already has this joint of the arm/],
     ['SignalWithoutField', 'plant: { kind: rtde, host: ur }\nsignals: [{ signal: a }]', /signals\[0\]\.field: missing; add the name of an output field/],
     ['SignalTwice', 'plant: { kind: rtde, host: ur }\nsignals:\n  - { signal: a, field: b }\n  - { signal: a, field: c }', /line 4: signals\[1\]\.signal: value "a"; line 3 already has this signal/],

@@ -61,7 +61,7 @@ namespace Nowpose.Editor.Import
                 throw new InputException("mesh " + mesh.Fault);
             }
             if (IsStl(mesh.Path) || IsModel(mesh.Path)) return mesh.Path;
-            throw new InputException("mesh '" + name + "' has an unsupported format; allowed are STL, OBJ, DAE and FBX");
+            throw new InputException("mesh '" + name + "' has an unsupported format; allowed: STL, OBJ, DAE and FBX");
         }
 
         GameObject ShowStl(string path, Material material)

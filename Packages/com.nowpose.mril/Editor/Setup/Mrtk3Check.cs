@@ -20,7 +20,7 @@ namespace Nowpose.Editor.Setup
                 : new CheckResult(
                     CheckState.Advice,
                     wrong.Name + " " + project.VersionOf(wrong.Name) + (wrong.IsTooNew(project.VersionOf(wrong.Name)) ? " is too new" : " is too old")
-                    + "; allowed is " + wrong.Bounds);
+                    + "; allowed: " + wrong.Bounds);
         }
 
         public override string Fix(IProjectSettings project) => null;

@@ -21,7 +21,7 @@ namespace Nowpose.Editor.Setup
             if (_package.Serves(version) == true) return Good(_package.Name + " " + version);
             return new CheckResult(
                 _without,
-                _package.Name + " " + version + (_package.IsTooNew(version) ? " is too new" : " is too old") + "; allowed is " + _package.Bounds);
+                _package.Name + " " + version + (_package.IsTooNew(version) ? " is too new" : " is too old") + "; allowed: " + _package.Bounds);
         }
 
         public override string Fix(IProjectSettings project)

@@ -13,7 +13,7 @@ namespace Nowpose
             if (value >= min && value <= max) return value;
             var suffix = unit.Length == 0 ? "" : " " + unit;
             throw new InputException(string.Format(
-                CultureInfo.InvariantCulture, "{0}: {1}{4} is out of range; allowed are {2} to {3}{4}", name, value, min, max, suffix));
+                CultureInfo.InvariantCulture, "{0}: {1}{4} is out of range; allowed: {2} to {3}{4}", name, value, min, max, suffix));
         }
 
         /// <inheritdoc cref="Require"/>

@@ -60,7 +60,7 @@ namespace Nowpose.Unity
             Problem = null;
             if (_material == null) Fail("has no material; assign one");
             else if (_vertices < 0 || _vertices > LoadMesh.MaxVertices)
-                Fail("has a load of " + _vertices + " vertices; allowed are 0 to " + LoadMesh.MaxVertices);
+                Fail("has a load of " + _vertices + " vertices; allowed: 0 to " + LoadMesh.MaxVertices);
             else _patches = new LoadPatches(
                 transform, _material, _widthMetres, this.SessionOr(null).ClockOrDevices(),
                 Mathf.Clamp(_msPerFrame, MinMsPerFrame, MaxMsPerFrame));

@@ -203,7 +203,7 @@ public class JointFaultTests
         var one = await _gateway.EventAsync("limit", "arm_joint_3");
         Assert.That(one.GetProperty("what").GetString(), Is.EqualTo("is exceeded"));
         Assert.That(one.GetProperty("text").GetString(), Does.Match(
-            "^joint arm_joint_3 is outside the limits of the robot description: its position was 200 rad; allowed are [-0-9.]+ to [-0-9.]+ rad[.] "
+            "^joint arm_joint_3 is outside the limits of the robot description: its position was 200 rad; allowed: [-0-9.]+ to [-0-9.]+ rad[.] "
                 + "Check that the description belongs to this robot and that the source sends rad, not degrees[.]$"));
     }
 

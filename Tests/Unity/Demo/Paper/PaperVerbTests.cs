@@ -40,7 +40,7 @@ public class PaperVerbTests
     [TestCase(new[] { "--estimator", "default", "--sampling-ms", "20" }, "--estimator, --sampling-ms: cannot be combined with --paper")]
     [TestCase(new[] { "--recording", "motion.csv" }, "--recording: cannot be combined with --paper")]
     [TestCase(new[] { "--profile", "profile.json", "--trajectory" }, "--profile, --trajectory: cannot be combined with --paper")]
-    [TestCase(new[] { "--seconds", "10" }, "--seconds: 10 s is out of range; with --paper allowed are 20 to 3600 s")]
+    [TestCase(new[] { "--seconds", "10" }, "--seconds: 10 s is out of range; allowed with --paper: 20 to 3600 s")]
     [TestCase(new[] { "--visu-ms", "10" }, "--visu-ms: 10 ms is out of range; with --paper, 17 to 400 ms are allowed")]
     [TestCase(new[] { "--repeats", "0" }, "--repeats: 0 is out of range")]
     public async Task Paper_ContradictingOption_IsOneLineAndExit2(string[] options, string named)

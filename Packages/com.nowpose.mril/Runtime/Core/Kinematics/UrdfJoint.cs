@@ -55,7 +55,7 @@ namespace Nowpose.Kinematics
                 case "prismatic": return JointKind.Prismatic;
                 default:
                     throw source.Error(element,
-                        "type " + UrdfSource.Quote(type) + " is not supported; allowed are fixed, revolute, continuous and prismatic");
+                        "type " + UrdfSource.Quote(type) + " is not supported; allowed: fixed, revolute, continuous and prismatic");
             }
         }
 

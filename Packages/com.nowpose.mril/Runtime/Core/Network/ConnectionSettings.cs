@@ -97,14 +97,14 @@ namespace Nowpose.Network
         {
             if (string.IsNullOrWhiteSpace(name) || name.Length > ProtocolLimits.NameLength)
                 throw new InputException(
-                    "headset name: is " + (name?.Length ?? 0) + " characters long; allowed are 1 to " + ProtocolLimits.NameLength);
+                    "headset name: is " + (name?.Length ?? 0) + " characters long; allowed: 1 to " + ProtocolLimits.NameLength);
             return name;
         }
 
         static ControlClockSource RequireSource(ControlClockSource source)
         {
             if (source != ControlClockSource.ClockSync && source != ControlClockSource.RosTime)
-                throw new InputException("clock source: " + (int)source + " is unknown; allowed are 0 (clock sync) and 1 (ROS time)");
+                throw new InputException("clock source: " + (int)source + " is unknown; allowed: 0 (clock sync) and 1 (ROS time)");
             return source;
         }
 

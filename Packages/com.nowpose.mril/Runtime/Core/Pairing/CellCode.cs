@@ -106,7 +106,7 @@ namespace Nowpose.Pairing
             var text = fields.OptionalText('m');
             if (text == null) return 0;
             // Callers use zero for an unknown size; a code omits the field instead.
-            return MarkerOffset.TryReadNumber(text, out var size) && size != 0 ? size : throw fields.Fault("marker size is not a number; allowed are "
+            return MarkerOffset.TryReadNumber(text, out var size) && size != 0 ? size : throw fields.Fault("marker size is not a number; allowed: "
                 + MarkerOffset.Write(MinSizeMetres) + " to " + MarkerOffset.Write(MaxSizeMetres) + " m");
         }
 
@@ -120,7 +120,7 @@ namespace Nowpose.Pairing
             if (Marker != null) text.Append("&o=").Append(Marker);
             if (SizeMetres != 0) text.Append("&m=").Append(MarkerOffset.Write(SizeMetres));
             return text.Length <= PairingCode.MaxLength ? text.ToString() : throw new InputException(
-                "cell code: " + text.Length + " characters; allowed are up to " + PairingCode.MaxLength
+                "cell code: " + text.Length + " characters; allowed: up to " + PairingCode.MaxLength
                 + "; shorten the names of cell and host");
         }
     }

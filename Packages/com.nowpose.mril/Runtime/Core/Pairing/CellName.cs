@@ -19,12 +19,12 @@ namespace Nowpose.Pairing
         public static string Require(string name, string what)
         {
             if (string.IsNullOrEmpty(name) || name.Length > MaxLength)
-                throw new InputException(what + ": is " + (name?.Length ?? 0) + " characters long; allowed are 1 to " + MaxLength);
+                throw new InputException(what + ": is " + (name?.Length ?? 0) + " characters long; allowed: 1 to " + MaxLength);
             for (var i = 0; i < name.Length; i++)
                 if (!IsAllowed(name[i]))
                     throw new InputException(string.Format(
                         CultureInfo.InvariantCulture,
-                        "{0}: character {1} is U+{2:X4}; allowed are letters, digits, spaces, hyphens, underscores and full stops",
+                        "{0}: character {1} is U+{2:X4}; allowed: letters, digits, spaces, hyphens, underscores and full stops",
                         what, i + 1, (int)name[i]));
             if (name[0] == ' ' || name[name.Length - 1] == ' ') throw new InputException(what + ": begins or ends with a space");
             return name;

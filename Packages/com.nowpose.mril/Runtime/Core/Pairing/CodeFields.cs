@@ -20,13 +20,13 @@ namespace Nowpose.Pairing
             _what = kind + " code";
             // Checked first, because a code in view may have thousands of characters.
             if (text == null || text.Length > PairingCode.MaxLength)
-                throw Fault((text?.Length ?? 0) + " characters; allowed are up to " + PairingCode.MaxLength);
+                throw Fault((text?.Length ?? 0) + " characters; allowed: up to " + PairingCode.MaxLength);
             RequirePlain(text);
             var begin = PairingCode.Scheme + kind + "/";
             if (!text.StartsWith(begin, StringComparison.Ordinal)) throw Fault("does not begin with " + begin);
             var query = text.IndexOf('?');
             RequireVersion(query < 0 ? text.Substring(begin.Length) : text.Substring(begin.Length, query - begin.Length), version);
-            if (query < 0) throw Fault("has no fields; allowed are " + List(keys));
+            if (query < 0) throw Fault("has no fields; allowed: " + List(keys));
             foreach (var field in text.Substring(query + 1).Split('&')) Add(field, keys);
         }
 
@@ -45,7 +45,7 @@ namespace Nowpose.Pairing
                 && (text.Length == 1 || text[0] != '0');
             if (isNumber && value >= min && value <= max) return value;
             // A value that is not a number may contain anything, so the message does not repeat it.
-            throw Fault(key + (isNumber ? "=" + value : " is not a whole number") + "; allowed are " + min + " to " + max);
+            throw Fault(key + (isNumber ? "=" + value : " is not a whole number") + "; allowed: " + min + " to " + max);
         }
 
         public InputException Fault(string what) => new InputException(_what + ": " + what);
@@ -55,7 +55,7 @@ namespace Nowpose.Pairing
             for (var i = 0; i < text.Length; i++)
                 if (text[i] <= ' ' || text[i] > '~')
                     throw Fault(string.Format(
-                        CultureInfo.InvariantCulture, "character {0} is U+{1:X4}; allowed is ASCII without spaces and control characters",
+                        CultureInfo.InvariantCulture, "character {0} is U+{1:X4}; allowed: ASCII without spaces and control characters",
                         i + 1, (int)text[i]));
         }
 
@@ -69,9 +69,9 @@ namespace Nowpose.Pairing
 
         void Add(string field, string keys)
         {
-            if (field.Length < 2 || field[1] != '=') throw Fault("a field is not KEY=VALUE; allowed are " + List(keys));
+            if (field.Length < 2 || field[1] != '=') throw Fault("a field is not KEY=VALUE; allowed: " + List(keys));
             var key = field[0];
-            if (keys.IndexOf(key) < 0) throw Fault("field " + key + " is not known; allowed are " + List(keys));
+            if (keys.IndexOf(key) < 0) throw Fault("field " + key + " is not known; allowed: " + List(keys));
             if (field.Length == 2) throw Fault(key + " is empty");
             if (!_values.TryAdd(key, field.Substring(2))) throw Fault(key + " occurs twice");
         }

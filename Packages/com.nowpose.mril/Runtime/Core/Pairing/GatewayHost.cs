@@ -16,7 +16,7 @@ namespace Nowpose.Pairing
         {
             var plain = (host ?? "").ToLowerInvariant();
             if (plain.Contains(':') ? IsIPv6(plain) : IsNumeric(plain) ? IsIPv4(plain) : IsName(plain)) return plain;
-            throw new InputException(what + ": '" + Shown(host) + "' is not a host; allowed are a name of ASCII letters, digits, hyphens and dots, "
+            throw new InputException(what + ": '" + Shown(host) + "' is not a host; allowed: a name of ASCII letters, digits, hyphens and dots, "
                 + "or an IPv4 or IPv6 address");
         }
 

@@ -18,7 +18,7 @@ namespace Nowpose.Pairing
         {
             _codes = codes.ToArray();
             if (_codes.Length == 0 || _codes.Length > MaxCodes)
-                throw new InputException("paired cell: " + _codes.Length + " codes; allowed are 1 to " + MaxCodes);
+                throw new InputException("paired cell: " + _codes.Length + " codes; allowed: 1 to " + MaxCodes);
             if (_codes.Select(code => code.Text).Distinct().Count() != _codes.Length) throw new InputException("paired cell: two codes are the same");
             if (_codes.Any(code => code.Cell != Newest.Cell || !code.HasSameGateway(Newest)))
                 throw new InputException("paired cell: the codes belong to several cells or gateways");

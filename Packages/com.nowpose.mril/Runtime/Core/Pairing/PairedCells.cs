@@ -18,7 +18,7 @@ namespace Nowpose.Pairing
         {
             _cells = cells.ToArray();
             if (_cells.Length > MaxCount)
-                throw new InputException("paired cells: " + _cells.Length + " cells; allowed are up to " + MaxCount);
+                throw new InputException("paired cells: " + _cells.Length + " cells; allowed: up to " + MaxCount);
             if (_cells.Select(cell => cell.Cell).Distinct().Count() != _cells.Length) throw new InputException("paired cells: two have the same name");
             Used = used == null ? null : Find(used) ?? throw new InputException("paired cells: the cell in use is not in the list");
         }

@@ -26,7 +26,7 @@ namespace Nowpose.Pairing
             if (text.Length > PairingCode.MaxLength)
             {
                 // Not stored, because the text's source would determine the memory that it needs.
-                if (!_isOversizedReported) fault = "pairing code: " + text.Length + " characters; allowed are up to " + PairingCode.MaxLength;
+                if (!_isOversizedReported) fault = "pairing code: " + text.Length + " characters; allowed: up to " + PairingCode.MaxLength;
                 _isOversizedReported = true;
                 return null;
             }

@@ -27,7 +27,7 @@ namespace Nowpose.Protocol
             // The buffer has one byte of slack, to distinguish 33 bytes from 32; longer values are rejected as well.
             if (!Convert.TryFromBase64String(base64, hash, out var length) || length != HashBytes)
                 throw new InputException(
-                    "certificate pin \"" + trimmed + "\": allowed is the base64 of 32 bytes, as the gateway prints it (sha256/…=)");
+                    "certificate pin \"" + trimmed + "\" is not the base64 of 32 bytes; copy it as the gateway prints it (sha256/…=)");
             return new CertificatePin(hash.AsSpan(0, HashBytes).ToArray());
         }
 

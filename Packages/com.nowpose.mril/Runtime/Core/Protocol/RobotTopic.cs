@@ -64,7 +64,7 @@ namespace Nowpose.Protocol
         /// <returns>The namespace.</returns>
         /// <exception cref="InputException">The text is not a robot's namespace.</exception>
         public static string RequireNamespace(string text) => IsNamespace(text) ? text : throw new InputException(
-            "robot namespace: is '" + text + "'; allowed are a letter, then letters, digits and underscores, up to "
+            "robot namespace: is '" + text + "'; allowed: a letter, then letters, digits and underscores, up to "
             + ProtocolLimits.NamespaceLength + " characters");
 
         static bool IsLetter(char c) => (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');

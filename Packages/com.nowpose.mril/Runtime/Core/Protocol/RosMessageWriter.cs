@@ -190,7 +190,7 @@ namespace Nowpose.Protocol
         static void Finite(JsonWriter json, string name, double value)
         {
             if (double.IsNaN(value) || double.IsInfinity(value))
-                throw new ArgumentException(name + " contains " + value + ", which JSON cannot represent; allowed are finite values");
+                throw new ArgumentException(name + " contains " + value + ", which JSON cannot represent; allowed: finite values");
             json.WriteValue(value);
         }
 

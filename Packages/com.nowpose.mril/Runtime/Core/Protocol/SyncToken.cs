@@ -53,7 +53,7 @@ namespace Nowpose.Protocol
         {
             var length = string.IsNullOrEmpty(token) ? 0 : Encoding.UTF8.GetByteCount(token);
             if (length == 0 || length > ProtocolLimits.TokenBytes)
-                throw new InputException("token: " + length + " bytes of UTF-8; allowed are 1 to " + ProtocolLimits.TokenBytes);
+                throw new InputException("token: " + length + " bytes of UTF-8; allowed: 1 to " + ProtocolLimits.TokenBytes);
             return length;
         }
     }

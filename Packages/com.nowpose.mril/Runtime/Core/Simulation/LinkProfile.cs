@@ -72,6 +72,6 @@ namespace Nowpose.Simulation
         /// <exception cref="InputException">No profile has that name.</exception>
         public static LinkProfile Named(string name) =>
             All.FirstOrDefault(profile => profile.Name == name)
-            ?? throw new InputException("link profile: '" + name + "' is not known; allowed are " + string.Join(", ", All.Select(p => p.Name)));
+            ?? throw new InputException("link profile: '" + name + "' is not known; allowed: " + string.Join(", ", All.Select(p => p.Name)));
     }
 }

@@ -65,7 +65,7 @@ namespace Nowpose.Simulation
         /// <exception cref="InputException">No profile has that name.</exception>
         public static NetworkProfile Named(string name) =>
             All.FirstOrDefault(profile => profile.Name == name)
-            ?? throw new InputException("network: '" + name + "' is not known; allowed are " + string.Join(", ", All.Select(p => p.Name)));
+            ?? throw new InputException("network: '" + name + "' is not known; allowed: " + string.Join(", ", All.Select(p => p.Name)));
 
         /// <summary>Makes the delays from the headset to the control system.</summary>
         internal PathDelay Up(int seed) => new PathDelay(this, SpikeChanceUp, seed);

@@ -25,7 +25,7 @@ namespace Nowpose.Sync
             {
                 case Default: return new EnvelopeClockEstimator();
                 case Ransac: return new RansacClockEstimator(ransac ?? RansacSettings.Paper);
-                default: throw new InputException("clock estimator '" + name + "' is unknown; allowed are " + string.Join(", ", Names));
+                default: throw new InputException("clock estimator '" + name + "' is unknown; allowed: " + string.Join(", ", Names));
             }
         }
     }

@@ -19,7 +19,7 @@ namespace Nowpose.Sync
             MovingAverage = SettingRange.RequireCount(movingAverage, 1, 10_000, nameof(movingAverage));
             if (!(inlierBoundMs > 0 && inlierBoundMs <= 1000))
                 throw new InputException(FormattableString.Invariant(
-                    $"inlier bound: {inlierBoundMs} ms is out of range; allowed are more than 0 to 1000 ms"));
+                    $"inlier bound: {inlierBoundMs} ms is out of range; allowed: more than 0 to 1000 ms"));
             InlierBound = TimeSpan.FromTicks((long)(inlierBoundMs * TimeSpan.TicksPerMillisecond));
             Seed = seed;
         }

@@ -9,11 +9,11 @@ namespace Nowpose.Tests.Core
         [Test]
         public void OneLine_LongText_KeepsBeginningAndEndWithinTheLength()
         {
-            var text = "file.urdf:3: " + new string('x', 500) + "; allowed are 1 to 5";
+            var text = "file.urdf:3: " + new string('x', 500) + "; allowed: 1 to 5";
 
             var line = InputException.OneLine(text, 100);
 
-            Assert.That(line, Does.StartWith("file.urdf:3: x").And.EndsWith("x; allowed are 1 to 5").And.Contain(" … "));
+            Assert.That(line, Does.StartWith("file.urdf:3: x").And.EndsWith("x; allowed: 1 to 5").And.Contain(" … "));
             Assert.That(line.Length, Is.LessThanOrEqualTo(100));
         }
 

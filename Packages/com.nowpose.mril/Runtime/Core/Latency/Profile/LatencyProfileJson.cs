@@ -78,7 +78,7 @@ namespace Nowpose.Latency.Profile
             if (version > Version)
                 throw fields.Fault(
                     "the latency profile has version " + version + "; this Nowpose reads up to version " + Version + "; update Nowpose or calibrate again");
-            if (version < 1) throw fields.Fault("version: " + version + " is out of range; allowed is " + Version);
+            if (version < 1) throw fields.Fault("version: " + version + " is out of range; allowed: " + Version);
         }
 
         // Profiles of older versions contain only the device and the display rate.
@@ -105,14 +105,14 @@ namespace Nowpose.Latency.Profile
         {
             var name = fields.Text("method");
             return CalibrationMethodNames.TryParse(name, out var method)
-                ? method : throw fields.Fault("method: '" + name + "' is unknown; allowed are " + CalibrationMethodNames.All);
+                ? method : throw fields.Fault("method: '" + name + "' is unknown; allowed: " + CalibrationMethodNames.All);
         }
 
         static RenderTimeSourceKind SourceOf(ProfileFields fields)
         {
             var name = fields.OptionalText("render_source") ?? "";
             return RenderTimeSourceNames.TryParse(name, out var source)
-                ? source : throw fields.Fault("render_source: '" + name + "' is unknown; allowed are " + RenderTimeSourceNames.All);
+                ? source : throw fields.Fault("render_source: '" + name + "' is unknown; allowed: " + RenderTimeSourceNames.All);
         }
     }
 }

@@ -19,11 +19,11 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(marker.SizeMetres, Is.EqualTo(0.12));
         }
 
-        [TestCase(double.NaN, 0, 0.1, "marker 'cell 7': x of its offset: NaN m is out of range; allowed are -100 to 100 m")]
-        [TestCase(101, 0, 0.1, "marker 'cell 7': x of its offset: 101 m is out of range; allowed are -100 to 100 m")]
+        [TestCase(double.NaN, 0, 0.1, "marker 'cell 7': x of its offset: NaN m is out of range; allowed: -100 to 100 m")]
+        [TestCase(101, 0, 0.1, "marker 'cell 7': x of its offset: 101 m is out of range; allowed: -100 to 100 m")]
         [TestCase(0, double.PositiveInfinity, 0.1, "marker 'cell 7': its rotation is invalid; enter three finite angles")]
-        [TestCase(0, 0, 0.001, "marker 'cell 7': its size: 0.001 m is out of range; allowed are 0.005 to 5 m")]
-        [TestCase(0, 0, -0.1, "marker 'cell 7': its size: -0.1 m is out of range; allowed are 0.005 to 5 m")]
+        [TestCase(0, 0, 0.001, "marker 'cell 7': its size: 0.001 m is out of range; allowed: 0.005 to 5 m")]
+        [TestCase(0, 0, -0.1, "marker 'cell 7': its size: -0.1 m is out of range; allowed: 0.005 to 5 m")]
         public void Constructor_NumberOutOfRange_ThrowsWithTheName(double x, double yaw, double size, string message)
         {
             var fault = Assert.Throws<InputException>(

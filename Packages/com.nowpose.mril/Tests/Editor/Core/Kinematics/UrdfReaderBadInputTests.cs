@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Kinematics
 
         [TestCase("<joint type='fixed'>" + Ends + "</joint>", "r.urdf:3: joint: its attribute name is missing")]
         [TestCase("<joint name='j'>" + Ends + "</joint>", "r.urdf:3: joint 'j': its attribute type is missing")]
-        [TestCase("<joint name='j' type='planar'>" + Ends + "</joint>", "r.urdf:3: joint 'j': type 'planar' is not supported; allowed are fixed, revolute, continuous and prismatic")]
+        [TestCase("<joint name='j' type='planar'>" + Ends + "</joint>", "r.urdf:3: joint 'j': type 'planar' is not supported; allowed: fixed, revolute, continuous and prismatic")]
         [TestCase("<joint name='j' type='floating'>" + Ends + "</joint>", "joint 'j': type 'floating' is not supported")]
         [TestCase("<joint name='j' type='screw'>" + Ends + "</joint>", "joint 'j': type 'screw' is not supported")]
         [TestCase("<joint name='j' type='fixed'><child link='b'/></joint>", "joint 'j': its <parent link=…/> is missing")]

@@ -52,7 +52,7 @@ namespace Nowpose.Tests.Core.Latency
         {
             var error = Assert.Throws<InputException>(() => new VisualisationLatency(Lengths.Ms(ms)));
 
-            Assert.That(error.Message, Is.EqualTo("visualisation latency: " + ms + " ms is out of range; allowed are 0 to 500 ms"));
+            Assert.That(error.Message, Is.EqualTo("visualisation latency: " + ms + " ms is out of range; allowed: 0 to 500 ms"));
         }
     }
 }

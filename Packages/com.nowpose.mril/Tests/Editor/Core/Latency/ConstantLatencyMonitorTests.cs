@@ -261,8 +261,8 @@ namespace Nowpose.Tests.Core.Latency
             Assert.That(monitor.UnknownReason, Is.EqualTo(RangeUnknownReason.BeyondMeasured));
         }
 
-        [TestCase(0, RenderTimeSourceKind.DisplayGpuTime, "render time limit: 0 ms is out of range; allowed are 0.1 to 1000 ms")]
-        [TestCase(double.NaN, RenderTimeSourceKind.DisplayGpuTime, "render time limit: NaN ms is out of range; allowed are 0.1 to 1000 ms")]
+        [TestCase(0, RenderTimeSourceKind.DisplayGpuTime, "render time limit: 0 ms is out of range; allowed: 0.1 to 1000 ms")]
+        [TestCase(double.NaN, RenderTimeSourceKind.DisplayGpuTime, "render time limit: NaN ms is out of range; allowed: 0.1 to 1000 ms")]
         [TestCase(15, RenderTimeSourceKind.None, "render time limit: state the source of the render times from which it was determined")]
         public void ConstantLatencyRange_InvalidSetting_ThrowsWithTheReason(double limitMs, RenderTimeSourceKind source, string message)
         {

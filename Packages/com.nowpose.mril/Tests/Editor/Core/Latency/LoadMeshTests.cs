@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Core.Latency
         {
             Assert.That(
                 () => LoadMesh.PatchesOf(vertices),
-                Throws.TypeOf<InputException>().With.Message.EqualTo($"load, vertices: {vertices} is out of range; allowed are 0 to 2000000"));
+                Throws.TypeOf<InputException>().With.Message.EqualTo($"load, vertices: {vertices} is out of range; allowed: 0 to 2000000"));
         }
 
         [Test]

@@ -159,7 +159,7 @@ namespace Nowpose.Tests.Core.Pairing
         {
             var error = Assert.Throws<InputException>(() => CellCode.Parse(Least + new string('\0', 3000)));
 
-            Assert.That(error.Message, Is.EqualTo("cell code: 3030 characters; allowed are up to 213"));
+            Assert.That(error.Message, Is.EqualTo("cell code: 3030 characters; allowed: up to 213"));
         }
 
         [Test]

@@ -32,10 +32,10 @@ namespace Nowpose.Tests.Core.Session
         public void Settings_OutOfRange_ThrowWithValueUnitAndRange()
         {
             Assert.That(Assert.Throws<InputException>(() => new PredictionSettings(horizonCapMs: -1)).Message,
-                Is.EqualTo("horizon cap: -1 ms is out of range; allowed are 0 to 5000 ms"));
+                Is.EqualTo("horizon cap: -1 ms is out of range; allowed: 0 to 5000 ms"));
             Assert.That(Assert.Throws<InputException>(() => new SessionSettings(
                     new ConnectionSettings("127.0.0.1"), new VisualisationLatency(TimeSpan.Zero), syncIntervalMs: 5)).Message,
-                Is.EqualTo("sync interval: 5 ms is out of range; allowed are 20 to 10000 ms"));
+                Is.EqualTo("sync interval: 5 ms is out of range; allowed: 20 to 10000 ms"));
         }
     }
 }

@@ -54,7 +54,7 @@ namespace Nowpose.Tests.Core.Simulation
         {
             var error = Assert.Throws<InputException>(() => NetworkProfile.Named("5g"));
 
-            Assert.That(error.Message, Is.EqualTo("network: '5g' is not known; allowed are lan, wifi, busy-wifi"));
+            Assert.That(error.Message, Is.EqualTo("network: '5g' is not known; allowed: lan, wifi, busy-wifi"));
         }
     }
 }

@@ -104,7 +104,7 @@ namespace Nowpose.Tests.Core.Simulation
             var error = Assert.Throws<InputException>(() => LinkProfile.Named("5g"));
 
             Assert.That(
-                error.Message, Is.EqualTo("link profile: '5g' is not known; allowed are clean, wifi, lossy, cellular, bad, roaming"));
+                error.Message, Is.EqualTo("link profile: '5g' is not known; allowed: clean, wifi, lossy, cellular, bad, roaming"));
         }
 
         static PacketLink Link(string name, int seed) => new PacketLink(LinkProfile.Named(name), Start, seed);

@@ -212,7 +212,7 @@ namespace Nowpose.Tests.Core.Sync
         {
             var error = Assert.Throws<InputException>(() => new ClockSettings(holdoverAfterSeconds: -1));
 
-            Assert.That(error.Message, Is.EqualTo("holdover after: -1 s is out of range; allowed are 0.1 to 3600 s"));
+            Assert.That(error.Message, Is.EqualTo("holdover after: -1 s is out of range; allowed: 0.1 to 3600 s"));
         }
     }
 }

@@ -242,7 +242,7 @@ namespace Nowpose.Tests.Unity.Status
         public void Update_Problem_IsWrappedAndRemovedAgain()
         {
             var texts = new StatusTexts();
-            texts.Update(null, null, null, "visualisation latency: 900 ms is out of range; allowed are 0 to 500 ms; calibrate it for this device");
+            texts.Update(null, null, null, "visualisation latency: 900 ms is out of range; allowed: 0 to 500 ms; calibrate it for this device");
             var lines = texts.ValueOf(StatusRow.Message).Split('\n');
 
             texts.Update(null, null, null, null);

@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         [TestCase(@"""reprojection"": ""sideways""", "profile.json: reprojection: 'sideways' is not allowed; use one of unknown, none, ")]
         [TestCase(@"""rewrite_before_render"": ""maybe""", "profile.json: rewrite_before_render: 'maybe' is not allowed; use on or off")]
         [TestCase(@"""rewrite_before_render"": true", "profile.json: rewrite_before_render must be a text")]
-        [TestCase(@"""head_latency_ms"": 700", "profile.json: head_latency_ms: 700 ms is out of range; allowed are -500 to 500 ms")]
+        [TestCase(@"""head_latency_ms"": 700", "profile.json: head_latency_ms: 700 ms is out of range; allowed: -500 to 500 ms")]
         [TestCase(@"""head_latency_ms"": 7", "profile.json: head_latency_uncertainty_ms is missing")]
         public void Read_InvalidCondition_IsRefused(string field, string message)
         {
@@ -108,19 +108,19 @@ namespace Nowpose.Tests.Core.Latency.Profile
 
         [TestCase(@"""version"": 1", @"""version"": 2, ""lengths"": {}", "profile.json: the latency profile has version 2; this Nowpose reads up to version 1; "
             + "update Nowpose or calibrate again", TestName = "Read_NewerVersion_NamesTheRemedy")]
-        [TestCase(@"""version"": 1", @"""version"": 0", "profile.json: version: 0 is out of range; allowed is 1")]
+        [TestCase(@"""version"": 1", @"""version"": 0", "profile.json: version: 0 is out of range; allowed: 1")]
         [TestCase(@"""version"": 1,", "", "profile.json: version is missing")]
         [TestCase("nowpose-latency-profile", "other", "profile.json: it is not a latency profile; its format is 'other', not 'nowpose-latency-profile'")]
-        [TestCase("40.2", "NaN", "profile.json: visu_ms: NaN ms is out of range; allowed are 0 to 500 ms")]
-        [TestCase("40.2", "700", "profile.json: visu_ms: 700 ms is out of range; allowed are 0 to 500 ms")]
+        [TestCase("40.2", "NaN", "profile.json: visu_ms: NaN ms is out of range; allowed: 0 to 500 ms")]
+        [TestCase("40.2", "700", "profile.json: visu_ms: 700 ms is out of range; allowed: 0 to 500 ms")]
         [TestCase("40.2", @"""40.2""", "profile.json: visu_ms must be a number")]
         [TestCase("40.2", "null", "profile.json: visu_ms is missing")]
         [TestCase("40.2", "[40.2]", "profile.json: visu_ms must be a number")]
-        [TestCase(@"""limit_render_ms"": 15.0", @"""limit_render_ms"": 0", "profile.json: limit_render_ms: 0 ms is out of range; allowed are 0.1 to 1000 ms")]
-        [TestCase(@"""display_gpu_time""", @"""gpu""", "profile.json: render_source: 'gpu' is unknown; allowed are display_gpu_time, engine_gpu_time, "
+        [TestCase(@"""limit_render_ms"": 15.0", @"""limit_render_ms"": 0", "profile.json: limit_render_ms: 0 ms is out of range; allowed: 0.1 to 1000 ms")]
+        [TestCase(@"""display_gpu_time""", @"""gpu""", "profile.json: render_source: 'gpu' is unknown; allowed: display_gpu_time, engine_gpu_time, "
             + "gpu_completion, camera_cpu")]
         [TestCase(@"""display_gpu_time""", "null", "profile.json: render time limit: state the source of the render times from which it was determined")]
-        [TestCase(@"""vlc""", @"""guess""", "profile.json: method: 'guess' is unknown; allowed are vlc, sine, nudge, manual")]
+        [TestCase(@"""vlc""", @"""guess""", "profile.json: method: 'guess' is unknown; allowed: vlc, sine, nudge, manual")]
         [TestCase("2026-11-20T13:00:00Z", "yesterday", "profile.json: measured: 'yesterday' is not a date; write it as 2026-11-20T13:00:00Z")]
         [TestCase(@"""measurements"": 300", @"""measurements"": 2.5", "profile.json: measurements must be a whole number")]
         [TestCase(@"""display_hz"": 60", @"""display_hz"": 60, ""display_hz"": 90", "profile.json: display_hz occurs twice")]
