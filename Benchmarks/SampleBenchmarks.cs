@@ -39,7 +39,7 @@ public class SampleBenchmarks
     [GlobalSetup(Target = nameof(SolveDefaultAt100Hz))]
     public void PrepareDefaultAt100Hz() => _joints = Joints(QuickInterval);
 
-    [Benchmark(Description = "Sample: JSON of 7 joints read and checked")]
+    [Benchmark(Description = "Sample: JSON of 7 joints, parsed and checked")]
     public bool Read()
     {
         var isRead = _reader.TryRead(_text.Utf8, out var message, out _);
@@ -47,10 +47,10 @@ public class SampleBenchmarks
         return isRead;
     }
 
-    [Benchmark(Description = "Sample: from bytes to the frame that takes it: read, queue, 7 quadratic predictors, tick")]
+    [Benchmark(Description = "Sample: from its bytes to the frame that uses it, 7 quadratic predictors")]
     public DisplayFrame Receive() => _virtual.Session.Tick(_virtual.ReceiveSample());
 
-    [Benchmark(Description = "Sample: 7 quadratic predictors solve")]
+    [Benchmark(Description = "Sample: fit of 7 quadratic predictors")]
     public SampleOutcome Solve()
     {
         var outcome = SampleOutcome.Accepted;
@@ -60,7 +60,7 @@ public class SampleBenchmarks
         return outcome;
     }
 
-    [Benchmark(Description = "Sample: 7 adaptive predictors solve, every 50 ms")]
+    [Benchmark(Description = "Sample: fit of 7 adaptive predictors, every 50 ms")]
     public SampleOutcome SolveDefault()
     {
         var outcome = SampleOutcome.Accepted;
@@ -68,11 +68,11 @@ public class SampleBenchmarks
         return outcome;
     }
 
-    [Benchmark(Description = "Sample: 7 adaptive predictors solve, every 10 ms")]
+    [Benchmark(Description = "Sample: fit of 7 adaptive predictors, every 10 ms")]
     public SampleOutcome SolveDefaultAt100Hz() => SolveDefault();
 
     /// <summary>Includes the message object itself, 48 bytes, which parsing has already created.</summary>
-    [Benchmark(Description = "Frame that takes a sample: queue, 7 quadratic predictors, tick")]
+    [Benchmark(Description = "Frame that uses a sample, 7 quadratic predictors")]
     public DisplayFrame Take() => _virtual.Session.Tick(_virtual.Sample());
 
     [Benchmark(Description = "– the same with adaptive predictors")]

@@ -36,14 +36,15 @@ static class LinkLimits
         };
         if (stalls)
         {
-            missed.Add(AtMost("not shown as held after", Median(runs, run => run.HeldAfterS), HeldAfterS, "s"));
-            missed.Add(AtMost("current again after", Median(runs, run => run.RecoveredAfterS), RecoveredAfterS, "s"));
+            missed.Add(AtMost("time until the pose is shown as held", Median(runs, run => run.HeldAfterS), HeldAfterS, "s"));
+            missed.Add(AtMost("time until the pose is current again", Median(runs, run => run.RecoveredAfterS), RecoveredAfterS, "s"));
         }
         else
         {
-            missed.Add(AtMost("current after", Median(runs, run => run.CurrentAfterS), CurrentAfterS, "s"));
+            missed.Add(AtMost("time until the pose is current", Median(runs, run => run.CurrentAfterS), CurrentAfterS, "s"));
             missed.Add(AtMost(
-                "current after, in the worst run", runs.Max(run => run.CurrentAfterS ?? double.PositiveInfinity), CurrentAfterAtWorstS, "s"));
+                "time until the pose is current in the worst run",
+                runs.Max(run => run.CurrentAfterS ?? double.PositiveInfinity), CurrentAfterAtWorstS, "s"));
             missed.Add(AtLeast("share of current frames", Median(runs, run => run.CurrentShare), CurrentShare));
             missed.Add(AtLeast("reduction", Median(runs, run => run.Reduction), Reduction[profile]));
         }

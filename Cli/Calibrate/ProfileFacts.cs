@@ -15,8 +15,8 @@ static class ProfileFacts
         yield return ["Render time limit", profile.Range == null ? "unknown" : Ms(profile.Range.Limit)];
         if (profile.ValidToRenderTime is TimeSpan valid) yield return ["Known to be constant up to", Ms(valid)];
         if (profile.Range != null) yield return ["Render time measured with", RenderTimeSourceNames.NameOf(profile.Range.Source)];
-        yield return ["Device", profile.Device.Length > 0 ? profile.Device : "not stated: valid for any"];
-        yield return ["Display", profile.DisplayHz > 0 ? profile.DisplayHz.ToString("0.##", CultureInfo.InvariantCulture) + " Hz" : "not stated: valid for any"];
+        yield return ["Device", profile.Device.Length > 0 ? profile.Device : "not stated, valid for any"];
+        yield return ["Display", profile.DisplayHz > 0 ? profile.DisplayHz.ToString("0.##", CultureInfo.InvariantCulture) + " Hz" : "not stated, valid for any"];
         for (var condition = DisplayCondition.GraphicsApi; condition <= DisplayCondition.Reprojection; condition++)
             if (profile.Conditions[condition] is string value) yield return [DisplayConditionNames.TitleOf(condition), value];
         if (profile.HeadMotion is HeadMotionLatency head) yield return ["Latency for head motion", $"{Ms(head.Latency)} ± {Ms(head.Uncertainty)}"];

@@ -19,7 +19,7 @@ static class SimulateVerb
     static readonly Option<double> Lit = NumberOption.Create(
         "--lit-ms", "Time for which each frame is lit; the results scatter by half of it.", Standard.LitMs, 0.5, 16.6, "ms");
     static readonly Option<double> Exposure = NumberOption.Create(
-        "--exposure-ms", "Maximum exposure, uniform from 1 ms.", Standard.ExposureMs, 1, 40, "ms");
+        "--exposure-ms", "Maximum exposure time; the exposure is drawn uniformly between 1 ms and this.", Standard.ExposureMs, 1, 40, "ms");
     static readonly Option<double> Readout = NumberOption.Create(
         "--readout-ms", "Rolling shutter: delay of the last row's exposure after the first row's.", 0.0, -100, 100, "ms");
     static readonly Option<double?> HeadLatency = NumberOption.CreateOptional(

@@ -19,7 +19,7 @@ static class ReplayVerb
                 + "(.jsonl or .jsonl.gz), which contains sampling, latency and frames; cubics through its samples are then the true motion."
         };
         var sampling = NumberOption.Create("--sampling-ms", "Sampling interval T_s.", 50.0, 0.1, 10000, "ms");
-        var latency = NumberOption.Create("--latency-ms", "Latency L from a sample to its arrival.", 100.0, 0, 10000, "ms");
+        var latency = NumberOption.Create("--latency-ms", "Latency L, from the time of a sample to its arrival.", 100.0, 0, 10000, "ms");
         var fps = NumberOption.Create("--fps", "Frames per second.", 60.0, 1, 1000, "");
         var predictor = PredictorOption.Create();
         var latencyError = NumberOption.Create("--latency-error-ms", "Error that is added to the requested time.", 0.0, -10000, 10000, "ms");

@@ -9,7 +9,7 @@ static class DropText
 {
     public static string Of(DropReason reason) => reason switch
     {
-        DropReason.NotJson => "the message is not a JSON object as text",
+        DropReason.NotJson => "the message is not a text message with a JSON object",
         DropReason.TooLarge =>
             $"the message is longer than {ProtocolLimits.MessageBytes} bytes ({ProtocolLimits.DescriptionBytes} for {RosTopics.RobotDescription})",
         DropReason.TooDeep => $"the message is nested deeper than {ProtocolLimits.Nesting} levels",
@@ -17,7 +17,7 @@ static class DropText
         DropReason.TooManyMessages => "the client exceeds the message rate of its role",
         DropReason.TooSlow => "the message was not complete in time",
         DropReason.MissingField => "a field is missing or empty",
-        DropReason.WrongType => "a field or topic has another type than expected",
+        DropReason.WrongType => "a field or topic has the wrong type",
         DropReason.DuplicateField => "a field occurs twice",
         DropReason.OutOfRange => "a number is out of range",
         DropReason.UnknownTopic => "the gateway has no such topic to publish on",
@@ -29,7 +29,7 @@ static class DropText
         DropReason.NameTooLong => $"a name is longer than {ProtocolLimits.NameLength} characters",
         DropReason.DuplicateName => "a joint is named twice",
         DropReason.StampZero => "the stamp is zero",
-        DropReason.StampOutOfRange => "the stamp's nanoseconds are not 0 to 999999999, or its seconds not 32 bits",
+        DropReason.StampOutOfRange => "the stamp's nanoseconds are outside 0 to 999999999, or its seconds do not fit in 32 bits",
         DropReason.StampInFuture => "the time stamp is later than the control time",
         DropReason.NotAllowed => "the role of this client does not allow it",
         DropReason.Unsynchronised => "the clock of its time stamp is not synchronised yet",

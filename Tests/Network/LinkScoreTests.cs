@@ -98,7 +98,7 @@ public class LinkScoreTests
         var result = Score(20, _ => "current", LinkProfile.Roaming);
 
         Assert.That(result.HeldAfterS, Is.GreaterThan(3));
-        Assert.That(LinkLimits.Missed([result]).Single(), Does.StartWith("roaming: not shown as held after: "));
+        Assert.That(LinkLimits.Missed([result]).Single(), Does.StartWith("roaming: time until the pose is shown as held: "));
     }
 
     [Test]
@@ -107,7 +107,8 @@ public class LinkScoreTests
         var result = Score(5, _ => "current", LinkProfile.Roaming);
 
         Assert.That(
-            LinkLimits.Missed([result]).Select(line => line.Split(": ")[1]), Is.EqualTo(new[] { "not shown as held after", "current again after" }));
+            LinkLimits.Missed([result]).Select(line => line.Split(": ")[1]),
+            Is.EqualTo(new[] { "time until the pose is shown as held", "time until the pose is current again" }));
     }
 
     [Test]
@@ -118,7 +119,7 @@ public class LinkScoreTests
 
         Assert.That(LinkLimits.Median([good, never], run => run.CurrentAfterS), Is.Null);
         Assert.That(LinkLimits.Median([good, never, good], run => run.CurrentAfterS), Is.Zero);
-        Assert.That(LinkLimits.Missed([good, never, good]).Single(), Does.Contain("current after, in the worst run: none"));
+        Assert.That(LinkLimits.Missed([good, never, good]).Single(), Does.Contain("time until the pose is current in the worst run: none"));
     }
 
     static LinkResult Score(

@@ -20,7 +20,7 @@ static class PaperClaims
             m => m.Clock?.SkewRatio, ratio => ratio < 0.5),
         new("8", "The round-trip time shows how accurate an exchange is: P95 of the error in the quarter of the exchanges with the shortest times "
             + "is less than half of that in the quarter with the longest times.", null, Share, m => m.Clock?.RoundTripRatio, ratio => ratio < 0.5),
-        new("16", "The compensated signal follows the true one: its RMS error over the whole swing, the overshoot after each stop included, is "
+        new("16", "The compensated signal follows the true one: its RMS error over the whole swing, including the overshoot after each stop, is "
             + "less than half of that of the uncompensated signal.", null, Share, m => m.Swings?.ErrorRatio, ratio => ratio < 0.5),
         new("16", "Only the curved phases are hard to predict: the RMS error at constant velocity is at most two thirds of that elsewhere "
             + "in motion.", null, Share, m => m.Swings?.SteadyRatio, ratio => ratio <= 1 / 1.5),

@@ -43,7 +43,7 @@ static class Figure16
     /// <param name="curvedMm">RMS error of the compensated signal where the velocity changes.</param>
     public static IReadOnlyList<Criterion> Criteria(double errorRatio, double steadyMm, double curvedMm) =>
     [
-        new("The RMS error of the compensated signal is less than half of that of the uncompensated one, the overshoot after each stop included.",
+        new("The RMS error of the compensated signal is less than half of that of the uncompensated one, including the overshoot after each stop.",
             errorRatio < 0.5, Percent(errorRatio)),
         new("Its error is at least 1.5 times as large where the velocity changes within the 250 ms that a section spans as where it does not (RMS).", curvedMm >= 1.5 * steadyMm,
             $"{Mm(curvedMm)} against {Mm(steadyMm)}"),

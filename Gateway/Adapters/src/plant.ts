@@ -68,7 +68,7 @@ function tellCoarse(status: AdapterStatus, log: Log, coarse: Nanoseconds | null)
   const steps = coarse === null ? null : `its clock advances in steps of ${Math.round(toMilliseconds(coarse))} ms`;
   status.detail('clock', steps);
   if (steps === null) return log.resume('clock steps', 'the resolution of its clock is sufficient again');
-  const cure = 'name a time that advances in smaller steps, or configure the control system so';
+  const cure = 'name a time that advances in smaller steps, or make the clock of the control system advance in smaller steps';
   log.change('clock steps', 'coarse', `${steps}, too coarse for headsets; ${cure}`);
 }
 

@@ -215,7 +215,7 @@ sealed class Conditions(
         if (status.Problem != null)
             yield return new("recording", status.File, "stopped", status.Problem, Level.Warning)
             {
-                Remedy = status.IsDeletedWhileWritten ? "Switch the recording on again to write a new file." : "Correct this, then switch the recording on again.",
+                Remedy = status.IsDeletedWhileWritten ? "Start the recording again to write a new file." : "Correct this, then start the recording again.",
             };
     }
 
@@ -230,7 +230,7 @@ sealed class Conditions(
             {
                 Headline = "the gateway's certificate is about to expire",
             }
-            : new("certificate", "of the gateway", "has expired", $"headsets refuse it since {day}; {Cure}", Level.Error, true)
+            : new("certificate", "of the gateway", "has expired", $"headsets have refused it since {day}; {Cure}", Level.Error, true)
             {
                 Headline = "the gateway's certificate has expired",
             };

@@ -59,7 +59,8 @@ sealed class JointRow(string joint, string source, TimeProvider time)
         if (isFlowing) return (JointDataState.Live, null, "");
         if (flow is not { HasAny: true }) return (JointDataState.Missing, null, isReportFresh
             ? "the adapter reports a live joint, but no sample has arrived at the gateway" : "the adapter stopped reporting before the first sample");
-        if (IsConfigured && !isReportFresh) return (JointDataState.Stale, flow.LastUtc, $"samples stopped and the adapter {Source} does not report");
+        if (IsConfigured && !isReportFresh)
+            return (JointDataState.Stale, flow.LastUtc, $"samples stopped arriving, and the adapter {Source} does not report");
         return (JointDataState.Stale, flow.LastUtc, isReportFresh ? "samples stopped arriving; the adapter reports a live joint" : "samples stopped arriving");
     }
 }

@@ -133,7 +133,7 @@ public class RecordingsTests
         Assert.That(recording.GetProperty("problem").GetString(), Does.Contain("was deleted"));
         Assert.That(recording.GetProperty("lines").GetInt64(), Is.Zero, "nothing of it can be read");
         Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("warning"));
-        Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.EndWith("Switch the recording on again to write a new file.").And.Not.Contain("Correct"));
+        Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.EndWith("Start the recording again to write a new file.").And.Not.Contain("Correct"));
         gateway.Recorder.SwitchOn();
         Assert.That(gateway.Recorder.IsOn, "a new file");
     }

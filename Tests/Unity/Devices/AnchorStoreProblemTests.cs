@@ -87,7 +87,7 @@ public sealed class AnchorStoreProblemTests
 
         _played.Run(3);
 
-        Assert.That(_played.Anchors.Problem, Is.EqualTo("cannot load what was kept: no such library"));
+        Assert.That(_played.Anchors.Problem, Is.EqualTo("cannot load the stored anchors: no such library"));
         Assert.That(_played.Cell.Messages.Count(m => m.Contains("no such library")), Is.EqualTo(1));
         Assert.That(_played.Cell.Player.Logs.Where(log => log.Type == LogType.Exception), Is.Empty);
         Assert.That(_played.Anchors.Find("cell"), Is.Null);

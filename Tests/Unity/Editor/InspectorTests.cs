@@ -66,7 +66,7 @@ public sealed class InspectorTests : EditorFixture
         _played.Inspect(source).OnInspectorGUI();
 
         Assert.That(GuiRecorder.Texts, Does.Contain("Attached to: arm_link_5"));
-        Assert.That(GuiRecorder.Texts, Does.Contain("Source: nothing measures"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Source: not measured"));
     }
 
     [Test]
@@ -142,7 +142,7 @@ public sealed class InspectorTests : EditorFixture
         _played.Cell.IsPlantUp = false;
         _played.Play(session, 2);
         editor.OnInspectorGUI();
-        Assert.That(GuiRecorder.Texts, Does.Contain("Shown: held").And.Contain("Reason: samples too old or few").And.Contain("Drawn: striped, fade 0.5"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Shown: held").And.Contain("Reason: too few recent samples").And.Contain("Drawn: striped, fade 0.5"));
 
         GuiRecorder.Clear();
         session.enabled = false;

@@ -80,14 +80,14 @@ export class Plants {
   private readonly clocks = new LiveTable<PlantClock>(
     'Clocks of the plant',
     [
-      { label: 'Use', cell: c => (c.is_control_clock ? 'control clock' : 'compared with it') },
+      { label: 'Use', cell: c => (c.is_control_clock ? 'control clock' : 'measured against the control clock') },
       { label: 'State', cell: c => (c.connected ? stateWords(c.state, c.estimated_error_us, c.error_bound_us) : 'not connected') },
       { label: 'Ahead of the control clock (ms)', isNumber: true, cell: c => format(c.offset_to_control_ms) },
-      { label: 'Drift against it (ppm)', isNumber: true, cell: c => format(c.drift_ppm) },
+      { label: 'Skew (ppm)', isNumber: true, cell: c => format(c.drift_ppm) },
       { label: 'RTT (ms)', isNumber: true, cell: c => format(c.rtt_ms) },
       { label: '± (µs)', isNumber: true, cell: c => format(c.estimated_error_us) },
-      { label: 'Within (µs)', isNumber: true, cell: c => format(c.error_bound_us) },
-      { label: 'Steps of (µs)', isNumber: true, cell: c => format(c.resolution_us) },
+      { label: 'Error bound (µs)', isNumber: true, cell: c => format(c.error_bound_us) },
+      { label: 'Resolution (µs)', isNumber: true, cell: c => format(c.resolution_us) },
       { label: 'Failures', isNumber: true, cell: c => format(c.failures) },
     ],
     c => c.name,

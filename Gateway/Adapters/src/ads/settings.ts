@@ -90,6 +90,6 @@ export const summary = (configuration: Configuration): string => {
   return [
     `ADS ${sectionOf(configuration).endpoint}, NO SECURITY`,
     `t_k is ${stamp}, sampled every ${samplingMs} ms, published every ${publishingMs} ms`,
-    readNames(configuration, 'its clock alone'),
+    readNames(configuration, 'only its clock'),
   ].join('; ');
 };

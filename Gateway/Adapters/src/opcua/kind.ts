@@ -76,7 +76,7 @@ export const opcua: Kind = {
     return [
       `OPC UA ${endpoint}, ${guard}`,
       `t_k is ${stamp}, sampled every ${samplingMs} ms, published every ${publishingMs} ms`,
-      readNames(configuration, 'its clock alone'),
+      readNames(configuration, 'only its clock'),
     ].join('; ');
   },
 };

@@ -78,7 +78,7 @@ export const rtde: Kind = {
     const { host, port, rateHz, source } = settingsOf(configuration);
     return (
       `RTDE ${host}:${port}, NO SECURITY; t_k is the controller's timestamp; ${source} positions at ${rateHz} Hz; `
-      + readNames(configuration, 'its clock alone')
+      + readNames(configuration, 'only its clock')
     );
   },
 };

@@ -22,7 +22,7 @@ namespace Nowpose.OpenXR
 
         const int AskedInVain = 5;
 
-        const string LoadingAll = "load what was kept";
+        const string LoadingAll = "load the stored anchors";
 
         ArSpatialAnchors _anchors;
         Task<XRAnchorStore> _loading;

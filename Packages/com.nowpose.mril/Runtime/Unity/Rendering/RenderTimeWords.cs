@@ -13,7 +13,7 @@ namespace Nowpose.Unity.Rendering
                 case RenderTimeSourceKind.EngineGpuTime: return "GPU time by Unity";
                 case RenderTimeSourceKind.GpuCompletion: return "trigger to GPU done";
                 case RenderTimeSourceKind.CameraCpu: return "camera CPU, unverified";
-                default: return "nothing measures";
+                default: return "not measured";
             }
         }
     }

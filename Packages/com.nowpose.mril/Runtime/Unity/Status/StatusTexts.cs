@@ -207,9 +207,9 @@ namespace Nowpose.Unity.Status
             {
                 case PoseState.Current: return "";
                 case PoseState.OutsideRange: return "rendering takes too long";
-                case PoseState.Held: return "samples too old or few";
+                case PoseState.Held: return "too few recent samples";
                 case PoseState.Unsynchronised: return "time not known";
-                default: return "no samples of some joint";
+                default: return "a joint has no samples";
             }
         }
 
@@ -240,10 +240,10 @@ namespace Nowpose.Unity.Status
             switch (reason)
             {
                 case RangeUnknownReason.NoLimit: return "no limit is known";
-                case RangeUnknownReason.NoRenderTime: return "nothing measures";
+                case RangeUnknownReason.NoRenderTime: return "not measured";
                 case RangeUnknownReason.TooFewFrames: return "measuring";
                 case RangeUnknownReason.OtherSource: return "limit of another source";
-                case RangeUnknownReason.BeyondMeasured: return "beyond what was measured";
+                case RangeUnknownReason.BeyondMeasured: return "beyond measured range";
                 default: return "";
             }
         }

@@ -156,7 +156,7 @@ namespace Nowpose.Anchoring.Tracking
                 text += ", moved by " + Number(1000 * locked.ChangeMetres, "0.0") + " mm, " + Number(Degrees(locked.ChangeRadians), "0.00") + "°";
             if (tracker.Conflict is { } conflict)
                 text += "; " + Name(conflict.Marker) + " is " + Mm(conflict.Metres) + " mm, " + Number(Degrees(conflict.Radians), "0.0")
-                    + "° from the place that the other markers show";
+                    + "° from where the other markers place it";
             if (tracker.IsCorrected)
                 text += "; moved by the headset by " + Mm(tracker.CorrectedMetres) + " mm, " + Number(Degrees(tracker.CorrectedRadians), "0.0") + "°";
             return text + Because(tracker.Problem);

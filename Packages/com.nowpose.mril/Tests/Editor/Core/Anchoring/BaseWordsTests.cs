@@ -85,7 +85,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(Words(3), Does.Match("^marker 'b', (99|100|101) mm, 0\\.\\d° from its expected place: put it back, or lock again$"));
             _cell.Tracker.Relock();
             Assert.That(Words(3), Does.Match("^locked by 2 markers, moved by 0\\.\\d mm, 0\\.\\d\\d°; "
-                + "marker 'b' is (99|100|101) mm, 0\\.\\d° from the place that the other markers show$"));
+                + "marker 'b' is (99|100|101) mm, 0\\.\\d° from where the other markers place it$"));
         }
 
         [Test]

@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Unity.Status
             Assert.That(Row(StatusRow.Clock), Is.EqualTo("! no answer yet|"));
             Assert.That(Row(StatusRow.ApplicationLatency), Is.EqualTo("–|"));
             Assert.That(Row(StatusRow.Horizon), Is.EqualTo("–|"));
-            Assert.That(Row(StatusRow.RenderTime), Is.EqualTo("–|nothing measures"));
+            Assert.That(Row(StatusRow.RenderTime), Is.EqualTo("–|not measured"));
             Assert.That(Row(StatusRow.Reduction), Is.EqualTo("–|"));
             Assert.That(Row(StatusRow.Error), Is.EqualTo("–|"));
             Assert.That(Row(StatusRow.Connection), Does.StartWith("not connected|"));
@@ -118,7 +118,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(PoseState.Current, ClockState.Coarse, "current|clock ± 3.1 ms")]
         [TestCase(PoseState.Current, ClockState.Holdover, "current|clock ± 3.1 ms")]
         [TestCase(PoseState.Current, ClockState.Synchronised, "current|")]
-        [TestCase(PoseState.Held, ClockState.Coarse, "! held|samples too old or few")]
+        [TestCase(PoseState.Held, ClockState.Coarse, "! held|too few recent samples")]
         public void Update_PoseWithACoarseClock_ShowsTheErrorBesideThePose(PoseState pose, ClockState state, string expected)
         {
             var clock = new ClockModel(default, default, 0, Ms(14), state, estimatedError: Ms(3.14));
@@ -185,9 +185,9 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(RangeState.Inside, RangeUnknownReason.None, "inside|")]
         [TestCase(RangeState.Outside, RangeUnknownReason.None, "! outside|")]
         [TestCase(RangeState.Unknown, RangeUnknownReason.NoLimit, "–|no limit is known")]
-        [TestCase(RangeState.Unknown, RangeUnknownReason.NoRenderTime, "–|nothing measures")]
+        [TestCase(RangeState.Unknown, RangeUnknownReason.NoRenderTime, "–|not measured")]
         [TestCase(RangeState.Unknown, RangeUnknownReason.TooFewFrames, "–|measuring")]
-        [TestCase(RangeState.Unknown, RangeUnknownReason.BeyondMeasured, "–|beyond what was measured")]
+        [TestCase(RangeState.Unknown, RangeUnknownReason.BeyondMeasured, "–|beyond measured range")]
         [TestCase(RangeState.Unknown, RangeUnknownReason.OtherSource, "–|limit of another source")]
         public void Update_Range_ShowsTheReasonIfUnknown(RangeState range, object reason, string expected)
         {
