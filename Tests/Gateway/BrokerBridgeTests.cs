@@ -16,7 +16,7 @@ public class BrokerBridgeTests
     static readonly ControlTime PlantStart = ControlTime.FromSeconds(70_000);
 
     [Test]
-    public async Task OtherHall_Headset_ReceivesThePlantsSamplesAndTime()
+    public async Task Headset_AtTheOtherGateway_ReceivesThePlantsSamplesAndTime()
     {
         if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "adapters", "plant.mjs"))) Assert.Ignore("Node.js was missing when this was built");
         using var folder = new TemporaryFolder();
@@ -52,7 +52,7 @@ public class BrokerBridgeTests
     }
 
     [Test]
-    public async Task OtherHall_JointsNotLive_AreNamedWithTheirReasonUntilThePlantsGatewayEnds()
+    public async Task JointsNotLive_AtTheOtherGateway_AreNamedWithTheirReasonUntilThePlantsGatewayEnds()
     {
         if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "adapters", "plant.mjs"))) Assert.Ignore("Node.js was missing when this was built");
         using var folder = new TemporaryFolder();

@@ -24,7 +24,7 @@ public class BrowserSessionsTests
     }
 
     [Test]
-    public void Open_BeyondTheMaximum_EndsTheLongestIdle()
+    public void Open_BeyondTheMaximum_EndsTheSessionIdleForLongest()
     {
         var time = new SteppedTime();
         var sessions = new BrowserSessions(time);

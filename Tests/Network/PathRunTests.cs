@@ -13,7 +13,7 @@ public class PathRunTests
 
     /// <summary>On a quiet link exchanges are rare when the path changes, and become frequent once the error bound of the clock has grown.</summary>
     [Test]
-    public void Play_ChangeWhileExchangesAreRare_ErrorAndSkewStayAsBefore(
+    public void Play_ChangeWhileExchangesAreRare_KeepsErrorAndSkew(
         [Range(7000, 7005)] int seed, [Values("requests longer", "replies longer", "both longer")] string change)
     {
         var run = PathRun.Play(LinkProfile.Clean, Named(change), SizeMs, ClockEstimators.Default, seed);

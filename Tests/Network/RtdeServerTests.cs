@@ -20,7 +20,7 @@ public sealed class RtdeServerTests
     }
 
     [Test]
-    public async Task Requests_Version2_AreAnsweredLikeInTheGuide()
+    public async Task Requests_Version2_AreAnsweredAsInTheGuide()
     {
         await StartAsync();
 

@@ -59,7 +59,7 @@ public sealed class OptionalAssembliesTests
     }
 
     [TestCaseSource(nameof(OptionalNames))]
-    public void OptionalAssembly_Packages_IsCompiledOnlyWithAllOfThem(string name)
+    public void OptionalAssembly_AnyPackageMissing_IsNotCompiled(string name)
     {
         var definition = Definitions.Single(d => d.Name == name);
 

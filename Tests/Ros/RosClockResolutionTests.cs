@@ -50,7 +50,7 @@ public class RosClockResolutionTests
     [TestCase(16)]
     [TestCase(100)]
     [TestCase(250)]
-    public void Value_NewestMessageOfASeldomClock_IsThePauseBetweenMessages(double everyMs)
+    public void Value_NewestMessageOfARarelySentClock_IsThePauseBetweenMessages(double everyMs)
     {
         // The clock shows times of whole milliseconds.
         var resolution = Asked(5, at => Floored(at, everyMs) + Ms(3));

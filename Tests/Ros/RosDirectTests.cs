@@ -83,7 +83,7 @@ public class RosDirectTests
 
     [TestCase(RosFlavour.Ros1)]
     [TestCase(RosFlavour.Ros2)]
-    public async Task Session_AtRosbridge_ShowsTheRobotAtItsPredictedPose(RosFlavour flavour)
+    public async Task Session_ConnectedToRosbridge_ShowsTheRobotAtItsPredictedPose(RosFlavour flavour)
     {
         Start(flavour);
         _graph.Publish(

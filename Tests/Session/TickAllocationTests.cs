@@ -21,7 +21,7 @@ public class TickAllocationTests
     [TestCase("quadratic-h4", false)]
     [TestCase("cubic", false)]
     [TestCase("adaptive", true)]
-    public void TickAndFill_WarmWithNewSamples_AllocateNothing(string predictor, bool isRecorded)
+    public void TickAndFill_NewSamplesAfterWarmUp_AllocateNothing(string predictor, bool isRecorded)
     {
         var robot = RobotFiles.Load("youbot");
         var names = robot.MovingJoints.Select(joint => joint.Name).ToArray();

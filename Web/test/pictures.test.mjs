@@ -17,12 +17,12 @@ describe('a picture of the manual', () => {
   after(() => browser.stop());
 
   for (const [page, data] of [['report', 'demo'], ['calibration', 'calibration']]) {
-    it(`has the texts of today's ${page} page`, async () => {
+    it(`has the texts of the current ${page} page`, async () => {
       assert.deepEqual(await textsOf(await browser.open(stored(data), { name: page })), texts[page], OUTDATED);
     });
   }
 
-  it('has the texts of today\'s operations page', async () => {
+  it('has the texts of the current operations page', async () => {
     const gateway = await FakeGateway.start();
     try {
       setState(gateway);
@@ -49,7 +49,7 @@ describe('the stored data of a picture', () => {
     .map(file => readFileSync(join(path(folder), file), 'utf8')).join('\n').toLowerCase();
 
   for (const [name, folder] of [['demo', '../../Cli/Demo'], ['calibration', '../../Cli/Calibrate']]) {
-    it(`has labels that the command line writes today: ${name}`, () => {
+    it(`has labels that the command line still writes: ${name}`, () => {
       const { facts, settings = [], subtitle = '', sections = [] } = stored(name), source = sources(folder);
       const labels = [...facts, ...settings].map(([label]) => label.replace(/^– .*/, '')).concat(subtitle, sections.map(each => each.heading));
 

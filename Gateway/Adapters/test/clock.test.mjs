@@ -27,7 +27,7 @@ describe('resolution', () => {
     assert.equal(told(times, 50n * MS).value, 100n * MS - 1000n);
   });
 
-  it('Resolution_ClockStoodOnce_IsFineAgainAfterAMinute', () => {
+  it('Resolution_ClockStoppedOnce_IsFineAgainAfterAMinute', () => {
     const resolution = new Resolution();
     let now = 0n;
     const observe = time => {

@@ -46,7 +46,7 @@ function judgeOf(samples, judge = new EndOfData(FLOOR)) {
 describe('end of data', () => {
   for (const [motion, make] of Object.entries(MOTIONS))
     for (const [name, source] of Object.entries(SOURCES))
-      it(`Verdict_${motion}Stops${name}_NoFalseAlarm`, () => {
+      it(`Verdict_${motion}Stops${name}_RaisesNoFalseAlarm`, () => {
         const random = seeded(SEED);
         for (let i = 0; i < STOPS; i++) {
           const interval = INTERVALS[i % INTERVALS.length], move = make(random), options = source(interval, random);

@@ -206,7 +206,7 @@ describe('queue', () => {
 });
 
 describe('log', () => {
-  it('Line_WithSecretsAndControls_IsCleaned', () => {
+  it('Line_WithSecretsAndControlCharacters_IsCleaned', () => {
     const lines = [], log = new Log('plant/x', [TOKEN], line => lines.push(line));
 
     log.line(`to opc.tcp://me:word@plc with ${TOKEN}\r\n\u001b[31mfaked line`);

@@ -112,7 +112,7 @@ describe('reported joints', () => {
     assert.deepEqual([before, stateOf('a')], ['none', 'missing']);
   });
 
-  it('Report_Repeated_KeepsItsBeginAndIsLoggedOnce', () => {
+  it('Report_Repeated_KeepsItsStartAndIsLoggedOnce', () => {
     const { hear, status, time, lines } = bridge();
     time.ms = 20_000;
     hear({ a: 'refused 8.000 value NaN is not a position' });

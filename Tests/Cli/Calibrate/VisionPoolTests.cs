@@ -42,7 +42,7 @@ public sealed class VisionPoolTests
     static IEnumerable<PictureRequest> Files(params string[] names) => names.Select(PictureRequest.File);
 
     [Test]
-    public void Look_PictureEndsAWorker_IsRejectedAndOthersAreRead()
+    public void Look_PictureCrashesAWorker_IsRejectedAndOthersAreRead()
     {
         var seen = Look(Files("a.png", "deadly.png", "b.png", "deadly.png", "deadly.png", "c.png"));
 

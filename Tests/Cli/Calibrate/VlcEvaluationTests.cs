@@ -68,7 +68,7 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Sweep_SourceChangesTemporarily_HasTheLimitOfTheMostFrequent()
+    public void Sweep_SourceChangesTemporarily_HasTheLimitOfTheMostFrequentSource()
     {
         var (rows, result) = Sweep(ms => ms);
         var mixed = rows.Select((row, i) => i % 10 != 0 ? row : new SweepRow(

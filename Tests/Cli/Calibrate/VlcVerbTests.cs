@@ -177,7 +177,7 @@ public sealed class VlcVerbTests
     }
 
     [Test]
-    public async Task Json_OfPicturesOfWhichNoneIsRead_HasTheReasonsAndThePageNamesAll()
+    public async Task Json_NoPictureReadable_HasTheReasonsAndThePageNamesAll()
     {
         var folder = Directory.CreateDirectory(In("heic")).FullName;
         for (var i = 0; i < 30; i++) File.WriteAllText(Path.Combine(folder, $"a-rather-long-name-{i}.HEIC"), "0000ftypheic");

@@ -77,7 +77,7 @@ public class DisplayFigureTests
     [TestCase(Between, Refresh, "holds partly")]
     [TestCase(Between, Between, "does not hold")]
     [TestCase(Between, 0, "does not hold")]
-    public void Figure10_Scatter_TurnsTheVerdict(double normalMs, double highMs, string verdict)
+    public void Figure10_Scatter_ChangesTheVerdict(double normalMs, double highMs, string verdict)
     {
         var criteria = Figure10.Criteria([.. Pictures(0.3, 6.5, 40, normalMs)], [.. Pictures(1.5, 17, 65, highMs)]);
 
@@ -125,7 +125,7 @@ public class DisplayFigureTests
     [TestCase(Still, 40.5, Refresh, Still, "holds partly", TestName = "Figure11a_OneLoadBeyondIsConstant_HoldsPartly")]
     [TestCase(Between, 42, Refresh, Still, "does not hold")]
     [TestCase(Still, 42, Still, Still, "does not hold")]
-    public void Figure11a_Numbers_TurnTheVerdict(double insideMs, double secondMs, double beyondMs, double lastMs, string verdict)
+    public void Figure11a_Numbers_ChangeTheVerdict(double insideMs, double secondMs, double beyondMs, double lastMs, string verdict)
     {
         var criteria = Figure11.LoadCriteria(Sweep(insideMs, secondMs, beyondMs, lastMs), StoredMs);
 
@@ -146,7 +146,7 @@ public class DisplayFigureTests
     [TestCase(Between, Refresh, 15.0, "holds partly", TestName = "Figure11b_OneStoredLatencyIsNotSufficient_HoldsPartly")]
     [TestCase(Still, Still, 15.0, "holds partly", TestName = "Figure11b_LatencyIsConstantOutside_HoldsPartly")]
     [TestCase(Between, Still, 13.0, "does not hold")]
-    public void Figure11b_Numbers_TurnTheVerdict(double insideMs, double beyondMs, double otherLimitMs, string verdict)
+    public void Figure11b_Numbers_ChangeTheVerdict(double insideMs, double beyondMs, double otherLimitMs, string verdict)
     {
         var criteria = Figure11.RangeCriteria([.. Sweep(insideMs, StoredMs, beyondMs, beyondMs)], StoredMs, LimitMs, otherLimitMs);
 

@@ -90,7 +90,7 @@ public class SwingFigureTests
     }
 
     [Test]
-    public void Runs_HaveOneSwingEachThatDiffersInPhase()
+    public void Runs_OneSwingEach_DifferInPhase()
     {
         foreach (var frames in s_set.All)
         {

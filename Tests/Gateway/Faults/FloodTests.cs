@@ -19,7 +19,7 @@ public class FloodTests
     static readonly IPAddress Attacker = IPAddress.Parse("127.0.0.2");
 
     [Test]
-    public async Task Connects_10000Consecutive_DoNotLeak()
+    public async Task Connections_10000InSequence_DoNotLeak()
     {
         var clock = new StopwatchControlClock(Gateways.Start);
         await using var gateway = await Gateways.StartAsync(clock: clock);

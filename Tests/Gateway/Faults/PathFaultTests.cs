@@ -12,7 +12,7 @@ namespace Nowpose.Headless.Tests.Gateway.Faults;
 public class PathFaultTests
 {
     [Test]
-    public async Task Wifi_GoneFor30Seconds_IsShownAndRecoveredFrom()
+    public async Task Wifi_LostFor30Seconds_IsShownAndTheHeadsetRecovers()
     {
         var clock = new StopwatchControlClock(Gateways.Start);
         await using var gateway = await Gateways.StartAsync(clock: clock);

@@ -56,7 +56,7 @@ public class CertificateRenewalTests
     [TestCase(100, 90, null)]
     [TestCase(20, 10, "expires on")]
     [TestCase(20, 21, "expired on")]
-    public void Expiry_Near_IsLoggedOnceLikeTheRenewal(int lastsDays, int atDays, string expected)
+    public void Expiry_Near_IsLoggedOnceAsIsTheRenewal(int lastsDays, int atDays, string expected)
     {
         var notice = new ExpiryNotice(_log.Enqueue);
         var start = new DateTime(2026, 11, 20);

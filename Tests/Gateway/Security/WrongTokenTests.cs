@@ -71,7 +71,7 @@ public class WrongTokenTests
     }
 
     [Test]
-    public void Count_TooManyAddresses_RemovesTheLongestInactive()
+    public void Count_TooManyAddresses_RemovesTheOneInactiveForLongest()
     {
         var wrong = new WrongTokens(new SteppedTime());
         var (silent, trying, newest) = (IPAddress.Parse("10.0.0.1"), IPAddress.Parse("10.0.0.2"), IPAddress.Parse("10.0.0.3"));

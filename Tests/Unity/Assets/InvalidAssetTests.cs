@@ -89,7 +89,7 @@ public sealed class InvalidAssetTests
     }
 
     [Test]
-    public void Load_MissingThings_AreNamed()
+    public void Load_MissingFileOrWrongName_IsNamed()
     {
         _probed.Project.Add("Assets/Gone.txt", 4, null).AddYaml("Assets/Misnamed.asset", 5, Scriptable("Other", ""));
         var library = _probed.Project.Library();

@@ -150,7 +150,7 @@ public sealed class TimestampDisplayTests
 
     [TestCase(false)]
     [TestCase(true)]
-    public void Frames_Warm_AllocateNothing(bool rewrites)
+    public void Frames_AfterWarmUp_AllocateNothing(bool rewrites)
     {
         Play(20, rewrites);
         _display.enabled = false;

@@ -213,7 +213,7 @@ public sealed class ArSpatialAnchorsTests
     }
 
     [Test]
-    public void Update_OnceWarm_AllocatesNothing()
+    public void Update_AfterWarmUp_AllocatesNothing()
     {
         var anchor = (ArSpatialAnchor)_anchors.Hold(Place);
         Run(1);

@@ -90,7 +90,7 @@ public sealed class OpenXrDisplayTimeTests
     }
 
     [Test]
-    public void DisplayTime_OnceWarm_AllocatesNothing()
+    public void DisplayTime_AfterWarmUp_AllocatesNothing()
     {
         _played.Play();
         _played.Runtime.LightOf = _ => _played.Cell.Clock.Read + TimeSpan.FromMilliseconds(47);

@@ -138,7 +138,7 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Read_OnceWarm_AllocatesNothing()
+    public void Read_AfterWarmUp_AllocatesNothing()
     {
         _played.Codes.Texts[Id] = "text";
         _played.Report();

@@ -86,7 +86,7 @@ public sealed class ReprojectionCheckTests
     }
 
     [Test]
-    public void Update_ConditionMissing_IsReportedOnceInPanelLogAndDiagnosticsLikeItsRecovery(
+    public void Update_ConditionMissing_IsReportedOnceInPanelLogAndDiagnosticsAsIsItsRecovery(
         [Values(DepthSubmission.TurnedOff, DepthSubmission.NotSupported, DepthSubmission.NoMainCamera, DepthSubmission.NotRequested)]
         DepthSubmission broken)
     {
@@ -175,7 +175,7 @@ public sealed class ReprojectionCheckTests
     }
 
     [Test]
-    public void Update_OnceWarm_AllocatesNothing()
+    public void Update_AfterWarmUp_AllocatesNothing()
     {
         Play(10);
 

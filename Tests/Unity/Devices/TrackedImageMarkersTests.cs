@@ -132,7 +132,7 @@ public sealed class TrackedImageMarkersTests
     }
 
     [Test]
-    public void Read_OnceWarm_AllocatesNothing()
+    public void Read_AfterWarmUp_AllocatesNothing()
     {
         Report(TrackingState.Tracking);
         var markers = new List<MarkerSighting>(4);

@@ -75,7 +75,7 @@ public sealed class EditModeInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Anchor_Placed_ShowsItsPoseLikeAUrdf()
+    public void Anchor_Placed_ShowsItsPoseInTheFormOfAUrdf()
     {
         var anchor = NewAnchor();
         // A quarter turn to the left, seen from above, then the front 30° up; 3 m forward, 1 m left, 2 m up.

@@ -39,7 +39,7 @@ public sealed class LinkerProtectionTests : EditorFixture
     }
 
     [Test]
-    public void Generate_AssemblyWithComponents_IsPreservedAndOptionalOnesMayBeMissing()
+    public void Generate_AssembliesWithComponents_ArePreserved()
     {
         using var folder = new ProjectFolder();
         folder.Write("Packages/manifest.json", "{}");

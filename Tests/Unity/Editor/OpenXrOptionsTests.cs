@@ -32,7 +32,7 @@ public sealed class OpenXrOptionsTests : EditorFixture
     }
 
     [Test]
-    public void Set_Option_IsSetOnlyForThatPlayer()
+    public void Set_Option_AppliesOnlyToThatPlayer()
     {
         OpenXrAssets.Put(Keep, BuildTargetGroup.Android, BuildTargetGroup.WSA);
 

@@ -137,7 +137,7 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
-    public void Menu_Opens_TheWindow()
+    public void Menu_Clicked_OpensTheWindow()
     {
         var open = typeof(SetupWindow).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
             .Single(m => m.GetCustomAttribute<MenuItem>()?.menuItem == "Window/Nowpose/Project Setup");

@@ -42,7 +42,7 @@ public sealed class PlayerTests : PlayerFixture
     }
 
     [Test]
-    public void Step_Scripts_AllocatesNothingOnceWarm()
+    public void Step_Scripts_AllocatesNothingAfterWarmUp()
     {
         for (var i = 0; i < 20; i++) new GameObject("a").AddComponent<Silent>();
         Add<Camera>("c");
@@ -114,7 +114,7 @@ public sealed class PlayerTests : PlayerFixture
     }
 
     [Test]
-    public void TwoPlayers_Step_AdvancesOnlyOnePlayer()
+    public void Step_OneOfTwoPlayers_AdvancesOnlyThatOne()
     {
         Add<Recorder>("a");
         Journal.Take();

@@ -77,7 +77,7 @@ public sealed class ConsentPromptTests
     }
 
     [Test]
-    public void Prompt_Question_ShowsItInFittingLines()
+    public void Prompt_Question_FitsItsLines()
     {
         LookAtTheMarker();
 

@@ -58,7 +58,7 @@ public sealed class HoloLensPanelTests
 
     [TestCase("Accept", "desk")]
     [TestCase("Refuse", null)]
-    public void Consent_CodeInView_IsAskedAndAnsweredByAButton(string button, string expected)
+    public void Consent_CodeInView_IsRequestedAndGivenByAButton(string button, string expected)
     {
         var codes = ShownCodes.Below(_sample.Session);
         codes.Texts.Add(new CellCode("desk", "127.0.0.1", null, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text);

@@ -140,7 +140,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void LateUpdate_WarmWithChangingValues_AllocatesNothing()
+    public void LateUpdate_ChangingValuesAfterWarmUp_AllocatesNothing()
     {
         var random = new System.Random(2);
         _played.EachFrame = _ =>

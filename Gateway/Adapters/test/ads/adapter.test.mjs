@@ -100,7 +100,7 @@ describe('ads', { concurrency: 4 }, () => {
     assert.ok(steps.filter(step => step === 1).length > 0.8 * steps.length, `${steps}`);
   });
 
-  it('Adapter_OnChangeWithOneJointAtRest_RepeatsItOftenEnoughForAHeadset', async t => {
+  it('Adapter_OneJointAtRest_IsRepeatedOftenEnoughForAHeadset', async t => {
     const plc = new Plc([...variables(), new PlcSymbol('MAIN.fStill', 'LREAL', () => 1.5)], { cycleMs: 5, aheadMs: 40_000 });
     const joints = '  - { joint: arm_joint_1, symbol: "GVL.aJoints[0]" }\n  - { joint: still, symbol: MAIN.fStill }\n';
     const { bridge } = await cell(t, { plc, more: '  on_change: true\n', joints });
@@ -116,7 +116,7 @@ describe('ads', { concurrency: 4 }, () => {
     assert.ok(stamps.at(-1) < plc.now());
   });
 
-  it('Adapter_OnChangeWithAllJointsAtRest_ReadsThemBackAndAssumesRest', async t => {
+  it('Adapter_AllJointsAtRest_ReadsThemBackAndAssumesRest', async t => {
     const still = ['one', 'two'].map(name => new PlcSymbol(`MAIN.${name}`, 'LREAL', () => 1.5));
     const joints = '  - { joint: one, symbol: MAIN.one }\n  - { joint: two, symbol: MAIN.two }\n';
     const { bridge } = await cell(t, { plc: new Plc([...variables(), ...still], { cycleMs: 5 }), more: '  on_change: true\n', joints });

@@ -13,7 +13,7 @@ describe('cycles of a PLC', () => {
     return { taken, dropped };
   };
 
-  it('Values_MaximumDelayBeforeTheirTimes_AllGetThem', () => {
+  it('Values_TimesAfterTheMaximumDelay_AllGetTheirTime', () => {
     const { taken, dropped } = met(50, 50);
 
     assert.deepEqual([taken.length, dropped], [50, []]);

@@ -77,7 +77,7 @@ describe('poses', () => {
     }
   });
 
-  it('Components_OneStops_TheOthersGoOn', () => {
+  it('Components_OneStops_TheOthersContinue', () => {
     const { output, take, poses, time } = one();
     output.samplingS = 0.01;
 
@@ -87,7 +87,7 @@ describe('poses', () => {
     assert.deepEqual(times.filter(ms => ms <= 90 || ms > 140), [...Array(10).keys(), ...Array.from({ length: 15 }, (_, i) => i + 15)].map(i => 10 * i));
   });
 
-  it('Angle_ThatPassesAFullTurn_IsNotInterpolatedAcross', () => {
+  it('Angle_PassesAFullTurn_IsNotInterpolatedAcrossTheJump', () => {
     const { output, take, poses, time } = one();
     output.samplingS = 0.01;
     const angles = [170, 176, -178, -172];
@@ -135,7 +135,7 @@ describe('poses', () => {
     assert.ok(poses().filter(({ ms }) => ms > 200).every(({ ms }) => ms % 100 === 0));
   });
 
-  it('First_OldValue_IsPublishedWhenItIsKnownToBeAtRest', () => {
+  it('FirstValue_Old_IsPublishedOnceItIsKnownToBeAtRest', () => {
     const { output, take, poses, time } = one();
     time.ms = 3_600_000;
     take({ 0: 100, 1: 0 }, { stamp: T, isFirst: true });
@@ -201,7 +201,7 @@ describe('poses', () => {
     assert.deepEqual([status.refusals('stamp-not-newer'), status.refusals('stamp-future')], [1, 1]);
   });
 
-  it('Quaternion_OfAnotherLength_IsRefusedWithItsLength', () => {
+  it('Quaternion_NotOfUnitLength_IsRefusedWithItsLength', () => {
     const { take, poses, status, time } = cell({ frames: [turned], values: ['x', 'y', 'z', 'w'] });
     take({ 0: 0, 1: 0, 2: 0, 3: 2 });
     assert.match(status.values()['frame/turned'], /the quaternion has the length 2\.000; allowed: 0\.99 to 1\.01/);

@@ -5,7 +5,7 @@ import { cell, MS, T } from './inVirtualTime.mjs';
 const two = () => cell({ signals: [{ signal: 'closed' }, { signal: 'speed' }], values: ['closed', 'speed'] });
 
 describe('signals', () => {
-  it('Change_IsPublishedWithItsStamp_RepetitionIsNot', () => {
+  it('Value_Changed_IsPublishedOnceWithItsStamp', () => {
     const { take, changes, time, stateOf } = two();
 
     for (; time.ms < 50; time.ms += 10) take({ 0: time.ms >= 20, 1: 3.5 });
@@ -23,7 +23,7 @@ describe('signals', () => {
     assert.deepEqual(changes(), [['closed', 0, 0n], ['closed', 1, 10n], ['closed', 0, 20n]]);
   });
 
-  it('First_OldValue_KeepsItsStamp', () => {
+  it('FirstValue_Old_KeepsItsStamp', () => {
     const { take, changes, time } = two();
     time.ms = 7_200_000;
 

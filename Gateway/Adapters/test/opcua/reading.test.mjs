@@ -174,7 +174,7 @@ describe('reading over OPC UA', () => {
     assert.ok(reason.includes(expected), reason);
   });
 
-  it('Server_ReadByAllTests_GotNoWriteRequest', () => {
+  it('Server_ReadByAllTests_ReceivedNoWriteRequest', () => {
     assert.deepEqual([...server.asked.keys()].filter(name => !READS.includes(name)), []);
     assert.ok(server.asked.get('PublishRequest') > 100);
   });

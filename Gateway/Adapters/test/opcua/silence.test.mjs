@@ -187,7 +187,7 @@ describe('silence over OPC UA', { concurrency: 2 }, () => {
     await state('a', 'live');
   });
 
-  it('Silence_FaultAfterASecond_IsFaultAlsoAtRest', async t => {
+  it('Silence_FaultAfterASecond_IsFaultEvenAtRest', async t => {
     const joints = [{ ...JOINTS[0], silence: '{fault_after_s: 1}' }, JOINTS[1]], { bridge, state, writers } = await cell(t, ['max_deceleration: 1000'], joints);
 
     writers.set('arm_joint_1', stopped());

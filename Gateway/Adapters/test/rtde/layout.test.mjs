@@ -96,7 +96,7 @@ describe('rtde layout', () => {
     ['Missing', TYPES.replace('VECTOR6D', 'NOT_FOUND'), /no field actual_q; update/], ['OfAnotherType', TYPES.replace('VECTOR6D', 'VECTOR6INT32'), /actual_q is VECTOR6INT32, not VECTOR6D/],
     ['InAnotherNumber', 'DOUBLE', /9 fields with 1 types/],
   ])
-    it(`Recipe_NeededField${what}_IsAnError`, () =>
+    it(`Recipe_RequiredField${what}_IsAnError`, () =>
       assert.throws(() => new Recipe(fieldsOf('actual'), answer(types)), error => error instanceof RecipeError && text.test(error.message)));
 
   it('Recipe_FieldsOfTheConfiguration_AreReadInEachType', () => {

@@ -49,7 +49,7 @@ public class PaperClaimsTests
     }
 
     [Test]
-    public void Claims_NotMeasured_AreNotSaidToHoldOrNot()
+    public void Claims_NotMeasured_HaveNoVerdict()
     {
         var claims = PaperClaims.Of([new PaperMeasures(null, null, null, "no whole swing")]);
 
@@ -60,7 +60,7 @@ public class PaperClaimsTests
     }
 
     [Test]
-    public void Claims_MeasuredInSomeRepeats_AreJudgedByThemAndSaySo()
+    public void Claims_MeasuredInSomeRepeats_AreJudgedByThoseAndStateIt()
     {
         var claims = PaperClaims.Of([Good, Good with { Swings = null, Problem = "no whole swing" }]);
 

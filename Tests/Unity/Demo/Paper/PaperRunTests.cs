@@ -38,7 +38,7 @@ public class PaperRunTests
     }
 
     [Test]
-    public void Paper_ExchangesHaveAConstantInterval()
+    public void Paper_Exchanges_HaveAConstantInterval()
     {
         var run = PaperScene.Play(1);
 

@@ -151,7 +151,7 @@ public sealed class QuaternionTests
     }
 
     [Test]
-    public void Slerp_FarSign_TakesTheShortWay()
+    public void Slerp_OppositeSigns_TakesTheShorterArc()
     {
         var far = Quaternion.Euler(0, 90, 0);
         far = new Quaternion(-far.x, -far.y, -far.z, -far.w);

@@ -43,7 +43,7 @@ public sealed class EditModeTests
     }
 
     [Test]
-    public void Destroy_IsRefused()
+    public void Destroy_InEditMode_IsRefused()
     {
         UnityEngine.Object.Destroy(_object);
 

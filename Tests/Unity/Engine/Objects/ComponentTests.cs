@@ -86,7 +86,7 @@ public sealed class ComponentTests : PlayerFixture
     }
 
     [Test]
-    public void Search_WarmList_AllocatesNothing()
+    public void Search_ListOfSufficientCapacity_AllocatesNothing()
     {
         var top = Add<Recorder>("top");
         Add<Recorder>("leaf", top.transform);

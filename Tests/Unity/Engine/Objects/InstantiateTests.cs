@@ -58,7 +58,7 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Callbacks_AreCalledOnSourceAndCopy()
+    public void Callbacks_OfSerialisation_AreCalledOnSourceAndCopy()
     {
         var source = Add<Keeper>("a");
 

@@ -22,7 +22,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Destroyed_Two_AreEqual()
+    public void Destroyed_TwoObjects_AreEqual()
     {
         var a = new GameObject("a");
         var b = new GameObject("b");

@@ -31,7 +31,7 @@ public sealed class CameraTests : PlayerFixture
     }
 
     [Test]
-    public void Delegates_BelongToTheirPlayer()
+    public void Delegates_OfTwoPlayers_AreSeparate()
     {
         Camera.onPreRender += _ => { };
         Assert.That(Player.SubscriberCount, Is.EqualTo(1));

@@ -25,7 +25,7 @@ public sealed class MeshTests : PlayerFixture
     }
 
     [Test]
-    public void Bounds_ContainEveryVertex() => Assert.That(
+    public void Bounds_OfAMesh_ContainEveryVertex() => Assert.That(
         Triangle().bounds, Is.EqualTo(new Bounds(new Vector3(0.0005f, 0.001f, 0), new Vector3(0.001f, 0.002f, 0))));
 
     [Test]

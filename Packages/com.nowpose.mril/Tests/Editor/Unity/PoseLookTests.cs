@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Also_WithoutAFade_IsFainterThanCurrent()
+        public void Also_WithoutAFade_StillFadesThePart()
         {
             var look = PoseLook.Of(PoseState.Current).Also("being placed", "a marker is moved", 0);
 
@@ -63,7 +63,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Abandoned_IsDrawnAsNotCurrent()
+        public void Abandoned_AnyState_IsDrawnAsNotCurrent()
         {
             Assert.That(PoseLook.Abandoned.IsDrawn, Is.True);
             Assert.That(PoseLook.Abandoned.IsHatched, Is.True);

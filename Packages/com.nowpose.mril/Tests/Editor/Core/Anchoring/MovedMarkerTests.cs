@@ -106,7 +106,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Use_MovedMarkerRemoved_LocksByTheOthers()
+        public void Use_MovedMarkerRemoved_LocksWithTheOthers()
         {
             var cell = Locked(SimulatedMarkers.Three(1));
             cell.IsInView = payload => payload == "a";

@@ -10,7 +10,7 @@ namespace Nowpose.Tests.Core.Anchoring
     public class SeveralMarkersTests
     {
         [Test]
-        public void Tick_ContradictingMarkerRemoved_LocksByTheOther()
+        public void Tick_ContradictingMarkerRemoved_LocksWithTheOther()
         {
             var cell = new SimulatedMarkers(1);
             cell.Use(("a", RigidTransform.FromXyzRpy(0.2, 0, 0, 0, 0, 0)), ("b", RigidTransform.FromXyzRpy(-0.2, 0, 0, 0, 0, 0)));
@@ -43,7 +43,7 @@ namespace Nowpose.Tests.Core.Anchoring
         [TestCase(0.04, 0, 0)]
         [TestCase(0, 0, 0.03)]
         [TestCase(0, 0.1, 0)]
-        public void Tick_OneOfThreeMarkersMisplaced_LocksByTheOthersAndNamesIt(double x, double y, double z)
+        public void Tick_OneOfThreeMarkersMisplaced_LocksWithTheOthersAndNamesIt(double x, double y, double z)
         {
             for (var seed = 1; seed <= 10; seed++)
             {

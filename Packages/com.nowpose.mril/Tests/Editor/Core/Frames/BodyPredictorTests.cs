@@ -140,7 +140,7 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase("linear", 1e-12)]
         [TestCase("quadratic", 1e-4)]
         [TestCase("adaptive", 2e-3)]
-        public void Add_LateSample_GivesTheResultOfTheRightOrder(string name, double tolerance)
+        public void Add_LateSample_GivesTheSameResultAsInOrder(string name, double tolerance)
         {
             var inOrder = Fed(name, BodyMotions.HandHeld, 42);
             var predictor = Fed(name, BodyMotions.HandHeld, 39);
@@ -167,7 +167,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void Add_ClockWentBack_StartsAnewForTheWholePose()
+        public void Add_ClockWentBack_RestartsTheWholePose()
         {
             var predictor = Fed("adaptive", BodyMotions.HandHeld, 200);
 
@@ -199,7 +199,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void At_AskedTwice_GivesTheSamePose()
+        public void At_CalledTwice_ReturnsTheSamePose()
         {
             var predictor = Fed("adaptive", BodyMotions.HandHeld, 100, blend: 0.01);
             var before = predictor.At(99 * Interval + 0.12);

@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Received_LateSampleWithoutUse_DoesNotAffectTheNext()
+        public void Received_UnusedLateSample_DoesNotAffectTheNext()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(6);

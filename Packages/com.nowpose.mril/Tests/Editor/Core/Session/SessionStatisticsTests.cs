@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Fill_UsedStatistics_ReplacesAllValues()
+        public void Fill_ReusedStatistics_ReplacesAllValues()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(10);

@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
-        public void Change_LateNews_IsInPhase()
+        public void Change_ReceivedLate_IsInPhase()
         {
             var (inTime, late) = (Open(), Open());
             inTime.Change(1, At(10));
@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
-        public void Change_DuringAMove_GoesOnFromThatPosition()
+        public void Change_DuringAMove_ContinuesFromThatPosition()
         {
             var stroke = Open();
             stroke.Change(1, At(10));

@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
-        public void Add_EarlierNewsOfAWaitingChange_MovesItForward()
+        public void Add_EarlierStampOfAWaitingChange_MovesItForward()
         {
             var signal = new SignalTrack("grip");
             signal.Add(At(10.2), 1);

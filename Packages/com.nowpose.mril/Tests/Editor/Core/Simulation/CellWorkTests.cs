@@ -73,7 +73,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Robots_Two_StandApartAndHaveNamespaces()
+        public void Robots_InOneCell_StandApartAndHaveNamespaces()
         {
             if (_work.Robots.Count == 1)
             {

@@ -32,7 +32,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test, Combinatorial]
-        public void ErrorBound_ExchangesAtOnePartOfTheStep_HoldsWithoutAClockStep(
+        public void ErrorBound_ExchangesAtTheSamePhaseOfTheStep_HoldsWithoutAClockStep(
             [ValueSource(nameof(Resolutions))] double resolutionMs, [ValueSource(nameof(Skews))] double skewPpm,
             [Values("lan", "wifi")] string network)
         {
@@ -107,7 +107,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase(10, 1, 100)]
         [TestCase(1, 10, -100)]
         [TestCase(50, 0, 1000)]
-        public void Step_TogetherWithAnotherResolution_IsFound(double beforeMs, double afterMs, double stepMs)
+        public void Step_WithAChangeOfResolution_IsDetected(double beforeMs, double afterMs, double stepMs)
         {
             var link = new SimulatedLink(NetworkProfile.Wifi, 830, 20) { Resolution = Lengths.Ms(beforeMs) };
             var run = new PacedRun();

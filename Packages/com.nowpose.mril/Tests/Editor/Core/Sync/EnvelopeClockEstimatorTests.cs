@@ -54,7 +54,7 @@ namespace Nowpose.Tests.Core.Sync
 
         [TestCase("wifi", 0, 2, 10)]
         [TestCase("busy-wifi", 0.02, 5, 30)]
-        public void Error_FromTheStart_IsBelowOneAndAFifthOfAMillisecondInTime(string network, double loss, double oneMs, double aFifth)
+        public void Error_FromTheStart_FallsBelowTheLimitsInTime(string network, double loss, double oneMs, double aFifth)
         {
             for (var seed = FirstSeed; seed < FirstSeed + 2 * Seeds; seed++)
             {

@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase("000 000 000", 1, "000 0…")]
         [TestCase("00 0000 000 000 0", 2, "00 0000\n000 0…")]
         [TestCase("000 000", 1, "000 000")]
-        public void Of_TextOfTooManyLines_EndsWithAnEllipsisInTheLastLine(string line, int lines, string expected)
+        public void Of_TooManyLines_EndsWithAnEllipsis(string line, int lines, string expected)
         {
             Assert.That(WrappedText.Of(line, 4, lines), Is.EqualTo(expected));
         }

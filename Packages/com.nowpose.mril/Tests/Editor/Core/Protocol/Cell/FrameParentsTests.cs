@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
         }
 
         [Test]
-        public void TrySet_CycleIsOpenedBefore_IsAccepted()
+        public void TrySet_CycleBrokenBefore_IsAccepted()
         {
             Set("a", "b");
             Assert.That(_frames.TrySet("b", "a"), Is.EqualTo(DropReason.FrameCycle));

@@ -43,7 +43,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Close_SeveralInReach_TakesTheNearestAtTheStamp()
+        public void Close_SeveralObjectsInReach_TakesTheNearestAtTheStamp()
         {
             var (cell, grip) = NewCell("left", "right");
             // The nearer object changes while the message about the signal is on its way.
@@ -63,7 +63,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Close_MotionThatChangesAfterTheStamp_IsDecidedBySamplesAlikeOnEveryHeadset()
+        public void Close_MotionChangesAfterTheStamp_HasTheSameResultOnEveryHeadset()
         {
             // The belt stops at the stamp. Prediction continues, so what is displayed first depends on the latency; the samples do not.
             double X(double t) => 1.02 + 0.5 * (Math.Min(t, Close) - Close);

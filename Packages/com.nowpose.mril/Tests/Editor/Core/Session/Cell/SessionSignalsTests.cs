@@ -9,7 +9,7 @@ namespace Nowpose.Tests.Core.Session.Cell
     public class SessionSignalsTests
     {
         [Test]
-        public void Signal_ChangedInTime_ShowsInTheFrameOfItsStamp()
+        public void Signal_ChangeReceivedInTime_IsShownInTheFrameOfItsStamp()
         {
             var cell = new CellSession();
             var shown = new List<(double Light, double Value)>();
