@@ -20,7 +20,7 @@ public class EndFaultTests
         await headset.BecomesAsync(PoseState.Current);
 
         await first.SignalAsync("KILL");
-        await headset.BecomesAsync(() => headset.State != PoseState.Current, "not shown as current any more");
+        await headset.BecomesAsync(() => headset.State != PoseState.Current, "no longer shown as current");
         using var second = await SimulateAsync(sync, positions);
         var took = await headset.BecomesAsync(PoseState.Current);
 

@@ -25,7 +25,7 @@ public class PathFaultTests
 
         sync.GoQuiet();
         positions.GoQuiet();
-        await headset.BecomesAsync(() => headset.State != PoseState.Current, "not shown as current any more");
+        await headset.BecomesAsync(() => headset.State != PoseState.Current, "no longer shown as current");
         await headset.BecomesAsync(
             () => headset.State != PoseState.Current && gateway.WebSocketConnections.Open == 0, "the gateway has given up the WebSocket");
         await headset.BecomesAsync(() => Stopwatch.GetElapsedTime(since) > TimeSpan.FromSeconds(30), "30 s");

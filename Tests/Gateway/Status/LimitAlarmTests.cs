@@ -68,7 +68,7 @@ public class LimitAlarmTests
                 Send(7);
                 return _alarm.Joints.Count == 0;
             },
-            "nothing is wrong any more");
+            "nothing is wrong now");
     }
 
     [Test]

@@ -24,7 +24,7 @@ public class PublicApiTests
         var listed = File.Exists(list) ? File.ReadAllLines(list) : [];
 
         Assert.That(actual.Except(listed), Is.Empty, $"public and not in the list; if this is meant, copy {written} to {list}");
-        Assert.That(listed.Except(actual), Is.Empty, $"in the list and not public any more; if this is meant, copy {written} to {list}");
+        Assert.That(listed.Except(actual), Is.Empty, $"in the list but no longer public; if this is intended, copy {written} to {list}");
     }
 
     [Test]
