@@ -10,7 +10,7 @@ sealed record FoundCode(CodeKind Kind, IReadOnlyList<double> Levels, IReadOnlyLi
     /// <summary>Share of the cells that are white in their middle, 0 to 1.</summary>
     public double WhiteShare { get; init; }
 
-    /// <summary>Intersection of the diagonals, px: the centre of the code, also in perspective.</summary>
+    /// <summary>Intersection of the diagonals, px: the centre of the code, even in perspective.</summary>
     public (double X, double Y) Center
     {
         get

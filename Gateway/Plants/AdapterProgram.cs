@@ -61,7 +61,7 @@ static class AdapterProgram
                 StandardErrorEncoding = Encoding.UTF8,
             },
         };
-        // The program ends when its input is closed, also when this process was killed.
+        // The program ends when its input is closed, even when this process was killed.
         process.StartInfo.Environment["NOWPOSE_SUPERVISED"] = "1";
         access?.Tell(process.StartInfo.Environment);
         try

@@ -86,7 +86,7 @@ sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters 
         return true;
     }
 
-    // Known tokens are accepted before this, also from an address with many wrong ones.
+    // Known tokens are accepted before this, even from an address with many wrong ones.
     async Task RefuseTokenAsync(HttpContext context)
     {
         const string Text = "the bearer token is missing or unknown";

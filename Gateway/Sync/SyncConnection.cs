@@ -193,7 +193,7 @@ sealed class SyncConnection
         return true;
     }
 
-    // A known token is answered immediately, also from an address with many wrong ones.
+    // A known token is answered immediately, even from an address with many wrong ones.
     void SlowDown()
     {
         var wait = _wrong.Count(_address, _options.WrongTokenDelay);

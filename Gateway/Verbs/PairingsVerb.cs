@@ -14,7 +14,7 @@ static class PairingsVerb
         {
             Description = "Remove all headsets of this name; a running gateway ends their connections immediately", HelpName = "NAME",
         };
-        var command = new Command("pairings", "List the paired headsets, oldest first; also while the gateway runs") { file, revoke };
+        var command = new Command("pairings", "List the paired headsets, oldest first; the gateway may be running") { file, revoke };
         command.SetAction(parsed =>
         {
             var path = parsed.GetValue(file);

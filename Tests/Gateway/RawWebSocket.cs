@@ -68,7 +68,7 @@ sealed class RawWebSocket : IDisposable
     public Task SendFrameAsync(int opcode, params byte[] payload) =>
         SendAsync([(byte)(0x80 | opcode), (byte)(0x80 | payload.Length), 0, 0, 0, 0, .. payload]);
 
-    /// <summary>Sends a whole message of 126 to 65535 bytes, also with a zero mask.</summary>
+    /// <summary>Sends a whole message of 126 to 65535 bytes, which may have a zero mask.</summary>
     public Task SendTextAsync(string text)
     {
         var payload = Encoding.UTF8.GetBytes(text);

@@ -71,7 +71,7 @@ public class PathRunTests
 
     /// <summary>The margin for a wrong skew hides the smaller change. Half of it is an error that the stated ± must include.</summary>
     [Test]
-    public void Within_SmallAndLargeChange_HoldsOnACleanLink([Values(0.02, 0.03, -0.02)] double share, [Range(7000, 7003)] int seed)
+    public void Play_ChangesOnACleanLink_ErrorStaysWithinTheStatedOne([Values(0.02, 0.03, -0.02)] double share, [Range(7000, 7003)] int seed)
     {
         var before = Math.Max(0, -share);
         var change = new PathChange(

@@ -2,7 +2,7 @@ import type { Fact, SummaryRow } from './data';
 import { el } from './dom';
 import { format, type Statistics } from './numbers';
 
-/** Wraps a table so that it scrolls if it is wider than the window, also with the keyboard. */
+/** Wraps a table so that it scrolls if it is wider than the window, including with the keyboard. */
 export function scrollable(caption: string, table: HTMLTableElement): HTMLElement {
   return el('div', { class: 'table', role: 'region', 'aria-label': caption, tabindex: 0 }, table);
 }

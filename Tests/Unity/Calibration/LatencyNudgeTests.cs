@@ -112,7 +112,7 @@ public sealed class LatencyNudgeTests
 
         Assert.That(counts, Is.EqualTo((2, 2)));
         Assert.That(_session.Session.Visualisation.Length.TotalMilliseconds, Is.EqualTo(TrueMs).Within(1));
-        Assert.That(_nudge.Report, Does.Match(@"^nudge: L_visu 6[12]\.\d ms ± 2\.8 ms by 4 marks; the base is misplaced by (2\.[89]|3\.[012]) mm along X$"));
+        Assert.That(_nudge.Report, Does.Match(@"^nudge: L_visu 6[12]\.\d ms ± 2\.8 ms from 4 marks; the base is misplaced by (2\.[89]|3\.[012]) mm along X$"));
         Assert.That(_nudge.OffsetMm, Is.EqualTo(0));
         var kept = LatencyProfileFile.Load(Path.Combine(_folder, "latency-profile.json"));
         Assert.That(kept.Method, Is.EqualTo(CalibrationMethod.Nudge));

@@ -100,7 +100,7 @@ public sealed class LoadGeneratorTests
     }
 
     [Test]
-    public void Load_ReturnedTo_IsShownImmediately()
+    public void Load_BuiltBefore_IsShownImmediately()
     {
         Play(400_000);
         Build();

@@ -178,7 +178,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Pause_EndsWhileInactive_IsOver()
+    public void Pause_EndsWhileInactive_StartsASessionOnActivation()
     {
         var session = _cell.Play();
         _cell.Frame(session);

@@ -23,7 +23,7 @@ public class PublicApiTests
         File.WriteAllLines(written, actual);
         var listed = File.Exists(list) ? File.ReadAllLines(list) : [];
 
-        Assert.That(actual.Except(listed), Is.Empty, $"public and not in the list; if this is meant, copy {written} to {list}");
+        Assert.That(actual.Except(listed), Is.Empty, $"public and not in the list; if this is intended, copy {written} to {list}");
         Assert.That(listed.Except(actual), Is.Empty, $"in the list but no longer public; if this is intended, copy {written} to {list}");
     }
 

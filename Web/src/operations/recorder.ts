@@ -22,7 +22,7 @@ export class Recorder {
     this.button.classList.toggle('on', this.isOn);
     setText(this.button, this.isOn ? 'Stop recording' : 'Record');
     setText(byId('recording'), wordsOf(recording, can));
-    setText(byId('may-record'), may || !can ? '' : 'To switch it, log in with a token of the role operator.');
+    setText(byId('may-record'), may || !can ? '' : 'To start or stop it, log in with a token of the role operator.');
   }
 
   private async turn(changed: () => void): Promise<void> {

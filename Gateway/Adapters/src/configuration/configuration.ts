@@ -32,7 +32,7 @@ export interface Joint extends Address, NamedJoint {
   [own: string]: unknown;
 }
 
-/** Default meaning of silence for kinds whose sources send each joint periodically, also at rest. */
+/** Default meaning of silence for kinds whose sources send each joint periodically, even at rest. */
 const PERIODIC: Record<string, SilenceEntry> = { ros: { fault_after_s: 1 }, rtde: { fault_after_s: 1 }, broker: { fault_after_s: 3 } };
 
 export interface Configuration {

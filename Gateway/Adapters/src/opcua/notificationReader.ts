@@ -144,7 +144,7 @@ export class NotificationReader {
     return {
       reason: 'time-unmatched',
       text:
-        `no value of ${node} has a time stamp within group_ms, ${String(ms)} ms, of it; `
+        `no value of ${node} has a time stamp within ${String(ms)} ms (group_ms) of this value; `
         + 'if the server stamps the variables of a cycle one by one, increase group_ms',
     };
   }

@@ -26,7 +26,7 @@ interface Node {
 }
 
 /**
- * Source timestamps of nodes whose value does not change. Many sources write their values periodically, also at rest: a notification or a
+ * Source timestamps of nodes whose value does not change. Many sources write their values periodically, even at rest: a notification or a
  * read then has the same value with a newer source timestamp. If such a source stops writing, its data have ended.
  * @remarks A server that stamps each read renews all nodes forever. Renewals therefore do not prove that the source works.
  */

@@ -5,7 +5,7 @@ import type { AdapterStatus } from '../gateway/status';
 const REST_MS = 1000;
 
 /** Why rest is uncertain if the source cannot be asked for a joint's value. */
-const CURE = 'set silence: { fault_after_s: N } if the source sends each joint repeatedly, also at rest';
+const CURE = 'set silence: { fault_after_s: N } if the source sends each joint repeatedly, even at rest';
 const UNCONFIRMED = `nothing confirms its last value, so rest cannot be distinguished from an end of its data; ${CURE}`;
 const ALL_UNCONFIRMED = `no joint of its source sends anything, so rest cannot be distinguished from an end of the source; ${CURE}`;
 

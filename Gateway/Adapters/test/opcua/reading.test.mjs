@@ -94,7 +94,7 @@ describe('reading over OPC UA', () => {
     const plant = [...OPEN, 'time: {node: "ns=1;s=time_ns"}'];
     const narrow = await adapterFor(t, server, plant, [JOINTS[0]]), wide = await adapterFor(t, server, [...plant, 'group_ms: 4'], [JOINTS[0]]);
 
-    await narrow.run.said('a refused (time-unmatched): no value of ns=1;s=time_ns has a time stamp within group_ms, 0.5 ms, of it');
+    await narrow.run.said('a refused (time-unmatched): no value of ns=1;s=time_ns has a time stamp within 0.5 ms (group_ms) of this value');
 
     assert.ok(worst(await wide.states(5), 1) < 1e-12);
     assert.deepEqual(narrow.bridge.jointStates, []);

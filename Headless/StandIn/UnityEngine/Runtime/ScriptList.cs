@@ -27,7 +27,7 @@ sealed class ScriptList
     /// <summary>Adds a script from the next pass on.</summary>
     internal void Add(MonoBehaviour script) => _arriving.Add(script);
 
-    /// <summary>Removes a script immediately, also from the current pass.</summary>
+    /// <summary>Removes a script immediately, even from the current pass.</summary>
     internal void Remove(MonoBehaviour script)
     {
         if (_arriving.Remove(script)) return;

@@ -29,7 +29,7 @@ namespace Nowpose.Editor.Inspectors
         /// <summary>Draws the current values; called only in play mode and if one object is selected.</summary>
         protected virtual void DrawLive() { }
 
-        /// <summary>Records the plotted values; called often in play mode, also while the inspector is not drawn.</summary>
+        /// <summary>Records the plotted values; called often in play mode, even while the inspector is not drawn.</summary>
         /// <param name="time">Time since the editor's start, in s.</param>
         protected virtual void Sample(double time) { }
 

@@ -8,7 +8,7 @@ using UnityEngine.Events;
 
 namespace Nowpose.Mrtk3
 {
-    /// <summary>Triggers the menu's actions by voice, also while the menu is hidden, independent of where the wearer looks.</summary>
+    /// <summary>Triggers the menu's actions by voice, even while the menu is hidden, independent of where the wearer looks.</summary>
     /// <remarks>
     /// Registers its keywords with MRTK3's keyword recognition as soon as that runs, and unregisters them when it is disabled. Keywords
     /// that were already registered stay registered. The keyword of a button is recognised only while the button is active, and

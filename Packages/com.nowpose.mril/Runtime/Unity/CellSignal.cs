@@ -8,7 +8,7 @@ namespace Nowpose.Unity
 {
     /// <summary>Raises events when a signal of the control system changes, in the frame whose light shows the time of the change.</summary>
     /// <remarks>
-    /// A Boolean is 0 or 1. Each change is reported once and in order, also if several become visible in one frame; so is the first known value.
+    /// A Boolean is 0 or 1. Each change is reported once and in order, even if several become visible in one frame; so is the first known value.
     /// Assign any method, such as <c>Animator.SetBool</c> or <c>GameObject.SetActive</c>.
     /// </remarks>
     [AddComponentMenu("Nowpose/Signal")]

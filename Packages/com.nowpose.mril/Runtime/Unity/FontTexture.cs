@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Assigns the texture of its font to a text with the shader <c>Nowpose/Text</c>, also when the font replaces the texture.
+    /// Assigns the texture of its font to a text with the shader <c>Nowpose/Text</c>, even when the font replaces the texture.
     /// </summary>
     /// <remarks>
     /// The font's own material is visible through all objects and writes no depth, so the package's texts use another one. The letters are

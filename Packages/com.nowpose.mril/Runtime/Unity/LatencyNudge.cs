@@ -125,7 +125,7 @@ namespace Nowpose.Unity
             var isKept = _loader == null || _loader.Save(profile);
             session.Calibrate(profile);
             Report = string.Format(
-                CultureInfo.InvariantCulture, "nudge: L_visu {0:0.0} ms ± {1:0.0} ms by {2} marks; the base is misplaced by {3:0.0} mm along {4}",
+                CultureInfo.InvariantCulture, "nudge: L_visu {0:0.0} ms ± {1:0.0} ms from {2} marks; the base is misplaced by {3:0.0} mm along {4}",
                 result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, result.Count, result.OffsetMm, _axis);
             ConsoleLog.Info(this, Report);
             Clear();

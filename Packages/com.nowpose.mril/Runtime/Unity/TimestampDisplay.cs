@@ -11,7 +11,7 @@ namespace Nowpose.Unity
     /// </summary>
     /// <remarks>
     /// Schnierle &amp; Röck 2022, Fig. 9 and Eq. (7): C2(t_MR), mapped to C1. The code belongs to the frame in which it is drawn:
-    /// it changes within <see cref="MrilSession.Shown"/>, also when the session computes a frame again right before rendering.
+    /// it changes within <see cref="MrilSession.Shown"/>, even when the session computes a frame again right before rendering.
     /// </remarks>
     [AddComponentMenu("Nowpose/Timestamp Display")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder + 2)]

@@ -99,7 +99,7 @@ namespace Nowpose.Unity
             return true;
         }
 
-        // Resets the fingers, so that each drive starts from the rest pose, also after scripts were recompiled in play mode.
+        // Resets the fingers, so that each drive starts from the rest pose, even after scripts were recompiled in play mode.
         void Rest()
         {
             foreach (var drive in _drives)

@@ -36,7 +36,7 @@ namespace Nowpose.Network
 
         /// <summary>Starts at once, on the thread pool; frames never wait for it.</summary>
         /// <param name="newLink">Creates the link of each attempt.</param>
-        /// <param name="subscriptions">Topics to subscribe to, also while the client runs.</param>
+        /// <param name="subscriptions">Topics to subscribe to; more can be added while the client runs.</param>
         /// <param name="publishesDisplayed">Whether to publish the listener's displayed joints.</param>
         /// <param name="rosTime">Exchanges timestamps with the same server; null if the control time has another source.</param>
         public RosbridgeClient(

@@ -14,7 +14,7 @@ namespace Nowpose.Signals
 
         /// <summary>
         /// Raised within <see cref="Evaluate"/> when a change becomes visible, with the signal, which already has the new value. Changes of
-        /// one signal come in the order of their stamps, also if several become visible at once.
+        /// one signal come in the order of their stamps, even if several become visible at once.
         /// </summary>
         public event Action<SignalTrack> Changed;
 

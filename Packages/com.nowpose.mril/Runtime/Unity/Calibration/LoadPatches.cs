@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>Builds the patches of a load in steps, within a share of each frame's time. Keeps built patches, also when they are hidden.</summary>
+    /// <summary>Builds the patches of a load in steps, within a share of each frame's time. Keeps built patches, even when they are hidden.</summary>
     sealed class LoadPatches
     {
         /// <summary>Vertices computed in one step: 1/25 of a patch.</summary>

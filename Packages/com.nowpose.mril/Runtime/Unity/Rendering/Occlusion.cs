@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Nowpose.Unity.Rendering
 {
     /// <summary>Controls the parts of a cell that write depth at the real arm: if on, they hide virtual objects behind the arm.</summary>
-    /// <remarks>Applies to displayed rigs only; identifies the parts by their material, also of a robot that a rig builds later.</remarks>
+    /// <remarks>Applies to displayed rigs only; identifies the parts by their material, including those of a robot that a rig builds later.</remarks>
     sealed class Occlusion
     {
         readonly List<RobotRig> _rigs = new List<RobotRig>();

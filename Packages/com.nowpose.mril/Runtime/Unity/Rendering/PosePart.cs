@@ -117,7 +117,7 @@ namespace Nowpose.Unity.Rendering
             _renderer.forceRenderingOff = _isOwnOff || !IsDrawn;
         }
 
-        // The user may have assigned other materials since the last frame, also while the substitutes were drawn; they become the part's own.
+        // The user may have assigned other materials since the last frame, even while the substitutes were drawn; they become the part's own.
         void Examine()
         {
             var materials = _materials.In(_renderer);

@@ -46,7 +46,7 @@ namespace Nowpose.Latency.Sweep
             to.Write('\n');
         }
 
-        // Line breaks become spaces so that each row is one line, also for readers that do not support quotes.
+        // Line breaks become spaces so that each row is one line, even for readers that do not support quotes.
         static string Quoted(string device)
         {
             if (device.IndexOfAny(Special) < 0) return device;

@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
         }
 
         [Test]
-        public void TryRead_Ros1TimeAndOrder_IsTheSameStamp()
+        public void TryRead_Ros1TimeInAnyOrderOfFields_HasTheSameStamp()
         {
             const string Text = "{\"msg\":{\"transforms\":[{\"transform\":{\"rotation\":" + NoRotation + ",\"translation\":" + Origin
                 + "},\"child_frame_id\":\"box\",\"header\":{\"seq\":3,\"frame_id\":\"world\",\"stamp\":{\"secs\":12,\"nsecs\":345678900}}}]},"
