@@ -23,7 +23,7 @@ static class LinkTable
         foreach (var runs in results.GroupBy(result => result.Profile)) table.AddRow([.. Row([.. runs]).Select(Markup.Escape)]);
         console.Write(table);
         console.WriteLine(
-            "Medians over the runs. Errors are against the true motion and the true clock. "
+            "Medians over the runs. Errors are relative to the true motion and the true clock. "
             + "Stall: times until the pose is held and until it is current again. "
             + "Late: P99 of the delays that other load on this machine causes.");
     }

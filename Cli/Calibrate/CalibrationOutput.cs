@@ -61,7 +61,7 @@ sealed class CalibrationOutput
         return UnlimitedProfilePath;
     }
 
-    // Null also when the existing file is not a usable profile.
+    // Null if there is no usable profile, or it has no limit.
     TimeSpan? EarlierLimit()
     {
         try

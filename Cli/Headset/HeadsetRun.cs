@@ -68,7 +68,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         _wasTimeTrusted |= frame.IsTimeTrusted;
         if (_wasCurrent || frame.State != PoseState.Current) return;
         _wasCurrent = true;
-        // Restarted for the statistics in a recording.
+        // The statistics of a recording count frames from the first current one on.
         session.RestartErrorRun();
     }
 

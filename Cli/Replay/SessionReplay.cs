@@ -68,7 +68,7 @@ sealed class SessionReplay
         if (_frames == 0)
         {
             cancellation.ThrowIfCancellationRequested();
-            throw new InputException($"{_path}: no frame could be evaluated: it must have a control time, be between sample {SamplesBeforeScoring} "
+            throw new InputException($"{_path}: no frame could be evaluated: a frame needs a control time between sample {SamplesBeforeScoring} "
                 + "and the last sample of a joint, and no gap between samples may exceed the maximum gap");
         }
         var axes = Enumerable.Range(0, _errors.Length).Where(i => _errors[i].Count > 0)

@@ -15,7 +15,7 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
     /// <summary>
     /// Starts to request the time from a service. If another client serves that clock, the requests start when that client stops.
     /// </summary>
-    /// <returns>The reason for a refusal; <see cref="DropReason.None"/> also if the requests are already running.</returns>
+    /// <returns>The reason for a refusal; <see cref="DropReason.None"/> otherwise, and if the requests were already running.</returns>
     public DropReason Offer(string service)
     {
         if (!service.StartsWith(RosTopics.PlantTime, StringComparison.Ordinal) || !PlantClocks.IsName(service[RosTopics.PlantTime.Length..]))

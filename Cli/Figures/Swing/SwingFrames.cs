@@ -15,7 +15,7 @@ sealed record SwingFrames(string Predictor, SwingScenario Scenario, YoubotSwing 
     /// <inheritdoc cref="RmsMm"/>
     public double HoldRmsMm(Func<double, bool> when) => Rms(when, f => f.Held);
 
-    /// <summary>RMS error with compensation divided by that without, over all frames, including those after a stop, where predictions overshoot.</summary>
+    /// <summary>RMS error with compensation divided by that without, over all frames. It includes the overshoot after a stop.</summary>
     public double ErrorRatio => RmsMm(_ => true) / HoldRmsMm(_ => true);
 
     /// <summary>RMS error where the velocity has been constant for the time span of a prediction, mm.</summary>

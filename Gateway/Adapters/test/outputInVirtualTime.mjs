@@ -6,7 +6,7 @@ const { AdapterStatus, Log, JointOutput } = await parts('gateway/status', 'log',
 export const MS = 1_000_000n, S = 1000n * MS;
 export const T = 1_700_000_000n * S;
 
-/** An adapter's output whose clocks read `ms` after their start. */
+/** An adapter's output in virtual time. `time.ms` is the time since the start on all its clocks. */
 export function plant(joints = [{ joint: 'a' }, { joint: 'b' }], options = {}) {
   const lines = [], sent = [], time = { ms: 0 };
   const status = new AdapterStatus('opcua', new Log('plant/test', [], line => lines.push(line), () => {}));

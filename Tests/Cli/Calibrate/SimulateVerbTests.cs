@@ -15,7 +15,7 @@ public sealed class SimulateVerbTests
         Assert.That(run.Output, Does.Contain("12 pictures").And.Contain(" 0 misread"));
     }
 
-    /// <summary>Thirty places with different scenes, sizes, lights, LEDs and squares. Detects a change that loses one place in ten.</summary>
+    /// <summary>Thirty places with different scenes, sizes, lights, LEDs and squares. Fails if one place in ten can no longer be read.</summary>
     [Test]
     public void Check_ManyPlaces_ReadsNinetyPercentWithoutMisreadings()
     {

@@ -31,7 +31,7 @@ export type Service = () => Promise<object>;
 /** Callbacks for connection and disconnection of the link. */
 export interface LinkEvents {
   opened?(): void;
-  /** Called also after each failed attempt. */
+  /** Called after each failed attempt, too. */
   away?(reason: string): void;
   /** A message on this topic caused an exception in its listener. */
   malformed?(topic: string, problem: string): void;

@@ -141,7 +141,7 @@ namespace Nowpose.OpenXR
             return Depth == DepthSubmission.Active && Supports(PluginMode.Depth) ? ReprojectionMode.Depth : ReprojectionMode.Unknown;
         }
 
-        /// <returns>False also if the runtime's session has not begun. Allocates nothing.</returns>
+        /// <returns>Whether the mode is supported; false before the runtime's session has begun. Allocates nothing.</returns>
         internal static bool Supports(PluginMode mode)
         {
             var modes = ViewConfiguration.Primary?.SupportedReprojectionModes;

@@ -193,7 +193,7 @@ namespace Nowpose.Unity
                 Abandon(problem);
                 return;
             }
-            // Logs frames also while a load is built; otherwise a picture of a missing frame could match a frame one code period later.
+            // Logs frames even while a load is built; otherwise a picture of a missing frame could match a frame one code period later.
             if (_frame?.Control != null) _file.Add(_frame.Value.ToRow(_conditions.Device, _displayHz));
             ShowPhase();
             var isOver = _run.Advance(_frame?.Start ?? default, _frame?.IsReady ?? false);

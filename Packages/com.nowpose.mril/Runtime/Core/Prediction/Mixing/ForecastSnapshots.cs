@@ -54,7 +54,7 @@ namespace Nowpose.Prediction.Mixing
             /// <summary>Position of the newest sample at the forecast.</summary>
             public double Position { get; set; }
 
-            /// <summary>Number of change points at the forecast: forecasts across a change point are not scored.</summary>
+            /// <summary>Number of change points before the forecast: forecasts across a change point are not scored.</summary>
             public int ChangePoints { get; set; }
 
             /// <summary>Whether the joint was at rest, including noise.</summary>

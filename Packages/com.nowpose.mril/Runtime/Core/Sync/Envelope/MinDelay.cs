@@ -31,7 +31,7 @@ namespace Nowpose.Sync.Envelope
         /// </summary>
         static readonly TimeSpan MinDuration = TimeSpan.FromSeconds(6), MinDurationScattered = TimeSpan.FromSeconds(30);
 
-        /// <summary>Minimum duration after a change of the other direction, with frequent exchanges that soon outweigh the earlier ones.</summary>
+        /// <summary>Minimum duration of a window after a change of the other direction. Exchanges are then frequent.</summary>
         static readonly TimeSpan MinDurationExpected = TimeSpan.FromSeconds(3);
 
         /// <summary>

@@ -39,10 +39,10 @@ namespace Nowpose.Tests.Core.Sync
             ? (-2 * Math.Log(1 - random.NextDouble()), -15 * Math.Log(1 - random.NextDouble()))
             : (0, 0);
 
-        /// <summary>Additional delay of the way up from now on, ms: a change of the path.</summary>
+        /// <summary>Additional delay of later requests, ms: a change of the path.</summary>
         public double LongerUpMs { get; set; }
 
-        /// <summary>Additional delay of the way down from now on, ms.</summary>
+        /// <summary>Additional delay of later replies, ms.</summary>
         public double LongerDownMs { get; set; }
 
         /// <summary>Added to the control clock from now on.</summary>
