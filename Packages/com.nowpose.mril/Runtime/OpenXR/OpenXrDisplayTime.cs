@@ -85,9 +85,8 @@ namespace Nowpose.OpenXR
 
         void OnEnable()
         {
-            _target = this.SessionOr(_session);
-            if (_target == null) ConsoleLog.Warn(this, "display time '" + name + "' has no session on its object or a parent; assign one");
-            else _target.DisplayTimeSource = this;
+            _target = this.RequiredSession(_session, "display time");
+            if (_target != null) _target.DisplayTimeSource = this;
         }
 
         void OnDisable()

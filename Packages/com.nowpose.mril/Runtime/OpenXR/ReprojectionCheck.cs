@@ -58,8 +58,7 @@ namespace Nowpose.OpenXR
         void OnEnable()
         {
             _isRunning = true;
-            _target = this.SessionOr(_session);
-            if (_target == null) ConsoleLog.Warn(this, "reprojection check '" + name + "' has no session on its object or a parent; assign one");
+            _target = this.RequiredSession(_session, "reprojection check");
         }
 
         void OnDisable()

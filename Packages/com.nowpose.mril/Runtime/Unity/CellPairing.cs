@@ -96,12 +96,8 @@ namespace Nowpose.Unity
 
         void OnEnable()
         {
-            _source = this.SessionOr(_session);
-            if (_source == null)
-            {
-                ConsoleLog.Warn(this, "cell pairing '" + name + "' has no session on its object or a parent; assign one");
-                return;
-            }
+            _source = this.RequiredSession(_session, "cell pairing");
+            if (_source == null) return;
             _target = _anchor != null ? _anchor : _source.GetComponentInChildren<BaseAnchor>(true);
             _name = HeadsetName.Of(_headsetName);
             _path = Path.Combine(Application.persistentDataPath, _fileName);

@@ -53,7 +53,7 @@ namespace Nowpose.Unity
         void OnEnable()
         {
             _isOn = null;
-            _follower = SignalFollower.Of(this, _session, "signal '" + name + "'", Signal, Take);
+            _follower = SignalFollower.Of(this, _session, "signal", Signal, Take);
         }
 
         void OnDisable()

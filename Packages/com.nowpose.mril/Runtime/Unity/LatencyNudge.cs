@@ -136,12 +136,8 @@ namespace Nowpose.Unity
 
         void OnEnable()
         {
-            _source = this.SessionOr(_session);
-            if (_source == null)
-            {
-                ConsoleLog.Warn(this, "latency nudge '" + name + "' has no session on its object or a parent; assign one");
-                return;
-            }
+            _source = this.RequiredSession(_session, "latency nudge");
+            if (_source == null) return;
             if (_loader == null) _loader = _source.GetComponent<LatencyProfileLoader>();
             var rig = _rig != null ? _rig : DisplayedBelow(_source);
             if (rig == null) ConsoleLog.Warn(this, "latency nudge '" + name + "' has no rig below the session; assign one");

@@ -69,8 +69,7 @@ namespace Nowpose.Unity
 
         void OnEnable()
         {
-            _source = this.SessionOr(_session);
-            if (_source == null) ConsoleLog.Warn(this, "latency profile loader '" + name + "' has no session on its object or a parent; assign one");
+            _source = this.RequiredSession(_session, "latency profile loader");
             _calibrated = null;
             _judged = null;
             Reload();

@@ -130,7 +130,7 @@ namespace Nowpose.Unity
             _block ??= new MaterialPropertyBlock();
             _isOn = true;
             _pose = PoseState.Incomplete;
-            _source = this.SessionOr(_session);
+            _source = this.RequiredSession(_session, "pose appearance");
             _object = GetComponentInParent<ICellObject>();
             _rig = GetComponentInParent<RobotRig>();
             if (_rig != null) _rig.Bound += Refresh;
@@ -140,7 +140,6 @@ namespace Nowpose.Unity
                 _source.Hidden += Abandon;
                 if (_source.Frame != null) Take(_source.Frame);
             }
-            else ConsoleLog.Warn(this, "pose appearance '" + name + "' has no session on its object or a parent; assign one");
             Refresh();
         }
 

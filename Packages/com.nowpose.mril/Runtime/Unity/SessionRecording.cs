@@ -65,8 +65,7 @@ namespace Nowpose.Unity
 
         void OnEnable()
         {
-            _source = this.SessionOr(_session);
-            if (_source == null) ConsoleLog.Warn(this, "session recording '" + name + "' has no session on its object or a parent; assign one");
+            _source = this.RequiredSession(_session, "session recording");
             if (_recordOnEnable) StartRecording();
         }
 

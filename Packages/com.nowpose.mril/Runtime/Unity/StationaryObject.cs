@@ -72,7 +72,7 @@ namespace Nowpose.Unity
         void OnEnable()
         {
             _followed = FollowedFrame.Of(
-                this, _session, "stationary object '" + name + "'", Frame, missing: "not placed; place it by hand, or publish its frame on /tf_static");
+                this, _session, "stationary object", Frame, missing: "not placed; place it by hand, or publish its frame on /tf_static");
             if (_followed == null) return;
             _saved = Saved();
             _source = this.SessionOr(_session);

@@ -54,11 +54,10 @@ namespace Nowpose.Unity
 
         void OnEnable()
         {
-            _source = this.SessionOr(_session);
+            _source = this.RequiredSession(_session, "status panel");
             _anchor = _source != null ? _source.GetComponentInChildren<BaseAnchor>(true) : null;
             _pairing = _source != null ? _source.GetComponentInChildren<CellPairing>(true) : null;
             _due = 0;
-            if (_source == null) ConsoleLog.Warn(this, "status panel '" + name + "' has no session on its object or a parent; assign one");
             if (_cell == null) ConsoleLog.Fail(this, "status panel '" + name + "' has no text to copy; assign a text on a child object");
         }
 

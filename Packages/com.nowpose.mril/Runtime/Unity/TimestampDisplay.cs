@@ -42,13 +42,9 @@ namespace Nowpose.Unity
 
         void OnEnable()
         {
-            _source = this.SessionOr(_session);
+            _source = this.RequiredSession(_session, "timestamp display");
             if (_light == null) ConsoleLog.Fail(this, "timestamp display '" + name + "' has no material for its squares; assign one");
-            if (_source == null)
-            {
-                ConsoleLog.Warn(this, "timestamp display '" + name + "' has no session on its object or a parent; assign one");
-                return;
-            }
+            if (_source == null) return;
             _source.Shown += Show;
             _source.Hidden += Hide;
         }

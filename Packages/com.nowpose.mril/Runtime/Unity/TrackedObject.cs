@@ -45,7 +45,7 @@ namespace Nowpose.Unity
 
         void OnEnable()
         {
-            _followed = FollowedFrame.Of(this, _session, "tracked object '" + name + "'", Frame, isGhost: _shows == RigPose.Held);
+            _followed = FollowedFrame.Of(this, _session, "tracked object", Frame, isGhost: _shows == RigPose.Held);
             if (_followed == null) return;
             _source = this.SessionOr(_session);
             _source.Shown += Show;

@@ -58,17 +58,15 @@ namespace Nowpose.Unity.Cell
             }
         }
 
-        /// <param name="what">Kind and name of the component, for the warning if it has no session.</param>
+        /// <param name="kind">Kind of the component, for the warning if it has no session.</param>
         /// <param name="isGhost">Whether the object is shown a second time, so that it is not listed again.</param>
         /// <param name="missing">Why it is not current while no pose is known.</param>
         /// <returns>Null without a session.</returns>
         public static FollowedFrame Of(
-            Component component, MrilSession assigned, string what, string name, bool isGhost = false, string missing = "no pose received")
+            Component component, MrilSession assigned, string kind, string name, bool isGhost = false, string missing = "no pose received")
         {
-            var source = component.SessionOr(assigned);
-            if (source != null) return new FollowedFrame(source, CellPlace.WorldOf(component, source), name, isGhost, missing);
-            ConsoleLog.Warn(component, what + " has no session on its object or a parent; assign one");
-            return null;
+            var source = component.RequiredSession(assigned, kind);
+            return source == null ? null : new FollowedFrame(source, CellPlace.WorldOf(component, source), name, isGhost, missing);
         }
 
         /// <summary>Ends following.</summary>

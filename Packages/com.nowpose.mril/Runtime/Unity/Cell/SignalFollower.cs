@@ -35,15 +35,13 @@ namespace Nowpose.Unity.Cell
         string IShownPart.Title => _title;
 
         /// <summary>Starts to follow a signal in the session of a component.</summary>
-        /// <param name="what">Kind and name of the component, for the warning if it has no session.</param>
+        /// <param name="kind">Kind of the component, for the warning if it has no session.</param>
         /// <param name="changed">Called with each change when it becomes visible, in order, and with the value at the start.</param>
         /// <returns>Null without a session.</returns>
-        public static SignalFollower Of(Component component, MrilSession assigned, string what, string name, Action<SignalTrack> changed)
+        public static SignalFollower Of(Component component, MrilSession assigned, string kind, string name, Action<SignalTrack> changed)
         {
-            var source = component.SessionOr(assigned);
-            if (source != null) return new SignalFollower(source, name, changed);
-            ConsoleLog.Warn(component, what + " has no session on its object or a parent; assign one");
-            return null;
+            var source = component.RequiredSession(assigned, kind);
+            return source == null ? null : new SignalFollower(source, name, changed);
         }
 
         /// <summary>Returns why a signal's value is not current, in one line; null if it is.</summary>

@@ -11,6 +11,16 @@ namespace Nowpose.Unity.Session
         public static MrilSession SessionOr(this Component component, MrilSession assigned) =>
             assigned != null ? assigned : component.GetComponentInParent<MrilSession>();
 
+        /// <summary>Gets the session of a component that needs one. Warns if there is none.</summary>
+        /// <param name="kind">Kind of the component, for example "status panel".</param>
+        public static MrilSession RequiredSession(this Component component, MrilSession assigned, string kind)
+        {
+            var session = component.SessionOr(assigned);
+            if (session == null)
+                ConsoleLog.Warn(component, kind + " '" + component.name + "' has no session on its object or a parent; assign one");
+            return session;
+        }
+
         /// <returns>The session's headset clock; the device's own without a session, or if it was destroyed.</returns>
         public static IHeadsetClock ClockOrDevices(this MrilSession session) => session != null ? session.HeadsetClock : DeviceClock;
     }
