@@ -51,7 +51,7 @@ sealed class ClockComparison : IDisposable
         _said[clock.Name] = (ahead, bound);
         _log(string.Create(CultureInfo.InvariantCulture,
             $"clock '{clock.Name}': {ahead.TotalMilliseconds:+0.00;-0.00;0.00} ms (± {bound.TotalMilliseconds:0.00}) ")
-            + string.Create(CultureInfo.InvariantCulture, $"against '{_served.Source}', skew {clock.DriftPpm:+0.0;-0.0;0.0} ppm"));
+            + string.Create(CultureInfo.InvariantCulture, $"against '{_served.Source}', skew {clock.SkewPpm:+0.0;-0.0;0.0} ppm"));
     }
 
     static string Why(PlantClockStatus clock) =>

@@ -2,12 +2,12 @@ namespace Nowpose.Gateway.Clock;
 
 /// <summary>The status of a clock of the control system, for users.</summary>
 /// <param name="OffsetToControl">Time of this clock minus C1 at the same instant; null while either is unknown.</param>
-/// <param name="DriftPpm">Rate relative to C1, minus one, ppm; null while either is unknown.</param>
+/// <param name="SkewPpm">Rate relative to C1, minus one, ppm; null while either is unknown.</param>
 /// <param name="EstimatedError">Estimated maximum error of its time on this machine, in either direction; null while unknown.</param>
 /// <param name="ErrorBound">Error bound of its time on this machine.</param>
 /// <param name="Exchanges">Number of usable exchanges since the start.</param>
 /// <param name="Failures">Number of requests without a usable answer since the start.</param>
 /// <param name="LastFailure">The reason of the newest failure; null if there is none.</param>
 public sealed record PlantClockStatus(
-    string Name, bool IsConnected, bool IsControlClock, ClockState State, TimeSpan? OffsetToControl, double? DriftPpm,
+    string Name, bool IsConnected, bool IsControlClock, ClockState State, TimeSpan? OffsetToControl, double? SkewPpm,
     TimeSpan RoundTripTime, TimeSpan? EstimatedError, TimeSpan ErrorBound, TimeSpan Resolution, long Exchanges, long Failures, string LastFailure);

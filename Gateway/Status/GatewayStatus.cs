@@ -190,7 +190,7 @@ sealed class GatewayStatus : IDisposable
 
     static PlantClockView Of(PlantClockStatus clock) => new(
         clock.Name, clock.IsConnected, clock.IsControlClock, clock.State.Word(),
-        clock.OffsetToControl is { } ahead ? Rounded(ahead.TotalMilliseconds) : null, clock.DriftPpm is { } drift ? Rounded(drift) : null,
+        clock.OffsetToControl is { } ahead ? Rounded(ahead.TotalMilliseconds) : null, clock.SkewPpm is { } skew ? Rounded(skew) : null,
         Measured(clock.RoundTripTime)?.TotalMilliseconds,
         clock.State == ClockState.Unsynchronised ? null : Rounded(clock.ErrorBound.TotalMicroseconds),
         Measured(clock.Resolution)?.TotalMicroseconds, clock.Exchanges, clock.Failures, clock.LastFailure,

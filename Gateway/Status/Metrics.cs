@@ -50,7 +50,8 @@ static class Metrics
 
         Add("nowpose_plant_clock_connected", Gauge, "1 while the clock is connected.", clock => clock.Connected ? 1 : 0);
         Add("nowpose_plant_clock_offset_seconds", Gauge, "This clock minus the control clock.", clock => clock.OffsetToControlMs * Milli);
-        Add("nowpose_plant_clock_drift_ratio", Gauge, "Rate of this clock relative to the control clock, minus one.", clock => clock.DriftPpm * Micro);
+        Add("nowpose_plant_clock_skew_ratio", Gauge, "Rate of this clock relative to the control clock, minus one.", clock => clock.SkewPpm * Micro);
+        Add("nowpose_plant_clock_drift_ratio", Gauge, "Former name of nowpose_plant_clock_skew_ratio.", clock => clock.SkewPpm * Micro);
         Add("nowpose_plant_clock_round_trip_seconds", Gauge, "Round-trip time of an exchange.", clock => clock.RttMs * Milli);
         Add("nowpose_plant_clock_estimated_error_seconds", Gauge, "Estimated error of the offset.", clock => clock.EstimatedErrorUs * Micro);
         Add("nowpose_plant_clock_error_bound_seconds", Gauge, "Error bound of the offset.", clock => clock.ErrorBoundUs * Micro);

@@ -55,11 +55,16 @@ sealed record ClockStatus(
     double? EstimatedErrorUs = null, string Warning = null);
 
 /// <param name="OffsetToControlMs">Time of this clock minus the control clock; null while either is unknown.</param>
+/// <param name="SkewPpm">Rate of this clock relative to the control clock, minus one.</param>
 /// <param name="RttMs">Null before the first exchange, because 0 would be the best value; the same for the following values.</param>
 /// <param name="EstimatedErrorUs">Estimated maximum error in either direction; null while the clock is unknown.</param>
 sealed record PlantClockView(
-    string Name, bool Connected, bool IsControlClock, string State, double? OffsetToControlMs, double? DriftPpm, double? RttMs, double? ErrorBoundUs,
-    double? ResolutionUs, long Exchanges, long Failures, string LastFailure, double? EstimatedErrorUs = null);
+    string Name, bool Connected, bool IsControlClock, string State, double? OffsetToControlMs, double? SkewPpm, double? RttMs, double? ErrorBoundUs,
+    double? ResolutionUs, long Exchanges, long Failures, string LastFailure, double? EstimatedErrorUs = null)
+{
+    /// <summary>Former name of <see cref="SkewPpm"/>, for programs that still read it.</summary>
+    public double? DriftPpm => SkewPpm;
+}
 
 /// <param name="Joints">Joints that are published together, or in sets with common joints.</param>
 /// <param name="RateHz">Messages per second.</param>

@@ -26,7 +26,7 @@ public class ServedClockTests
         Assert.That(status[0].OffsetToControl, Is.EqualTo(TimeSpan.Zero));
         Assert.That(status[1].State, Is.EqualTo(ClockState.Synchronised));
         Assert.That((status[1].OffsetToControl.Value - truth).Duration(), Is.LessThan(TimeSpan.FromMilliseconds(0.05)));
-        Assert.That(status[1].DriftPpm.Value, Is.EqualTo(opcuaPpm - adsPpm).Within(1));
+        Assert.That(status[1].SkewPpm.Value, Is.EqualTo(opcuaPpm - adsPpm).Within(1));
         Assert.That((plant.Served.Now - ads.Shown).Duration(), Is.LessThan(TimeSpan.FromMilliseconds(0.05)));
     }
 

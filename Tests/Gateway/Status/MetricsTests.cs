@@ -29,7 +29,7 @@ public class MetricsTests
 
     static StatusSnapshot Snapshot(params JsonObject[] headsets) => new(
         "press", "cell-pc", "1.2.3", new OverallStatus("ok", "fine"), "2026-11-20T12:00:00Z", 5, 100, new ClockStatus("own", "synchronised", true, 120, 3, 0.5, 1000, 2),
-        [new PlantClockView("press", true, true, "synchronised", null, null, 1.5, 200, 1000, 40, 2, "no answer within 2 s")],
+        [new PlantClockView("press", true, true, "synchronised", null, 4.2, 1.5, 200, 1000, 40, 2, "no answer within 2 s")],
         [Words("press", ("state", "connected"), ("samples", 12.0), ("refused", 9.0), ("refused/bad_status", 7.0), ("refused/nan", 2.0))],
         [new SourceStatus(["a", "b"], 49.9, new AgeStatus(80, 120), ["b"])],
         [
@@ -76,6 +76,8 @@ public class MetricsTests
         Assert.That(Value(families, "nowpose_clock_error_bound_seconds"), Is.EqualTo(120e-6).Within(1e-12));
         Assert.That(Value(families, "nowpose_joint_state_since_seconds", "b"), Is.EqualTo(1_795_176_001));
         Assert.That(Value(families, "nowpose_clock_skew_ratio"), Is.EqualTo(3e-6).Within(1e-12));
+        foreach (var name in new[] { "nowpose_plant_clock_skew_ratio", "nowpose_plant_clock_drift_ratio" })
+            Assert.That(Value(families, name, "press"), Is.EqualTo(4.2e-6).Within(1e-12), name);
         Assert.That(Value(families, "nowpose_plant_clock_round_trip_seconds", "press"), Is.EqualTo(1.5e-3).Within(1e-12));
         Assert.That(Value(families, "nowpose_adapter_connected", "press"), Is.EqualTo(1));
         Assert.That(Value(families, "nowpose_source_age_seconds", "0.95"), Is.EqualTo(0.12).Within(1e-12));

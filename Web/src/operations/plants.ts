@@ -83,7 +83,7 @@ export class Plants {
       { label: 'Use', cell: c => (c.is_control_clock ? 'control clock' : 'measured against the control clock') },
       { label: 'State', cell: c => (c.connected ? stateWords(c.state, c.estimated_error_us, c.error_bound_us) : 'not connected') },
       { label: 'Ahead of the control clock (ms)', isNumber: true, cell: c => format(c.offset_to_control_ms) },
-      { label: 'Skew (ppm)', isNumber: true, cell: c => format(c.drift_ppm) },
+      { label: 'Skew (ppm)', isNumber: true, cell: c => format(c.skew_ppm) },
       { label: 'RTT (ms)', isNumber: true, cell: c => format(c.rtt_ms) },
       { label: '± (µs)', isNumber: true, cell: c => format(c.estimated_error_us) },
       { label: 'Error bound (µs)', isNumber: true, cell: c => format(c.error_bound_us) },

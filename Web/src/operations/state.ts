@@ -99,7 +99,7 @@ export interface PlantClock {
   is_control_clock: boolean;
   state: string;
   offset_to_control_ms?: number | null;
-  drift_ppm?: number | null;
+  skew_ppm?: number | null;
   rtt_ms?: number | null;
   estimated_error_us?: number | null;
   error_bound_us?: number | null;

@@ -112,7 +112,7 @@ describe('the shown state', () => {
   it('contains no number for an unknown value', async () => {
     Object.assign(gateway.state.clock, { state: 'unsynchronised', estimated_error_us: null, error_bound_us: null });
     Object.assign(gateway.state.plant_clocks[1], {
-      state: 'unsynchronised', offset_to_control_ms: null, drift_ppm: null, rtt_ms: null, estimated_error_us: null, error_bound_us: null, resolution_us: null,
+      state: 'unsynchronised', offset_to_control_ms: null, skew_ppm: null, rtt_ms: null, estimated_error_us: null, error_bound_us: null, resolution_us: null,
     });
     const page = await open();
 
