@@ -23,7 +23,7 @@ namespace Nowpose.Editor.Inspectors
         /// <summary>Description of the missing reference, and what to do.</summary>
         public string Message { get; }
 
-        /// <summary>Label of the button; null if there is no button.</summary>
+        /// <summary>Label of the button; null without a button.</summary>
         public string FixLabel => _remedy == null ? null : "Use '" + _remedy.name + "'";
 
         /// <summary>Adds another component with the same missing reference.</summary>

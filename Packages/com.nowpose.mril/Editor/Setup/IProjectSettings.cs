@@ -46,10 +46,10 @@ namespace Nowpose.Editor.Setup
         /// <summary>Type name of the render pipeline's asset; null for the built-in pipeline.</summary>
         string RenderPipeline { get; }
 
-        /// <summary>Whether the main camera of the open scenes clears to black with alpha 0; null if there is no main camera.</summary>
+        /// <summary>Whether the main camera of the open scenes clears to black with alpha 0; null without a main camera.</summary>
         bool? ClearsToTransparentBlack { get; }
 
-        /// <summary>Near clip plane of the main camera in the open scenes, metres; null if there is no main camera.</summary>
+        /// <summary>Near clip plane of the main camera in the open scenes, metres; null without a main camera.</summary>
         float? NearClipMetres { get; set; }
 
         /// <summary>Whether the Android player requests internet access.</summary>

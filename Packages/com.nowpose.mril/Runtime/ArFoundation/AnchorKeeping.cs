@@ -26,7 +26,7 @@ namespace Nowpose.ArFoundation
         /// <summary>Name in the store; null while the anchor is not saved.</summary>
         public string KeptAs { get; set; }
 
-        /// <summary>Why the anchor is not saved; null if there is no problem.</summary>
+        /// <summary>Why the anchor is not saved; null unless there is a problem.</summary>
         public string Problem { get; private set; }
 
         public void Keep(string name)

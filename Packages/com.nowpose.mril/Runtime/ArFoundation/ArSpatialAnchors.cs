@@ -26,7 +26,7 @@ namespace Nowpose.ArFoundation
         readonly List<string> _unwanted = new List<string>();
         IAnchorStore _store;
 
-        /// <summary>Why the device cannot create or save anchors, in one line; null if there is no problem.</summary>
+        /// <summary>Why the device cannot create or save anchors, in one line; null unless there is a problem.</summary>
         public string Problem => _manager.Problem ?? Store?.Problem;
 
         public bool IsReady => Store?.IsReady ?? false;

@@ -9,7 +9,7 @@ namespace Nowpose.ArFoundation
         /// <summary>Whether the store has reported the names of its anchors.</summary>
         bool IsReady { get; }
 
-        /// <summary>Why the store is not ready, or the last failure, in one line; null if there is no problem.</summary>
+        /// <summary>Why the store is not ready, or the last failure, in one line; null unless there is a problem.</summary>
         string Problem { get; }
 
         bool Has(string name);

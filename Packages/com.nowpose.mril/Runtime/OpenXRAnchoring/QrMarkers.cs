@@ -44,7 +44,7 @@ namespace Nowpose.OpenXR
         MrilSession _source;
         ARMarkerManager _setUp;
 
-        /// <summary>Why no codes are found, in one line; null if there is no problem.</summary>
+        /// <summary>Why no codes are found, in one line; null unless there is a problem.</summary>
         public string Problem => _codes.Problem;
 
         public void Read(List<MarkerSighting> markers)

@@ -42,7 +42,7 @@ namespace Nowpose.Unity
         /// <summary>The file or asset of <see cref="Profile"/>, or a note that it is not saved; null before the first.</summary>
         public string From { get; private set; }
 
-        /// <summary>Why a profile was rejected or could not be saved, in one line; null if there is no problem.</summary>
+        /// <summary>Why a profile was rejected or could not be saved, in one line; null unless there is a problem.</summary>
         public string Problem { get; private set; }
 
         /// <summary>Searches again, for a profile that was added since. Keeps the profile in use if none is valid.</summary>

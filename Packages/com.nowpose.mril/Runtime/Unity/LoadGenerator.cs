@@ -52,7 +52,7 @@ namespace Nowpose.Unity
         /// <summary>Whether all <see cref="Vertices"/> are drawn.</summary>
         public bool IsReady => _patches != null && VerticesShown == LoadMesh.DrawnOf(_vertices);
 
-        /// <summary>Why nothing is drawn, in one line; null if there is no problem.</summary>
+        /// <summary>Why nothing is drawn, in one line; null unless there is a problem.</summary>
         public string Problem { get; private set; }
 
         void OnEnable()

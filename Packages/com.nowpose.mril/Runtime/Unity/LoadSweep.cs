@@ -96,7 +96,7 @@ namespace Nowpose.Unity
         /// <summary>Whether the render time of the last sweep depends on the load; null until a sweep is complete.</summary>
         public LoadSensitivity Verdict { get; private set; }
 
-        /// <summary>Why a requested sweep did not start or ended early, in one line; null if there is no problem.</summary>
+        /// <summary>Why a requested sweep did not start or ended early, in one line; null unless there is a problem.</summary>
         public string Problem { get; private set; }
 
         /// <summary>Completes when the log of the last sweep is closed.</summary>

@@ -97,7 +97,7 @@ namespace Nowpose.Unity
         /// <summary>The last computed frame; null without a session or a robot.</summary>
         public DisplayFrame Frame { get; private set; }
 
-        /// <summary>Why this component is enabled but has no session, in one line; null if there is no problem.</summary>
+        /// <summary>Why this component is enabled but has no session, in one line; null unless there is a problem.</summary>
         public string Problem { get; private set; }
 
         /// <summary>Statistics of the session in this frame; null without a session. The object is reused in later frames.</summary>

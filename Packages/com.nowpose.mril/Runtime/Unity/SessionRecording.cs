@@ -40,7 +40,7 @@ namespace Nowpose.Unity
         /// <summary>Path of the current or last file; null before the first.</summary>
         public string Path { get; private set; }
 
-        /// <summary>Why a requested recording does not run, in one line; null if there is no problem.</summary>
+        /// <summary>Why a requested recording does not run, in one line; null unless there is a problem.</summary>
         public string Problem { get; private set; }
 
         /// <summary>Starts recording, each session to its own file. Also retries after a problem.</summary>

@@ -9,7 +9,7 @@ namespace Nowpose.Pairing
         const string What = "list of paired cells";
 
         /// <summary>Loads the cells; a missing file gives none. Renames a file that cannot be used, and reports it.</summary>
-        /// <param name="problem">One line; null if there is no problem.</param>
+        /// <param name="problem">One line; null unless there is a problem.</param>
         public static PairedCells Load(string path, out string problem)
         {
             problem = null;

@@ -32,7 +32,7 @@ namespace Nowpose.Session
 
         public RobotDescriptionMatch Match => _newest.Match;
 
-        /// <summary>Error of the newest text, in one line; null if there is no error.</summary>
+        /// <summary>Error of the newest text, in one line; null unless there is an error.</summary>
         public string Fault => _fault;
 
         /// <summary>Reads a description; the gateway sends the same one after each reconnection.</summary>

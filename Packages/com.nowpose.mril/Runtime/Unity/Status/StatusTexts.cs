@@ -80,7 +80,7 @@ namespace Nowpose.Unity.Status
         /// <param name="statistics">Null without a session.</param>
         /// <param name="settings">Null if they are unknown.</param>
         /// <param name="robot">Name of the robot; null if it is unknown.</param>
-        /// <param name="problem">Why no session exists; null if there is no problem.</param>
+        /// <param name="problem">Why no session exists; null unless there is a problem.</param>
         /// <param name="anchor">Anchor of the base; null for none.</param>
         /// <param name="pairing">Pairing of the session; null for none.</param>
         /// <param name="parts">Shown objects and signals of the cell; null for none.</param>

@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             {
                 cell.SendJoints(t, 0.1 * (t - 20), 0);
                 cell.SendJoints(t, -0.2 * (t - 20), 1, "arm2");
-                cell.SendJoints(t, 3, 3, "of nobody");
+                cell.SendJoints(t, 3, 3, "another");
             };
             cell.Run(1);
 
