@@ -59,7 +59,7 @@ describe('configuration', () => {
     ['KindMisspelt', 'kind: opcua', 'kindx: opcua', /^line 4: plant\.kindx: not known here; did you mean kind\?$/],
     ['PlantMisspelt', 'plant:', 'plantx:', /^line 3: plantx: not known here; did you mean plant\?$/],
     ['PlantEmpty', /plant:\n.*\n.*\n/, 'plant:\n', /^line 3: plant: missing; add the section plant with its kind/],
-    ['PortTooLarge', 'plc.example:4840', 'plc.example:99999', /^line 5: plant\.endpoint: value "opc.*:99999"; allowed .* from 1 to 65535$/],
+    ['PortTooLarge', 'plc.example:4840', 'plc.example:99999', /^line 5: plant\.endpoint: value "opc.*:99999"; allowed: .* from 1 to 65535$/],
     ['PortOfZero', 'plc.example:4840', 'plc.example:0', /^line 5: plant\.endpoint: .* from 1 to 65535$/],
     ['PortInWords', 'plc.example:4840', 'plc.example:abc', /^line 5: plant\.endpoint: .* from 1 to 65535$/],
     ['NoHost', 'plc.example:4840', ':4840', /^line 5: plant\.endpoint: .* a host and/],

@@ -253,8 +253,7 @@ function poseOf(
   if (!Number.isInteger(choice) || choice < 0 || choice >= parents.length)
     return { reason: 'parent', text: `its parent is number ${choice}; allowed: a whole number from 0 to ${parents.length - 1}` };
   const turned = turnOf(rotation, parts);
-  if (turned === null)
-    return { reason: 'not-unit', text: `the quaternion has the length ${Math.hypot(...parts).toFixed(3)}; allowed: 0.99 to 1.01` };
+  if (turned === null) return { reason: 'not-unit', text: `the quaternion has the length ${Math.hypot(...parts).toFixed(3)}; allowed: 0.99 to 1.01` };
   return { frame, parent: parents[choice], position: place.map(value => value * scale), rotation: turned };
 }
 

@@ -9,5 +9,5 @@ export function requireAddress(file: YamlFile, entry: Path, address: string): vo
   const match = FORM.exec(address);
   const port = Number(match?.[1] ?? 1);
   if (match === null || port < 1 || port > 65535)
-    file.report(entry, `value ${shown(address)}; allowed after :// are a host and, after a colon, a port from 1 to 65535`);
+    file.report(entry, `value ${shown(address)}; allowed: a scheme with ://, a host and, after a colon, a port from 1 to 65535`);
 }

@@ -50,7 +50,7 @@ function inWords(error: ErrorObject, root: unknown): { path: Path; text: string 
     case 'enum': {
       const allowed = (parent.enum ?? [error.params.allowedValue]).map(String);
       const guess = typeof error.data === 'string' ? meant(error.data, allowed) : '';
-      return { path: at, text: `value ${shown(error.data)}; ${guess}allowed ${allowed.length > 1 ? 'are' : 'is'} ${allowed.join(', ')}` };
+      return { path: at, text: `value ${shown(error.data)}; ${guess}allowed: ${allowed.join(', ')}` };
     }
     default:
       return { path: at, text: `value ${shown(error.data)}; ${parent.description ? `allowed: ${parent.description}` : error.message}` };

@@ -40,8 +40,7 @@ export function valueOf(address: NodeAddress, value: DataValue): { value: unknow
   if (!isArray) return { reason: 'type', text: `${address.node} is not an array; remove index` };
   const elements = variant.value as ArrayLike<unknown> | null;
   const length = elements?.length ?? 0;
-  if (address.index >= length)
-    return { reason: 'index', text: `${address.node} has ${length} elements; allowed: an index from 0 to ${length - 1}` };
+  if (address.index >= length) return { reason: 'index', text: `${address.node} has ${length} elements; allowed: an index from 0 to ${length - 1}` };
   const element = elements![address.index];
   return { value: numberIn({ dataType: variant.dataType, value: element } as typeof variant) };
 }
