@@ -60,7 +60,7 @@ export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Ki
 
 /**
  * Returns the mean deviation of the visible pairs from a lit and a dark cell, relative to the light of a lit cell and at most 1 for each
- * pair. A pair that changed during the exposure deviates by nothing: its light is that of one lit cell, divided between both.
+ * pair. A pair that changed during the exposure does not deviate: its light is that of one lit cell, divided between both.
  */
 export function pairDeviation(levels: number[], { side, pairs, ring }: Pattern, { lit }: Kind, hidden: Band): number {
   const isVisible = (cell: number) => !isWithinBand(hidden, ((cell % side) + 0.5) / side, (Math.floor(cell / side) + 0.5) / side);

@@ -135,7 +135,7 @@ public class ClockFigureTests
 
     [TestCase(30, 45)]
     [TestCase(0, 10)]
-    public void SyncClaims_SkewUnknownForAWhile_IsNotSaidToConverge(double from, double to)
+    public void SyncClaims_SkewUnknownForAWhile_IsNotReportedAsConverged(double from, double to)
     {
         var steps = Steps(0.05, 0.8, 3, 0.5).Select(step => step.Seconds >= from && step.Seconds < to ? step with { FitMs = null, SkewPpm = null } : step);
 

@@ -86,7 +86,7 @@ public class AdapterProcessTests
     }
 
     [Test]
-    public async Task Start_LinesOfAnAdapter_AreInTheGatewaysLogBesideManyOthers()
+    public async Task Start_LinesOfAnAdapter_AreInTheGatewaysLogDespiteManyOthers()
     {
         var lines = new System.Collections.Concurrent.ConcurrentQueue<string>();
         await using var gateway = await GatewayServer.StartAsync(

@@ -112,7 +112,7 @@ export class Recipe {
     return bit !== undefined && bit >= 8 * size ? `${field} has ${8 * size} bits; bit must be 0 to ${8 * size - 1}` : null;
   }
 
-  /** Gets the number at an address without objection in a valid data package. */
+  /** Gets the number at a valid address in a valid data package. */
   read(payload: Buffer, { field, index = 0, bit }: Address): number {
     const { at, type } = this.#fields.get(field!)!;
     const { size, read } = elementsOf(type);

@@ -336,12 +336,12 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     ['JointTwice', 'plant: { kind: rtde, host: ur }\njoints:\n  - { joint: a, index: 1 }\n  - { joint: b, index: 1 }', /line 4: joints\[1\]\.index: value 1; line 3 already has this joint of the arm/],
     ['SignalWithoutField', 'plant: { kind: rtde, host: ur }\nsignals: [{ signal: a }]', /signals\[0\]\.field: missing; add the name of an output field/],
     ['SignalTwice', 'plant: { kind: rtde, host: ur }\nsignals:\n  - { signal: a, field: b }\n  - { signal: a, field: c }', /line 4: signals\[1\]\.signal: value "a"; line 3 already has this signal/],
-    ['Bit64', 'plant: { kind: rtde, host: ur }\nsignals: [{ signal: a, field: b, bit: 64 }]', /value 64; allowed is a whole number from 0 to 63/],
+    ['Bit64', 'plant: { kind: rtde, host: ur }\nsignals: [{ signal: a, field: b, bit: 64 }]', /value 64; allowed: a whole number from 0 to 63/],
     ['TooManyFields', `plant: { kind: rtde, host: ur }\nsignals:\n${Array.from({ length: 100 }, (_, i) => `  - { signal: s${i}, field: output_double_register_${i} }\n`).join('')}`,
       /line 2: signals: their fields need a recipe of \d+ bytes; a controller accepts 2048/],
     ['CalibrationOfAnotherRobot', 'plant: { kind: rtde, host: ur, calibration: true }\nrobot: youbot\njoints: []', /line 2: robot: value "youbot"; calibration needs one of ur3e, ur5e, ur10e, ur16e, ur5/],
     ['CalibrationWithoutRobot', 'plant: { kind: rtde, host: ur, calibration: true }', /robot: value ""; calibration needs one of ur3e/],
-    ['FrameOfAnotherField', 'plant: { kind: rtde, host: ur }\nframes: [{ frame: a, field: actual_q }]', /value "actual_q"; allowed are actual_TCP_pose, target_TCP_pose, tcp_offset/],
+    ['FrameOfAnotherField', 'plant: { kind: rtde, host: ur }\nframes: [{ frame: a, field: actual_q }]', /value "actual_q"; allowed: actual_TCP_pose, target_TCP_pose, tcp_offset/],
     ['AnotherRobotsJoints', 'plant: { kind: rtde, host: ur }\nrobot: youbot', /the robot has no such joint/],
   ])
     it(`Check_${what}_NamesTheEntry`, () => {

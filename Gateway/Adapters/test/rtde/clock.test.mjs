@@ -136,7 +136,7 @@ describe('rtde clock', () => {
       const link = new Link({ seed, answers: false });
       link.play(2000);
       link.clock.expectNoAnswers(ns(0.6));
-      // Every 10 s, all packages of 8 s are late by 12 ms, so the lower bound sinks meanwhile.
+      // Every 10 s, all packages of 8 s are late by 12 ms, so the lower bound decreases.
       for (let ms = 2000; ms <= 62_000; ms += 100) {
         link.minDelayMs = ms % 10_000 < 8000 ? 12 : 0.2;
         link.play(ms);

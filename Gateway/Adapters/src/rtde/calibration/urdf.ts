@@ -18,7 +18,7 @@ export function calibrated(urdf: string, joints: DhJoint[]): { urdf: string; dif
   const nominal = CHAIN.map(joint => poseIn(urdf, joint));
   const own = chainOf(joints, nominal);
   const difference = Math.max(...POSITIONS.map(angles => distance(toolOf(nominal, angles), toolOf(own, angles))));
-  // Not "greater", because numbers from a network may be no numbers.
+  // Not >, because a number from the network may be NaN.
   if (!(difference <= MAX_DIFFERENCE))
     throw new Error(
       `its tool is up to ${(1000 * difference).toFixed(0)} mm from that of the robot description, so it is another robot; correct robot`,
