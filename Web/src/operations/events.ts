@@ -10,10 +10,10 @@ export class Events {
   private readonly table = new LiveTable<StatusEvent>(
     'Events',
     [
-      { label: 'State', cell: e => (e.until_utc ? 'over' : 'lasts'), level: e => (e.until_utc ? 'over' : e.level) },
-      { label: 'Since', cell: e => localTime(e.since_utc) },
-      { label: 'Until', cell: e => (e.until_utc ? localTime(e.until_utc) : '–') },
-      { label: 'For', cell: e => (e.until_utc ? lengthWords((Date.parse(e.until_utc) - Date.parse(e.since_utc)) / 1000) : '–') },
+      { label: 'State', cell: e => (e.until_utc ? 'ended' : 'active'), level: e => (e.until_utc ? 'over' : e.level) },
+      { label: 'Start', cell: e => localTime(e.since_utc) },
+      { label: 'End', cell: e => (e.until_utc ? localTime(e.until_utc) : '–') },
+      { label: 'Duration', cell: e => (e.until_utc ? lengthWords((Date.parse(e.until_utc) - Date.parse(e.since_utc)) / 1000) : '–') },
       { label: 'Event', cell: e => eventWords(e), isLong: true },
     ],
     e => String(e.id),

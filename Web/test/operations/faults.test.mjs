@@ -50,7 +50,7 @@ describe('faults', () => {
     gateway.state.events = [event(7, 'error', { until_utc: ago(0) })];
     await becomes(page, '#status', 'OK');
     assert.ok(await page.locator('#alarms').isHidden());
-    assert.match(await page.textContent('#events'), /over.*arm_joint_3 \(press\) is refused/);
+    assert.match(await page.textContent('#events'), /ended.*arm_joint_3 \(press\) is refused/);
     assert.deepEqual(page.complaints, []);
   });
 
@@ -70,7 +70,7 @@ describe('faults', () => {
     const rows = await page.locator('#events tbody tr:not(.note)').evaluateAll(all => all.map(row => row.querySelector('th').textContent));
     assert.deepEqual(rows, ['8', '9', '7']);
     const [over] = await page.locator('#events tr:has(th:text-is("7"))').locator('td').evaluateAll(cells => [cells.map(cell => cell.innerText)]);
-    assert.deepEqual([over[0], over[3]], ['over', '5\u00a0s']);
+    assert.deepEqual([over[0], over[3]], ['ended', '5\u00a0s']);
   });
 
   it('are downloaded as CSV and as JSON', async () => {
