@@ -14,7 +14,7 @@ namespace Nowpose.Unity.Tests;
 public class PlayedSignalTests : PlayedParts
 {
     [Test]
-    public void PlannedPath_SetPointsPublished_LeadsAlongTheToolsWay()
+    public void PlannedPath_SetPointsPublished_FollowsThePathOfTheTool()
     {
         var (rig, path, line) = NewPath();
         Run(1);
@@ -117,7 +117,7 @@ public class PlayedSignalTests : PlayedParts
     }
 
     [Test]
-    public void ActuatedPart_LateNews_IsInPhase()
+    public void ActuatedPart_ChangeReceivedLate_IsInPhase()
     {
         var part = Below<ActuatedPart>("jaw", _session.transform).With("_wayMetres", new Vector3(0, 0, 0.02f)).With("_strokeMs", 300f);
         Run(1);

@@ -82,7 +82,7 @@ static class SweepLogReader
     {
         if (RenderTimeSourceNames.TryParse(text, out var source)) return source;
         throw new InputException(
-            $"{Source}: '{text}' is not a source of render times; allowed are {RenderTimeSourceNames.All}, or nothing");
+            $"{Source}: '{text}' is not a source of render times; allowed: {RenderTimeSourceNames.All}, or nothing");
     }
 
     static long Whole(string text, string field, string unit)
