@@ -7,6 +7,7 @@ using Nowpose.Session;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEngine;
+using UnityEngine.Events;
 
 namespace Nowpose.Unity.Tests;
 
@@ -105,6 +106,23 @@ public class PlayedSignalTests : PlayedParts
         Assert.That(seen.Select(each => each.Value), Is.EqualTo(new[] { 0.0, 1, 0 }));
         Assert.That(seen[1].Light - change, Is.InRange(-1e-6, 1 / 60.0 + 1e-6), "in the frame whose light has its stamp");
         Assert.That(signal.Value, Is.Zero);
+    }
+
+    [TestCase("0.0 mm", 12.345, "12.3 mm")]
+    [TestCase("on;;off", 1, "on")]
+    [TestCase("on;;off", 0, "off")]
+    [TestCase("Z", 2.5, "2.5")] // not a format
+    public void Signal_WithAnAssignedText_WritesTheValue(string format, double value, string expected)
+    {
+        var words = Below<TextMesh>("words", _session.transform);
+        var onText = new UnityEvent<string>();
+        onText.Persistent.Add(PersistentCall.Of(words, "set_text", PersistentListenerMode.EventDefined, null));
+        Below<CellSignal>("width", _session.transform).With("_onText", onText).With("_textFormat", format);
+        Run(1);
+        SendSignal("width", _cell.Now - 1, value);
+        Run(0.5);
+
+        Assert.That(words.text, Is.EqualTo(expected));
     }
 
     [Test]

@@ -67,6 +67,9 @@ export class FakeGateway {
   turned = 0.1;
   token = null;
   isSilent = false;
+
+  /** Namespaces of further robots. */
+  robots = [];
   /** A promise that delays the pairing code. */
   codeIsLate = null;
   began = Date.now();
@@ -131,6 +134,7 @@ export class FakeGateway {
     if (this.isSilent) return;
     const t = this.now - 0.07, names = this.sets[this.ticks++ % this.sets.length], truth = swing(this.pace * t, this.rest);
     this.send('/joint_states', jointState('/joint_states', t, names.map(name => truth[JOINTS.indexOf(name)]), '', names));
+    for (const robot of this.robots) this.send(`/${robot}/joint_states`, jointState(`/${robot}/joint_states`, t, truth, '', JOINTS));
     for (const [name, turned] of [['left door', this.turned], ['right door', 1]]) {
       if (turned === null) continue;
       const light = this.now + 0.04, [first, ...rest] = swing(this.pace * light, this.rest);
@@ -187,6 +191,6 @@ export class FakeGateway {
   hear(socket, { op, topic }) {
     if (op !== 'subscribe') throw new Error(`the page ${op}s`);
     this.sockets.get(socket).add(topic);
-    if (topic === '/robot_description') socket.write(frame(JSON.stringify({ op: 'publish', topic, msg: { data: this.urdf } })));
+    if (topic.endsWith('/robot_description')) socket.write(frame(JSON.stringify({ op: 'publish', topic, msg: { data: this.urdf } })));
   }
 }

@@ -7,7 +7,7 @@ const string Help = """
 
       (no option)  write those that differ, and their .meta where it is missing
       --check      write nothing, only list what differs
-      --pictures   draw the manual's pictures of the prefabs: Documentation~/images/pose-appearance.svg and status-panel.svg
+      --pictures   draw the manual's pictures of prefabs and sample: Documentation~/images/pose-appearance.svg, status-panel.svg and cell.svg
 
     Exit status: 0 nothing differs, 1 something did, 2 wrong use.
     """;

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Nowpose.Editor
 {
-    /// <summary>The menu GameObject > Nowpose, which puts the package's prefabs into the scene.</summary>
+    /// <summary>The menu GameObject > Nowpose, which puts the package's prefabs, and objects with its components, into the scene.</summary>
     static class CellMenu
     {
         const string Folder = "GameObject/Nowpose/";
@@ -23,11 +23,34 @@ namespace Nowpose.Editor
         [MenuItem(Folder + "Virtual Gripper", false, Priority)]
         static void VirtualGripper(MenuCommand command) => PlaceOnce(PackageAsset.VirtualGripper, command);
 
+        [MenuItem(Folder + "Tracked Object", false, Priority)]
+        static void TrackedObject(MenuCommand command) => CreateOnce<TrackedObject>("Tracked Object", command);
+
+        [MenuItem(Folder + "Stationary Object", false, Priority)]
+        static void StationaryObject(MenuCommand command) => CreateOnce<StationaryObject>("Stationary Object", command);
+
+        [MenuItem(Folder + "Signal", false, Priority)]
+        static void Signal(MenuCommand command) => CreateOnce<CellSignal>("Signal", command);
+
+        [MenuItem(Folder + "Actuated Part", false, Priority)]
+        static void ActuatedPart(MenuCommand command) => CreateOnce<ActuatedPart>("Actuated Part", command);
+
+        [MenuItem(Folder + "Another Robot", false, Priority)]
+        static void AnotherRobot(MenuCommand command) => CreateOnce<RobotRig>("Robot", command);
+
         // Unity calls a menu item of the Hierarchy once for each selected object; only one of the calls places the prefab.
         static void PlaceOnce(PackageAsset prefab, MenuCommand command)
         {
-            if (command.context == null || command.context == Selection.activeObject) Place(prefab, command);
+            if (IsOnce(command)) Place(prefab, command);
         }
+
+        static void CreateOnce<T>(string name, MenuCommand command)
+            where T : MonoBehaviour
+        {
+            if (IsOnce(command)) Put(new GameObject(name).AddComponent<T>().gameObject, command);
+        }
+
+        static bool IsOnce(MenuCommand command) => command.context == null || command.context == Selection.activeObject;
 
         /// <returns>The new instance, or null if the prefab is missing.</returns>
         internal static GameObject Place(PackageAsset prefab, MenuCommand command)
@@ -39,7 +62,11 @@ namespace Nowpose.Editor
                     + ") is not in this project; reinstall the package com.nowpose.mril.");
                 return null;
             }
-            var instance = (GameObject)PrefabUtility.InstantiatePrefab(asset);
+            return Put((GameObject)PrefabUtility.InstantiatePrefab(asset), command);
+        }
+
+        static GameObject Put(GameObject instance, MenuCommand command)
+        {
             StageUtility.PlaceGameObjectInCurrentStage(instance);
             GameObjectUtility.SetParentAndAlign(instance, command.context as GameObject);
             Undo.RegisterCreatedObjectUndo(instance, "Create " + instance.name);

@@ -24,6 +24,30 @@ public sealed class ManualPicturesTests
         Assert.That(parts.Select(part => part.Elements(Svg + "text").SingleOrDefault()?.Value), Is.EqualTo(new[] { null, null, "held" }));
     }
 
+    [Test]
+    public void Cell_WithoutCompensation_DiffersInTheGripperAndTheWorkpieceOnly()
+    {
+        var parts = XDocument.Parse(ManualPictures.Cell(RepositoryFiles.Root)).Root.Elements(Svg + "svg")
+            .Select(part => part.Elements(Svg + "path").Select(path => (Path: path.Attribute("d").Value, Fill: path.Attribute("fill").Value)).ToHashSet())
+            .ToList();
+
+        Assert.That(parts, Has.Count.EqualTo(2));
+        var common = parts[0].Intersect(parts[1]).Select(face => face.Fill).ToList();
+        var differing = parts[0].Except(parts[1]).Select(face => face.Fill).ToList();
+        Assert.That(common.Any(IsGrey), "the real arm is the same");
+        Assert.That(differing.Any(IsGrey), Is.False);
+        Assert.That(differing.Any(IsBlue), "the gripper lags");
+        Assert.That(differing.Any(fill => !IsBlue(fill)), "the workpiece lags");
+    }
+
+    static bool IsGrey(string fill) => fill[1..3] == fill[3..5] && fill[3..5] == fill[5..7];
+
+    static bool IsBlue(string fill) => string.CompareOrdinal(fill[5..7], fill[1..3]) > 0;
+
+    [Test]
+    public void Cell_Picture_IsThatOfTheReadme() =>
+        Assert.That(RepositoryFiles.Read("README.md"), Does.Contain($"]({RepositoryFiles.Package}/Documentation~/images/cell.svg)"));
+
     static double[] Opacities(XElement part) => [.. part.Elements(Svg + "path")
         .Select(path => double.Parse(path.Attribute("fill-opacity").Value, CultureInfo.InvariantCulture)).Distinct().Order()];
 

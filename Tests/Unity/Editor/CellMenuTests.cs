@@ -29,6 +29,20 @@ public sealed class CellMenuTests : EditorFixture
         Assert.That(Undo.Created, Is.EqualTo(new[] { instance }));
     }
 
+    [TestCase("Tracked Object", typeof(TrackedObject))]
+    [TestCase("Stationary Object", typeof(StationaryObject))]
+    [TestCase("Signal", typeof(CellSignal))]
+    [TestCase("Actuated Part", typeof(ActuatedPart))]
+    [TestCase("Another Robot", typeof(RobotRig))]
+    public void Item_Component_CreatesAndSelectsAnObjectWithUndo(string item, Type component)
+    {
+        Choose("GameObject/Nowpose/" + item);
+
+        var made = Keep((GameObject)Selection.activeObject);
+        Assert.That(made.GetComponent(component), Is.Not.Null);
+        Assert.That(Undo.Created, Is.EqualTo(new[] { made }));
+    }
+
     [Test]
     public void Place_WithAContext_IsBelowTheContext()
     {

@@ -1,17 +1,19 @@
+import type { Matrix4 } from 'three';
 import { el } from '../dom';
 import { format } from '../numbers';
+import type { Bodies } from '../robot/bodies';
 import { Frames } from '../robot/frames';
 import { JointTracks } from '../robot/tracks';
 import { RobotView } from '../robot/view';
 import { setText } from './liveTable';
 import { LiveClock } from './liveClock';
-import { readJointState, type Rosbridge } from './rosbridge';
+import { OtherRobots } from './otherRobots';
+import { JOINT_STATE, readJointState, type Rosbridge } from './rosbridge';
 import { type Headset, type Joint, numberOf } from './state';
 
 /** Age of the shown state. By then, the neighbouring samples and the headset's displayed pose have arrived. */
 const BEHIND_S = 0.5;
 const KEEP_S = 5;
-const JOINT_STATE = 'sensor_msgs/msg/JointState';
 const TRANSFORMS = 'tf2_msgs/msg/TFMessage';
 const NUMBERS_MS = 500;
 
@@ -35,6 +37,7 @@ export class RobotPanel {
   private displayed = new JointTracks(KEEP_S);
   private readonly frames = new Frames();
   private readonly clock = new LiveClock();
+  private readonly others: OtherRobots;
   private headset: Headset | null = null;
   /** For each joint whose newest position is not current, the reason. */
   private faults = new Map<string, string>();
@@ -49,6 +52,8 @@ export class RobotPanel {
     link.subscribe('/tf', TRANSFORMS, text => this.frames.take(text, false), 0, 8);
     link.subscribe('/tf_static', TRANSFORMS, text => this.frames.take(text, true), 0, 256);
     this.view.add(this.frames);
+    this.others = new OtherRobots(link, KEEP_S, stamp => this.clock.add(stamp, seconds()));
+    this.view.add(this.others);
     link.subscribe('/nowpose/displayed', JOINT_STATE, text => this.shown(text), 0, 256);
     if (isCalm) setInterval(() => this.draw(), 1000);
     else this.animate();
@@ -64,6 +69,7 @@ export class RobotPanel {
   setJoints(joints: Joint[]): void {
     const isGood = (joint: Joint) => joint.state === 'live' || joint.state === 'rest';
     const good = new Set(joints.filter(isGood).map(joint => joint.name));
+    this.others.setJoints(joints.map(joint => joint.name));
     this.faults = new Map(joints.filter(joint => !isGood(joint) && !good.has(joint.name)).map(joint => [joint.name, joint.state]));
   }
 
@@ -94,18 +100,27 @@ export class RobotPanel {
 
   private draw(): void {
     this.drawn = performance.now();
-    const { bodies } = this.view;
     const now = this.clock.at(seconds());
-    if (!bodies || now === null) return;
+    if (now === null) return;
     const time = now - BEHIND_S;
+    const { bodies } = this.view;
+    const linkOf = (name: string) => bodies?.linkOf('truth', name) ?? this.others.linkOf(name);
+    this.others.pose(time, this.frames, joint => !this.faults.has(joint));
+    if (bodies) this.pose(bodies, time, linkOf);
+    else if (this.others.isAnyShown) setText(this.words, 'The robots in namespaces are drawn without the poses of headsets.');
+    this.frames.pose(time, linkOf);
+    this.view.ask();
+  }
+
+  private pose(bodies: Bodies, time: number, linkOf: (name: string) => Matrix4 | null): void {
     const poses = { truth: this.truth.at(time), displayed: this.recent(time), hold: this.held(time) };
+    const base = this.frames.baseAt(bodies.rootName, time, linkOf);
+    if (base) bodies.place(base);
     for (const part of ['truth', 'displayed', 'hold'] as const) {
       const received = new Set(poses[part]?.names);
       bodies.showKnown(part, joint => received.has(joint) && (part === 'displayed' || !this.faults.has(joint)));
       bodies.pose(part, poses[part]?.names ?? [], poses[part]?.positions ?? null);
     }
-    this.frames.pose(time, name => bodies.linkOf('truth', name));
-    this.view.ask();
     if (performance.now() - this.shownAt < NUMBERS_MS) return;
     this.shownAt = performance.now();
     this.showUnknown(bodies.joints, new Set(poses.truth?.names));

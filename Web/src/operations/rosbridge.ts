@@ -1,6 +1,8 @@
 const FIRST_WAIT_MS = 500;
 const MAX_WAIT_MS = 5000;
 
+export const JOINT_STATE = 'sensor_msgs/msg/JointState';
+
 /** A control time in seconds, and the joint positions at that time. */
 export interface JointState {
   stamp: number;
@@ -27,6 +29,7 @@ export class Rosbridge {
   /** @param take Receives each message as text, so that it does not need to be parsed completely. */
   subscribe(topic: string, type: string, take: (text: string) => void, throttleMs = 0, queue = 0): void {
     this.topics.set(topic, { type, take, throttleMs, queue });
+    if (this.socket?.readyState === WebSocket.OPEN) this.ask(this.socket, topic);
   }
 
   /** Opens the connection, unless it is open or being opened. */
@@ -49,9 +52,7 @@ export class Rosbridge {
     const socket = (this.socket = new WebSocket(location.origin.replace(/^http/, 'ws') + '/'));
     socket.addEventListener('open', () => {
       this.wait = FIRST_WAIT_MS;
-      for (const [topic, { type, throttleMs, queue }] of this.topics) {
-        socket.send(JSON.stringify({ op: 'subscribe', topic, type, throttle_rate: throttleMs, queue_length: queue }));
-      }
+      for (const topic of this.topics.keys()) this.ask(socket, topic);
     });
     socket.addEventListener('message', ({ data }) => {
       if (typeof data === 'string') this.take(data);
@@ -62,6 +63,11 @@ export class Rosbridge {
       this.timer = window.setTimeout(() => this.connect(), this.wait);
       this.wait = Math.min(MAX_WAIT_MS, 2 * this.wait);
     });
+  }
+
+  private ask(socket: WebSocket, topic: string): void {
+    const { type, throttleMs, queue } = this.topics.get(topic)!;
+    socket.send(JSON.stringify({ op: 'subscribe', topic, type, throttle_rate: throttleMs, queue_length: queue }));
   }
 
   // Does not parse whole messages, because most are not needed.

@@ -63,6 +63,16 @@ export class Bodies {
     return movingJoints(this.robots.truth);
   }
 
+  /** Name of the root link, which a frame of that name moves. */
+  get rootName(): string {
+    return this.robots.truth.root.urdfName;
+  }
+
+  /** Moves the robot to the pose of its root link in the world. */
+  place(base: Matrix4): void {
+    base.decompose(this.group.position, this.group.quaternion, this.group.scale);
+  }
+
   /** Draws no link below a joint without a known position: at 0 it would look like a measured one. */
   showKnown(part: Part, isKnown: (joint: string) => boolean): void {
     showKnown(this.robots[part], isKnown);
@@ -89,13 +99,12 @@ export class Bodies {
     for (const part of Object.keys(PARTS) as Part[]) if (this.isShown(part)) box.expandByObject(this.robots[part].root);
   }
 
-  /** Gets the pose of a link in the robot's base frame; null for a link that is unknown or not drawn. */
+  /** Gets the pose of a link in the world; null for a link that is unknown or not drawn. */
   linkOf(part: Part, name: string): Matrix4 | null {
-    const { root } = this.robots[part];
     const link = linkOf(this.robots[part], name);
     if (!link || !isDrawn(link)) return null;
-    root.updateMatrixWorld();
-    return root.matrixWorld.clone().invert().multiply(link.matrixWorld);
+    this.group.updateMatrixWorld();
+    return link.matrixWorld.clone();
   }
 
   /** Gets the distance between the tools of two bodies, mm; null if one is not shown. */

@@ -53,7 +53,7 @@ export class Frames {
 
   /**
    * Moves the axes to a time. Frames without a known parent or without a recent pose are hidden.
-   * @param linkOf Returns the pose of a link of the robot; null for an unknown one.
+   * @param linkOf Returns the pose of a link of a robot in the world; null for an unknown one.
    */
   pose(time: number, linkOf: (name: string) => Matrix4 | null): void {
     for (const [name, frame] of this.frames) {
@@ -61,6 +61,11 @@ export class Frames {
       frame.axes.visible = world !== null;
       if (world) world.decompose(frame.axes.position, frame.axes.quaternion, frame.axes.scale);
     }
+  }
+
+  /** Gets the pose of a frame in the world; the identity for a name that no frame has, null for one that is not known at that time. */
+  baseAt(name: string, time: number, linkOf: (name: string) => Matrix4 | null): Matrix4 | null {
+    return this.frames.has(name) ? this.worldOf(name, time, linkOf, 0) : new Matrix4();
   }
 
   addTo(box: Box3): void {

@@ -11,7 +11,7 @@ const HEIGHT = 380;
 const ROOM = 0.03;
 
 /** Things that are drawn in the robot's base frame. */
-interface Beside {
+export interface Beside {
   group: Group;
   /** Extends a box by what is shown. */
   addTo(box: Box3): void;
@@ -23,7 +23,7 @@ interface Beside {
 export class RobotView {
   readonly element: HTMLElement;
   private bodiesShown: Bodies | null = null;
-  private others: Beside | null = null;
+  private readonly others: Beside[] = [];
   private readonly note = el('p', { class: 'missing', hidden: true });
   private readonly scene = new Scene();
   private readonly renderer: WebGLRenderer | null;
@@ -90,7 +90,7 @@ export class RobotView {
 
   /** Shows other things beside the robot, for as long as the page exists. */
   add(others: Beside): void {
-    this.others = others;
+    this.others.push(others);
     this.scene.add(others.group);
   }
 
@@ -114,7 +114,7 @@ export class RobotView {
   private widen(): void {
     const box = new Box3();
     this.bodiesShown?.addTo(box);
-    this.others?.addTo(box);
+    for (const others of this.others) others.addTo(box);
     const size = box.getSize(new Vector3()).length();
     // Sizes in the description may not be finite.
     if (box.isEmpty() || !Number.isFinite(size) || this.seen.containsBox(box)) return;
@@ -125,7 +125,7 @@ export class RobotView {
 
   private recolour(): void {
     this.bodiesShown?.recolour();
-    this.others?.recolour?.();
+    for (const others of this.others) others.recolour?.();
     this.scene.background = new Color(colour('--surface'));
     this.scene.children
       .filter(child => child instanceof GridHelper)

@@ -44,6 +44,29 @@ describe('the robot', () => {
     assert.ok(base < whole, `${base} of ${whole} bodies`);
   });
 
+  it('is drawn beside the robots in namespaces, which have joints of the same names', async () => {
+    gateway.turned = null;
+    const page = await open({ reducedMotion: 'reduce' });
+    await page.waitForFunction(() => /does not report/.test(document.querySelector('.apart').textContent));
+    const alone = await bodiesDrawn(page);
+
+    gateway.robots = ['arm2'];
+    for (const joint of JOINTS) gateway.state.joints.push({ ...gateway.state.joints[0], name: `arm2/${joint}` });
+    let both = alone;
+    for (let i = 0; i < 20 && both === alone; i++) {
+      await page.waitForTimeout(500);
+      both = await bodiesDrawn(page);
+    }
+    assert.ok(both > alone, `${both} bodies instead of ${alone}`);
+
+    // The links below a joint that is not live disappear for its robot only.
+    gateway.state.joints.at(-JOINTS.length).state = 'stale';
+    await page.waitForTimeout(3000);
+    const part = await bodiesDrawn(page);
+    assert.ok(part > alone && part < both, `${part} bodies, between ${alone} and ${both}`);
+    assert.deepEqual(page.complaints, []);
+  });
+
   it('is not drawn below a joint whose data is not live, while other joints are', async () => {
     const page = await open();
     await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));

@@ -23,11 +23,22 @@ static class ManualPictures
     /// <returns>Paths of the files.</returns>
     public static IEnumerable<string> Write(string root)
     {
-        foreach (var (name, svg) in new[] { ("pose-appearance.svg", Appearance(root)), ("status-panel.svg", Panel(root)) })
+        foreach (var (name, svg) in new[] { ("pose-appearance.svg", Appearance(root)), ("status-panel.svg", Panel(root)), ("cell.svg", Cell(root)) })
         {
             File.WriteAllText(Path.Combine(root, Folder + name), svg);
             yield return Folder + name;
         }
+    }
+
+    /// <summary>The whole cell without and with compensation, at the same moment.</summary>
+    public static string Cell(string root)
+    {
+        using var cell = new PlayedCell(root);
+        var (uncompensated, compensated, gap) = CellPicture.Draw(cell);
+        return Parts(
+            "A simulated cell while the arm carries a workpiece: without compensation, the virtual gripper and the workpieces lag behind the real arm",
+            CellPicture.Width, CellPicture.Height,
+            (string.Create(CultureInfo.InvariantCulture, $"without Nowpose: {1000 * gap:0} mm behind"), uncompensated), ("with Nowpose", compensated));
     }
 
     /// <summary>The gripper at the arm's end: current, current beside the ghost, and held.</summary>
@@ -46,7 +57,9 @@ static class ManualPictures
         cell.Head.SetPositionAndRotation(eye.Place.position, eye.Place.rotation);
         cell.Run(0.1);
         var held = new SceneDrawing(eye).Draw([cell.Real, cell.Displayed.gameObject]);
-        return Parts(("current", current), ("current, and the ghost", compared), ("held: no sample for 2 s", held));
+        return Parts(
+            "The virtual gripper at the arm's end: current; current beside the ghost; held, with stripes and words", PartWidth, PartHeight,
+            ("current", current), ("current, and the ghost", compared), ("held: no sample for 2 s", held));
     }
 
     /// <summary>Gets a camera in front of the gripper, where no part of the arm hides it, with the text at the left.</summary>
@@ -91,12 +104,11 @@ static class ManualPictures
         return $"""<polygon points="{points}" fill="#2a3a52" stroke="#8b98a7"/>""" + "\n";
     }));
 
-    static string Parts(params (string Words, string Drawing)[] parts) => Svg(
-        parts.Length * PartWidth, PartHeight + Caption, string.Concat(parts.Select((part, i) =>
-        $"""<svg x="{i * PartWidth}" y="0" width="{PartWidth - 4}" height="{PartHeight}" viewBox="0 0 {PartWidth} {PartHeight}">""" + "\n"
+    static string Parts(string label, int width, int height, params (string Words, string Drawing)[] parts) => Svg(
+        parts.Length * width, height + Caption, string.Concat(parts.Select((part, i) =>
+        $"""<svg x="{i * width}" y="0" width="{width - 4}" height="{height}" viewBox="0 0 {width} {height}">""" + "\n"
         + part.Drawing + "</svg>\n"
-        + $"""<text x="{(i + 0.5) * PartWidth}" y="{PartHeight + 20}" font-size="15" text-anchor="middle">{part.Words}</text>""" + "\n")),
-        "The virtual gripper at the arm's end: current; current beside the ghost; held, with stripes and words");
+        + $"""<text x="{(i + 0.5) * width}" y="{height + 20}" font-size="15" text-anchor="middle">{part.Words}</text>""" + "\n")), label);
 
     static string Svg(int width, int height, string content, string label) =>
         $"""<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" role="img" aria-label="{label}" """

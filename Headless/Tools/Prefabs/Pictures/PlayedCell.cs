@@ -39,6 +39,9 @@ sealed class PlayedCell : IDisposable
 
     public GameObject Ghost => Session.transform.Find("Base Anchor/Ghost").gameObject;
 
+    /// <summary>The components of one type in the scene, such as the objects of the cell.</summary>
+    public IEnumerable<T> Objects<T>() where T : Component => Session.gameObject.scene.GetRootGameObjects().SelectMany(root => root.GetComponentsInChildren<T>());
+
     public Transform Head => _player.Find<Camera>().transform;
 
     /// <summary>Disconnects the simulated control system completely.</summary>

@@ -1,4 +1,5 @@
 using System;
+using System.Globalization;
 using Nowpose.Signals;
 using Nowpose.Unity.Cell;
 using UnityEngine;
@@ -9,7 +10,7 @@ namespace Nowpose.Unity
     /// <summary>Raises events when a signal of the control system changes, in the frame whose light shows the time of the change.</summary>
     /// <remarks>
     /// A Boolean is 0 or 1. Each change is reported once and in order, even if several become visible in one frame; so is the first known value.
-    /// Assign any method, such as <c>Animator.SetBool</c> or <c>GameObject.SetActive</c>.
+    /// Assign any method with one parameter, such as <c>GameObject.SetActive</c>, <c>Animator.SetTrigger</c> or <c>TextMesh.text</c>.
     /// </remarks>
     [AddComponentMenu("Nowpose/Signal")]
     public sealed class CellSignal : MonoBehaviour
@@ -31,6 +32,12 @@ namespace Nowpose.Unity
 
         [SerializeField, Tooltip("Raised with each new value.")]
         UnityEvent<float> _onValue = new UnityEvent<float>();
+
+        [SerializeField, Tooltip("Raised with each new value as a text.")]
+        UnityEvent<string> _onText = new UnityEvent<string>();
+
+        [SerializeField, Tooltip("Number format of On Text, as in .NET: 0.0 with one decimal, 0.0 mm with a unit, on;;off for a Boolean.")]
+        string _textFormat = "0.###";
 
         SignalFollower _follower;
         bool? _isOn;
@@ -73,7 +80,21 @@ namespace Nowpose.Unity
                 _onState.Invoke(isOn);
             }
             _onValue.Invoke((float)value);
+            // A text is made for listeners only, because it allocates.
+            if (_onText.GetPersistentEventCount() > 0) _onText.Invoke(Text(value));
             Changed?.Invoke(value);
+        }
+
+        string Text(double value)
+        {
+            try
+            {
+                return value.ToString(_textFormat, CultureInfo.InvariantCulture);
+            }
+            catch (FormatException)
+            {
+                return value.ToString(CultureInfo.InvariantCulture);
+            }
         }
     }
 }

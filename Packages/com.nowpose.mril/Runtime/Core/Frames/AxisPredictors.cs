@@ -6,14 +6,17 @@ namespace Nowpose.Frames
     /// <summary>Three predictors of one kind, for the components of a vector.</summary>
     sealed class AxisPredictors
     {
-        readonly JointPredictor _x, _y, _z;
+        // The first component always predicts: its outcomes, time and horizon are those of the vector.
+        readonly JointPredictor _x;
+        readonly AxisPredictor _y, _z;
 
         /// <param name="create">Creates the predictor of one component.</param>
-        public AxisPredictors(Func<JointPredictor> create)
+        /// <param name="skipsConstants">Whether a component needs no prediction before its first change.</param>
+        public AxisPredictors(Func<JointPredictor> create, bool skipsConstants)
         {
             _x = create();
-            _y = create();
-            _z = create();
+            _y = new AxisPredictor(create(), skipsConstants);
+            _z = new AxisPredictor(create(), skipsConstants);
         }
 
         /// <summary>Vector of the newest sample; 0 before the first.</summary>
@@ -35,7 +38,7 @@ namespace Nowpose.Frames
             return y == SampleOutcome.StartedAnew || z == SampleOutcome.StartedAnew ? SampleOutcome.StartedAnew : x;
         }
 
-        public Vector3D At(double time) => new Vector3D(_x.At(time).Position, _y.At(time).Position, _z.At(time).Position);
+        public Vector3D At(double time) => new Vector3D(_x.At(time).Position, _y.At(time), _z.At(time));
 
         /// <summary>Returns the origin of the vector at a time.</summary>
         public PredictionKind KindAt(double time) => _x.At(time).Kind;

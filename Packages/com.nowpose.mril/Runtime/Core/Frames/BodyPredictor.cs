@@ -21,9 +21,10 @@ namespace Nowpose.Frames
         const PredictionParts Parts = PredictionParts.All & ~PredictionParts.FirstMoves & ~PredictionParts.Profiles;
 
         /// <summary>
-        /// Forecasts in addition to <c>adaptive</c>: hold first, then the fixed ones, and least squares over more samples against noise.
+        /// Degree and history of the polynomials in addition to <c>adaptive</c>, hold and line first: the interpolating ones, and least squares over
+        /// more samples against noise.
         /// </summary>
-        static readonly string[] MixedWithAdaptive = { "hold", "linear", "quadratic", "quadratic-h4", "linear-h4", "linear-h9" };
+        static readonly (int, int)[] MixedWithAdaptive = { (0, 0), (1, 1), (2, 2), (2, 4), (1, 4), (1, 9) };
 
         readonly VectorMixture _position;
         readonly VectorMixture _angles;
@@ -121,12 +122,11 @@ namespace Nowpose.Frames
 
         static VectorMixture Create(string predictor, PredictionLimits limits, double blend)
         {
-            AxisPredictors Named(string name) => new AxisPredictors(() => Predictors.Create(name, limits, blend));
-            if (predictor != Predictors.Default) return new VectorMixture(new[] { Named(predictor) });
-            var forecasts = new AxisPredictors[1 + MixedWithAdaptive.Length];
-            forecasts[0] = new AxisPredictors(() => Predictors.Adaptive(limits, Parts, blend));
-            for (var i = 1; i < forecasts.Length; i++) forecasts[i] = Named(MixedWithAdaptive[i - 1]);
-            return new VectorMixture(forecasts);
+            if (predictor == Predictors.Default)
+                return new VectorMixture(
+                    new AxisPredictors(() => Predictors.Adaptive(limits, Parts), skipsConstants: true), MixedWithAdaptive, limits, blend);
+            var main = new AxisPredictors(() => Predictors.Create(predictor, limits, blend), skipsConstants: false);
+            return new VectorMixture(main, Array.Empty<(int, int)>(), limits, 0);
         }
     }
 }

@@ -69,7 +69,7 @@ namespace Nowpose.Frames
         void Insert(int age, in Entry entry)
         {
             if (Count < Capacity) Count++;
-            for (var i = Count - 1; i > age; i--) _newestFirst[i] = _newestFirst[i - 1];
+            Array.Copy(_newestFirst, age, _newestFirst, age + 1, Count - 1 - age);
             _newestFirst[age] = entry;
         }
 

@@ -5,10 +5,11 @@ using Nowpose.Prediction.Mixing;
 namespace Nowpose.Frames
 {
     /// <summary>
-    /// Predicts a vector: by one predictor per component, or by the sum of several forecasts with common weights for the three components.
+    /// Predicts a vector: by one predictor per component, or by the sum of that and several polynomials with common weights for the three
+    /// components.
     /// </summary>
     /// <remarks>
-    /// The first forecast is the prior: it has all the weight until samples have shown its error. Each sample gives the errors of the
+    /// The predictor of the components is the prior: it has all the weight until samples have shown its error. Each sample gives the errors of the
     /// forecasts made one horizon before it; the weights minimise the mean square over the last 20 s (<see cref="MixtureWeights"/>).
     /// The components of a vector share noise and motion, so they learn the weights three times as fast as a joint, and a forecast
     /// that is bad for this frame loses its weight within a second. Allocates nothing after construction.
@@ -39,9 +40,20 @@ namespace Nowpose.Frames
         /// <summary>Maximum displacement from samples that only scatter, as a multiple of the usual error of hold.</summary>
         const double MaxDisplacement = 2;
 
-        const int Components = 3, Hold = 1;
+        /// <summary>
+        /// A squared displacement per horizon above this multiple of the mean square of hold counts as a motion not seen before: as for a joint.
+        /// </summary>
+        const double FirstMoveRatio = 30;
 
-        readonly AxisPredictors[] _forecasts;
+        const int Components = 3, Hold = 1, Line = 2;
+
+        /// <summary>Number of samples that blending needs.</summary>
+        const int MinRecent = 3;
+
+        readonly VectorPolynomial[] _polynomials;
+        readonly RecentVectors _recent;
+        readonly VectorBlend _blend;
+        readonly double _horizonCap;
         readonly MixtureWeights _weights;
         readonly double[] _prior;
         readonly double[] _errors;
@@ -51,45 +63,64 @@ namespace Nowpose.Frames
         readonly double[] _due = new double[Capacity];
         readonly Vector3D[] _expected;
         int _first, _count;
-        double _newestTime, _newestOrder;
+        double _newestTime, _newestOrder, _lineUntil;
         Vector3D _newest;
 
-        /// <param name="forecasts">The prior, hold, and any others; or one, which is used alone.</param>
-        public VectorMixture(AxisPredictors[] forecasts)
+        /// <param name="main">The prior.</param>
+        /// <param name="polynomials">Degree and history of the forecasts beside the prior, hold and line first; empty: the prior is used alone.</param>
+        /// <param name="limits">Horizon cap and maximum gap.</param>
+        /// <param name="blend">Time constant of the blend between two predictions, s; 0: none.</param>
+        public VectorMixture(AxisPredictors main, (int Degree, int History)[] polynomials, PredictionLimits limits, double blend)
         {
-            _forecasts = forecasts;
-            _prior = new double[forecasts.Length];
+            Main = main;
+            _polynomials = Array.ConvertAll(polynomials, one => new VectorPolynomial(one.Degree, one.History));
+            var samples = MinRecent;
+            foreach (var (_, history) in polynomials) samples = Math.Max(samples, history + 1);
+            _recent = new RecentVectors(samples, limits.MaximumGap);
+            _blend = new VectorBlend(blend);
+            _horizonCap = limits.HorizonCap;
+            _prior = new double[1 + polynomials.Length];
             _prior[0] = 1;
-            _errors = new double[forecasts.Length];
+            _errors = new double[_prior.Length];
             _weights = new MixtureWeights(Regularisation, _prior);
-            _expected = new Vector3D[Capacity * forecasts.Length];
+            _expected = new Vector3D[Capacity * _prior.Length];
             Forget();
         }
 
-        /// <summary>The first forecast.</summary>
-        public AxisPredictors Main => _forecasts[0];
+        /// <summary>The prior.</summary>
+        public AxisPredictors Main { get; }
 
         /// <summary>Adds a sample in any order; the parameters are those of <see cref="JointPredictor.Add"/>.</summary>
-        /// <returns>The outcome, or <see cref="SampleOutcome.StartedAnew"/> if it is that of any predictor.</returns>
+        /// <returns>The outcome, or <see cref="SampleOutcome.StartedAnew"/> if it is that of any component.</returns>
         public SampleOutcome Add(double time, in Vector3D position, double order, double displayed)
         {
+            var isBlended = _blend.IsNeededAt(displayed) && _recent.Count > 0;
+            var (shown, before) = (isBlended ? At(displayed) : default, Main.NewestTime);
             var outcome = Main.Add(time, position, order, displayed);
-            for (var i = 1; i < _forecasts.Length; i++)
-                if (_forecasts[i].Add(time, position, order, displayed) == SampleOutcome.StartedAnew) outcome = SampleOutcome.StartedAnew;
-            if (outcome == SampleOutcome.Accepted && _forecasts.Length > 1 && order > _newestOrder) Learn(time, position, order);
+            // Late samples improve the prior; the polynomials are valid without them.
+            if (outcome == SampleOutcome.Accepted && _polynomials.Length > 0 && order > _newestOrder) Learn(time, position, order);
+            if (isBlended && outcome == SampleOutcome.Accepted) _blend.Start(displayed, shown, PredictedAt(displayed), before, _recent);
             return outcome;
         }
 
         /// <summary>Returns the vector at a time. Does not change the state.</summary>
-        public Vector3D At(double time)
+        public Vector3D At(double time) => _blend.At(time, PredictedAt(time));
+
+        Vector3D PredictedAt(double time)
         {
+            // Between samples, the prior interpolates.
+            if (_polynomials.Length == 0 || time <= Main.NewestTime) return Main.At(time);
+            if (_newestTime < _lineUntil) return Forecast(Line, time);
             if (_scatter.Scatters && _weights.Evidence < MinEvidence) return Main.Hold;
             var sum = default(Vector3D);
-            for (var i = 0; i < _forecasts.Length; i++)
-                if (_weights.Values[i] != 0) sum += _forecasts[i].At(time) * _weights.Values[i];
+            for (var i = 0; i < _prior.Length; i++)
+                if (_weights.Values[i] != 0) sum += Forecast(i, time) * _weights.Values[i];
             if (!double.IsFinite(sum.X + sum.Y + sum.Z)) return Main.Hold;
             return _scatter.Scatters ? Bounded(sum) : sum;
         }
+
+        Vector3D Forecast(int index, double time) =>
+            index == 0 ? Main.At(time) : _polynomials[index - 1].At(Math.Min(time - _newestTime, _horizonCap));
 
         // A rare large difference of two noisy samples looks like a change point to the first forecast, which extrapolates it.
         Vector3D Bounded(in Vector3D position)
@@ -103,7 +134,7 @@ namespace Nowpose.Frames
         /// <summary>Discards all samples and weights.</summary>
         public void Reset()
         {
-            foreach (var forecast in _forecasts) forecast.Reset();
+            Main.Reset();
             Forget();
         }
 
@@ -111,16 +142,28 @@ namespace Nowpose.Frames
         {
             _weights.Reset(_prior);
             _scatter.Clear();
+            _recent.Clear();
+            _blend.Clear();
             _first = _count = 0;
-            _newestTime = _newestOrder = double.NegativeInfinity;
+            _newestTime = _newestOrder = _lineUntil = double.NegativeInfinity;
         }
 
         void Learn(double time, in Vector3D position, double order)
         {
             Score(time, position);
-            (_newestTime, _newestOrder, _newest) = (time, order, position);
             _scatter.Add(position);
+            if (_scatter.HasLeft && IsFirstMove(time - _newestTime, position)) _lineUntil = time + Main.Horizon + (time - _newestTime);
+            (_newestTime, _newestOrder, _newest) = (time, order, position);
+            _recent.Add(time, position);
+            foreach (var polynomial in _polynomials) polynomial.Solve(_recent);
             Expect(time + Main.Horizon);
+        }
+
+        // The weights learned from noise at rest do not suit a first motion; after a horizon, they have learned from it.
+        bool IsFirstMove(double interval, in Vector3D position)
+        {
+            var displacement = (position - _newest).Length * Main.Horizon / interval;
+            return displacement * displacement > FirstMoveRatio * Components * _weights.MeanSquare(Hold);
         }
 
         void Expect(double due)
@@ -128,7 +171,7 @@ namespace Nowpose.Frames
             if (_count == Capacity) DropFirst();
             var place = (_first + _count++) % Capacity;
             _due[place] = due;
-            for (var i = 0; i < _forecasts.Length; i++) _expected[place * _forecasts.Length + i] = _forecasts[i].At(due);
+            for (var i = 0; i < _prior.Length; i++) _expected[place * _prior.Length + i] = Forecast(i, due);
         }
 
         // The truth at the time of a forecast is interpolated between the two newest samples.
@@ -148,12 +191,12 @@ namespace Nowpose.Frames
 
         bool Score(int place, in Vector3D truth, double keeping)
         {
-            var first = place * _forecasts.Length;
-            for (var i = 0; i < _forecasts.Length; i++)
+            var first = place * _prior.Length;
+            for (var i = 0; i < _prior.Length; i++)
                 if (!((_expected[first + i] - truth).Length < MaxError)) return false;
             for (var component = 0; component < Components; component++)
             {
-                for (var i = 0; i < _forecasts.Length; i++) _errors[i] = (_expected[first + i] - truth)[component];
+                for (var i = 0; i < _prior.Length; i++) _errors[i] = (_expected[first + i] - truth)[component];
                 _weights.Learn(_errors, keeping);
             }
             return true;

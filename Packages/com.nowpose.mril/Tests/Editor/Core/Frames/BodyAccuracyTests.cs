@@ -16,6 +16,7 @@ namespace Nowpose.Tests.Core.Frames
             { "hand-held, noise", BodyMotions.WithNoise(BodyMotions.HandHeld, seed: 71) },
             { "turntable", BodyMotions.Turntable },
             { "turntable, noise", BodyMotions.WithNoise(BodyMotions.Turntable, seed: 72) },
+            { "conveyor, noise", BodyMotions.WithNoise(BodyMotions.Conveyor, seed: 75) },
             { "rest, noise", BodyMotions.WithNoise(BodyMotions.Rest, seed: 73) },
             { "constant turning, noise", BodyMotions.WithNoise(BodyMotions.Constant(new Vector3D(0.3, 0.5, 2)), seed: 74) },
         };
@@ -29,6 +30,9 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase("turntable", 50, 100, 0.95)]
         [TestCase("turntable, noise", 20, 100, 0.95)]
         [TestCase("turntable, noise", 50, 100, 0.95)]
+        [TestCase("conveyor, noise", 20, 100, 1.05)]
+        [TestCase("conveyor, noise", 50, 100, 1.05)]
+        [TestCase("conveyor, noise", 100, 150, 1.05)]
         [TestCase("rest, noise", 20, 100, 1.05)]
         [TestCase("rest, noise", 50, 100, 1.05)]
         [TestCase("rest, noise", 100, 150, 1.05)]

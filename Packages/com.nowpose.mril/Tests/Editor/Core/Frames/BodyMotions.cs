@@ -34,6 +34,16 @@ namespace Nowpose.Tests.Core.Frames
                 t, new Vector3D(0.5 * Math.Cos(angle), 0.5 * Math.Sin(angle), 0.9), UnitQuaternion.Exp(new Vector3D(0, 0, angle)));
         }
 
+        /// <summary>A conveyor: rests for 1.5 s, moves at 0.3 m/s for 2.5 s with ramps of 0.1 s, and so on.</summary>
+        public static PoseSample Conveyor(double t)
+        {
+            const double rest = 1.5, move = 2.5, ramp = 0.1, speed = 0.3;
+            var u = Math.Max(0, t % (rest + move) - rest);
+            var way = u < ramp ? u * u / (2 * ramp) : u < move - ramp ? u - ramp / 2 : move - ramp - (move - u) * (move - u) / (2 * ramp);
+            var x = speed * (Math.Floor(t / (rest + move)) * (move - ramp) + way);
+            return new PoseSample(t, new Vector3D(x, 0.2, 0.9), UnitQuaternion.Exp(new Vector3D(0, 0, 0.4)));
+        }
+
         /// <summary>An object at rest.</summary>
         public static PoseSample Rest(double t) =>
             new PoseSample(t, new Vector3D(0.1, 0.2, 0.3), UnitQuaternion.Exp(new Vector3D(0.2, 0.3, 1.2)));

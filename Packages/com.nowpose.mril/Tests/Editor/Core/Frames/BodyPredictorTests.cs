@@ -217,6 +217,33 @@ namespace Nowpose.Tests.Core.Frames
             AssertPose(predictor.At(97.5 * Interval), PoseOf(BodyMotions.HandHeld(97.5 * Interval)), 2e-3);
         }
 
+        [TestCase("linear")]
+        [TestCase("adaptive")]
+        public void Add_WithABlend_ContinuesFromTheDisplayedPose(string name)
+        {
+            var predictor = Fed(name, BodyMotions.HandHeld, 60, blend: 0.01);
+            var displayed = 59 * Interval + 0.12;
+            var shown = predictor.At(displayed);
+
+            predictor.Add(BodyMotions.HandHeld(60 * Interval), displayed);
+
+            Assert.That(predictor.At(displayed).DistanceTo(shown), Is.LessThan(1e-9));
+            // The angles are relative to another sample now: an error of second order.
+            Assert.That(predictor.At(displayed).AngleTo(shown), Is.LessThan(1e-3));
+            Assert.That(predictor.At(displayed + 0.1).DistanceTo(PoseOf(BodyMotions.HandHeld(displayed + 0.1))), Is.LessThan(0.01));
+        }
+
+        [Test]
+        public void Add_ObjectMovedElsewhere_IsNotBlended()
+        {
+            var predictor = Fed("adaptive", BodyMotions.HandHeld, 60, blend: 0.01);
+            var moved = BodyMotions.HandHeld(60 * Interval);
+
+            predictor.Add(new PoseSample(moved.Time, moved.Position + new Vector3D(50, 0, 0), moved.Rotation), 59 * Interval + 0.12);
+
+            Assert.That(predictor.At(59 * Interval + 0.12).X, Is.GreaterThan(49));
+        }
+
         [TestCase(double.NaN, 0, 0)]
         [TestCase(0, double.NaN, 0)]
         [TestCase(0, double.PositiveInfinity, 0)]

@@ -28,6 +28,29 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
+        public void HasLeft_NoiseThenMotion_IsTrueForTheMotionOnly()
+        {
+            var rest = BodyMotions.WithNoise(BodyMotions.Rest, seed: 12);
+            var detector = new ScatterDetector();
+            var left = 0;
+            for (var k = 0; k < 2000; k++)
+            {
+                detector.Add(rest(0.02 * k).Position);
+                if (detector.HasLeft) left++;
+            }
+            Assert.That(left, Is.Zero, "at rest");
+
+            // 0.25 m/s, noise 1 mm.
+            for (var k = 0; k < 3; k++)
+            {
+                detector.Add(rest(40 + 0.05 * k).Position + new Vector3D(0.0125 * (k + 1), 0, 0));
+                if (detector.HasLeft) left++;
+            }
+
+            Assert.That(left, Is.Positive, "in motion");
+        }
+
+        [Test]
         public void Scatters_EqualSamples_IsFalse() => Assert.That(Scatters(BodyMotions.Rest, 20, 0.05), Is.False);
     }
 }

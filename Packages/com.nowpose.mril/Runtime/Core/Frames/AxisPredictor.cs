@@ -1,0 +1,67 @@
+using System;
+using Nowpose.Prediction;
+
+namespace Nowpose.Frames
+{
+    /// <summary>One component of a vector, which is predicted from its first change on.</summary>
+    /// <remarks>
+    /// Many components never change: the height of a workpiece on a conveyor, two of the three angles of a turntable. Their value needs no
+    /// prediction. Allocates nothing after construction.
+    /// </remarks>
+    sealed class AxisPredictor
+    {
+        /// <summary>Maximum difference from the first value that is rounding, m or rad.</summary>
+        const double Rounding = 1e-9;
+
+        /// <summary>Number of samples before the first change that the prediction needs: a start from rest is not a continued motion.</summary>
+        const int Kept = 8;
+
+        readonly JointPredictor _predictor;
+        readonly bool _waitsForChange;
+        readonly JointSample[] _newestFirst = new JointSample[Kept];
+        double _value;
+        int _count;
+        bool _hasChanged;
+
+        /// <param name="waitsForChange">Whether samples are predicted only from the first change on.</param>
+        public AxisPredictor(JointPredictor predictor, bool waitsForChange)
+        {
+            _predictor = predictor;
+            _waitsForChange = waitsForChange;
+            Reset();
+        }
+
+        /// <summary>Value of the newest sample; 0 before the first.</summary>
+        public double Hold => _hasChanged ? _predictor.Hold : _value;
+
+        /// <inheritdoc cref="JointPredictor.Add"/>
+        public SampleOutcome Add(in JointSample sample, double displayed)
+        {
+            if (_hasChanged) return _predictor.Add(sample, displayed);
+            if (_count == 0) _value = sample.Position;
+            if (Math.Abs(sample.Position - _value) <= Rounding)
+            {
+                if (_count == 0 || sample.Order > _newestFirst[0].Order) Keep(sample);
+                return SampleOutcome.Accepted;
+            }
+            _hasChanged = true;
+            for (var age = _count - 1; age >= 0; age--) _predictor.Add(_newestFirst[age], displayed);
+            return _predictor.Add(sample, displayed);
+        }
+
+        public double At(double time) => _hasChanged ? _predictor.At(time).Position : _value;
+
+        public void Reset()
+        {
+            _predictor.Reset();
+            (_value, _count, _hasChanged) = (0, 0, !_waitsForChange);
+        }
+
+        void Keep(in JointSample sample)
+        {
+            _count = Math.Min(_count + 1, Kept);
+            for (var age = _count - 1; age > 0; age--) _newestFirst[age] = _newestFirst[age - 1];
+            _newestFirst[0] = sample;
+        }
+    }
+}

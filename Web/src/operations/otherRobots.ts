@@ -1,0 +1,96 @@
+import { type Box3, Group, type Matrix4 } from 'three';
+import { Bodies } from '../robot/bodies';
+import type { Frames } from '../robot/frames';
+import { JointTracks } from '../robot/tracks';
+import type { Beside } from '../robot/view';
+import { JOINT_STATE, readJointState, type Rosbridge } from './rosbridge';
+
+/** As in the protocol: the gateway accepts no more robots. */
+const MAX_ROBOTS = 16;
+
+interface Robot {
+  bodies: Bodies | null;
+  tracks: JointTracks;
+}
+
+/** The robots in namespaces at their true positions. A namespace is known from the names of its joints. */
+export class OtherRobots implements Beside {
+  readonly group = new Group();
+  private readonly robots = new Map<string, Robot>();
+
+  /**
+   * @param keepS Length of the kept positions, s.
+   * @param sampled Called with the stamp of each sample.
+   */
+  constructor(
+    private readonly link: Rosbridge,
+    private readonly keepS: number,
+    private readonly sampled: (stamp: number) => void,
+  ) {}
+
+  /** Whether any of them is drawn. */
+  get isAnyShown(): boolean {
+    return [...this.robots.values()].some(({ bodies }) => bodies?.isShown('truth'));
+  }
+
+  /** @param joints Names of all joints of the gateway, those of a robot in a namespace with it: arm1/elbow. */
+  setJoints(joints: string[]): void {
+    for (const joint of joints) {
+      const end = joint.indexOf('/');
+      if (end > 0 && this.robots.size < MAX_ROBOTS && !this.robots.has(joint.slice(0, end))) this.add(joint.slice(0, end));
+    }
+  }
+
+  /** Gets the pose of a link in the world by its name with the namespace; null for an unknown one. */
+  linkOf(name: string): Matrix4 | null {
+    const end = name.indexOf('/');
+    return end < 0 ? null : (this.robots.get(name.slice(0, end))?.bodies?.linkOf('truth', name.slice(end + 1)) ?? null);
+  }
+
+  /** @param isGood Whether a joint's newest position is current. */
+  pose(time: number, frames: Frames, isGood: (joint: string) => boolean): void {
+    for (const [name, { bodies, tracks }] of this.robots) {
+      if (!bodies) continue;
+      const pose = tracks.at(time);
+      const base = frames.baseAt(`${name}/${bodies.rootName}`, time, link => this.linkOf(link));
+      if (base) bodies.place(base);
+      const received = new Set(pose?.names);
+      bodies.showKnown('truth', joint => received.has(joint) && isGood(`${name}/${joint}`));
+      bodies.pose('truth', pose?.names ?? [], (base && pose?.positions) ?? null);
+    }
+  }
+
+  addTo(box: Box3): void {
+    for (const { bodies } of this.robots.values()) bodies?.addTo(box);
+  }
+
+  recolour(): void {
+    for (const { bodies } of this.robots.values()) bodies?.recolour();
+  }
+
+  private add(name: string): void {
+    const robot: Robot = { bodies: null, tracks: new JointTracks(this.keepS) };
+    this.robots.set(name, robot);
+    this.link.subscribe(`/${name}/robot_description`, 'std_msgs/msg/String', text => this.describe(robot, text));
+    const take = (text: string) => {
+      const state = readJointState(text);
+      if (!state) return;
+      this.sampled(state.stamp);
+      robot.tracks.add(state.stamp, state.names, state.positions);
+    };
+    this.link.subscribe(`/${name}/joint_states`, JOINT_STATE, take, 20, 8);
+  }
+
+  private describe(robot: Robot, text: string): void {
+    const { data } = JSON.parse(text).msg;
+    if (robot.bodies) this.group.remove(robot.bodies.group);
+    robot.bodies?.dispose();
+    robot.bodies = null;
+    try {
+      robot.bodies = new Bodies(data);
+      this.group.add(robot.bodies.group);
+    } catch {
+      // The headsets report a description that cannot be read.
+    }
+  }
+}
