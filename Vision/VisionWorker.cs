@@ -1,14 +1,13 @@
-using System.ComponentModel;
 using System.Diagnostics;
 using System.Text;
 using System.Text.Json;
+using Nowpose.Web;
 
 namespace Nowpose.Vision;
 
 /// <summary>A Node.js process that analyses one picture at a time. Not thread-safe.</summary>
 sealed class VisionWorker : IDisposable
 {
-    const string Needed = "Node.js 20 or newer is needed to read pictures";
     const int ErrorsKept = 4000;
 
     static readonly string Script = Path.Combine(AppContext.BaseDirectory, "vision", "worker.mjs");
@@ -22,27 +21,8 @@ sealed class VisionWorker : IDisposable
     public VisionWorker(string script = null)
     {
         _script = script ?? Script;
-        if (!File.Exists(_script)) throw new InputException($"{Needed}; this program was built without it: install it and build again");
-        _process = new Process
-        {
-            StartInfo = new ProcessStartInfo("node", [_script])
-            {
-                RedirectStandardInput = true,
-                RedirectStandardOutput = true,
-                RedirectStandardError = true,
-                StandardInputEncoding = new UTF8Encoding(false),
-                StandardOutputEncoding = Encoding.UTF8,
-            },
-        };
-        _process.ErrorDataReceived += (_, line) => Keep(line.Data);
-        try
-        {
-            _process.Start();
-        }
-        catch (Win32Exception e)
-        {
-            throw new InputException($"{Needed}; it could not be started: {e.Message}. Install it from nodejs.org", e);
-        }
+        _process = NodeProgram.Start(
+            "Node.js 20 or newer is needed to read pictures", _script, [], process => process.ErrorDataReceived += (_, line) => Keep(line.Data));
         _process.BeginErrorReadLine();
         try
         {

@@ -10,7 +10,7 @@ sealed class DemoOutput
     DemoOutput(string folder)
     {
         ResultPath = Path.Combine(folder, "result.json");
-        ReportPath = Path.Combine(folder, "report.html");
+        ReportPath = ReportIn(folder);
         SessionPath = Path.Combine(folder, "session.jsonl");
         Folder = folder;
     }
@@ -21,6 +21,9 @@ sealed class DemoOutput
 
     /// <summary>Path of the headset's recording, for <c>replay</c>, <c>sync</c> and <c>recommend</c>.</summary>
     public string SessionPath { get; }
+
+    /// <summary>Gets the path of the report in a folder.</summary>
+    public static string ReportIn(string folder) => Path.Combine(folder, "report.html");
 
     /// <summary>Creates the folder and removes an earlier run's files, so that they cannot be mistaken for this run's.</summary>
     /// <exception cref="InputException">The folder is not writable. This is checked before the run, not after it.</exception>

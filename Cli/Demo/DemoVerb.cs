@@ -57,6 +57,8 @@ static class DemoVerb
         DefaultValueFactory = _ => "nowpose-demo",
     };
 
+    static readonly Option<bool> Open = Browser.Option();
+
     // Light is seen at the next refresh at the earliest.
     const double MinWithLoadMs = 17;
 
@@ -66,12 +68,19 @@ static class DemoVerb
             "demo", "Run the headset runtime with a simulated cell over real sockets, and compare the displayed poses with the true ones.")
         {
             Seconds, Network, Robot, Recording, Predictor, Estimator, Profile, Sampling, Acquisition, Visualisation,
-            VisualisationError, Load, Trajectory, Seed, Paper, Repeats, Output,
+            VisualisationError, Load, Trajectory, Seed, Paper, Repeats, Output, Open,
         };
-        verb.SetAction((parsed, cancel) => parsed.GetValue(Paper)
-            ? PaperSession.RunAsync(PaperSettings(parsed), parsed.GetValue(Repeats), parsed.GetValue(Output), cancel)
-            : RunAsync(Settings(parsed), parsed.GetValue(Output), cancel));
+        verb.SetAction(RunAsync);
         return verb;
+    }
+
+    static async Task<int> RunAsync(ParseResult parsed, CancellationToken cancel)
+    {
+        var folder = parsed.GetValue(Output);
+        var status = await (parsed.GetValue(Paper)
+            ? PaperSession.RunAsync(PaperSettings(parsed), parsed.GetValue(Repeats), folder, cancel) : RunAsync(Settings(parsed), folder, cancel));
+        if (parsed.GetValue(Open) && status == ExitStatus.Done) Browser.OpenOrExplain(DemoOutput.ReportIn(Path.GetFullPath(folder)));
+        return status;
     }
 
     static DemoSettings PaperSettings(ParseResult parsed)

@@ -18,25 +18,30 @@ static class FiguresVerb
         var quick = new Option<bool>("--quick") { Description = "A quarter of the runs: under a minute, with slightly less accurate numbers" };
         var seed = NumberOption.Create("--seed", "Seed of the random numbers.", FigureSettings.Full.Seed, 0, 1_000_000, "");
         var pictures = new Option<string>("--pictures") { Description = "Folder for the pictures of the documentation, as SVG" };
+        var open = Browser.Option();
         var verb = new Command("figures", "Recompute the paper's figures: data as CSV, and one HTML page with the paper's claims beside our results.")
         {
-            output, quick, seed, pictures,
+            output, quick, seed, pictures, open,
         };
         // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
         verb.SetAction((parsed, cancel) => Task.Run(
-            () => Run((parsed.GetValue(quick) ? FigureSettings.Quick : FigureSettings.Full) with { Seed = parsed.GetValue(seed) }, parsed.GetValue(output), parsed.GetValue(pictures), cancel),
+            () => Run(
+                (parsed.GetValue(quick) ? FigureSettings.Quick : FigureSettings.Full) with { Seed = parsed.GetValue(seed) }, parsed.GetValue(output),
+                parsed.GetValue(pictures), cancel, parsed.GetValue(open)),
             CancellationToken.None));
         return verb;
     }
 
     /// <param name="pictures">Folder of the pictures, or null for none.</param>
-    internal static int Run(FigureSettings settings, string folder, string pictures, CancellationToken cancel)
+    /// <param name="opens">Whether the page is opened in a browser.</param>
+    internal static int Run(FigureSettings settings, string folder, string pictures, CancellationToken cancel, bool opens = false)
     {
         var output = FiguresOutput.At(folder, pictures);
         var run = new FigureRun(FigureSet.Studies(settings));
         var figures = FiguresProgress.Run(run.Total, done => run.Run(done, cancel));
         output.Write(figures, settings);
         Print(figures, output);
+        if (opens) Browser.OpenOrExplain(output.PagePath);
         return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
     }
 

@@ -54,6 +54,7 @@ const { outputFiles, metafile } = await build({
   legalComments: 'none',
   plugins: [withoutTrial, ...loading.plugins],
   loader: loading.loader,
+  define: loading.define,
   platform: 'node',
   format: 'esm',
   target: 'node20',

@@ -31,4 +31,8 @@ const withSchemaChecks = {
   },
 };
 
-export const loading = { loader: { '.urdf': 'text' }, plugins: [withSchemaChecks] };
+const { version } = JSON.parse(readFileSync(new URL('package.json', import.meta.url), 'utf8'));
+
+export const loading = {
+  loader: { '.urdf': 'text' }, plugins: [withSchemaChecks], define: { NOWPOSE_VERSION: JSON.stringify(version) },
+};

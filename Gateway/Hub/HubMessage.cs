@@ -88,6 +88,10 @@ public sealed class HubMessage
         RosTopics.SignalStatus, message, Stopwatch.GetTimestamp(),
         form => RosbridgeWriter.PublishDiagnostics(RosTopics.SignalStatus, message, form));
 
+    /// <summary>Creates a message with the version of the gateway.</summary>
+    internal static HubMessage Version(string version) => new(
+        RosTopics.Version, version, Stopwatch.GetTimestamp(), _ => RosbridgeWriter.PublishString(RosTopics.Version, version));
+
     /// <summary>Creates a message with the pose that a headset displays. It is not a sample of the robot.</summary>
     public static HubMessage Displayed(JointStateMessage message) => new(
         RosTopics.Displayed, message, Stopwatch.GetTimestamp(), form => RosbridgeWriter.PublishJointState(RosTopics.Displayed, message, form));

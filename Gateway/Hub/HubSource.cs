@@ -105,6 +105,9 @@ public sealed class HubSource : IDisposable
     /// <summary>Publishes the signals whose source has ended; the newest message is kept for later subscribers.</summary>
     internal void PublishSignalStatus(DiagnosticsMessage message) => _hub.PublishNewest(this, HubMessage.SignalStatus(message));
 
+    /// <summary>Publishes the version of the gateway, which is kept for later subscribers.</summary>
+    internal void PublishVersion(string version) => _hub.PublishNewest(this, HubMessage.Version(version));
+
     /// <summary>Whether none of the joints of a robot belongs to another source.</summary>
     internal bool MayPublish(string robot, string[] names) => _hub.IsFree(this, robot, names);
 

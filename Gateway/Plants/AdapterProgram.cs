@@ -1,15 +1,13 @@
-using System.ComponentModel;
 using System.Diagnostics;
-using System.Text;
 using System.Text.Json;
 using Nowpose.Gateway.Options;
+using Nowpose.Web;
 
 namespace Nowpose.Gateway.Plants;
 
 /// <summary>The Node.js program that reads a control system, built from Gateway/Adapters.</summary>
 static class AdapterProgram
 {
-    const string Needed = "--plant: Node.js 20 or newer is needed to read a control system";
     static readonly TimeSpan CheckTimeout = TimeSpan.FromSeconds(30);
     static readonly string Script = Path.Combine(AppContext.BaseDirectory, "adapters", "plant.mjs");
 
@@ -49,30 +47,12 @@ static class AdapterProgram
     /// <exception cref="InputException">Node.js is missing, or was missing when this program was built.</exception>
     public static Process Start(string file, IEnumerable<string> options, AdapterAccess access)
     {
-        if (!File.Exists(Script)) throw new InputException($"{Needed}; this program was built without it: install it and build again");
-        var process = new Process
+        return NodeProgram.Start("--plant: Node.js 20 or newer is needed to read a control system", Script, [file, .. options], process =>
         {
-            StartInfo = new ProcessStartInfo("node", [Script, file, .. options])
-            {
-                RedirectStandardInput = true,
-                RedirectStandardOutput = true,
-                RedirectStandardError = true,
-                StandardOutputEncoding = Encoding.UTF8,
-                StandardErrorEncoding = Encoding.UTF8,
-            },
-        };
-        // The program ends when its input is closed, even when this process was killed.
-        process.StartInfo.Environment["NOWPOSE_SUPERVISED"] = "1";
-        access?.Tell(process.StartInfo.Environment);
-        try
-        {
-            process.Start();
-            return process;
-        }
-        catch (Win32Exception e)
-        {
-            throw new InputException($"{Needed}; it could not be started: {e.Message}. Install it from nodejs.org", e);
-        }
+            // The program ends when its input is closed, even when this process was killed.
+            process.StartInfo.Environment["NOWPOSE_SUPERVISED"] = "1";
+            access?.Tell(process.StartInfo.Environment);
+        });
     }
 
     internal sealed record PlantContent(string Name, string[] Joints, bool PassesUnlisted, string Robot, Dictionary<string, string> Robots = null)

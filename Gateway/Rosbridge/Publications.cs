@@ -14,6 +14,7 @@ static class Publications
         [RosTopics.Displayed] = RosTopics.JointStateType,
         [RosTopics.JointStatus] = RosTopics.DiagnosticsType,
         [RosTopics.SignalStatus] = RosTopics.DiagnosticsType,
+        [RosTopics.Version] = RosTopics.StringType,
         [RosTopics.Tf] = RosTopics.TransformsType,
         [RosTopics.TfStatic] = RosTopics.TransformsType,
         [RosTopics.Signals] = RosTopics.SignalsType,
@@ -32,8 +33,8 @@ static class Publications
 
     public static bool IsKnown(RobotTopic topic) => Types.ContainsKey(topic.Kind);
 
-    /// <summary>Whether clients can publish on the topic. Only the gateway publishes the state of joints and signals.</summary>
-    public static bool IsOpen(RobotTopic topic) => IsKnown(topic) && topic.Kind is not (RosTopics.JointStatus or RosTopics.SignalStatus);
+    /// <summary>Whether clients can publish on the topic. Only the gateway publishes its version and the state of joints and signals.</summary>
+    public static bool IsOpen(RobotTopic topic) => IsKnown(topic) && topic.Kind is not (RosTopics.JointStatus or RosTopics.SignalStatus or RosTopics.Version);
 
     /// <summary>Whether a type matches that of a known topic, with its ROS 1 or ROS 2 name. A missing type matches, too.</summary>
     public static bool HasType(RobotTopic topic, string type) =>

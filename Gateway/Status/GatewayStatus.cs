@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.Globalization;
-using System.Reflection;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Plants;
@@ -46,6 +45,7 @@ sealed class GatewayStatus : IDisposable
     readonly StatusWatch _watch;
     readonly CellReports _reports;
     readonly SignalStatusTopic _signals;
+    readonly HubSource _version;
     readonly long[] _messages = new long[Counted.Length];
     readonly DateTimeOffset _started;
     readonly long _startCount = Stopwatch.GetTimestamp();
@@ -82,11 +82,13 @@ sealed class GatewayStatus : IDisposable
             .. Enumerable.Range(0, RobotTopic.OfRobots.Length)
                 .Select(kind => hub.SubscribeToRobots(RobotTopic.OfRobots[kind], message => Watch(Topics.Length + kind, message))),
         ];
+        _version = hub.OpenSource();
+        _version.PublishVersion(Version);
         _signals = new SignalStatusTopic(hub, clock, options.Time.GetUtcNow);
         _watch = new StatusWatch(_conditions, events, _joints, new JointStatusTopic(hub, clock, options.Time), plant, options.Time, log);
     }
 
-    public static string Version { get; } = typeof(GatewayStatus).Assembly.GetName().Version.ToString(3);
+    public static string Version => NowposeVersion.Text;
 
     public ForwardingTimes Forwarding => _hub.Forwarding;
 
@@ -103,6 +105,7 @@ sealed class GatewayStatus : IDisposable
     {
         _watch.Dispose();
         _signals.Dispose();
+        _version.Dispose();
         _hub.JointRefused -= Refuse;
         _hub.Left -= _said.Remove;
         _hub.SampleDropped -= _joints.Refuse;

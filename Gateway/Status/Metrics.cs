@@ -14,6 +14,7 @@ static class Metrics
     {
         var text = new PrometheusText();
         text.Begin("nowpose_gateway_info", Gauge, "Version of the gateway.").Add(1, ("version", state.Version));
+        AddVersions(text, state);
         text.One("nowpose_uptime_seconds", Gauge, "Time since the start.", state.UptimeS);
         text.One("nowpose_ready", Gauge, "1 when headsets can be served; /readyz names the missing parts.", state.IsReady ? 1 : 0);
         text.One(
@@ -30,6 +31,13 @@ static class Metrics
         AddRecording(text, state.Recording);
         AddProcess(text);
         return text.ToString();
+    }
+
+    static void AddVersions(PrometheusText text, StatusSnapshot state)
+    {
+        static int Others(IReadOnlyList<JsonObject> clients) => clients.Count(client => !NowposeVersion.Fits(StatusObjects.Word(client, "version")));
+        text.Begin("nowpose_version_mismatches", Gauge, "Headsets and adapters whose version does not fit that of the gateway.")
+            .Add(Others(state.Headsets), ("kind", "headset")).Add(Others(state.Adapters), ("kind", "adapter"));
     }
 
     static void AddClock(PrometheusText text, ClockStatus clock)

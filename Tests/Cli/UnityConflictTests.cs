@@ -71,6 +71,6 @@ public class UnityConflictTests
         using var project = new UnityProjectFolder(
             """{ "dependencies": { "com.nowpose.mril": "https://git.example/nowpose.git?path=/Packages/com.nowpose.mril#v0.0.9" } }""");
 
-        AssertRefused(await project.RunAsync(), "#v0.0.9; 0.1.0 or newer is needed");
+        AssertRefused(await project.RunAsync(), "#v0.0.9; 0.2.0 or newer is needed");
     }
 }

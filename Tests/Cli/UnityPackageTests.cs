@@ -7,7 +7,7 @@ namespace Nowpose.Headless.Tests.Cli;
 /// <summary>The package that the manifest names, and what it needs.</summary>
 public class UnityPackageTests
 {
-    [TestCase("https://git.example/me/nowpose.git", "https://git.example/me/nowpose.git?path=/Packages/com.nowpose.mril#v0.1.0")]
+    [TestCase("https://git.example/me/nowpose.git", "https://git.example/me/nowpose.git?path=/Packages/com.nowpose.mril#v0.2.0")]
     [TestCase("https://git.example/me/nowpose.git#main", "https://git.example/me/nowpose.git?path=/Packages/com.nowpose.mril#main")]
     [TestCase(
         "git@git.example:me/nowpose.git?path=/Packages/com.nowpose.mril#main",
@@ -71,7 +71,7 @@ public class UnityPackageTests
     public async Task Unity_PackageWithoutSamples_IsAccepted()
     {
         using var project = new UnityProjectFolder(Empty);
-        project.Write("package/package.json", """{ "name": "com.nowpose.mril", "displayName": "Nowpose", "version": "0.1.0" }""");
+        project.Write("package/package.json", """{ "name": "com.nowpose.mril", "displayName": "Nowpose", "version": "0.2.0" }""");
 
         var run = await project.RunAsync("--package", project.At("package"));
 

@@ -16,7 +16,7 @@ public class UnitySampleTests
         var run = await project.RunAsync("--sample", name);
 
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
-        var copy = Directory.EnumerateDirectories(project.At("Assets/Samples/Nowpose/0.1.0")).Single();
+        var copy = Directory.EnumerateDirectories(project.At("Assets/Samples/Nowpose/0.2.0")).Single();
         var source = Path.Combine(OwnPackage, "Samples~", Path.GetFileName(copy));
         Assert.That(Files(copy), Is.EqualTo(Files(source)));
         Assert.That(Files(copy).Select(f => f.Path), Has.Some.EndsWith(".unity.meta"));
@@ -31,7 +31,7 @@ public class UnitySampleTests
     {
         using var project = new UnityProjectFolder(Empty);
         await project.RunAsync("--sample", "Virtual Robot Cell");
-        const string changed = "Assets/Samples/Nowpose/0.1.0/Virtual Robot Cell/README.md";
+        const string changed = "Assets/Samples/Nowpose/0.2.0/Virtual Robot Cell/README.md";
         project.Write(changed, "mine");
 
         var run = await project.RunAsync("--sample", "Virtual Robot Cell");
@@ -42,7 +42,7 @@ public class UnitySampleTests
 
     [TestCase("Assets/Samples", "--check")]
     [TestCase("Assets/Samples")]
-    [TestCase("Assets/Samples/Nowpose/0.1.0/Virtual Robot Cell")]
+    [TestCase("Assets/Samples/Nowpose/0.2.0/Virtual Robot Cell")]
     public async Task Sample_FileInsteadOfAFolder_IsReportedWithoutChanges(string path, params string[] options)
     {
         using var project = new UnityProjectFolder(Empty);
@@ -60,7 +60,7 @@ public class UnitySampleTests
     {
         using var project = new UnityProjectFolder(Empty);
         // A file with the name of the folder into which the sample is first copied.
-        project.Write("Assets/Samples/Nowpose/0.1.0/.Virtual Robot Cell", "mine");
+        project.Write("Assets/Samples/Nowpose/0.2.0/.Virtual Robot Cell", "mine");
 
         var run = await project.RunAsync("--sample", "Virtual Robot Cell");
 

@@ -33,6 +33,10 @@ sealed class QueuedListener : IRosbridgeListener
 
     public void SignalsReceived(SignalsMessage message, HeadsetTime arrival) => Signals.Enqueue(message);
 
+    public ConcurrentQueue<string> Versions { get; } = [];
+
+    public void VersionReceived(string version) => Versions.Enqueue(version);
+
     public ConcurrentQueue<JointStatusMessage> SignalStatuses { get; } = [];
 
     public void SignalStatusReceived(JointStatusMessage message, HeadsetTime arrival) => SignalStatuses.Enqueue(message);

@@ -31,8 +31,8 @@ public sealed class NoticeTests
             .Select(p => p.Attribute("Include").Value + " " + p.Attribute("Version").Value);
     }
 
-    static IEnumerable<string> NpmPackages() => new[] { "Web/package.json", "Vision/package.json", "Gateway/Adapters/package.json", ".ci/lint/package.json" }
-        .SelectMany(manifest => Dependencies(manifest, "dependencies", "devDependencies")).Distinct();
+    static IEnumerable<string> NpmPackages() => new[] { "Web/package.json", "Vision/package.json", "Gateway/Adapters/package.json", ".ci/lint/package.json", ".ci/node/package.json" }
+        .SelectMany(manifest => Dependencies(manifest, "dependencies", "devDependencies", "optionalDependencies")).Distinct();
 
     static IEnumerable<string> UnityPackages()
     {

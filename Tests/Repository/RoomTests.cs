@@ -18,7 +18,7 @@ public sealed partial class RoomTests
     /// <summary>Folders that GitHub, Unity, MSBuild or an include of a shader demands, and three with contents of their own kind.</summary>
     static readonly string[] Small =
     [
-        ".github", "Assets", "Gateway/Adapters/licences", "Gateway/Adapters/src/clock", "Gateway/Properties",
+        ".config", ".github", "Assets", "Cli/Properties", "Gateway/Adapters/licences", "Gateway/Adapters/src/clock", "Gateway/Properties",
         RepositoryFiles.Package + "/Runtime/Settings", "ProjectSettings", "Tests/Shaders/StandIns",
     ];
 

@@ -16,6 +16,7 @@ public sealed class VersionTests
     [TestCase("Vision/package-lock.json", @"""version"": ""([^""]+)""")]
     [TestCase("Gateway/Adapters/package.json", @"""version"": ""([^""]+)""")]
     [TestCase("Gateway/Adapters/package-lock.json", @"""version"": ""([^""]+)""")]
+    [TestCase(RepositoryFiles.Package + "/Runtime/Core/NowposeVersion.cs", @"Text = ""([^""]+)""")]
     [TestCase("CHANGELOG.md", @"(?m)^## \[([^\]]+)\]")]
     [TestCase(RepositoryFiles.Package + "/package.json", @"""documentationUrl"": ""[^""]+/blob/v([^/]+)/")]
     [TestCase(RepositoryFiles.Package + "/package.json", @"""changelogUrl"": ""[^""]+/blob/v([^/]+)/")]

@@ -12,7 +12,7 @@ public sealed class PackageManifestTests
 
     [TestCase("name", "com.nowpose.mril")]
     [TestCase("displayName", "Nowpose")]
-    [TestCase("version", "0.1.0")]
+    [TestCase("version", "0.2.0")]
     [TestCase("unity", "2021.3")]
     [TestCase("license", "MIT")]
     public void Package_Field_HasThePublishedValue(string field, string value)

@@ -79,7 +79,7 @@ export class FakeGateway {
   get now() { return 1000 + (Date.now() - this.began) / 1000; }
 
   state = {
-    cell: 'Press 3', host: 'cell-pc', version: '0.1.0', status: { level: 'ok', text: '5 joints live, 2 headsets' }, uptime_s: 12, control_time_s: 1012,
+    cell: 'Press 3', host: 'cell-pc', version: '0.2.0', status: { level: 'ok', text: '5 joints live, 2 headsets' }, uptime_s: 12, control_time_s: 1012,
     clock: { source: 'press', state: 'synchronised', estimated_error_us: 35, error_bound_us: 120, skew_ppm: 3.1, rtt_ms: 1.2, resolution_us: 1000, steps: 0 },
     plant_clocks: [
       { name: 'press', connected: true, is_control_clock: true, state: 'synchronised', offset_to_control_ms: 0, skew_ppm: 0, rtt_ms: 1.2, estimated_error_us: 35, error_bound_us: 120, resolution_us: 1000, exchanges: 60, failures: 0 },

@@ -1,9 +1,10 @@
-// plant.mjs CONFIG.yaml [--check]: reads a control system and sends its joint positions and its time to a gateway.
+// plant.mjs CONFIG.yaml [--check]: reads a control system and sends its joint positions and its time to a gateway. --version prints the version.
 import type { Kind } from './adapter';
 import { type Configuration, readConfiguration } from './configuration/configuration';
 import { ConfigurationError } from './configuration/problem';
 import { kinds } from './kinds';
 import { runPlant } from './plant';
+import { versionWithCommit } from './version';
 
 const USAGE = 'usage: node plant.mjs CONFIG.yaml [--check]';
 const BAD_INPUT = 2;
@@ -13,6 +14,10 @@ const isCheck = process.argv.includes('--check');
 const others = process.argv.slice(2).filter(argument => argument !== '--check');
 
 async function main(): Promise<number> {
+  if (others.length === 1 && others[0] === '--version') {
+    process.stdout.write(`${versionWithCommit()}\n`);
+    return 0;
+  }
   if (others.length !== 1 || others[0].startsWith('-')) {
     process.stderr.write(`${USAGE}\n`);
     return others[0] === '--help' ? 0 : BAD_INPUT;

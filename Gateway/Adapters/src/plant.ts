@@ -2,12 +2,13 @@ import { PlantClock } from './clock/plantClock';
 import type { Configuration } from './configuration/configuration';
 import { silenceMs } from './configuration/silenceEntry';
 import { GatewayLink } from './gateway/link';
-import { description, DIAGNOSTICS, diagnostics, ROBOT_DESCRIPTION, topicOf } from './gateway/messages';
+import { description, DIAGNOSTICS, diagnostics, ROBOT_DESCRIPTION, topicOf, VERSION_TOPIC } from './gateway/messages';
 import { AdapterStatus } from './gateway/status';
 import { load } from './kinds';
 import { Log } from './log';
 import { PlantOutput } from './samples/plantOutput';
 import { type Nanoseconds, ofMilliseconds, toMilliseconds } from './times';
+import { compareVersions, VERSION } from './version';
 
 const DIAGNOSTICS_MS = 1000;
 const SILENCE_CHECK_MS = 250;
@@ -39,6 +40,7 @@ export async function runPlant(configuration: Configuration): Promise<number> {
   };
   const output = new PlantOutput(configuration, limits, clock, gateway, status);
   gateway.watch({ opened: () => output.signals.sender.connected() });
+  gateway.subscribe(VERSION_TOPIC, ({ data }) => compareVersions(log, data));
   const run = await load(plant.kind);
   for (const [namespace, urdf] of Object.entries({ ...robots, ...(robot === null ? {} : { '': robot }) }))
     gateway.publishKept(topicOf(namespace, ROBOT_DESCRIPTION), description(urdf));
@@ -73,7 +75,7 @@ function tellCoarse(status: AdapterStatus, log: Log, coarse: Nanoseconds | null)
 }
 
 function diagnosticsOf(name: string, status: AdapterStatus, gateway: GatewayLink): object {
-  const values = { ...status.values(), dropped: String(gateway.dropped) };
+  const values = { version: VERSION, ...status.values(), dropped: String(gateway.dropped) };
   return diagnostics(`plant/${name}`, status.level, status.message, values);
 }
 

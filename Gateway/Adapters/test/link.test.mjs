@@ -1,14 +1,14 @@
 // The connection of an adapter to a gateway, without a plant.
 import assert from 'node:assert/strict';
 import { createHash, X509Certificate } from 'node:crypto';
-import { writeFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { before, describe, it } from 'node:test';
 import { identity } from './opcua/identity.mjs';
 import { configuration } from './opcua/plant.mjs';
 import { freePort } from './opcua/server.mjs';
 import { parts } from './parts.mjs';
-import { start, until } from './program.mjs';
+import { adapters, start, until } from './program.mjs';
 import { RosbridgeDouble } from './rosbridge.mjs';
 import { temporaryFile } from './temporary.mjs';
 
@@ -28,6 +28,29 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     pin = `sha256/${createHash('sha256').update(new X509Certificate(own.der).publicKey.export({ type: 'spki', format: 'der' })).digest('base64')}`;
   });
   const tls = () => ({ key: own.pem, cert: own.cert });
+
+  it('Version_OfAnotherGateway_IsLoggedOnceAndOwnIsReported', async t => {
+    const bridge = await RosbridgeDouble.start(t);
+    const run = await adapter(t, bridge.url);
+    const isSubscription = ({ op, topic }) => op === 'subscribe' && topic === '/nowpose/version';
+    await until(() => bridge.heard.some(isSubscription), 'the subscription');
+    const { version } = JSON.parse(readFileSync(join(adapters, 'package.json'), 'utf8'));
+
+    for (const data of [version, '9.9.9', '9.9.9', '10.0.0']) bridge.send({ op: 'publish', topic: '/nowpose/version', msg: { data } });
+
+    await run.said('10.0.0');
+    assert.equal(run.err.split('9.9.9').length, 2);
+    assert.match(run.err, new RegExp(`9\\.9\\.9.*${version.replaceAll('.', '\\.')}`));
+    await until(() => bridge.state, 'diagnostics');
+    assert.equal(bridge.state.version, version);
+  });
+
+  it('Version_Option_PrintsTheVersion', async t => {
+    const run = start(t, ['--version']);
+
+    assert.equal(await run.ended, 0);
+    assert.match(run.out, /^\d+\.\d+\.\d+(\+[0-9a-f]{40})?\n$/);
+  });
 
   it('Token_OfEnvironment_IsSentAndNeverLogged', async t => {
     const bridge = await RosbridgeDouble.start(t, { tls: tls(), token: TOKEN });

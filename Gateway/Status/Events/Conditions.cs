@@ -159,6 +159,8 @@ sealed class Conditions(
                 // An adapter that has published samples was connected before.
                 IsNormalAtStart = Value("samples") is null or "0",
             };
+        if (NowposeVersion.MismatchOf(Value("version"), "it", "this gateway") is { } mismatch)
+            yield return new(kind, name, "does not fit this gateway", mismatch, Level.Warning);
         if (!isAdapter && Value("pose") is { } pose && !CurrentPoses.Contains(pose))
             yield return new(kind, name, "shows no current pose", ReasonOf(pose, Value("missing_joints")), Level.Warning)
             {

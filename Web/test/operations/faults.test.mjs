@@ -22,8 +22,8 @@ describe('faults', () => {
   it('are absent: title, place and status line show OK', async () => {
     const page = await open();
 
-    assert.equal(await page.title(), 'Press 3 · cell-pc · Nowpose 0.1.0');
-    assert.equal(await page.textContent('#place'), 'host cell-pc · Nowpose gateway 0.1.0');
+    assert.equal(await page.title(), 'Press 3 · cell-pc · Nowpose 0.2.0');
+    assert.equal(await page.textContent('#place'), 'host cell-pc · Nowpose gateway 0.2.0');
     assert.equal(await page.textContent('#status'), 'OK: 5 joints live, 2 headsets');
     assert.equal(await page.getAttribute('#status', 'class'), 'level ok');
     assert.ok(await page.locator('#alarms').isHidden());

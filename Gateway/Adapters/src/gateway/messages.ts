@@ -10,6 +10,9 @@ export const DIAGNOSTICS = '/nowpose/diagnostics';
 export const JOINT_STATUS = '/nowpose/joint_status';
 export const SIGNAL_STATUS = '/nowpose/signal_status';
 
+/** The topic of a gateway's version. */
+export const VERSION_TOPIC = '/nowpose/version';
+
 /** Gets the topic of a robot in a namespace; an empty namespace means none. */
 export const topicOf = (robot: string, topic: string): string => (robot === '' ? topic : `/${robot}${topic}`);
 
@@ -25,6 +28,7 @@ const TYPES: Record<string, string> = {
   [SIGNALS]: 'nowpose_msgs/msg/Signals',
   [DIAGNOSTICS]: 'diagnostic_msgs/msg/DiagnosticArray',
   [JOINT_STATUS]: 'diagnostic_msgs/msg/DiagnosticArray',
+  [VERSION_TOPIC]: 'std_msgs/msg/String',
   [SIGNAL_STATUS]: 'diagnostic_msgs/msg/DiagnosticArray',
 };
 

@@ -33,6 +33,23 @@ public class HeadsetFaultTests
         await Soon.BecomesAsync(() => _gateway.EventAsync("headset", "goggles").Result.GetProperty("what").GetString() == "is lost", "it is lost");
     }
 
+    [TestCase("goggles", "headset", "goggles")]
+    [TestCase("plant/press", "adapter", "press")]
+    public async Task Client_AnotherVersion_IsAWarningThatNamesBoth(string hardwareId, string kind, string name)
+    {
+        await _gateway.StartAsync();
+        _gateway.Report(hardwareId, ("pose", "current"), ("state", "connected"), ("version", "9.9.9"));
+
+        await _gateway.BeginsAsync(kind, name);
+
+        var found = await _gateway.EventAsync(kind, name);
+        Assert.That(found.GetProperty("reason").GetString(), Does.Contain("9.9.9").And.Contain(NowposeVersion.Text));
+        Assert.That(found.GetProperty("level").GetString(), Is.EqualTo("warning"));
+        Assert.That((await _gateway.GetAsync("/metrics")).Text, Does.Contain($"nowpose_version_mismatches{{kind=\"{kind}\"}} 1\n"));
+        _gateway.Report(hardwareId, ("pose", "current"), ("state", "connected"), ("version", NowposeVersion.Text));
+        await _gateway.EndsAsync(kind, name);
+    }
+
     [TestCase("held", "a", "the pose is held; missing joints: a. Check the sources of these joints.")]
     [TestCase("incomplete", "a", "the pose is incomplete; missing joints: a. Check the sources of these joints.")]
     [TestCase("held", "", "the pose is held. Check that samples reach the headset in time.")]

@@ -44,6 +44,9 @@ namespace Nowpose.Network
         /// <param name="robot">Namespace of the robot; empty for the robot without one.</param>
         void Described(string urdf, string robot = "");
 
+        /// <summary>Receives the version of the gateway.</summary>
+        void VersionReceived(string version);
+
         void Dropped(DropReason reason);
 
         /// <summary>Gets the displayed joints, up to twenty times a second; null if there are none or none new.</summary>

@@ -202,6 +202,7 @@ namespace Nowpose.Network
             else if (message.Signals != null) _listener.SignalsReceived(message.Signals, received.Arrival);
             else if (message.JointStatus != null) _listener.StatusReceived(message.JointStatus, received.Arrival);
             else if (message.SignalStatus != null) _listener.SignalStatusReceived(message.SignalStatus, received.Arrival);
+            else if (message.Data != null && message.RobotTopic.Kind == RosTopics.Version) _listener.VersionReceived(message.Data);
             else if (message.Data != null) DescriptionsOf(message.RobotTopic.Robot).Add(message.Data);
         }
 

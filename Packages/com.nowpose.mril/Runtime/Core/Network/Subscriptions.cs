@@ -34,6 +34,7 @@ namespace Nowpose.Network
             Add(RobotTopic.NameOf(robot, RosTopics.JointTrajectory), RosTopics.JointTrajectoryType);
             Add(RobotTopic.NameOf(robot, RosTopics.RobotDescription), RosTopics.StringType);
             Add(RosTopics.JointStatus, RosTopics.DiagnosticsType);
+            Add(RosTopics.Version, RosTopics.StringType);
         }
 
         /// <summary>Returns a topic in the order of adding, as soon as there are that many.</summary>

@@ -33,6 +33,7 @@ namespace Nowpose.Protocol
                 case RosTopics.Signals: into.Signals = _signals.Read(ref json); return into.Signals != null;
                 case RosTopics.Displayed: into.Displayed = _states.Read(ref json, isNamed: true); return into.Displayed != null;
                 case RosTopics.JointTrajectory: return ReadTrajectory(ref json, into);
+                case RosTopics.Version:
                 case RosTopics.RobotDescription: return ReadData(ref json, into);
                 case RosTopics.Diagnostics: return DiagnosticsReader.Read(ref json, into);
                 case RosTopics.JointStatus: into.JointStatus = JointStatusReader.Read(ref json); return into.JointStatus != null;

@@ -22,6 +22,9 @@ namespace Nowpose.Protocol
         /// </summary>
         public const string SignalStatus = "/nowpose/signal_status";
 
+        /// <summary>Version of the gateway: std_msgs/String, latched.</summary>
+        public const string Version = "/nowpose/version";
+
         /// <summary>Poses of moving frames of the cell: tf2_msgs/TFMessage.</summary>
         public const string Tf = "/tf";
 

@@ -42,7 +42,7 @@ namespace Nowpose.Protocol
         /// <summary>Body of a publication on /joint_trajectory, in any namespace.</summary>
         public JointTrajectoryMessage JointTrajectory { get; internal set; }
 
-        /// <summary>URDF text of a publication on /robot_description, in any namespace.</summary>
+        /// <summary>URDF text of a publication on /robot_description, in any namespace, or the version of one on /nowpose/version.</summary>
         public string Data { get; internal set; }
 
         /// <summary>Body of a publication on /tf or /tf_static.</summary>

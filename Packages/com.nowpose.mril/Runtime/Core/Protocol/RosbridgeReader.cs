@@ -22,7 +22,7 @@ namespace Nowpose.Protocol
 
         static readonly JsonNames Topics = new JsonNames(
             RosTopics.JointStates, RosTopics.Displayed, RosTopics.JointTrajectory, RosTopics.JointStatus, RosTopics.Diagnostics,
-            RosTopics.RobotDescription, RosTopics.Tf, RosTopics.TfStatic, RosTopics.Signals, RosTopics.SignalStatus);
+            RosTopics.RobotDescription, RosTopics.Tf, RosTopics.TfStatic, RosTopics.Signals, RosTopics.SignalStatus, RosTopics.Version);
 
         static readonly JsonNames Fields = new JsonNames(
             "op", "topic", "msg", "id", "type", "service", "throttle_rate", "queue_length", "level", "result");

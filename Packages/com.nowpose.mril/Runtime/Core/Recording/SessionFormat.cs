@@ -9,6 +9,6 @@ namespace Nowpose.Recording
         public const int Version = 1;
 
         /// <summary>Version of the package that writes the file.</summary>
-        public const string Package = "0.1.0";
+        public const string Package = NowposeVersion.Text;
     }
 }

@@ -79,6 +79,9 @@ namespace Nowpose.Session
 
         public SessionSettings Settings { get; }
 
+        /// <summary>A sentence if the version of the gateway does not fit this one; null if it fits or is unknown. Set on the socket's thread.</summary>
+        internal string VersionMismatch { get; set; }
+
         /// <summary>URDF text of the robot from the gateway, the newest valid one; null before. Thread-safe.</summary>
         public string RobotDescription => _main.Description.Text;
 

@@ -21,6 +21,7 @@ namespace Nowpose.Session
             }
             void AddMs(string key, TimeSpan? length) => AddNumber(key, length?.TotalMilliseconds);
 
+            Add("version", NowposeVersion.Text);
             Add("state", statistics.Clock.State.Word());
             AddPose(statistics, Add);
             if (statistics.Offset.HasValue)

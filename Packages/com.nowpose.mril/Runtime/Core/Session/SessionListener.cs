@@ -45,6 +45,8 @@ namespace Nowpose.Session
             if (receiver != null && !receiver.Description.Receive(urdf)) Dropped(DropReason.NotUrdf);
         }
 
+        public void VersionReceived(string version) => _session.VersionMismatch = NowposeVersion.MismatchOf(version, "the gateway", "this headset");
+
         public void Dropped(DropReason reason) => _session.Drops.Count(reason);
 
         public JointStateMessage Displayed() => _session.Displayed();

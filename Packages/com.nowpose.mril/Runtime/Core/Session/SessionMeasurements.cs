@@ -47,6 +47,7 @@ namespace Nowpose.Session
             into.SampleLink = session.SampleLink;
             into.Reprojection = session.Reprojection;
             into.DepthSubmission = session.DepthSubmission;
+            into.VersionMismatch = session.VersionMismatch;
             into.ProfileMismatches = session.ProfileMismatches;
             into.Security = session.Settings.Connection.Security;
         }

@@ -16,6 +16,9 @@ namespace Nowpose.Session
 
         public ClockModel Clock { get; internal set; }
 
+        /// <summary>See <see cref="CompensationSession.VersionMismatch"/>.</summary>
+        internal string VersionMismatch { get; set; }
+
         internal ClockSettings ClockSettings { get; set; } = ClockSettings.Default;
 
         /// <summary>Whether a display that uses <see cref="Clock"/> must also show its estimated error, by the session's settings.</summary>

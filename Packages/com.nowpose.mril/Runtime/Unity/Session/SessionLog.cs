@@ -13,7 +13,7 @@ namespace Nowpose.Unity.Session
     sealed class SessionLog
     {
         readonly Object _context;
-        string _sync, _samples;
+        string _sync, _samples, _versions;
         CompensationSession _followed;
         int _beyondLimits;
         IReadOnlyList<ConditionMismatch> _mismatches = Array.Empty<ConditionMismatch>();
@@ -25,7 +25,7 @@ namespace Nowpose.Unity.Session
         public void Warn(string message) => ConsoleLog.Warn(_context, message);
         public void Fail(string message) => ConsoleLog.Fail(_context, message);
 
-        /// <summary>Logs changes of the connections, limits and profile. Allocates only if there is a change.</summary>
+        /// <summary>Logs changes of the connections, limits, profile and versions. Allocates only if there is a change.</summary>
         public void Follow(CompensationSession session)
         {
             Follow(session.SyncLink, "clock sync", ref _sync);
@@ -34,6 +34,8 @@ namespace Nowpose.Unity.Session
             _followed = session;
             for (; _beyondLimits < session.BeyondLimits.Count; _beyondLimits++) Warn(session.BeyondLimits[_beyondLimits].Words);
             Follow(session.ProfileMismatches);
+            if (session.VersionMismatch != _versions && session.VersionMismatch != null) Warn(session.VersionMismatch);
+            _versions = session.VersionMismatch;
         }
 
         /// <summary>Logs a change. Allocates only for display times of the runtime and for joints without data; other texts are constants.</summary>

@@ -106,7 +106,7 @@ namespace Nowpose.Unity.Status
             var guidance = obstacle == null && isPairing ? pairing.Guidance : null;
             var fault = obstacle ?? FaultOf(statistics) ?? _missingJoints.Of(statistics) ?? FaultOf(parts, statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
                 ?? statistics?.BeyondLimits?.Words ?? DisplayWords.ProblemOf(statistics)
-                ?? (IsMismatched(statistics) ? statistics.ProfileMismatches[0].Words : null);
+                ?? (IsMismatched(statistics) ? statistics.ProfileMismatches[0].Words : null) ?? statistics?.VersionMismatch;
             if (guidance != null) SetMessage(guidance, "");
             else if (fault != null) SetMessage(fault, "! ");
             else SetMessage(_restingJoints.Of(statistics) ?? (ShowsJointErrors && statistics != null ? _joints.Of(statistics.JointErrors) : null), "");

@@ -73,9 +73,9 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(before.HardwareId, Is.EqualTo("left"));
             Assert.That(before.Values.Select(v => v.Key), Is.EqualTo(new[]
             {
-                "state", "pose", "missing_joints", "joint_status/shoulder", "joint_status/elbow", "l_visu_ms", "samples", "dropped",
+                "version", "state", "pose", "missing_joints", "joint_status/shoulder", "joint_status/elbow", "l_visu_ms", "samples", "dropped",
             }));
-            Assert.That(before.Values[0].Value, Is.EqualTo("unsynchronised"));
+            Assert.That(before.Values[1].Value, Is.EqualTo("unsynchronised"));
             Assert.That(before.Level, Is.EqualTo(2));
             Assert.That(before.Message, Does.EndWith("missing joints: shoulder,elbow"));
             Assert.That(after.Stamp, Is.EqualTo(ControlTime.FromSeconds(101.002)));

@@ -76,6 +76,16 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
+        public void Update_GatewayOfAnotherVersion_ShowsTheMismatch()
+        {
+            var texts = new StatusTexts();
+
+            texts.Update(Statistics(("VersionMismatch", NowposeVersion.MismatchOf("9.9.9", "the gateway", "this headset"))), Loopback, "test", null);
+
+            Assert.That(texts.ValueOf(StatusRow.Message).Replace('\n', ' '), Does.StartWith("! the gateway has version 9.9.9"));
+        }
+
+        [Test]
         public void Update_NewSession_ShowsUnknownValues()
         {
             Assert.That(Row(StatusRow.Pose), Does.StartWith("! no positions yet"));

@@ -1,0 +1,25 @@
+import { readFileSync } from 'node:fs';
+import type { Log } from './log';
+
+/** Set by the bundler, from package.json. */
+declare const NOWPOSE_VERSION: string;
+
+export const VERSION = NOWPOSE_VERSION;
+
+/** Gets the version and the commit from the file that the build writes beside this program; without it, the version alone. */
+export function versionWithCommit(): string {
+  try {
+    return readFileSync(new URL('version.txt', import.meta.url), 'utf8').trim();
+  } catch {
+    return VERSION;
+  }
+}
+
+/** Logs once if the version of a gateway does not fit: the major and the minor number must be the same. */
+export function compareVersions(log: Log, gateway: unknown): void {
+  if (typeof gateway !== 'string' || !/^\d{1,9}\.\d{1,9}\.\d{1,9}$/.test(gateway)) return;
+  if (seriesOf(gateway) === seriesOf(VERSION)) log.resume('version', `the gateway's version ${gateway} fits`);
+  else log.change('version', gateway, `the gateway has version ${gateway}, this adapter has ${VERSION}; install the same version`);
+}
+
+const seriesOf = (version: string): string => version.slice(0, version.lastIndexOf('.'));

@@ -1,0 +1,31 @@
+namespace Nowpose.Packing;
+
+/// <summary>The gateway's container image without a base image: the C libraries, and the packed program with its runtimes.</summary>
+public static class GatewayImage
+{
+    /// <summary>Number of the user app in the images of .NET, so that the same files serve both images.</summary>
+    public const int User = 1654;
+
+    /// <param name="libraries">Folder with the system's libraries at their places.</param>
+    /// <param name="program">Folder with the packed gateway.</param>
+    public static void Add(ImageLayout layout, string architecture, string containerfile, string libraries, string program)
+    {
+        var settings = ImageSettings.Read(containerfile, User);
+        layout.Add(
+            architecture, settings, ("C libraries and OpenSSL", ArchiveEntry.OfFolder(libraries, "")),
+            ("Nowpose gateway", [.. System(settings), .. ArchiveEntry.OfFolder(program, "opt/nowpose-gateway")]));
+    }
+
+    static IEnumerable<ArchiveEntry> System(ImageSettings settings) =>
+    [
+        ArchiveEntry.Folder("etc"),
+        ArchiveEntry.Folder("etc/nowpose"),
+        ArchiveEntry.Text("etc/passwd", $"root:x:0:0:root:/root:/bin/false\napp:x:{User}:{User}::/{settings.State}:/bin/false\n"),
+        ArchiveEntry.Text("etc/group", $"root:x:0:\napp:x:{User}:\n"),
+        ArchiveEntry.Folder("opt"),
+        ArchiveEntry.Folder("tmp") with { Mode = (UnixFileMode)0b1_111_111_111 },
+        ArchiveEntry.Folder("var"),
+        ArchiveEntry.Folder("var/lib"),
+        ArchiveEntry.Folder(settings.State) with { Owner = settings.UserId },
+    ];
+}

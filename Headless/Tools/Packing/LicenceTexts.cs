@@ -1,0 +1,36 @@
+using System.Text;
+using System.Xml.Linq;
+
+namespace Nowpose.Packing;
+
+/// <summary>The licences of NuGet packages with their texts.</summary>
+/// <param name="standard">Texts by SPDX identifier, for packages that state only the identifier. The first that is present is used.</param>
+public sealed class LicenceTexts(IReadOnlyDictionary<string, string> standard)
+{
+    readonly StringBuilder _text = new();
+
+    public override string ToString() => _text.ToString();
+
+    /// <param name="folder">The unpacked package.</param>
+    /// <exception cref="InvalidDataException">The package states no licence whose text is present.</exception>
+    public void Add(string folder)
+    {
+        var package = XDocument.Load(Directory.GetFiles(folder, "*.nuspec").Single()).Root!.Elements().Single(element => element.Name.LocalName == "metadata");
+        string Entry(string name) => package.Elements().FirstOrDefault(element => element.Name.LocalName == name)?.Value.Trim();
+
+        var title = $"{Entry("id")} {Entry("version")}, {Entry("license")}";
+        var own = Files(folder, "LICENSE*").Concat(Files(folder, "THIRD-PARTY-NOTICES*")).Select(File.ReadAllText).ToArray();
+        var text = own.Length > 0 ? string.Join("\n\n", own) : Standard(title, Entry("license"), Entry("copyright"));
+        _text.Append(title).Append("\n\n").Append(text.ReplaceLineEndings("\n").Trim()).Append("\n\n\n");
+    }
+
+    string Standard(string title, string licence, string copyright)
+    {
+        var known = (licence ?? "").Split(" OR ").FirstOrDefault(standard.ContainsKey)
+            ?? throw new InvalidDataException($"{title}: the package has no text of its licence; add one of {string.Join(", ", standard.Keys)}");
+        return $"{copyright}\n\n{standard[known]}";
+    }
+
+    static IEnumerable<string> Files(string folder, string pattern) => Directory
+        .GetFiles(folder, pattern, new EnumerationOptions { MatchCasing = MatchCasing.CaseInsensitive }).Order(StringComparer.Ordinal);
+}

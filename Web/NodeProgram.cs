@@ -1,0 +1,48 @@
+using System.ComponentModel;
+using System.Diagnostics;
+using System.Text;
+
+namespace Nowpose.Web;
+
+/// <summary>Starts scripts that were bundled for Node.js.</summary>
+public static class NodeProgram
+{
+    /// <summary>Gets the Node.js that a release includes beside the program, otherwise the machine's own.</summary>
+    /// <param name="folder">Folder of the program.</param>
+    public static string In(string folder)
+    {
+        var included = Path.Combine(folder, "node", OperatingSystem.IsWindows() ? "node.exe" : "node");
+        return File.Exists(included) ? included : "node";
+    }
+
+    /// <summary>Starts a script with redirected input and outputs.</summary>
+    /// <param name="needed">First part of the error message: for what Node.js is needed.</param>
+    /// <param name="prepare">Completes the settings; null for none.</param>
+    /// <exception cref="InputException">Node.js is missing, or was missing when this program was built.</exception>
+    public static Process Start(string needed, string script, IEnumerable<string> arguments, Action<Process> prepare = null)
+    {
+        if (!File.Exists(script)) throw new InputException($"{needed}; this program was built without it: install it and build again");
+        var process = new Process
+        {
+            StartInfo = new ProcessStartInfo(In(AppContext.BaseDirectory), [script, .. arguments])
+            {
+                RedirectStandardInput = true,
+                RedirectStandardOutput = true,
+                RedirectStandardError = true,
+                StandardInputEncoding = new UTF8Encoding(false),
+                StandardOutputEncoding = Encoding.UTF8,
+                StandardErrorEncoding = Encoding.UTF8,
+            },
+        };
+        prepare?.Invoke(process);
+        try
+        {
+            process.Start();
+            return process;
+        }
+        catch (Win32Exception e)
+        {
+            throw new InputException($"{needed}; it could not be started: {e.Message}. Install it from nodejs.org", e);
+        }
+    }
+}
