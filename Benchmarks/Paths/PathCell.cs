@@ -24,7 +24,7 @@ sealed class PathCell
     const double MinWithin = 0.99;
 
     readonly string _name;
-    readonly double _physicsMs, _ownErrorMs, _ownSkewPpm, _errorMs, _within;
+    readonly double _physicsMs, _ownErrorMs, _ownSkewPpm, _errorMs, _within, _statedMs;
     readonly bool _isSkewLimited;
 
     /// <param name="runs">Runs with the change.</param>
@@ -40,6 +40,7 @@ sealed class PathCell
         _errorMs = runs.Max(run => run.ErrorMs);
         SkewPpm = runs.Max(run => run.SkewPpm);
         _within = runs.Min(run => run.Within);
+        _statedMs = runs.Average(run => run.StatedMs);
     }
 
     /// <summary>Maximum deviation of the skew from its value before the change, ppm.</summary>
@@ -62,10 +63,10 @@ sealed class PathCell
         }
     }
 
-    /// <summary>Gets relative error, skew, and minimum share within the stated uncertainty; ** marks a missed limit.</summary>
+    /// <summary>Gets relative error, skew, minimum share within the stated uncertainty, and its mean; ** marks a missed limit.</summary>
     public override string ToString()
     {
-        var text = Text($"{_errorMs:0.00} / {_physicsMs:0.##} ms, {SkewPpm:0.0} ppm, {100 * _within:0} %");
+        var text = Text($"{_errorMs:0.00} / {_physicsMs:0.##} ms, {SkewPpm:0.0} ppm, {100 * _within:0} %, ± {_statedMs:0.00} ms");
         return Missed.Any() ? $"**{text}**" : text;
     }
 

@@ -7,7 +7,8 @@ namespace Nowpose.Benchmarks.Paths;
 /// <param name="ErrorMs">Maximum error from 5 s after the change on, ms.</param>
 /// <param name="SkewPpm">Maximum deviation of the skew from its previous value, in the same time, ppm.</param>
 /// <param name="Within">Share of that time in which the error is within the stated uncertainty.</param>
-readonly record struct PathRun(double ErrorMs, double SkewPpm, double Within)
+/// <param name="StatedMs">Mean of the stated uncertainty in that time, ms.</param>
+readonly record struct PathRun(double ErrorMs, double SkewPpm, double Within, double StatedMs)
 {
     const double ChangeAt = 150, Length = 400, Settling = 5, Step = 0.1;
     static readonly TimeSpan ReplyTime = TimeSpan.FromMicroseconds(20);
@@ -22,7 +23,7 @@ readonly record struct PathRun(double ErrorMs, double SkewPpm, double Within)
         var pace = new ExchangePace(Interval, Silence, new Random(seed));
         var (requests, replies) = (new TcpStream(link, start, 2 * seed), new TcpStream(link, start, (2 * seed) + 1));
         var (next, seen) = (start, 0.0);
-        var (skewBefore, error, skew) = (0.0, 0.0, 0.0);
+        var (skewBefore, error, skew, stated) = (0.0, 0.0, 0.0, 0.0);
         var (looks, within) = (0, 0);
         while (seen < Length)
         {
@@ -37,7 +38,7 @@ readonly record struct PathRun(double ErrorMs, double SkewPpm, double Within)
             next = due > exchange.T4 ? due : exchange.T4;
         }
 
-        return new PathRun(error, skew * 1e6, (double)within / looks);
+        return new PathRun(error, skew * 1e6, (double)within / looks, stated / looks);
 
         void Look(HeadsetTime at)
         {
@@ -49,6 +50,7 @@ readonly record struct PathRun(double ErrorMs, double SkewPpm, double Within)
             error = Math.Max(error, now);
             skew = Math.Max(skew, Math.Abs(model.Skew - skewBefore));
             looks++;
+            stated += model.EstimatedError.TotalMilliseconds;
             if (now <= model.EstimatedError.TotalMilliseconds) within++;
         }
     }

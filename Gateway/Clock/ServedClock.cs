@@ -18,8 +18,13 @@ public sealed class ServedClock : IControlClock
     {
         _own = own;
         _plant = plant;
+        system ??= TimeProvider.System;
         var systemClock = new SystemControlClock(system);
-        Stamps = new StampWatch(() => Now, () => ErrorBound, () => _plant.Control == null ? _own : null, () => systemClock.Now, system ?? TimeProvider.System);
+        var (start, count) = (systemClock.Now, system.GetTimestamp());
+        var isSystemServed = own is SystemControlClock;
+        Stamps = new StampWatch(
+            () => Now, () => ErrorBound, () => _plant.Control == null ? _own : null,
+            isSystemServed ? () => start + system.GetElapsedTime(count) : () => systemClock.Now, isSystemServed, system);
     }
 
     /// <summary>Compares the stamps of sources with this clock.</summary>

@@ -6,13 +6,19 @@ namespace Nowpose.Gateway.Clock;
 /// <summary>Detects contradictions between the served clock and the stamps of the sources. Thread-safe.</summary>
 /// <remarks>
 /// If a source stamps with system time and the control clock does not follow a correction of the system clock, the two differ from then
-/// on. The source's samples are then in the future and refused, or they are old. Only stamps without a plant clock are checked.
+/// on. The source's samples are then in the future and refused, or they are old. The same happens if the control clock is the system clock
+/// and a source does not follow its correction. Only stamps without a plant clock are checked.
 /// </remarks>
 /// <param name="control">The control clock.</param>
 /// <param name="own">The gateway's own clock; null while another one is the control clock.</param>
 /// <param name="errorBound">Maximum error of the control clock.</param>
-/// <param name="system">The system clock, Unix time.</param>
-sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Func<IControlClock> own, Func<ControlTime> system, TimeProvider time)
+/// <param name="other">
+/// The clock on which a source may be instead, Unix time: the system clock, or if that is the gateway's own clock, the system clock of the
+/// start, without its corrections since then.
+/// </param>
+/// <param name="isSystemServed">Whether the gateway's own clock is the system clock.</param>
+sealed class StampWatch(
+    Func<ControlTime> control, Func<TimeSpan> errorBound, Func<IControlClock> own, Func<ControlTime> other, bool isSystemServed, TimeProvider time)
 {
     /// <summary>Minimum correction that is reported. It is visible in a headset: 100 mm at 1 m/s.</summary>
     internal static readonly TimeSpan MinCorrection = TimeSpan.FromMilliseconds(100);
@@ -66,8 +72,8 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
     public void Add(HubSource source, ControlTime stamp, bool isRefused)
     {
         var age = control() - stamp;
-        var systemAge = system() - stamp;
-        var fitsSystem = !IsPlausible(age) && IsPlausible(systemAge);
+        var otherAge = other() - stamp;
+        var fitsOther = !IsPlausible(age) && IsPlausible(otherAge);
         var isAhead = age < -(MaxAhead + errorBound());
         lock (_lock)
         {
@@ -77,7 +83,7 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
                 _sources.Add(source, stamps = new SourceStamps { Usual = _usual.TryGetValue(source.Title, out var usual) ? usual : null });
             }
 
-            stamps.Add(Now, age, systemAge, isRefused, fitsSystem, isAhead);
+            stamps.Add(Now, age, otherAge, isRefused, fitsOther, isAhead);
         }
     }
 
@@ -118,14 +124,14 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
 
     void MeasureCorrection()
     {
-        if (own() is not { } clock)
+        if (own() is not { } clock || isSystemServed)
         {
             (_ahead, _correction) = (null, TimeSpan.Zero);
             return;
         }
 
         var before = clock.Now;
-        var shown = system();
+        var shown = other();
         if ((clock.Now - before).Duration() > MaxReading) return;
         var ahead = shown - before;
         if (_ahead == null) (_ahead, _since) = (ahead, before);
@@ -147,15 +153,21 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
         if (!counts.IsImplausible)
             return new StampWarning(
                 $"the stamps of the source {source} became {Length(counts.Shift.Duration())} {(counts.Shift > TimeSpan.Zero ? "older" : "newer")} by the "
-                    + $"control clock, but not by the system clock: they followed a correction of the system clock{same}",
-                Remedy, true);
+                    + $"control clock{(isSystemServed ? "" : ", but not by the system clock")}: {Cause}{same}",
+                CorrectionRemedy, true);
         var where = counts.Age < TimeSpan.Zero
             ? Text($"in the future of the control clock, by {Length(-counts.Age)}") : Text($"before the control clock, by {Length(counts.Age)}");
-        var fits = counts.FitsSystem && own() != null;
+        var fits = counts.FitsOther && own() != null;
         var reason = Text($"{counts.Percent:0} % of the samples of the source {source} have stamps that lie {where}")
-            + (fits ? ", and that fit the system clock" : "") + same;
-        return new StampWarning(reason, fits ? Remedy : "Set the clock of the source, or let its adapter offer that clock.", true);
+            + (!fits ? "" : isSystemServed ? ": " + Cause : ", and that fit the system clock") + same;
+        return new StampWarning(reason, fits ? CorrectionRemedy : SourceRemedy, true);
     }
+
+    string Cause => isSystemServed ? "they did not follow a correction of the system clock" : "they followed a correction of the system clock";
+
+    string CorrectionRemedy => isSystemServed ? SourceRemedy : Remedy;
+
+    const string SourceRemedy = "Set the clock of the source, or let its adapter offer that clock.";
 
     // Does not apply to the verb simulate, whose gateway also has this clock.
     const string Remedy = "Restart the gateway. Started as serve --own-clock system, it follows the system clock.";

@@ -5,11 +5,14 @@ sealed class SteppedTime : TimeProvider
 {
     static readonly DateTimeOffset Start = new(2026, 11, 20, 12, 0, 0, TimeSpan.Zero);
 
-    TimeSpan _now;
+    TimeSpan _now, _correction;
 
     public override long TimestampFrequency => TimeSpan.TicksPerSecond;
-    public override DateTimeOffset GetUtcNow() => Start + _now;
+    public override DateTimeOffset GetUtcNow() => Start + _now + _correction;
     public override long GetTimestamp() => _now.Ticks;
 
     public void Advance(TimeSpan by) => _now += by;
+
+    /// <summary>Corrects the system clock; the counter does not follow.</summary>
+    public void Correct(TimeSpan by) => _correction += by;
 }

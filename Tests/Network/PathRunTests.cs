@@ -9,7 +9,7 @@ namespace Nowpose.Headless.Tests.Network;
 public class PathRunTests
 {
     const double SizeMs = 4;
-    const int FirstSeed = 7000, Seeds = 2;
+    const int FirstSeed = 7000, Seeds = 2, SmallSeeds = 3;
 
     /// <summary>On a quiet link exchanges are rare when the path changes, and become frequent once the error bound of the clock has grown.</summary>
     [Test]
@@ -68,6 +68,52 @@ public class PathRunTests
     [TestCase("cellular", "longer and back")]
     public void Missed_SmallChange_IsEmpty(string link, string change) =>
         Assert.That(Cell(link, change, 0.5, ClockEstimators.Default).Missed, Is.Empty, $"seeds {FirstSeed} and up");
+
+    static IEnumerable<TestCaseData> SmallChanges =>
+        from link in LinkProfile.All
+        from change in PathChange.All
+        select new TestCaseData(link.Name, change.Name);
+
+    /// <summary>
+    /// Where half a millisecond is less than the jitter, no data distinguish it from a late packet for up to two minutes, and the estimate follows
+    /// it. The stated ± holds nevertheless. A shorter path is visible only from the first packet that needs less time than all before it.
+    /// </summary>
+    [TestCaseSource(nameof(SmallChanges))]
+    public void Within_ChangeTooSmallToRecognise_HoldsIn99Percent(string link, string name)
+    {
+        var runs = Play(link, Named(name), 0.5, ClockEstimators.Default, SmallSeeds);
+
+        Assert.That(runs.Average(run => run.Within), Is.GreaterThanOrEqualTo(0.99), $"seeds {FirstSeed} and up");
+        if (!name.Contains("shorter", StringComparison.Ordinal)) Assert.That(runs.Min(run => run.Within), Is.GreaterThanOrEqualTo(0.95));
+    }
+
+    /// <summary>Runs in which the ± was too small for 2 to 20 % of the time while it included only recognised changes.</summary>
+    [TestCase("bad", "requests longer", 20014)]
+    [TestCase("bad", "requests longer", 20025)]
+    [TestCase("bad", "replies longer", 20000)]
+    [TestCase("bad", "replies longer", 20006)]
+    [TestCase("bad", "requests longer, replies shorter", 20036)]
+    [TestCase("lossy", "requests longer", 20008)]
+    public void Within_EstimateFollowsASmallChange_Holds(string link, string name, int seed)
+    {
+        var run = PathRun.Play(LinkProfile.Named(link), Named(name), 0.5, ClockEstimators.Default, seed);
+
+        Assert.That(run.Within, Is.GreaterThanOrEqualTo(0.99));
+    }
+
+    /// <summary>The possible error of a change that is not recognised must not hide how accurate an undisturbed clock is.</summary>
+    [TestCase("clean", 0.1)]
+    [TestCase("wifi", 0.35)]
+    [TestCase("lossy", 0.5)]
+    [TestCase("cellular", 0.35)]
+    [TestCase("bad", 0.9)]
+    [TestCase("roaming", 0.5)]
+    public void StatedMs_PathUnchanged_IsSmall(string link, double maxMs)
+    {
+        var runs = Play(link, PathChange.None, 0, ClockEstimators.Default, SmallSeeds);
+
+        Assert.That(runs.Average(run => run.StatedMs), Is.LessThan(maxMs), $"seeds {FirstSeed} and up");
+    }
 
     /// <summary>The margin for a wrong skew hides the smaller change. Half of it is an error that the stated ± must include.</summary>
     [Test]
@@ -141,8 +187,8 @@ public class PathRunTests
     // The run without a change, shared by all changes.
     static readonly ConcurrentDictionary<(string Link, string Estimator), Lazy<PathRun[]>> Unchanged = new();
 
-    static PathRun[] Play(string link, PathChange change, double sizeMs, string estimator) =>
-        [.. Enumerable.Range(FirstSeed, Seeds).Select(seed => PathRun.Play(LinkProfile.Named(link), change, sizeMs, estimator, seed))];
+    static PathRun[] Play(string link, PathChange change, double sizeMs, string estimator, int seeds = Seeds) =>
+        [.. Enumerable.Range(FirstSeed, seeds).Select(seed => PathRun.Play(LinkProfile.Named(link), change, sizeMs, estimator, seed))];
 
     static PathChange Named(string name) => PathChange.All.Single(change => change.Name == name);
 }

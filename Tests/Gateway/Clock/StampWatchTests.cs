@@ -29,7 +29,7 @@ public class StampWatchTests
         var hub = new MessageHub();
         _sources = [.. new[] { "first", "second", "third" }.Select(name => Open(hub, name))];
         _log.Clear();
-        _watch = new StampWatch(() => _own.Now, () => _errorBound, () => _isOwnServed ? _own : null, () => System, _time);
+        _watch = new StampWatch(() => _own.Now, () => _errorBound, () => _isOwnServed ? _own : null, () => System, false, _time);
         _watch.Look(_log.Add);
     }
 
@@ -81,6 +81,33 @@ public class StampWatchTests
         _correction = TimeSpan.Zero;
         Run(1, () => System, withoutCorrection);
         Assert.That(_watch.IsContradicted, Is.False, "corrected back");
+    }
+
+    [TestCase(-0.11, "110 ms newer")]
+    [TestCase(-0.3, "in the future of the control clock, by 230 ms")]
+    [TestCase(0.11, "110 ms older")]
+    [TestCase(0.9, "900 ms older")]
+    [TestCase(2.5, "before the control clock, by 2.6 s")]
+    [TestCase(-3600.0, "in the future of the control clock, by 60.0 minutes")]
+    public void Look_ServedSystemClockCorrectedAndASourceDoesNotFollow_IsAContradictionOfThatSource(double seconds, string expected)
+    {
+        var clock = new SystemControlClock(_time);
+        var watch = new ServedClock(clock, new ServedClockTests.VirtualPlant().Clocks, _time).Stamps;
+        var uncorrected = TimeSpan.Zero;
+        var withoutCorrection = () => clock.Now - uncorrected;
+        Run(watch, clock, StampWatch.Seconds + 1, withoutCorrection, () => clock.Now);
+        Assert.That(watch.Warning, Is.Null);
+
+        uncorrected = TimeSpan.FromSeconds(seconds);
+        _time.Correct(uncorrected);
+        Run(watch, clock, StampWatch.Seconds, withoutCorrection, () => clock.Now);
+
+        Assert.That(watch.IsContradicted, Is.True);
+        Assert.That(watch.Found.Reason, Does.Contain("source first").And.Contain(expected).And.Contain("did not follow").And.Not.Contain("second"));
+        Assert.That(watch.Found.Remedy, Does.StartWith("Set the clock of the source"));
+
+        Run(watch, clock, StampWatch.Seconds + 1, () => clock.Now, () => clock.Now);
+        Assert.That(watch.Warning, Is.Null, "it follows now");
     }
 
     [Test]
@@ -237,8 +264,10 @@ public class StampWatchTests
         Assert.That(_watch.Warning, Is.Null);
     }
 
+    void Run(int seconds, params Func<ControlTime>[] sources) => Run(_watch, _own, seconds, sources);
+
     // Adds ten samples a second for each source and checks once a second.
-    void Run(int seconds, params Func<ControlTime>[] sources)
+    void Run(StampWatch watch, IControlClock control, int seconds, params Func<ControlTime>[] sources)
     {
         for (var i = 0; i < seconds * 10; i++)
         {
@@ -246,10 +275,10 @@ public class StampWatchTests
             foreach (var (source, name) in sources.Zip(_sources))
             {
                 var stamp = source() - Acquisition;
-                _watch.Add(name, stamp, stamp > _own.Now + Second);
+                watch.Add(name, stamp, stamp > control.Now + Second);
             }
 
-            if (i % 10 == 9) _watch.Look(_log.Add);
+            if (i % 10 == 9) watch.Look(_log.Add);
         }
     }
 

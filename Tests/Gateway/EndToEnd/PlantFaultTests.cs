@@ -14,7 +14,10 @@ public class PlantFaultTests
 {
     const string Joint = "arm_joint_3";
 
-    /// <summary>The documentation promises 2 s; the test prints the measured time. The limit allows for a busy machine.</summary>
+    /// <summary>The documented limit. The time in which the machine's processors were all busy is added to it.</summary>
+    static readonly TimeSpan Promise = TimeSpan.FromSeconds(2);
+
+    /// <summary>Limit on a busy machine, and where the kernel does not count that time.</summary>
     static readonly TimeSpan Limit = TimeSpan.FromSeconds(15);
 
     TemporaryFolder _folder;
@@ -71,8 +74,8 @@ public class PlantFaultTests
         var recovered = await ResultOfAsync(after);
 
         TestContext.Out.WriteLine($"{fault}: named after {Words(named)}; good again after {Words(good)}");
-        Assert.That(named.Values, Is.All.LessThan(Limit));
-        Assert.That(good.Values, Is.All.LessThan(Limit));
+        Assert.That(named.Values, Is.All.Matches<Delay>(delay => delay.IsKept));
+        Assert.That(good.Values, Is.All.Matches<Delay>(delay => delay.IsKept));
         var others = during.Joints.Where(joint => Text(joint, "name") != Joint).ToList();
         Assert.That(others, Has.Count.EqualTo(6).And.All.Matches<JsonElement>(
             joint => Text(joint, "state") == "live" && joint.GetProperty("age_s").GetDouble() < 1), "the other joints go on");
@@ -80,9 +83,9 @@ public class PlantFaultTests
         Assert.That(Names(seen, "missing_joints"), Is.EqualTo(new[] { Joint }), seen.ToString());
         Assert.That(Text(seen.GetProperty("joints")[0], "state"), Is.EqualTo(state));
         Assert.That(Text(seen.GetProperty("joints")[0], "reason"), Does.Match(reason));
-        var outage = seen.GetProperty("outages").EnumerateArray().Last();
-        Assert.That(Names(outage, "joints"), Is.EqualTo(new[] { Joint }));
-        Assert.That(Text(outage, "reason"), Does.Match(reason));
+        // A busy machine may delay the samples of the other joints during the same outage.
+        Assert.That(seen.GetProperty("outages").EnumerateArray(), Has.Some.Matches<JsonElement>(
+            outage => Names(outage, "joints").Contains(Joint) && Regex.IsMatch(Text(outage, "reason"), reason)), seen.ToString());
         Assert.That(Names(recovered, "missing_joints"), Is.Empty);
         // On a busy machine the last frame's pose may differ. This headset started with the fault, so all its stretches are after the repair.
         Assert.That(recovered.GetProperty("stretches").EnumerateArray(), Is.Not.Empty, recovered.ToString());
@@ -136,20 +139,21 @@ public class PlantFaultTests
 
     static IEnumerable<string> Names(JsonElement result, string key) => result.GetProperty(key).EnumerateArray().Select(joint => joint.GetString());
 
-    Task<Dictionary<string, TimeSpan>> GoodEverywhereAsync(DateTimeOffset since) => EverywhereAsync(since, (status, place) => status.IsGood(place), "all good");
+    Task<Dictionary<string, Delay>> GoodEverywhereAsync(DateTimeOffset since) => EverywhereAsync(since, (status, place) => status.IsGood(place), "all good");
 
     /// <summary>Waits until all places show a condition at the same time.</summary>
     /// <returns>Time from <paramref name="since"/> until each place first showed it.</returns>
-    async Task<Dictionary<string, TimeSpan>> EverywhereAsync(DateTimeOffset since, Func<ShownStatus, string, bool> shows, string what)
+    async Task<Dictionary<string, Delay>> EverywhereAsync(DateTimeOffset since, Func<ShownStatus, string, bool> shows, string what)
     {
-        var first = new Dictionary<string, TimeSpan>();
+        var first = new Dictionary<string, Delay>();
+        var waited = ProcessorPressure.Waited();
         var status = default(ShownStatus);
         await Soon.BecomesAsync(
             () =>
             {
                 status = ReadAsync().GetAwaiter().GetResult();
                 var showing = Places.Where(place => shows(status, place)).ToList();
-                foreach (var place in showing) first.TryAdd(place, DateTimeOffset.UtcNow - since);
+                foreach (var place in showing) first.TryAdd(place, new Delay(DateTimeOffset.UtcNow - since, ProcessorPressure.Waited() - waited));
                 return showing.Count == Places.Count;
             },
             () => $"{what}; only {string.Join(", ", first.Keys)}; {status}\n{_gateway.All}");
@@ -158,6 +162,15 @@ public class PlantFaultTests
 
     static long LastEvent(ShownStatus status) => status.Events.Select(one => one.GetProperty("id").GetInt64()).DefaultIfEmpty().Max();
 
-    static string Words(Dictionary<string, TimeSpan> times) =>
-        string.Join(", ", times.Select(pair => string.Create(CultureInfo.InvariantCulture, $"{pair.Key} {pair.Value.TotalSeconds:0.00} s")));
+    static string Words(Dictionary<string, Delay> delays) => string.Join(", ", delays.Select(pair => $"{pair.Key} {pair.Value}"));
+
+    /// <param name="Length">Time from the fault or the repair until a place showed it.</param>
+    /// <param name="Waited">Part of it in which a task waited for a processor; null if unknown.</param>
+    readonly record struct Delay(TimeSpan Length, TimeSpan? Waited)
+    {
+        public bool IsKept => Length < Limit && (Waited == null || Length - Waited < Promise);
+
+        public override string ToString() =>
+            string.Create(CultureInfo.InvariantCulture, $"{Length.TotalSeconds:0.00} s ({Waited?.TotalSeconds:0.00} s of it with busy processors)");
+    }
 }

@@ -59,7 +59,8 @@ public class EndFaultTests
 
     [TestCase(1.0)]
     [TestCase(-1.0)]
-    public async Task Clock_SteppedByASecond_IsDetectedAndFollowed(double seconds)
+    [TestCase(-0.1)]
+    public async Task Clock_Stepped_IsDetectedAndFollowed(double seconds)
     {
         var clock = new SteppingClock();
         await using var gateway = await Gateways.StartAsync(clock: clock);

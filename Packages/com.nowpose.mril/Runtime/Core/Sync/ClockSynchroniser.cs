@@ -170,7 +170,7 @@ namespace Nowpose.Sync
         TimeSpan EstimatedError(in ClockLine line, TimeSpan proven)
         {
             if (line.OffsetError == TimeSpan.Zero) return proven;
-            var likely = new TimeSpan(3 * line.OffsetError.Ticks) + _envelope.ServerErrorBound();
+            var likely = new TimeSpan(3 * line.OffsetError.Ticks) + _estimator.PathChangeError + _envelope.ServerErrorBound();
             return likely > proven ? proven : likely;
         }
 

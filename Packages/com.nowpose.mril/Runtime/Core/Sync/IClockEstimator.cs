@@ -1,3 +1,5 @@
+using System;
+
 namespace Nowpose.Sync
 {
     /// <summary>Estimates offset and skew from sync exchanges. Not thread-safe: <see cref="ClockSynchroniser"/> serialises the calls.</summary>
@@ -5,6 +7,9 @@ namespace Nowpose.Sync
     {
         /// <summary>The line after the newest exchange; <see cref="ClockLine.Exchanges"/> is 0 before the first.</summary>
         ClockLine Line { get; }
+
+        /// <summary>Possible error of the offset due to changes of the path that were not recognised, in addition to the standard error.</summary>
+        TimeSpan PathChangeError { get; }
 
         /// <param name="exchange">A checked exchange that is newer than all previous ones.</param>
         void Add(in SyncExchange exchange);

@@ -34,6 +34,9 @@ namespace Nowpose.Sync
 
         public ClockLine Line { get; private set; }
 
+        /// <summary>Zero: this estimator does not search for changes of the path.</summary>
+        public TimeSpan PathChangeError => TimeSpan.Zero;
+
         public void Restart(double skewUncertainty)
         {
             _points.Clear();

@@ -50,6 +50,7 @@ namespace Nowpose.Sync.Envelope
         readonly EnvelopeFit _fit;
         readonly MinDelay _up, _down;
         readonly OffsetMemory _memory = new OffsetMemory();
+        readonly UnrecognisedChange _unrecognised;
         readonly UnsampledPart _unsampledPart = new UnsampledPart();
         OffsetCurve _curve;
         double _expectedSkew, _steadySkew, _steadySkewError, _steadyBend;
@@ -62,9 +63,12 @@ namespace Nowpose.Sync.Envelope
             _fit = new EnvelopeFit(_below, _above);
             _up = new MinDelay(1, _history);
             _down = new MinDelay(-1, _history);
+            _unrecognised = new UnrecognisedChange(_below, _above, _history);
         }
 
         public ClockLine Line { get; private set; }
+
+        public TimeSpan PathChangeError { get; private set; }
 
         public void Restart(double skewUncertainty)
         {
@@ -75,6 +79,7 @@ namespace Nowpose.Sync.Envelope
             _up.Reset();
             _down.Reset();
             _memory.Reset();
+            _unrecognised.Reset();
             _exchanges = 0;
             Line = default;
         }
@@ -89,7 +94,11 @@ namespace Nowpose.Sync.Envelope
                 var steady = new OffsetCurve(_steadySkew, _steadyBend);
                 _up.Measure(steady);
                 _down.Measure(steady);
-                if (_up.Update(_down, _steadySkewError, resolution) | _down.Update(_up, _steadySkewError, resolution)) _memory.Explain();
+                if (_up.Update(_down, _steadySkewError, resolution) | _down.Update(_up, _steadySkewError, resolution))
+                {
+                    _memory.Explain();
+                    _unrecognised.Reset();
+                }
             }
             if (_exchanges++ == 0)
             {
@@ -112,6 +121,7 @@ namespace Nowpose.Sync.Envelope
                 proven.Nearest(_expectedSkew), Math.Min(SkewPrior, _skewUncertainty + SkewWander * running));
             _curve = _fit.Curve;
             Line = LineAt(newest.Received, middle, running, unsampled);
+            PathChangeError = ClockTicks.Span(_unrecognised.Error(_up, _down));
         }
 
         // Returns the maximum difference of bounds that are equally good.

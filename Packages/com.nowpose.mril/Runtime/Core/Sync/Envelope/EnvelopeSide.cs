@@ -108,6 +108,19 @@ namespace Nowpose.Sync.Envelope
                 _weights[i] = 1 / (_scale * _scale + _behind[i] * _behind[i] + Square(growth * _x[i] * _x[i]));
         }
 
+        /// <summary>Returns the weight of the blocks that start at a time or later, relative to the weight of all blocks.</summary>
+        /// <param name="x">Seconds since the reference time.</param>
+        public double WeightShareSince(double x)
+        {
+            double since = 0, all = 0;
+            for (var i = 0; i < Count; i++)
+            {
+                all += _weights[i];
+                if (_x[i] >= x) since += _weights[i];
+            }
+            return since / all;
+        }
+
         double Growth()
         {
             var x = _x[Math.Min(BlocksAtLeast, Count) - 1];

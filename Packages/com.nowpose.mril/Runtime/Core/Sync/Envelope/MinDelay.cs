@@ -49,6 +49,9 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Maximum length of a window in exchanges: 90 s at five per second.</summary>
         const int MaxWindow = 450;
 
+        /// <summary>Maximum number of measured bounds.</summary>
+        public const int MaxCount = MaxWindow + MaxEarlier;
+
         /// <summary>
         /// The oldest part of a window, one in this number, does not count for the size of a change: it may precede the change.
         /// </summary>
@@ -80,9 +83,9 @@ namespace Nowpose.Sync.Envelope
 
         readonly int _sign;
         readonly BoundsHistory _history;
-        readonly double[] _tightness = new double[MaxWindow + MaxEarlier];
+        readonly double[] _tightness = new double[MaxCount];
         readonly double[] _shorter = new double[ShorterWindow];
-        readonly double[] _lateness = new double[MaxWindow + MaxEarlier];
+        readonly double[] _lateness = new double[MaxCount];
         double _excess, _excessError, _referenceError, _hiddenError;
         int _count, _sinceChange, _sinceHidden, _sinceShorter, _looks;
 
@@ -99,8 +102,22 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Uncertainty of the corrections, s.</summary>
         public double Error => _excessError + _referenceError + _hiddenError;
 
+        /// <summary>Number of measured bounds.</summary>
+        public int Count => _count;
+
+        /// <summary>Returns the largest measured value of a range; larger values are tighter bounds. Only differences of values have a meaning.</summary>
+        /// <param name="from">Age of the newest bound of the range.</param>
+        /// <param name="to">Age after the oldest bound of the range.</param>
+        public double Tightest(int from, int to)
+        {
+            var max = double.NegativeInfinity;
+            for (var i = from; i < to; i++) max = Math.Max(max, _tightness[i]);
+            return max;
+        }
+
         public void Reset()
         {
+            _count = 0;
             _excess = _excessError = _referenceError = _hiddenError = 0;
             _sinceChange = _sinceShorter = _looks = 0;
         }
@@ -129,7 +146,7 @@ namespace Nowpose.Sync.Envelope
         }
 
         // Lateness of the tightest bound of a window; negative when it is tighter than the earlier ones.
-        double Lateness(int window, int earlier) => Max(window, earlier) - Max(0, window);
+        double Lateness(int window, int earlier) => Tightest(window, earlier) - Tightest(0, window);
 
         double Tightness(int age, OffsetCurve curve)
         {
@@ -142,7 +159,7 @@ namespace Nowpose.Sync.Envelope
         // A bound with too large a correction would be tighter than the data prove.
         void FollowShorterAgain(int count)
         {
-            var broken = Math.Min(_excess, _tightness[0] - Max(1, count));
+            var broken = Math.Min(_excess, _tightness[0] - Tightest(1, count));
             if (broken <= 0) return;
             // A smaller remainder is the lateness of single exchanges.
             if (_excess - broken < MinChange / 2) broken = _excess;
@@ -171,15 +188,15 @@ namespace Nowpose.Sync.Envelope
                 var duration = Duration(window);
                 if (duration < minDuration) continue;
                 var earlier = Math.Min(count, window + MaxEarlier);
-                var reference = Max(window, earlier);
-                newest = Math.Max(newest, Max(measured, window));
+                var reference = Tightest(window, earlier);
+                newest = Math.Max(newest, Tightest(measured, window));
                 measured = window;
                 var late = reference - newest;
                 if (late <= Margin(earlier, minChange, SkewErrorsLonger * skewError, resolution)) continue;
                 // A wrong skew makes one direction late and the other early by the same amount, and the minimum round-trip time is unchanged.
                 if (late + Math.Min(0, other.Lateness(window, earlier)) <= minChange + resolution) continue;
                 if (late <= Quantile(window, earlier, reference, 1 - Math.Exp(-significance / window))) continue;
-                var change = reference - Max(0, window - window / BoundaryShare);
+                var change = reference - Tightest(0, window - window / BoundaryShare);
                 var typicalSince = Quantile(0, window, reference - change, 0.5);
                 var typical = Quantile(window, earlier, reference, 0.5);
                 if (!isExpected && typicalSince > (1 + MaxScatterGrowth / Math.Sqrt(window)) * typical && duration < MinDurationScattered) continue;
@@ -198,7 +215,7 @@ namespace Nowpose.Sync.Envelope
         void Hide(int window, int earlier)
         {
             var late = Math.Abs(Lateness(window, earlier));
-            if (late <= Quantile(window, earlier, Max(window, earlier), 1 - Math.Exp(-HiddenSignificance / window))) return;
+            if (late <= Quantile(window, earlier, Tightest(window, earlier), 1 - Math.Exp(-HiddenSignificance / window))) return;
             _hiddenError += late / 2;
             _sinceHidden = 0;
         }
@@ -208,7 +225,7 @@ namespace Nowpose.Sync.Envelope
         {
             if (++_sinceShorter > Math.Min(count, MaxEarlier)) _sinceShorter = 0;
             if (_sinceShorter == 0) return;
-            var more = _tightness[0] - Max(1, _sinceShorter);
+            var more = _tightness[0] - Tightest(1, _sinceShorter);
             if (more <= 0) return;
             Shift(_sinceShorter, _history.Count, more);
             _referenceError += more / 2;
@@ -220,7 +237,7 @@ namespace Nowpose.Sync.Envelope
         {
             var earlier = Math.Min(count, ShorterWindow + MaxEarlier);
             // Excludes the recent bounds, because several small increases in a row would hide the change.
-            var reference = Max(ShorterWindow, earlier);
+            var reference = Tightest(ShorterWindow, earlier);
             var shorter = _tightness[0] - reference;
             int times = 0, first = 0;
             _shorter[_looks++ % ShorterWindow] = 0;
@@ -238,8 +255,8 @@ namespace Nowpose.Sync.Envelope
             _sinceShorter = first + 1;
             // Earlier bounds that were tighter by less than the margin belong to the shorter path as well.
             for (var age = first + 1; age < ShorterWindow; age++)
-                if (_tightness[age] > Max(age + 1, earlier)) _sinceShorter = age + 1;
-            var change = Max(0, _sinceShorter) - Max(_sinceShorter, earlier);
+                if (_tightness[age] > Tightest(age + 1, earlier)) _sinceShorter = age + 1;
+            var change = Tightest(0, _sinceShorter) - Tightest(_sinceShorter, earlier);
             Shift(_sinceShorter, _history.Count, change);
             _referenceError += change / 2;
             _looks = 0;
@@ -260,13 +277,6 @@ namespace Nowpose.Sync.Envelope
             for (var i = from; i < to; i++) _lateness[i - from] = reference - _tightness[i];
             Array.Sort(_lateness, 0, to - from);
             return _lateness[(int)Math.Ceiling(share * (to - from - 1))];
-        }
-
-        double Max(int from, int to)
-        {
-            var max = double.NegativeInfinity;
-            for (var i = from; i < to; i++) max = Math.Max(max, _tightness[i]);
-            return max;
         }
 
         void Shift(int from, int to, double seconds)

@@ -1,0 +1,102 @@
+using System;
+
+namespace Nowpose.Sync.Envelope
+{
+    /// <summary>
+    /// Estimates the error of the offset due to a change of the path that is not recognised yet, or that is too small to be recognised in
+    /// the scatter of the delays. Allocates nothing after construction.
+    /// </summary>
+    /// <remarks>
+    /// The tightest bounds of the newest exchanges are compared with those of all earlier ones, for every time at which the path may have
+    /// changed. The sum of both directions is the change of the minimum round-trip time, on which a wrong skew has little effect. The
+    /// offset follows a longer path in proportion to the weight of the exchanges since the change. A path that has become shorter shows
+    /// that the offset was wrong by half of the change.
+    /// </remarks>
+    sealed class UnrecognisedChange
+    {
+        /// <summary>Number of exchanges in a block. A change is assumed to lie between two blocks.</summary>
+        const int Block = 30;
+
+        /// <summary>Minimum number of blocks before a change.</summary>
+        const int MinEarlier = 2;
+
+        /// <summary>Lateness that is attributed to the scatter, relative to the mean: 1.4 standard deviations above it for exponential delays.</summary>
+        const double UsualFactor = 2;
+
+        /// <summary>
+        /// Minimum lateness of a longer path, relative to the mean, and minimum number of blocks that show it, for an error that remains after
+        /// the last exchange before the change has left the history. With exponential delays, chance exceeds it with a probability of 5·10⁻⁴ in
+        /// each window.
+        /// </summary>
+        const double RememberedFactor = 5;
+        const int MinRemembered = 10;
+
+        readonly EnvelopeSide _below, _above;
+        readonly BoundsHistory _history;
+        readonly double[] _tightest = new double[MinDelay.MaxCount / Block];
+        readonly double[] _late = new double[MinDelay.MaxCount / Block];
+        double _usual, _remembered;
+
+        public UnrecognisedChange(EnvelopeSide below, EnvelopeSide above, BoundsHistory history)
+        {
+            _below = below;
+            _above = above;
+            _history = history;
+        }
+
+        /// <summary>Reports that the estimate restarts, or that a change of the path was recognised and corrected.</summary>
+        public void Reset() => _remembered = 0;
+
+        /// <summary>Gets the maximum error over all possible times of a change, s.</summary>
+        /// <param name="up">Delays of the requests, measured up to the newest exchange; likewise <paramref name="down"/>.</param>
+        public double Error(MinDelay up, MinDelay down)
+        {
+            var blocks = up.Count / Block;
+            Array.Clear(_late, 0, blocks);
+            _usual = 0;
+            AddLateness(up, blocks);
+            AddLateness(down, blocks);
+            var error = 0.0;
+            for (var newest = 1; newest <= blocks - MinEarlier; newest++)
+            {
+                var late = _late[newest - 1];
+                // The best of more packets is less late.
+                var longer = late - UsualFactor * _usual / newest;
+                var shorter = -late - UsualFactor * _usual / (blocks - newest);
+                if (newest >= MinRemembered && late > RememberedFactor * _usual / newest) _remembered = Math.Max(_remembered, late / 2);
+                error = Math.Max(error, Math.Max(longer * Followed((newest + 1) * Block), shorter / 2));
+            }
+            return Math.Max(error, _remembered);
+        }
+
+        // Lateness of the newest blocks relative to all earlier ones, and the usual lateness of a single block.
+        void AddLateness(MinDelay delay, int blocks)
+        {
+            var newest = double.NegativeInfinity;
+            for (var i = 0; i < blocks; i++) _tightest[i] = delay.Tightest(i * Block, (i + 1) * Block);
+            for (var i = 0; i < blocks; i++)
+            {
+                newest = Math.Max(newest, _tightest[i]);
+                _late[i] -= newest;
+            }
+            var earlier = double.NegativeInfinity;
+            var sum = 0.0;
+            for (var i = blocks - 1; i >= 0; i--)
+            {
+                _late[i] += earlier;
+                earlier = Math.Max(earlier, _tightest[i]);
+                sum += _tightest[i];
+            }
+            if (blocks > 0) _usual += earlier - sum / blocks;
+        }
+
+        // Part of a change by which the offset has moved if these newest exchanges follow it. A line fitted to two sides, one of which has a
+        // step before the part f of its points, ends f/2 + 3f(1 − f)/2 of the step away from the line without the step.
+        double Followed(int newest)
+        {
+            var since = ClockTicks.Seconds(_history[Math.Min(newest, _history.Count) - 1].Sent - _history[0].Received);
+            var share = (_below.WeightShareSince(since) + _above.WeightShareSince(since)) / 2;
+            return share / 2 + 1.5 * share * (1 - share);
+        }
+    }
+}
