@@ -78,9 +78,10 @@ namespace Nowpose.Tests.Unity.Status
         [Test]
         public void Update_GatewayOfAnotherVersion_ShowsTheMismatch()
         {
+            var statistics = new SessionStatistics { VersionMismatch = NowposeVersion.MismatchOf("9.9.9", "the gateway", "this headset") };
             var texts = new StatusTexts();
 
-            texts.Update(Statistics(("VersionMismatch", NowposeVersion.MismatchOf("9.9.9", "the gateway", "this headset"))), Loopback, "test", null);
+            texts.Update(statistics, Loopback, "test", null);
 
             Assert.That(texts.ValueOf(StatusRow.Message).Replace('\n', ' '), Does.StartWith("! the gateway has version 9.9.9"));
         }
