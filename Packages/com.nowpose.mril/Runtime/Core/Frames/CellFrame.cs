@@ -24,6 +24,7 @@ namespace Nowpose.Frames
         HandOver _handOver;
         string _parent;
         ReachPlace _reach, _nextReach;
+        double _displayed = double.NaN;
         int _waitingCount;
         bool _isStationary, _isNextStationary, _isReachWaiting, _hasPose;
 
@@ -62,6 +63,13 @@ namespace Nowpose.Frames
         /// <summary>Stamp of the newest pose; null before the first, and for a stationary frame.</summary>
         public ControlTime? Newest => _isStationary ? null : _newest;
 
+        /// <summary>Returns whether a pose in another parent is older than the newest one, or than those in a third parent that wait.</summary>
+        public bool IsOvertaken(in FrameTransform pose)
+        {
+            if (_waitingCount > 0 && !_isNextStationary) return pose.Parent != _waiting[0].Parent && pose.Stamp <= _waiting[_waitingCount - 1].Stamp;
+            return pose.Parent != _parent && pose.Stamp <= Newest;
+        }
+
         /// <summary>Adds a received pose, whose parent may differ from the previous one.</summary>
         /// <param name="epoch">Time from which the predictor counts.</param>
         public DropReason Add(in FrameTransform pose, bool isStationary, ControlTime epoch)
@@ -72,7 +80,7 @@ namespace Nowpose.Frames
                 if (IsMovedBy(pose)) Put(null);
                 return Take(pose, epoch);
             }
-            if (_waitingCount > 0 && _waiting[0].Parent != pose.Parent) _waitingCount = 0;
+            if (_waitingCount > 0 && (_waiting[0].Parent != pose.Parent || _isNextStationary != isStationary)) _waitingCount = 0;
             if (_waitingCount == MaxWaiting) _waitingCount--;
             _waiting[_waitingCount++] = pose;
             _isNextStationary = isStationary;
@@ -122,6 +130,7 @@ namespace Nowpose.Frames
         /// <param name="parent">Displayed pose of the parent in the world.</param>
         public void Evaluate(double time, in RigidTransform parent, bool isParentCurrent)
         {
+            if (!double.IsNaN(time)) _displayed = time;
             var kind = PredictionKind.Interpolated;
             var pose = _reach != null ? _reach.Pose
                 : _isStationary ? _given : double.IsNaN(time) ? _predictor.Newest(out kind) : _predictor.At(time, out kind);
@@ -142,11 +151,13 @@ namespace Nowpose.Frames
         /// <summary>Discards the poses of a tracked frame, because their times are no longer valid. The displayed pose is kept.</summary>
         public void Reset()
         {
-            _waitingCount = 0;
+            // A stationary pose has no time, and is sent only once.
+            if (!_isNextStationary) _waitingCount = 0;
             _handOver = default;
             _shown = null;
             _reach = Reach?.WithoutTime();
             _isReachWaiting = false;
+            _displayed = double.NaN;
             if (_isStationary) return;
             _predictor.Reset();
             _newest = null;
@@ -169,6 +180,7 @@ namespace Nowpose.Frames
             if (hasFormerParent) _predictor?.ChangeParent();
             else _predictor?.Reset();
             _newest = null;
+            _displayed = double.NaN;
         }
 
         DropReason Take(in FrameTransform pose, ControlTime epoch)
@@ -180,7 +192,7 @@ namespace Nowpose.Frames
             }
             UnitQuaternion.TryNormalise(pose.Qx, pose.Qy, pose.Qz, pose.Qw, out var rotation);
             var outcome = _predictor.Add(new PoseSample(
-                ClockTicks.Seconds(pose.Stamp - epoch), new Vector3D(pose.X, pose.Y, pose.Z), rotation));
+                ClockTicks.Seconds(pose.Stamp - epoch), new Vector3D(pose.X, pose.Y, pose.Z), rotation), _displayed);
             if (!(pose.Stamp <= _newest) || outcome == SampleOutcome.StartedAnew) (_newest, _given) = (pose.Stamp, rotation.At(pose.X, pose.Y, pose.Z));
             return outcome == SampleOutcome.Duplicate ? DropReason.DuplicateSample
                 : outcome == SampleOutcome.TooOld ? DropReason.LateSample : DropReason.None;

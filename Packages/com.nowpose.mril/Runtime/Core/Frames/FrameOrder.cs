@@ -50,6 +50,7 @@ namespace Nowpose.Frames
             if (_places.Length < _frames.Count)
                 (_places, _placeOf, _isPlaced) = (new Place[2 * _frames.Count], new int[2 * _frames.Count], new bool[2 * _frames.Count]);
             Array.Clear(_isPlaced, 0, _isPlaced.Length);
+            Array.Fill(_placeOf, -1);
             _count = 0;
             for (var i = 0; i < _frames.Count; i++) Put(i);
         }
@@ -101,26 +102,35 @@ namespace Nowpose.Frames
         /// <param name="frame">Index of the frame, known at the last arrangement.</param>
         /// <param name="at">The time, and the same in seconds since the epoch of the predictors.</param>
         /// <param name="reach">The place that a gripper has given the frame; null if its own source places it.</param>
-        public RigidTransform PoseAt(int frame, ReachPlace reach, (ControlTime Time, double Seconds) at, out PoseOrigin origin)
+        public RigidTransform PoseAt(int frame, ReachPlace reach, (ControlTime Time, double Seconds) at, out PoseOrigin origin) =>
+            PoseAt(frame, reach, at, out origin, 0);
+
+        // A cycle has no pose: it ends after as many steps as there are frames.
+        RigidTransform PoseAt(int frame, ReachPlace reach, (ControlTime Time, double Seconds) at, out PoseOrigin origin, int steps)
         {
+            origin = PoseOrigin.None;
+            if (steps > _frames.Count) return _frames[frame].World;
             origin = PoseOrigin.Measured;
             var pose = reach != null ? reach.Pose : _frames[frame].PoseAt(at.Seconds, out origin);
             var place = PlaceIn(frame, reach?.Parent ?? _frames[frame].SourceParent);
             if (place.IsInWorld) return pose;
             var above = PoseOrigin.None;
-            if (place.Robot >= 0) pose = LinkAt(place.Robot, place.Parent, at, out above) * pose;
-            else if (place.Parent >= 0) pose = PoseAt(place.Parent, _frames[place.Parent].Reach, at, out above) * pose;
+            if (place.Robot >= 0) pose = LinkAt(place.Robot, place.Parent, at, out above, steps + 1) * pose;
+            else if (place.Parent >= 0) pose = PoseAt(place.Parent, _frames[place.Parent].Reach, at, out above, steps + 1) * pose;
             if (above < origin) origin = above;
             return pose;
         }
 
         /// <summary>Returns the pose of a robot's link in the world at a time other than the displayed one.</summary>
-        public RigidTransform LinkAt(int robot, int link, (ControlTime Time, double Seconds) at, out PoseOrigin origin)
+        public RigidTransform LinkAt(int robot, int link, (ControlTime Time, double Seconds) at, out PoseOrigin origin) =>
+            LinkAt(robot, link, at, out origin, 0);
+
+        RigidTransform LinkAt(int robot, int link, (ControlTime Time, double Seconds) at, out PoseOrigin origin, int steps)
         {
             var pose = _robots[robot].PoseAt(link, at.Time, out origin);
             var root = RootIndexOf(robot);
             if (root < 0) return pose;
-            pose = PoseAt(root, _frames[root].Reach, at, out var below) * pose;
+            pose = PoseAt(root, _frames[root].Reach, at, out var below, steps) * pose;
             if (below < origin) origin = below;
             return pose;
         }
@@ -153,6 +163,8 @@ namespace Nowpose.Frames
             var place = PlaceIn(index, _frames[index].Parent);
             var above = place.Robot < 0 ? place.Parent : _roots[place.Robot];
             if (above >= 0) Put(above);
+            // A gripper's reach, or a robot that is described after the frames, can close a cycle. A frame in it has no parent.
+            if (above >= 0 && _placeOf[above] < 0) place = new Place(index, -1, -1, isInWorld: false);
             _placeOf[index] = _count;
             _places[_count++] = place;
         }

@@ -52,8 +52,7 @@ namespace Nowpose.Frames
         public DropReason Add(in FrameTransform pose, bool isStationary)
         {
             var index = IndexOf(pose.Child);
-            if (index >= 0 && !isStationary && _frames[index].SourceParent != pose.Parent && pose.Stamp <= _frames[index].Newest)
-                return DropReason.LateSample;
+            if (index >= 0 && !isStationary && _frames[index].IsOvertaken(pose)) return DropReason.LateSample;
             var reason = _parents.TrySet(pose.Child, pose.Parent);
             if (reason != DropReason.None) return reason;
             if (!isStationary) _epoch ??= pose.Stamp;
@@ -123,9 +122,13 @@ namespace Nowpose.Frames
         /// <summary>Discards all poses of tracked frames, because their times are no longer valid. The displayed poses are kept.</summary>
         public void Reset()
         {
-            foreach (var frame in _frames) frame.Reset();
-            _epoch = null;
             _isHandedOver = false;
+            foreach (var frame in _frames)
+            {
+                frame.Reset();
+                _isHandedOver |= frame.IsBeingHandedOver;
+            }
+            _epoch = null;
             _isChanged = true;
         }
 

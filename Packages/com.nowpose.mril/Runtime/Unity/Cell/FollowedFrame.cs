@@ -52,7 +52,7 @@ namespace Nowpose.Unity.Cell
                 {
                     case PoseState.Current: return null;
                     case PoseState.Incomplete: return _frame == null ? _missing : "its parent is unknown";
-                    case PoseState.Held: return "its poses have stopped";
+                    case PoseState.Held: return _frame.State == FrameState.ParentNotCurrent ? "its parent is not current" : "its poses have stopped";
                     default: return PoseWords.Of(State);
                 }
             }

@@ -9,6 +9,9 @@ namespace Nowpose.Protocol.Cell
         // Parents are other children, links of robots, or the world.
         const int Names = 4 * ProtocolLimits.Frames;
 
+        /// <summary>Maximum magnitude of a coordinate, m: far outside a cell, and single precision still resolves 0.1 m.</summary>
+        const double MaxCoordinate = 1e6;
+
         static readonly JsonNames MessageFields = new JsonNames("transforms");
         static readonly JsonNames StampedFields = new JsonNames("header", "child_frame_id", "transform");
         static readonly JsonNames TransformFields = new JsonNames("translation", "rotation");
@@ -93,7 +96,11 @@ namespace Nowpose.Protocol.Cell
         {
             var seen = 0;
             if (!json.BeginObject()) return false;
-            while (json.NextField(fields, ref seen, out var field)) json.FiniteNumber(out into[first + field]);
+            while (json.NextField(fields, ref seen, out var field))
+            {
+                if (!json.FiniteNumber(out into[first + field])) continue;
+                if (fields == VectorFields && Math.Abs(into[first + field]) > MaxCoordinate) json.Fail(DropReason.OutOfRange);
+            }
             return json.EndObject(seen, fields == VectorFields ? 0b111 : 0b1111);
         }
     }

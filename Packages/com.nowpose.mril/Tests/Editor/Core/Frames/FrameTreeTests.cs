@@ -234,6 +234,70 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
+        public void Add_FormerParentWhileTheNewOneWaits_IsLate()
+        {
+            var tree = NewTree();
+            tree.Add(Pose(1, "world", "a"), isStationary: false);
+            tree.Add(Pose(1.1, "b", "a"), isStationary: false);
+
+            Assert.That(tree.Add(Pose(1.05, "world", "a"), isStationary: false), Is.EqualTo(DropReason.LateSample));
+            tree.Evaluate(At(1.12));
+            Assert.That(FrameOf(tree, "a").Parent, Is.EqualTo("b"));
+        }
+
+        [Test]
+        public void Reset_StationaryPoseWaits_IsUsedAfterwards()
+        {
+            var tree = NewTree();
+            tree.Add(Pose(1, "world", "a", 1), isStationary: false);
+            tree.Evaluate(At(1));
+            tree.Add(Pose(0, "world", "a", 2), isStationary: true);
+
+            tree.Reset();
+            tree.Evaluate(At(1));
+
+            Assert.That(FrameOf(tree, "a").IsStationary, Is.True);
+            Assert.That(FrameOf(tree, "a").State, Is.EqualTo(FrameState.Current));
+        }
+
+        /// <summary>A twin that puts the robot on the object in its gripper: the source's parents have no cycle, but the displayed ones do.</summary>
+        [Test]
+        public void Evaluate_ReachClosesACycle_EndsWithAnOrphan()
+        {
+            var arm = new MovingLinks("", TestRobot.Model);
+            var tree = NewTree();
+            tree.Add(arm);
+            tree.Add(Pose(0, "world", "part"), isStationary: true);
+            tree.Evaluate(At(1));
+            tree.Put(0, new ReachPlace(null, "tool_centre_point", RigidTransform.Identity, At(1), isReleased: false));
+            tree.Add(Pose(0, "part", TestRobot.Model.Root.Name), isStationary: true);
+
+            tree.Evaluate(At(1.1));
+
+            Assert.That(Enumerable.Range(0, tree.Count).Select(i => tree[i].State), Does.Contain(FrameState.Orphan));
+            Assert.That(double.IsFinite(tree.HeldOf(0).X + tree.HeldOf(1).X), Is.True);
+            tree.PoseAt(0, tree[0].Reach, At(1.1), out var origin);
+            Assert.That(origin, Is.EqualTo(PoseOrigin.None));
+            Assert.That(() => tree.IsBelow(0, 0), Throws.Nothing);
+        }
+
+        [TestCase(0, false)]
+        [TestCase(0.01, true)]
+        public void Add_DisplayedObject_IsContinuousIfBlended(double blend, bool isContinuous)
+        {
+            var tree = new FrameTree(() => new BodyPredictor("linear", new PredictionLimits(), blend));
+            for (var k = 0; k <= 10; k++) tree.Add(Pose(k * Sampling, "world", "box", k * k * Sampling * Sampling), isStationary: false);
+            var now = At(11 * Sampling + 0.05);
+            tree.Evaluate(now);
+            var before = FrameOf(tree, "box").World.X;
+
+            tree.Add(Pose(11 * Sampling, "world", "box", 11 * 11 * Sampling * Sampling), isStationary: false);
+            tree.Evaluate(now);
+
+            Assert.That(Math.Abs(FrameOf(tree, "box").World.X - before), isContinuous ? Is.LessThan(1e-9) : Is.GreaterThan(1e-3));
+        }
+
+        [Test]
         public void Add_Cycle_IsRefusedAndTheFormerParentStays()
         {
             var tree = NewTree();

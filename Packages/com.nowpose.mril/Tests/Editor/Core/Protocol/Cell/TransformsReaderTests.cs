@@ -82,6 +82,13 @@ namespace Nowpose.Tests.Core.Protocol.Cell
         static string Rotation(double x, double w) =>
             "{\"x\":" + x.ToString("R", CultureInfo.InvariantCulture) + ",\"y\":0,\"z\":0,\"w\":" + w.ToString("R", CultureInfo.InvariantCulture) + "}";
 
+        [Test]
+        public void TryRead_CoordinateFarOutsideACell_IsRefused()
+        {
+            Refuse(Publish(Transform(translation: "{\"x\":0,\"y\":-1.7e308,\"z\":0}")), DropReason.OutOfRange);
+            Refuse(Publish(Transform(translation: "{\"x\":1000001,\"y\":0,\"z\":0}")), DropReason.OutOfRange);
+        }
+
         [TestCase("NaN")]
         [TestCase("Infinity")]
         [TestCase("-Infinity")]
