@@ -5,11 +5,12 @@ using Nowpose.Session;
 namespace Nowpose.Cli.Headset;
 
 /// <summary>The result of a headset run. Null stands for values that were never known. Written as JSON in snake case.</summary>
+/// <param name="VersionMismatch">A sentence if the gateway's version does not fit; null if it fits or is unknown.</param>
 sealed record HeadsetResult(
     double Seconds, int Frames, string Robot, long Samples, long Dropped,
     HeadsetResult.ClockResult Clock, HeadsetResult.LatencyResult LatencyMs, HeadsetResult.PoseResult Pose, HeadsetResult.ErrorResult ToolErrorMm,
     IReadOnlyList<string> MissingJoints, IReadOnlyList<HeadsetResult.JointResult> Joints, IReadOnlyList<HeadsetResult.StretchResult> Stretches,
-    IReadOnlyList<HeadsetResult.OutageResult> Outages)
+    IReadOnlyList<HeadsetResult.OutageResult> Outages, string VersionMismatch)
 {
     static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower, WriteIndented = true };
 

@@ -121,7 +121,8 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
                 statistics.VisualisationLatency.TotalMilliseconds, statistics.EndToEndLatency?.TotalMilliseconds),
             pose, _stretches.Total,
             [.. statistics.JointStatuses.Where(joint => joint.IsMissing).Select(joint => joint.Joint)],
-            [.. statistics.JointStatuses.Select(HeadsetResult.JointResult.Of)], _stretches.Result(), outages);
+            [.. statistics.JointStatuses.Select(HeadsetResult.JointResult.Of)], _stretches.Result(), outages,
+            statistics.VersionMismatch);
         WhyFailed = HeadsetVerdict.FailureOf(pose, statistics, _wasTimeTrusted, outages);
         return result;
     }

@@ -11,6 +11,7 @@ static class HeadsetTable
         console.WriteLine($"{result.Robot}: results of a headset at this gateway");
         var grid = new Grid().AddColumn().AddColumn();
         void Row(string label, string value) => grid.AddRow(Markup.Escape(label), Markup.Escape(value));
+        if (result.VersionMismatch != null) Row("versions", result.VersionMismatch);
         var clock = result.Clock;
         Row("clock", $"{clock.State}, ± {Text(clock.EstimatedErrorUs, "0", " µs")} (proven ± {Text(clock.ErrorBoundUs, "0", " µs")}), {Text(clock.SkewPpm, "+0.0;-0.0;0.0", " ppm")}, "
             + $"round trip {Text(clock.RttMs, "0.00", " ms")}");

@@ -47,6 +47,7 @@ public class HeadsetVerbTests
         Assert.That(result.GetProperty("latency_ms").GetProperty("app_p50").GetDouble(), Is.GreaterThan(20));
         Assert.That(result.GetProperty("pose").GetProperty("current_share").GetDouble(), Is.GreaterThan(0));
         Assert.That(result.GetProperty("missing_joints").GetArrayLength(), Is.Zero);
+        Assert.That(result.GetProperty("version_mismatch").ValueKind, Is.EqualTo(JsonValueKind.Null));
         Assert.That(result.GetProperty("stretches")[0].GetProperty("tool_error_mm").GetProperty("hold_rms").GetDouble(), Is.GreaterThan(1));
         var frames = File.ReadLines(recording.Path).Where(line => line.Contains("\"kind\":\"frame\"")).Select(line => JsonDocument.Parse(line).RootElement).ToList();
         Assert.That(frames, Has.Count.GreaterThan(180));

@@ -35,6 +35,22 @@ public class RosbridgeConnectionTests
     }
 
     [Test]
+    public async Task Receive_VersionThenNewConnection_ForgetsTheVersion()
+    {
+        using (var first = await _played.Server.AcceptAsync())
+        {
+            await Send(first, RosbridgeWriter.PublishString(RosTopics.Version, "9.9.9"));
+            await Soon.BecomesAsync(() => _played.Listener.Versions.Count == 2, "the version");
+            await first.CloseOutputAsync(WebSocketCloseStatus.NormalClosure, "", CancellationToken.None);
+        }
+
+        using var second = await _played.Server.AcceptAsync();
+
+        await Soon.BecomesAsync(() => _played.Listener.Versions.Count == 3, "a new connection");
+        Assert.That(_played.Listener.Versions, Is.EqualTo(new[] { null, "9.9.9", null }));
+    }
+
+    [Test]
     public async Task Receive_IncompleteMessage_ClosesAndReconnects()
     {
         var socket = await _played.Server.AcceptAsync();

@@ -17,9 +17,11 @@ export function versionWithCommit(): string {
 
 /** Logs once if the version of a gateway does not fit: the major and the minor number must be the same. */
 export function compareVersions(log: Log, gateway: unknown): void {
-  if (typeof gateway !== 'string' || !/^\d{1,9}\.\d{1,9}\.\d{1,9}$/.test(gateway)) return;
-  if (seriesOf(gateway) === seriesOf(VERSION)) log.resume('version', `the gateway's version ${gateway} fits`);
-  else log.change('version', gateway, `the gateway has version ${gateway}, this adapter has ${VERSION}; install the same version`);
+  const series = typeof gateway === 'string' ? seriesOf(gateway) : undefined;
+  if (series === undefined) return;
+  if (series === seriesOf(VERSION)) log.resume('version', `the gateway's version ${gateway} fits`);
+  else log.change('version', String(gateway), `the gateway has version ${gateway}, this adapter has ${VERSION}; install the same version`);
 }
 
-const seriesOf = (version: string): string => version.slice(0, version.lastIndexOf('.'));
+/** Gets 0.2 of 0.2.0 and of 0.2.0-rc.1; undefined for a text that is no version. */
+const seriesOf = (version: string): string | undefined => /^(\d{1,9}\.\d{1,9})\.\d{1,9}([-+][0-9A-Za-z.+-]{1,64})?$/.exec(version)?.[1];

@@ -36,9 +36,10 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     await until(() => bridge.heard.some(isSubscription), 'the subscription');
     const { version } = JSON.parse(readFileSync(join(adapters, 'package.json'), 'utf8'));
 
-    for (const data of [version, '9.9.9', '9.9.9', '10.0.0']) bridge.send({ op: 'publish', topic: '/nowpose/version', msg: { data } });
+    for (const data of [version, `${version}-rc.1`, '9.9.9', '9.9.9', '10.0.0-rc.1+5ed38b99']) bridge.send({ op: 'publish', topic: '/nowpose/version', msg: { data } });
 
-    await run.said('10.0.0');
+    await run.said('10.0.0-rc.1+5ed38b99');
+    assert.doesNotMatch(run.err, new RegExp(`gateway has version ${version.replaceAll('.', '\\.')}`));
     assert.equal(run.err.split('9.9.9').length, 2);
     assert.match(run.err, new RegExp(`9\\.9\\.9.*${version.replaceAll('.', '\\.')}`));
     await until(() => bridge.state, 'diagnostics');

@@ -14,7 +14,7 @@ public class HeadsetTableTests
             new HeadsetResult.StretchResult(1.5, 8, 1, new HeadsetResult.ErrorResult(20, 40, 1, 2, 0.95, 0.01)),
             new HeadsetResult.StretchResult(12, 16, 0.98, new HeadsetResult.ErrorResult(20, 40, 4, 8, 0.8, 0.02)),
         ],
-        [new HeadsetResult.OutageResult(8, 12, "held", ["a3"], "joint a3: no data: node deleted")]);
+        [new HeadsetResult.OutageResult(8, 12, "held", ["a3"], "joint a3: no data: node deleted")], null);
 
     static string Printed(HeadsetResult result)
     {
@@ -45,6 +45,13 @@ public class HeadsetTableTests
         Assert.That(text, Does.Match(@"outage from 8\.0 to 12\.0 s +held: joint a3: no data: node deleted"));
         Assert.That(text, Does.Match(@"stretch 1: pose +current for 100\.0 % of the frames from 1\.5 to 8\.0 s"));
         Assert.That(text, Does.Match(@"stretch 2: tool, compensated +4\.00 mm RMS, 8\.00 mm P95"));
+    }
+
+    [Test]
+    public void Print_VersionMismatch_IsOneRow()
+    {
+        Assert.That(Printed(Result() with { VersionMismatch = "the gateway has 9.9.9" }), Does.Match(@"versions +the gateway has 9\.9\.9"));
+        Assert.That(Printed(Result()), Does.Not.Contain("versions"));
     }
 
     [Test]

@@ -1,5 +1,4 @@
-using System;
-using System.Globalization;
+using System.Text.RegularExpressions;
 
 namespace Nowpose
 {
@@ -8,8 +7,8 @@ namespace Nowpose
     {
         public const string Text = "0.2.0";
 
-        /// <summary>Maximum length of a version that another program reports.</summary>
-        const int MaxLength = 32;
+        // Three numbers, then optionally a pre-release and a build, which are not compared.
+        static readonly Regex Form = new Regex(@"^([0-9]{1,9}\.[0-9]{1,9})\.[0-9]{1,9}([-+][0-9A-Za-z.+-]{1,64})?\z");
 
         static readonly string Series = SeriesOf(Text);
 
@@ -30,14 +29,11 @@ namespace Nowpose
         public static string MismatchOf(string other, string name, string self) =>
             Fits(other) ? null : $"{name} has version {other}, {self} has {Text}; install the same version";
 
-        // "0.2" of "0.2.0"; null for a text that is no version.
+        // "0.2" of "0.2.0" and of "0.2.0-rc.1"; null for a text that is no version.
         static string SeriesOf(string version)
         {
-            if (version == null || version.Length > MaxLength) return null;
-            var numbers = version.Split('.');
-            return numbers.Length == 3 && Array.TrueForAll(numbers, IsNumber) ? numbers[0] + "." + numbers[1] : null;
+            var match = Form.Match(version ?? "");
+            return match.Success ? match.Groups[1].Value : null;
         }
-
-        static bool IsNumber(string text) => uint.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out _);
     }
 }

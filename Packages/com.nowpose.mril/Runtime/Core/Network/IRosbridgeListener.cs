@@ -44,7 +44,7 @@ namespace Nowpose.Network
         /// <param name="robot">Namespace of the robot; empty for the robot without one.</param>
         void Described(string urdf, string robot = "");
 
-        /// <summary>Receives the version of the gateway.</summary>
+        /// <summary>Receives the version of the gateway; null when a connection starts.</summary>
         void VersionReceived(string version);
 
         void Dropped(DropReason reason);

@@ -116,6 +116,8 @@ namespace Nowpose.Network
             using (var end = CancellationTokenSource.CreateLinkedTokenSource(_stop.Token))
             {
                 await OpenAsync(link).ConfigureAwait(false);
+                // Another gateway, or an older one that does not report its version, may answer now.
+                _listener.VersionReceived(null);
                 var subscribing = SubscribeAsync(sender, end.Token);
                 var receiving = ReceiveAsync(link, backoff, end.Token);
                 var tending = TendAsync(sender, end.Token);

@@ -34,8 +34,9 @@ namespace Nowpose.Unity.Session
             _followed = session;
             for (; _beyondLimits < session.BeyondLimits.Count; _beyondLimits++) Warn(session.BeyondLimits[_beyondLimits].Words);
             Follow(session.ProfileMismatches);
-            if (session.VersionMismatch != _versions && session.VersionMismatch != null) Warn(session.VersionMismatch);
-            _versions = session.VersionMismatch;
+            // Each connection reports it again: the same mismatch is logged once.
+            var versions = session.VersionMismatch;
+            if (versions != null && versions != _versions) Warn(_versions = versions);
         }
 
         /// <summary>Logs a change. Allocates only for display times of the runtime and for joints without data; other texts are constants.</summary>

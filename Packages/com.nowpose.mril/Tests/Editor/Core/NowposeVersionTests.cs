@@ -19,6 +19,15 @@ namespace Nowpose.Tests.Core
             Assert.That(NowposeVersion.MismatchOf(other, "the gateway", "this headset"), Does.Contain(other).And.Contain(NowposeVersion.Text));
         }
 
+        [TestCase("-rc.1")]
+        [TestCase("+5ed38b99")]
+        [TestCase("-rc.1+5ed38b99")]
+        public void Fits_PreReleaseOrBuild_IsNotCompared(string end)
+        {
+            Assert.That(NowposeVersion.Fits($"{Numbers[0]}.{Numbers[1]}.0{end}"), Is.True);
+            Assert.That(NowposeVersion.Fits($"{Numbers[0]}.{int.Parse(Numbers[1]) + 1}.0{end}"), Is.False);
+        }
+
         // Programs before 0.2.0 report none, and another rosbridge may report anything.
         [TestCase(null)]
         [TestCase("")]
@@ -27,6 +36,8 @@ namespace Nowpose.Tests.Core
         [TestCase("9.9.x")]
         [TestCase("9.9.9.9")]
         [TestCase("-9.9.9")]
+        [TestCase("9.9.9-")]
+        [TestCase("9.9.9-rc\n")]
         [TestCase("9.9.99999999999")]
         [TestCase("999999999999999999999999999999.9.9")]
         public void Fits_NoVersion_IsTrueAndHasNoMismatch(string text)
