@@ -5,9 +5,10 @@ const RESUMING = 5;
 
 const PROGRAM: Record<number, string> = { 0: 'stopping', 1: 'stopped', 2: 'playing', 3: 'pausing', 4: 'paused', 5: 'resuming' };
 
-/** Safety modes in which the arm is stopped, with the remedy. The other modes are normal, or reduced in speed. */
+/** Safety modes in which no program moves the arm, with the remedy. The other modes are normal, or reduced in speed. */
 const STOPS: Record<number, string> = {
   3: 'protective stop; find its cause, and release it on the teach pendant',
+  4: 'recovery mode; move the arm back within its safety limits with Freedrive or the Move tab of the teach pendant',
   5: 'safeguard stop; close the safeguard and continue on the teach pendant',
   6: 'system emergency stop; release the emergency stop of the cell',
   7: 'robot emergency stop; release the button on the teach pendant',
@@ -26,6 +27,7 @@ const STOP_BITS: [bit: number, mode: number][] = [
   [7, 6],
   [4, 5],
   [2, 3],
+  [3, 4],
 ];
 
 /** Robot modes in which the joints have no power, so that their angles are not measured. */

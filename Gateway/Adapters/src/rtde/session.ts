@@ -248,9 +248,11 @@ export class RtdeSession {
     this.#isReading = true;
     status.detail('program', program);
     status.detail('following_ms', this.#following.lagMs?.toFixed(1) ?? null);
-    if (program !== null && !isProgramRunning(cycle))
-      log.change('program', program, `the robot's program is ${program}; its positions are still sent`);
-    else log.resume('program', "the robot's program runs again");
+    if (lack === null) {
+      if (program !== null && !isProgramRunning(cycle))
+        log.change('program', program, `the robot's program is ${program}; its positions are still sent`);
+      else log.resume('program', "the robot's program runs again");
+    }
     status.notice(stop);
     return lack === null;
   }

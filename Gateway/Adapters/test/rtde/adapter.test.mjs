@@ -206,16 +206,31 @@ describe('rtde adapter', { concurrency: 4 }, () => {
 
   it('Robot_WithoutPower_HasNoPositionsUntilPowerOn', async t => {
     const robot = new RtdeRobot({ stands: true });
-    robot.state.mode = 3;
+    Object.assign(robot.state, { mode: 3, runtime: 1 });
     const { bridge, adapter } = await cell(t, robot);
 
     await adapter.said('waiting: the arm has no power (robot mode power off), so its joint angles are not measured; switch it on at the teach pendant');
+    await until(() => bridge.state?.program === 'stopped', 'the state of the program');
     assert.deepEqual(bridge.jointStates, []);
+    assert.doesNotMatch(adapter.err, /program/);
     robot.state.mode = 7;
 
     await statesOf(bridge);
     assert.equal(told(adapter).length, 2, adapter.err);
+    assert.equal(adapter.err.match(/program is stopped; its positions are still sent/g)?.length, 1, adapter.err);
   });
+
+  for (const [what, safety, bits] of [['Mode', 4, 0], ['Bit', null, 1 << 3]])
+    it(`Robot_InRecovery_IsReportedByThe${what}`, async t => {
+      const robot = new RtdeRobot({ missing: safety === null ? ['safety_mode'] : [] });
+      Object.assign(robot.state, { safety: safety ?? 0, bits });
+      const { bridge } = await cell(t, robot);
+
+      await until(() => bridge.status?.level === 1, 'a warning');
+
+      assert.match(bridge.status.message, /recovery mode; move the arm back within its safety limits/);
+      await statesOf(bridge);
+    });
 
   it('Robot_MovesInAModeWithoutPower_IsRead', async t => {
     const robot = new RtdeRobot();
