@@ -1,3 +1,4 @@
+using System;
 using Nowpose.Protocol;
 
 namespace Nowpose.Signals
@@ -19,6 +20,9 @@ namespace Nowpose.Signals
         public SignalTrack(string name) => Name = name;
 
         public string Name { get; }
+
+        /// <summary>Raised when all times are no longer valid. <see cref="Value"/> stays, and <see cref="Since"/> becomes null.</summary>
+        public event Action<SignalTrack> Restarted;
 
         /// <summary>Whether a change is visible.</summary>
         public bool IsKnown => _isVisible;
@@ -70,6 +74,7 @@ namespace Nowpose.Signals
             if (_isVisible) _changes[_count++] = new Change(Always, _changes[0].Value);
             if (!_isVisible || _changes[0].Value != newest) _changes[_count++] = new Change(Always, newest);
             Newest = null;
+            Restarted?.Invoke(this);
         }
 
         DropReason Replace(int place, double value)
