@@ -14,6 +14,7 @@ namespace Nowpose.Signals
 
         // Oldest first. The first is the visible one, once a display time has reached it.
         readonly Change[] _changes = new Change[Capacity];
+        readonly LateValues _late = new LateValues();
         int _count;
         bool _isVisible;
 
@@ -37,15 +38,11 @@ namespace Nowpose.Signals
         public ControlTime? Newest { get; private set; }
 
         /// <summary>Adds a received value, which may repeat the one before.</summary>
+        /// <remarks>When the stamps show that the source's clock went back, the signal restarts with the values that showed it.</remarks>
         public DropReason Add(ControlTime stamp, double value)
         {
-            var place = _count;
-            while (place > 0 && _changes[place - 1].Stamp > stamp) place--;
-            if (_isVisible && place == 0) return DropReason.LateSample;
-            if (place > 0 && _changes[place - 1].Stamp == stamp) return Replace(place - 1, value);
-            if (!(stamp <= Newest)) Newest = stamp;
-            if (place > 0 && _changes[place - 1].Value == value) _changes[place - 1].Confirm(stamp);
-            else Insert(place, stamp, value);
+            if (!_late.Add(stamp, value, Newest)) return Place(stamp, value);
+            StartAnew();
             return DropReason.None;
         }
 
@@ -77,7 +74,31 @@ namespace Nowpose.Signals
             if (_isVisible) _changes[_count++] = new Change(Always, _changes[0].Value);
             if (!_isVisible || _changes[0].Value != newest) _changes[_count++] = new Change(Always, newest);
             Newest = null;
+            _late.Clear();
             Restarted?.Invoke(this);
+        }
+
+        // The visible value stays until the display time reaches the first of the late ones; the others are of a past time line.
+        void StartAnew()
+        {
+            _count = 0;
+            if (_isVisible) _changes[_count++] = new Change(Always, _changes[0].Value);
+            Newest = null;
+            foreach (var (stamp, value) in _late.All) Place(stamp, value);
+            _late.Clear();
+            Restarted?.Invoke(this);
+        }
+
+        DropReason Place(ControlTime stamp, double value)
+        {
+            var place = _count;
+            while (place > 0 && _changes[place - 1].Stamp > stamp) place--;
+            if (_isVisible && place == 0) return DropReason.LateSample;
+            if (place > 0 && _changes[place - 1].Stamp == stamp) return Replace(place - 1, value);
+            if (!(stamp <= Newest)) Newest = stamp;
+            if (place > 0 && _changes[place - 1].Value == value) _changes[place - 1].Confirm(stamp);
+            else Insert(place, stamp, value);
+            return DropReason.None;
         }
 
         DropReason Replace(int place, double value)

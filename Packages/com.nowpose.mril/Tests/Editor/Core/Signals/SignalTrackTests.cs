@@ -98,6 +98,58 @@ namespace Nowpose.Tests.Core.Signals
             Assert.That(signal.Value, Is.EqualTo(messages.Find(each => each.Stamp == 10 + 0.01 * 29).Value));
         }
 
+        [TestCase(100, 1, 3)] // the source started anew
+        [TestCase(0.2, 0.01, 5)] // near enough for messages that were overtaken
+        public void Add_StampsOfTheSourceGoBack_StartsAnewWithTheLateValues(double step, double interval, int needed)
+        {
+            var signal = new SignalTrack("grip");
+            var restarts = 0;
+            signal.Restarted += _ => restarts++;
+            signal.Add(At(1000), 1);
+            signal.Next(At(1000));
+            var start = 1000 - step;
+
+            for (var k = 0; k < needed - 1; k++) signal.Add(At(start + k * interval), k % 2);
+            Assert.That((restarts, signal.Next(At(1000)), signal.Value), Is.EqualTo((0, false, 1.0)));
+            Assert.That(signal.Add(At(start + (needed - 1) * interval), (needed - 1) % 2), Is.EqualTo(DropReason.None));
+            Assert.That((restarts, signal.Value, signal.Since), Is.EqualTo((1, 1.0, (ControlTime?)null)));
+
+            for (var k = 0; k < needed; k++)
+                Assert.That((signal.Next(At(1000)), signal.Since, signal.Value), Is.EqualTo((true, (ControlTime?)At(start + k * interval), (double)(k % 2))));
+            Assert.That(signal.Next(At(1000)), Is.False);
+            Assert.That(signal.Add(At(start + needed * interval), 0.5), Is.EqualTo(DropReason.None));
+            Assert.That((signal.Next(At(1000)), signal.Value, restarts), Is.EqualTo((true, 0.5, 1)));
+        }
+
+        [Test]
+        public void Add_RepeatedValueConfirmedUntilTheStampsGoBack_FollowsTheNewTime()
+        {
+            var signal = new SignalTrack("grip");
+            for (var k = 0; k < 100; k++) signal.Add(At(900 + k), 1);
+            signal.Next(At(1000));
+
+            for (var k = 0; k < 20; k++) signal.Add(At(950 + k), k < 10 ? 1 : 0);
+            while (signal.Next(At(1000))) { }
+
+            Assert.That((signal.Since, signal.Value), Is.EqualTo(((ControlTime?)At(960), 0.0)));
+        }
+
+        [Test]
+        public void Add_SingleOldMessagesAmongNewOnes_DoNotRestart()
+        {
+            var signal = new SignalTrack("grip");
+            var restarts = 0;
+            signal.Restarted += _ => restarts++;
+            for (var k = 0; k < 100; k++)
+            {
+                signal.Add(At(1000 + 0.1 * k), k % 2);
+                signal.Next(At(1000 + 0.1 * k));
+                if (k % 5 < 2) signal.Add(At(10 + k), 0.5);
+            }
+
+            Assert.That((restarts, signal.Value), Is.EqualTo((0, 1.0)));
+        }
+
         [Test]
         public void Next_CorrectedToTheVisibleValue_IsNoChange()
         {
