@@ -53,6 +53,9 @@ sealed class PlayedCell : IDisposable
     /// <summary>Whether samples arrive.</summary>
     public bool IsPlantUp { get; set; } = true;
 
+    /// <summary>Sum of the steps of the control clock, s.</summary>
+    public double ControlStepSeconds { get; set; }
+
     /// <summary>Messages in the console.</summary>
     public IEnumerable<string> Messages => Player.Logs.Select(log => log.Message);
 
@@ -161,5 +164,5 @@ sealed class PlayedCell : IDisposable
         session.Listener.Received(new JointStateMessage(Control(now - Latency), _names, positions), now);
     }
 
-    static ControlTime Control(HeadsetTime at) => new(at.SinceEpoch - HeadsetMinusControl);
+    ControlTime Control(HeadsetTime at) => new(at.SinceEpoch - HeadsetMinusControl + TimeSpan.FromSeconds(ControlStepSeconds));
 }

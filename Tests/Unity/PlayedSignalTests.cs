@@ -159,6 +159,34 @@ public class PlayedSignalTests : PlayedParts
         Assert.That(part.Share, Is.EqualTo(1).Within(1e-6));
     }
 
+    [TestCase(-3600)]
+    [TestCase(3600)]
+    public void ActuatedPart_ControlClockSteps_StaysAtTheEndOfItsValueAndMovesFromThere(double step)
+    {
+        // Control times stay positive after the step.
+        _cell.ControlStepSeconds = 7200;
+        void Send(double value) =>
+            SendSignal("jaw", _cell.Now - Latency + _cell.ControlStepSeconds, value, Latency - _cell.ControlStepSeconds);
+        var part = Below<ActuatedPart>("jaw", _session.transform).With("_strokeMs", 300f);
+        Run(1);
+        Send(0);
+        Run(0.5);
+        Send(1);
+        Run(1);
+        var restarts = 0;
+        _session.Session.Restarted += (_, _) => restarts++;
+
+        _cell.ControlStepSeconds += step;
+        Run(5, seen: () => Assert.That(part.Share, Is.EqualTo(1).Within(1e-6)));
+        Assert.That(restarts, Is.EqualTo(1));
+
+        Send(0);
+        Run(0.03);
+        Assert.That(part.Share, Is.InRange(0.05, 0.95), "moves");
+        Run(0.5);
+        Assert.That(part.Share, Is.Zero.Within(1e-6));
+    }
+
     [Test]
     public void Rig_InANamespace_ShowsItsRobotOnItsMovingBase()
     {

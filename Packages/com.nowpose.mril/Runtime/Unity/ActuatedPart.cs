@@ -51,7 +51,7 @@ namespace Nowpose.Unity
             _restPosition = transform.localPosition;
             _restRotation = transform.localRotation;
             _stroke = new ActuatedStroke(0, 1, _strokeMs / 1000.0);
-            _follower = SignalFollower.Of(this, _session, "actuated part", Signal, Take);
+            _follower = SignalFollower.Of(this, _session, "actuated part", Signal, Take, restarted: Take);
             _source = this.SessionOr(_session);
             if (_source != null) _source.Shown += Show;
         }

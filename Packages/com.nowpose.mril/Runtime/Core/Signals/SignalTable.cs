@@ -18,6 +18,11 @@ namespace Nowpose.Signals
         /// </summary>
         public event Action<SignalTrack> Changed;
 
+        /// <summary>
+        /// Raised when the times of a signal are no longer valid, with the signal, whose visible value stays, see <see cref="SignalTrack.Restarted"/>.
+        /// </summary>
+        public event Action<SignalTrack> Restarted;
+
         public int Count => _signals.Count;
 
         public SignalTrack this[int index] => _signals[index];
@@ -36,7 +41,9 @@ namespace Nowpose.Signals
                 if (_signals.Count >= ProtocolLimits.Signals) return DropReason.TooManySignals;
                 index = _signals.Count;
                 _indices.Add(value.Name, index);
-                _signals.Add(new SignalTrack(value.Name));
+                var added = new SignalTrack(value.Name);
+                added.Restarted += signal => Restarted?.Invoke(signal);
+                _signals.Add(added);
             }
             return _signals[index].Add(stamp, value.Value);
         }

@@ -1,3 +1,4 @@
+using System;
 using Nowpose.Protocol;
 
 namespace Nowpose.Signals
@@ -13,12 +14,16 @@ namespace Nowpose.Signals
 
         // Oldest first. The first is the visible one, once a display time has reached it.
         readonly Change[] _changes = new Change[Capacity];
+        readonly LateValues _late = new LateValues();
         int _count;
         bool _isVisible;
 
         public SignalTrack(string name) => Name = name;
 
         public string Name { get; }
+
+        /// <summary>Raised when all times are no longer valid. <see cref="Value"/> stays, and <see cref="Since"/> becomes null.</summary>
+        public event Action<SignalTrack> Restarted;
 
         /// <summary>Whether a change is visible.</summary>
         public bool IsKnown => _isVisible;
@@ -33,17 +38,11 @@ namespace Nowpose.Signals
         public ControlTime? Newest { get; private set; }
 
         /// <summary>Adds a received value, which may repeat the one before.</summary>
+        /// <remarks>When the stamps show that the source's clock went back, the signal restarts with the values that showed it.</remarks>
         public DropReason Add(ControlTime stamp, double value)
         {
-            var place = _count;
-            while (place > 0 && _changes[place - 1].Stamp > stamp) place--;
-            if (_isVisible && place == 0) return DropReason.LateSample;
-            if (place > 0 && _changes[place - 1].Stamp == stamp) return Replace(place - 1, value);
-            if (!(stamp <= Newest)) Newest = stamp;
-            if (place > 0 && _changes[place - 1].Value == value) return DropReason.None;
-            // The value at the later time was not a change, although its message arrived first.
-            if (place < _count && _changes[place].Value == value) _changes[place] = new Change(stamp, value);
-            else Insert(place, new Change(stamp, value));
+            if (!_late.Add(stamp, value, Newest)) return Place(stamp, value);
+            StartAnew();
             return DropReason.None;
         }
 
@@ -51,6 +50,11 @@ namespace Nowpose.Signals
         /// <returns>Whether one has become visible. Call again until there is none, so that no change is missed.</returns>
         public bool Next(ControlTime at)
         {
+            while (_isVisible && _count > 1 && _changes[1].Stamp <= at && _changes[1].Value == Value)
+            {
+                _changes[0].Confirm(_changes[1].Confirmed);
+                Remove(1);
+            }
             var next = _isVisible ? 1 : 0;
             if (next >= _count || _changes[next].Stamp > at) return false;
             if (_isVisible) Remove(0);
@@ -70,6 +74,31 @@ namespace Nowpose.Signals
             if (_isVisible) _changes[_count++] = new Change(Always, _changes[0].Value);
             if (!_isVisible || _changes[0].Value != newest) _changes[_count++] = new Change(Always, newest);
             Newest = null;
+            _late.Clear();
+            Restarted?.Invoke(this);
+        }
+
+        // The visible value stays until the display time reaches the first of the late ones; the others are of a past time line.
+        void StartAnew()
+        {
+            _count = 0;
+            if (_isVisible) _changes[_count++] = new Change(Always, _changes[0].Value);
+            Newest = null;
+            foreach (var (stamp, value) in _late.All) Place(stamp, value);
+            _late.Clear();
+            Restarted?.Invoke(this);
+        }
+
+        DropReason Place(ControlTime stamp, double value)
+        {
+            var place = _count;
+            while (place > 0 && _changes[place - 1].Stamp > stamp) place--;
+            if (_isVisible && place == 0) return DropReason.LateSample;
+            if (place > 0 && _changes[place - 1].Stamp == stamp) return Replace(place - 1, value);
+            if (!(stamp <= Newest)) Newest = stamp;
+            if (place > 0 && _changes[place - 1].Value == value) _changes[place - 1].Confirm(stamp);
+            else Insert(place, stamp, value);
+            return DropReason.None;
         }
 
         DropReason Replace(int place, double value)
@@ -79,8 +108,22 @@ namespace Nowpose.Signals
             return DropReason.None;
         }
 
+        void Insert(int place, ControlTime stamp, double value)
+        {
+            // The value before was received again with a later stamp, so the signal had it again by then.
+            var isBetween = place > 0 && _changes[place - 1].Confirmed > stamp;
+            if (isBetween) place = Insert(place, _changes[place - 1].Divide());
+            // The value at the later time was not a change, although its message arrived first.
+            else if (place < _count && _changes[place].Value == value)
+            {
+                _changes[place].MoveTo(stamp);
+                return;
+            }
+            Insert(place, new Change(stamp, value));
+        }
+
         // When full, the oldest change that is not visible yet is lost, because newer ones replace it.
-        void Insert(int place, in Change change)
+        int Insert(int place, in Change change)
         {
             if (_count == Capacity)
             {
@@ -90,6 +133,7 @@ namespace Nowpose.Signals
             }
             for (var i = _count++; i > place; i--) _changes[i] = _changes[i - 1];
             _changes[place] = change;
+            return place;
         }
 
         void Remove(int place)
@@ -98,16 +142,34 @@ namespace Nowpose.Signals
             for (var i = place; i < _count; i++) _changes[i] = _changes[i + 1];
         }
 
-        readonly struct Change
+        struct Change
         {
             public Change(ControlTime stamp, double value)
             {
-                Stamp = stamp;
+                Stamp = Confirmed = stamp;
                 Value = value;
             }
 
-            public ControlTime Stamp { get; }
+            public ControlTime Stamp { get; private set; }
             public double Value { get; }
+
+            /// <summary>Newest stamp with which the value was received.</summary>
+            public ControlTime Confirmed { get; private set; }
+
+            public void Confirm(ControlTime stamp)
+            {
+                if (stamp > Confirmed) Confirmed = stamp;
+            }
+
+            public void MoveTo(ControlTime stamp) => Stamp = stamp;
+
+            /// <summary>Returns the confirmation as a change of its own, and forgets it here.</summary>
+            public Change Divide()
+            {
+                var confirmed = new Change(Confirmed, Value);
+                Confirmed = Stamp;
+                return confirmed;
+            }
         }
     }
 }

@@ -14,13 +14,15 @@ namespace Nowpose.Unity.Cell
         readonly string _name;
         readonly string _title;
         readonly Action<SignalTrack> _changed;
+        readonly Action<SignalTrack> _restarted;
         CompensationSession _session;
 
-        SignalFollower(MrilSession source, string name, Action<SignalTrack> changed)
+        SignalFollower(MrilSession source, string name, Action<SignalTrack> changed, Action<SignalTrack> restarted)
         {
             _source = source;
             _name = name;
             _changed = changed;
+            _restarted = restarted;
             _title = "signal " + name;
             _source.Shown += Show;
             _source.Parts.Add(this);
@@ -37,11 +39,13 @@ namespace Nowpose.Unity.Cell
         /// <summary>Starts to follow a signal in the session of a component.</summary>
         /// <param name="kind">Kind of the component, for the warning if it has no session.</param>
         /// <param name="changed">Called with each change when it becomes visible, in order, and with the value at the start.</param>
+        /// <param name="restarted">Called when the times of the signal are no longer valid, with the value that stays; null for nothing.</param>
         /// <returns>Null without a session.</returns>
-        public static SignalFollower Of(Component component, MrilSession assigned, string kind, string name, Action<SignalTrack> changed)
+        public static SignalFollower Of(
+            Component component, MrilSession assigned, string kind, string name, Action<SignalTrack> changed, Action<SignalTrack> restarted = null)
         {
             var source = component.RequiredSession(assigned, kind);
-            return source == null ? null : new SignalFollower(source, name, changed);
+            return source == null ? null : new SignalFollower(source, name, changed, restarted);
         }
 
         /// <summary>Returns why a signal's value is not current, in one line; null if it is.</summary>
@@ -64,12 +68,17 @@ namespace Nowpose.Unity.Cell
 
         void Follow(CompensationSession session)
         {
-            if (_session != null) _session.Signals.Table.Changed -= Take;
+            if (_session != null)
+            {
+                _session.Signals.Table.Changed -= Take;
+                _session.Signals.Table.Restarted -= Restart;
+            }
             Track = null;
             _session = session;
             if (session == null) return;
             session.Signals.Need();
             session.Signals.Table.Changed += Take;
+            session.Signals.Table.Restarted += Restart;
             var known = session.Signals.Table.IndexOf(_name);
             if (known >= 0 && session.Signals.Table[known].IsKnown) Take(session.Signals.Table[known]);
         }
@@ -79,6 +88,11 @@ namespace Nowpose.Unity.Cell
             if (signal.Name != _name) return;
             Track = signal;
             _changed(signal);
+        }
+
+        void Restart(SignalTrack signal)
+        {
+            if (signal == Track) _restarted?.Invoke(signal);
         }
     }
 }

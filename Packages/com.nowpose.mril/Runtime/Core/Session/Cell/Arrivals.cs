@@ -12,13 +12,16 @@ namespace Nowpose.Session.Cell
 
         /// <param name="dropped">The oldest message, if the queue was full.</param>
         /// <returns>Whether a message was dropped.</returns>
-        public bool Add(T message, HeadsetTime at, out T dropped)
+        public bool Add(T message, HeadsetTime at, out T dropped) => Add(message, at, out dropped, out _);
+
+        /// <param name="dropped">The oldest message, if the queue was full.</param>
+        /// <param name="droppedAt">Its arrival.</param>
+        /// <returns>Whether a message was dropped.</returns>
+        public bool Add(T message, HeadsetTime at, out T dropped, out HeadsetTime droppedAt)
         {
             _queue.Enqueue((message, at));
-            dropped = default;
-            if (_queue.Count <= _capacity || !_queue.TryDequeue(out var oldest)) return false;
-            dropped = oldest.Message;
-            return true;
+            (dropped, droppedAt) = default((T, HeadsetTime));
+            return _queue.Count > _capacity && TryTake(out dropped, out droppedAt);
         }
 
         public bool TryTake(out T message, out HeadsetTime at)

@@ -17,6 +17,8 @@ namespace Nowpose.Session.Cell
         const int QueueLength = 1000;
 
         readonly Arrivals<SignalsMessage> _arrivals = new Arrivals<SignalsMessage>(QueueLength);
+        readonly NewestSignals _overflow = new NewestSignals();
+        readonly List<ArrivedSignal> _kept = new List<ArrivedSignal>();
         readonly Subscriptions _subscriptions;
         readonly DropCounters _drops;
         // Replaced as a whole by the receiving thread.
@@ -43,11 +45,14 @@ namespace Nowpose.Session.Cell
             _subscriptions.Add(RosTopics.SignalStatus, RosTopics.DiagnosticsType);
         }
 
-        /// <summary>Queues a message for the next frame with a known control time. Thread-safe.</summary>
+        /// <summary>
+        /// Queues a message for the next frame with a known control time. When the queue is full, the newest value of each signal is kept.
+        /// Thread-safe.
+        /// </summary>
         public void Add(SignalsMessage message, HeadsetTime arrival)
         {
-            if (!_arrivals.Add(message, arrival, out var oldest)) return;
-            _drops.Count(DropReason.SlowReader);
+            if (!_arrivals.Add(message, arrival, out var oldest, out var oldestArrival)) return;
+            for (var i = 0; i < oldest.Count; i++) _drops.Count(_overflow.Keep(new ArrivedSignal(oldest[i], oldest.Stamp, oldestArrival)));
             oldest.Release();
         }
 
@@ -74,20 +79,23 @@ namespace Nowpose.Session.Cell
         public void Show(in DisplayMoment moment)
         {
             if (!(moment.DisplayTime is ControlTime light)) return;
-            while (_arrivals.TryTake(out var message, out var arrival)) Take(message, moment.Clock, arrival);
+            _overflow.Take(_kept);
+            foreach (var kept in _kept) Take(kept, moment.Clock);
+            _kept.Clear();
+            while (_arrivals.TryTake(out var message, out var arrival))
+            {
+                for (var i = 0; i < message.Count; i++) Take(new ArrivedSignal(message[i], message.Stamp, arrival), moment.Clock);
+                message.Release();
+            }
             Table.Evaluate(light);
         }
 
-        void Take(SignalsMessage message, in ClockModel clock, HeadsetTime arrival)
+        void Take(in ArrivedSignal signal, in ClockModel clock)
         {
-            var isInFuture = StampRule.IsInFuture(message.Stamp, clock.ToControl(arrival), clock.ErrorBound);
-            for (var i = 0; i < message.Count; i++)
-            {
-                var reason = isInFuture ? DropReason.StampInFuture : Table.Add(message.Stamp, message[i]);
-                _drops.Count(reason);
-                Judged?.Invoke(message[i], message.Stamp, arrival, reason);
-            }
-            message.Release();
+            var isInFuture = StampRule.IsInFuture(signal.Stamp, clock.ToControl(signal.Arrival), clock.ErrorBound);
+            var reason = isInFuture ? DropReason.StampInFuture : Table.Add(signal.Stamp, signal.Value);
+            _drops.Count(reason);
+            Judged?.Invoke(signal.Value, signal.Stamp, signal.Arrival, reason);
         }
     }
 }

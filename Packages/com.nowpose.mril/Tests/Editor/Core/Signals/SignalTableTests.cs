@@ -94,6 +94,20 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
+        public void Restart_ValueStays_IsReported()
+        {
+            var table = new SignalTable();
+            var seen = new List<(double Value, ControlTime? Since)>();
+            table.Restarted += signal => seen.Add((signal.Value, signal.Since));
+            table.Add(At(1000), new SignalValue("grip", 1));
+            table.Evaluate(At(1000));
+
+            table.Restart();
+
+            Assert.That(seen, Is.EqualTo(new[] { (1.0, (ControlTime?)null) }));
+        }
+
+        [Test]
         public void Restart_NeverReceived_StaysUnknown()
         {
             var track = new SignalTrack("grip");

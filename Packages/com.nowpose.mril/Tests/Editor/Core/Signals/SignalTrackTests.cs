@@ -1,3 +1,5 @@
+using System;
+using System.Collections.Generic;
 using NUnit.Framework;
 using Nowpose.Protocol;
 using Nowpose.Signals;
@@ -56,6 +58,112 @@ namespace Nowpose.Tests.Core.Signals
 
             Assert.That(signal.Next(At(10.1)), Is.True);
             Assert.That(signal.Next(At(20)), Is.False);
+        }
+
+        [TestCase(3)] // the change arrives while the first value is visible
+        [TestCase(6)] // the change arrives when the repeated value should be visible
+        public void Add_OvertakenChangeBeforeARepeatedValue_ReturnsToTheRepeatedValue(double displayed)
+        {
+            var signal = new SignalTrack("grip");
+            signal.Add(At(3), 1);
+            signal.Add(At(5), 1);
+            signal.Next(At(displayed));
+
+            signal.Add(At(4), 0);
+
+            Assert.That((signal.Next(At(6)), signal.Since, signal.Value), Is.EqualTo((true, (ControlTime?)At(4), 0.0)));
+            Assert.That((signal.Next(At(6)), signal.Since, signal.Value), Is.EqualTo((true, (ControlTime?)At(5), 1.0)));
+            Assert.That(signal.Next(At(6)), Is.False);
+        }
+
+        // Each message states the true value at its stamp. Whatever their order, the last is right, and no value is shown twice in succession.
+        [Test]
+        public void Add_AnyOrderOfTrueValues_EndsWithTheNewestAndShowsChangesOnly([Range(1, 200)] int seed)
+        {
+            var random = new Random(seed);
+            var messages = new List<(double Stamp, double Value, double Order)>();
+            for (var k = 0; k < 30; k++) messages.Add((10 + 0.01 * k, random.Next(2), 10 + 0.01 * k + 0.03 * random.NextDouble()));
+            messages.Sort((a, b) => a.Order.CompareTo(b.Order));
+            var signal = new SignalTrack("grip");
+            var before = double.NaN;
+
+            foreach (var message in messages)
+            {
+                signal.Add(At(message.Stamp), message.Value);
+                for (; signal.Next(At(message.Order - 0.05)); before = signal.Value)
+                    Assert.That(signal.Value, Is.Not.EqualTo(before));
+            }
+            for (; signal.Next(At(20)); before = signal.Value) Assert.That(signal.Value, Is.Not.EqualTo(before));
+
+            Assert.That(signal.Value, Is.EqualTo(messages.Find(each => each.Stamp == 10 + 0.01 * 29).Value));
+        }
+
+        [TestCase(100, 1, 3)] // the source started anew
+        [TestCase(0.2, 0.01, 5)] // near enough for messages that were overtaken
+        public void Add_StampsOfTheSourceGoBack_StartsAnewWithTheLateValues(double step, double interval, int needed)
+        {
+            var signal = new SignalTrack("grip");
+            var restarts = 0;
+            signal.Restarted += _ => restarts++;
+            signal.Add(At(1000), 1);
+            signal.Next(At(1000));
+            var start = 1000 - step;
+
+            for (var k = 0; k < needed - 1; k++) signal.Add(At(start + k * interval), k % 2);
+            Assert.That((restarts, signal.Next(At(1000)), signal.Value), Is.EqualTo((0, false, 1.0)));
+            Assert.That(signal.Add(At(start + (needed - 1) * interval), (needed - 1) % 2), Is.EqualTo(DropReason.None));
+            Assert.That((restarts, signal.Value, signal.Since), Is.EqualTo((1, 1.0, (ControlTime?)null)));
+
+            for (var k = 0; k < needed; k++)
+                Assert.That((signal.Next(At(1000)), signal.Since, signal.Value), Is.EqualTo((true, (ControlTime?)At(start + k * interval), (double)(k % 2))));
+            Assert.That(signal.Next(At(1000)), Is.False);
+            Assert.That(signal.Add(At(start + needed * interval), 0.5), Is.EqualTo(DropReason.None));
+            Assert.That((signal.Next(At(1000)), signal.Value, restarts), Is.EqualTo((true, 0.5, 1)));
+        }
+
+        [Test]
+        public void Add_RepeatedValueConfirmedUntilTheStampsGoBack_FollowsTheNewTime()
+        {
+            var signal = new SignalTrack("grip");
+            for (var k = 0; k < 100; k++) signal.Add(At(900 + k), 1);
+            signal.Next(At(1000));
+
+            for (var k = 0; k < 20; k++) signal.Add(At(950 + k), k < 10 ? 1 : 0);
+            while (signal.Next(At(1000))) { }
+
+            Assert.That((signal.Since, signal.Value), Is.EqualTo(((ControlTime?)At(960), 0.0)));
+        }
+
+        [Test]
+        public void Add_SingleOldMessagesAmongNewOnes_DoNotRestart()
+        {
+            var signal = new SignalTrack("grip");
+            var restarts = 0;
+            signal.Restarted += _ => restarts++;
+            for (var k = 0; k < 100; k++)
+            {
+                signal.Add(At(1000 + 0.1 * k), k % 2);
+                signal.Next(At(1000 + 0.1 * k));
+                if (k % 5 < 2) signal.Add(At(10 + k), 0.5);
+            }
+
+            Assert.That((restarts, signal.Value), Is.EqualTo((0, 1.0)));
+        }
+
+        [Test]
+        public void Next_CorrectedToTheVisibleValue_IsNoChange()
+        {
+            var signal = new SignalTrack("grip");
+            signal.Add(At(10), 1);
+            signal.Next(At(10));
+            signal.Add(At(11), 0);
+            signal.Add(At(11), 1);
+
+            Assert.That(signal.Next(At(12)), Is.False);
+            Assert.That((signal.Since, signal.Value), Is.EqualTo(((ControlTime?)At(10), 1.0)));
+            signal.Add(At(10.5), 0); // overtaken
+            while (signal.Next(At(12))) { }
+            Assert.That((signal.Since, signal.Value), Is.EqualTo(((ControlTime?)At(11), 1.0)));
         }
 
         [Test]

@@ -39,6 +39,37 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
+        public void Signal_ManyMessagesBeforeTheClockIsKnown_KeepsTheNewestValueOfEachSignal()
+        {
+            var cell = new CellSession(isClockKnown: false);
+            cell.Send("grip", 15, 0);
+            cell.Send("grip", 15.2, 1);
+            cell.Send("grip", 15.1, 0); // overtaken
+            cell.Send("door", 15, 1);
+            for (var k = 0; k < 3000; k++) cell.Send("speed", 16 + 0.001 * k, k);
+            cell.Run(0.2);
+
+            cell.Synchronise();
+            cell.Run(0.1);
+
+            Assert.That((ValueOf(cell, "grip"), ValueOf(cell, "door"), ValueOf(cell, "speed")), Is.EqualTo((1.0, 1.0, 2999.0)));
+        }
+
+        [Test]
+        public void Signal_MoreSignalsThanAllowedBeforeTheClockIsKnown_AreDroppedAndCounted()
+        {
+            var cell = new CellSession(isClockKnown: false);
+            for (var k = 0; k < ProtocolLimits.Signals + 7; k++) cell.Send("s" + k, 15, k);
+            for (var k = 0; k < 1000; k++) cell.Send("s0", 16 + 0.001 * k, k);
+
+            cell.Synchronise();
+            cell.Run(0.1);
+
+            Assert.That(cell.Session.Signals.Table.Count, Is.EqualTo(ProtocolLimits.Signals));
+            Assert.That(cell.Session.Drops[DropReason.TooManySignals], Is.EqualTo(7));
+        }
+
+        [Test]
         public void Signal_StampInTheFuture_IsDroppedAndCounted()
         {
             var cell = new CellSession();

@@ -1,0 +1,44 @@
+using System;
+
+namespace Nowpose.Signals
+{
+    /// <summary>
+    /// Consecutive late values of one signal: older than the newest stamp, and each newer than the previous one. Several of them show that the
+    /// source's clock went back; fewer were overtaken on the network.
+    /// </summary>
+    sealed class LateValues
+    {
+        /// <summary>Sufficient number of late values.</summary>
+        const int Capacity = 5;
+
+        /// <summary>Sufficient number if the last is late by more than <see cref="MaxDelay"/>.</summary>
+        const int MinFarBehind = 3;
+
+        /// <summary>Maximum delay of a message relative to later ones on a usable network.</summary>
+        static readonly TimeSpan MaxDelay = TimeSpan.FromMilliseconds(250);
+
+        readonly (ControlTime Stamp, double Value)[] _oldestFirst = new (ControlTime, double)[Capacity];
+        int _count;
+
+        /// <summary>The values, oldest first.</summary>
+        public ReadOnlySpan<(ControlTime Stamp, double Value)> All => _oldestFirst.AsSpan(0, _count);
+
+        /// <summary>Adds a received value; one that is not late shows that the earlier ones were overtaken.</summary>
+        /// <param name="newest">Newest stamp of the signal; null for none.</param>
+        /// <returns>Whether the source's clock went back. Then call <see cref="Clear"/> after use of the values.</returns>
+        public bool Add(ControlTime stamp, double value, ControlTime? newest)
+        {
+            if (_count > 0 && stamp == _oldestFirst[_count - 1].Stamp) return false;
+            if (_count > 0 && stamp < _oldestFirst[_count - 1].Stamp) Clear();
+            if (!(stamp < newest))
+            {
+                Clear();
+                return false;
+            }
+            _oldestFirst[_count++] = (stamp, value);
+            return _count == Capacity || (_count >= MinFarBehind && newest.Value - stamp > MaxDelay);
+        }
+
+        public void Clear() => _count = 0;
+    }
+}
