@@ -23,7 +23,7 @@ public sealed class ServedClock : IControlClock
         var (start, count) = (systemClock.Now, system.GetTimestamp());
         var isSystemServed = own is SystemControlClock;
         Stamps = new StampWatch(
-            () => Now, () => ErrorBound, () => _plant.Control == null ? _own : null,
+            () => Now, () => Known == null ? PlantClocks.Own : Source, () => ErrorBound, () => _plant.Control == null ? _own : null,
             isSystemServed ? () => start + system.GetElapsedTime(count) : () => systemClock.Now, isSystemServed, system);
     }
 

@@ -11,6 +11,7 @@ namespace Nowpose.Gateway.Clock;
 /// </remarks>
 /// <param name="control">The control clock.</param>
 /// <param name="own">The gateway's own clock; null while another one is the control clock.</param>
+/// <param name="served">Name of the control clock. A change of it invalidates the earlier ages.</param>
 /// <param name="errorBound">Maximum error of the control clock.</param>
 /// <param name="other">
 /// The clock on which a source may be instead, Unix time: the system clock, or if that is the gateway's own clock, the system clock of the
@@ -18,7 +19,8 @@ namespace Nowpose.Gateway.Clock;
 /// </param>
 /// <param name="isSystemServed">Whether the gateway's own clock is the system clock.</param>
 sealed class StampWatch(
-    Func<ControlTime> control, Func<TimeSpan> errorBound, Func<IControlClock> own, Func<ControlTime> other, bool isSystemServed, TimeProvider time)
+    Func<ControlTime> control, Func<string> served, Func<TimeSpan> errorBound, Func<IControlClock> own, Func<ControlTime> other, bool isSystemServed,
+    TimeProvider time)
 {
     /// <summary>Minimum correction that is reported. It is visible in a headset: 100 mm at 1 m/s.</summary>
     internal static readonly TimeSpan MinCorrection = TimeSpan.FromMilliseconds(100);
@@ -51,7 +53,7 @@ sealed class StampWatch(
     TimeSpan? _ahead;
     ControlTime _since;
     TimeSpan _correction;
-    string _said;
+    string _said, _served;
 
     /// <summary>The fault that was found, with its remedy; null if there is none.</summary>
     public StampWarning Found { get; private set; }
@@ -90,6 +92,7 @@ sealed class StampWatch(
     /// <summary>Evaluates the stamps once a second and logs changes.</summary>
     public void Look(Action<string> log)
     {
+        ForgetUsualOfAnotherClock();
         MeasureCorrection();
         var sources = Read();
         Ahead = [.. sources.Where(one => one.Counts.IsAhead).DistinctBy(one => one.Source).Select(one => (one.Source, Length(-one.Counts.Age)))];
@@ -100,6 +103,19 @@ sealed class StampWatch(
         if (kind == _said) return;
         log(Warning == null ? "clock: time stamps and control clock agree again" : "clock: " + Warning);
         _said = kind;
+    }
+
+    // Ages by two control clocks cannot be compared.
+    void ForgetUsualOfAnotherClock()
+    {
+        var name = served();
+        if (name == _served) return;
+        _served = name;
+        lock (_lock)
+        {
+            _usual.Clear();
+            foreach (var stamps in _sources.Values) stamps.Usual = null;
+        }
     }
 
     // Removes the sources without recent samples.
@@ -163,9 +179,11 @@ sealed class StampWatch(
         return new StampWarning(reason, fits ? CorrectionRemedy : SourceRemedy, true);
     }
 
-    string Cause => isSystemServed ? "they did not follow a correction of the system clock" : "they followed a correction of the system clock";
+    string Cause =>
+        own() == null ? $"they do not follow the control clock {served()}"
+        : isSystemServed ? "they did not follow a correction of the system clock" : "they followed a correction of the system clock";
 
-    string CorrectionRemedy => isSystemServed ? SourceRemedy : Remedy;
+    string CorrectionRemedy => isSystemServed || own() == null ? SourceRemedy : Remedy;
 
     const string SourceRemedy = "Set the clock of the source, or let its adapter offer that clock.";
 

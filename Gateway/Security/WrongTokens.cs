@@ -8,7 +8,11 @@ namespace Nowpose.Gateway.Security;
 /// Counts the wrong tokens and codes of each IPv4 address and each IPv6 network (/64), and blocks an address with too many until the minute
 /// is over. Thread-safe.
 /// </summary>
-/// <remarks>128 bits cannot be guessed at any rate. The limit slows the guessing of weaker tokens, and reduces log output and load.</remarks>
+/// <remarks>
+/// 128 bits cannot be guessed at any rate. Log-in and pairing refuse a blocked address, which limits the rate of guesses. Bearer and sync tokens
+/// are always compared, because clients with valid tokens may have the same address: only the answers are delayed. A client that closes the
+/// delayed connections and opens new ones is not limited in its guesses. The delay reduces log output and load.
+/// </remarks>
 sealed class WrongTokens(TimeProvider time)
 {
     /// <summary>Maximum number of addresses. Beyond it, the one without an attempt for the longest time is removed.</summary>
@@ -36,7 +40,7 @@ sealed class WrongTokens(TimeProvider time)
     /// Counts a wrong token. Returns the delay of its answer: answers to an address that was blocked are sent one by one, a delay apart.
     /// </summary>
     /// <remarks>
-    /// An address gets one answer per delay, for any number of connections. Answers beyond <see cref="MaxTurns"/> wait with the last one.
+    /// An address gets one refusal per delay, for any number of connections. The number of guesses is not limited. Answers beyond <see cref="MaxTurns"/> wait with the last one.
     /// </remarks>
     public TimeSpan Count(IPAddress address, TimeSpan delay)
     {

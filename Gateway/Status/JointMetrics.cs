@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Status;
 
 /// <summary>
-/// Writes the metrics for alerts: a state per joint and source, refusals by reason, the poses of headsets, and active events.
+/// Writes the metrics for alerts: a state per joint and source, refusals by reason, clocks and poses of headsets, and active events.
 /// </summary>
 /// <remarks>Labels are bounded: states are a fixed set, and joints, adapters, reasons and headsets are limited where they are received.</remarks>
 static class JointMetrics
@@ -17,10 +17,14 @@ static class JointMetrics
     // The protocol's pose states; every other state counts as other.
     static readonly string[] PoseStates = ["current", "coarse", "held", "unsynchronised", "incomplete", "outside", Other];
 
+    static readonly string[] ClockStates = [.. Enum.GetValues<ClockState>().Select(state => state.Word()), Other];
+
     public static void Add(PrometheusText text, StatusSnapshot state)
     {
         AddJoints(text, state.Joints);
         AddRefusals(text, state.Adapters);
+        AddStates(text, "nowpose_headset_clock_state", "the headset's clock", state.Headsets, "state", ClockStates);
+        AddStates(text, "nowpose_headset_pose_state", "the headset's pose", state.Headsets, "pose", PoseStates);
         AddPoses(text, state.Headsets);
         if (state.Events.Count == 0) return;
         text.Begin("nowpose_events_active", Gauge, "Active events, by kind.");
@@ -58,18 +62,23 @@ static class JointMetrics
         }
     }
 
+    static void AddStates(PrometheusText text, string name, string what, IReadOnlyList<JsonObject> headsets, string key, string[] states)
+    {
+        var known = headsets.Where(headset => StatusObjects.Word(headset, key) != null).ToList();
+        if (known.Count == 0) return;
+        text.Begin(name, Gauge, $"1 for the present state of {what}, 0 for the other states.");
+        foreach (var headset in known)
+        {
+            var word = StatusObjects.Word(headset, key);
+            var present = states.Contains(word) ? word : Other;
+            foreach (var state in states) text.Add(state == present ? 1 : 0, ("headset", (string)headset["name"]), ("state", state));
+        }
+    }
+
     static void AddPoses(PrometheusText text, IReadOnlyList<JsonObject> headsets)
     {
         var known = headsets.Where(headset => StatusObjects.Word(headset, "pose") != null).ToList();
         if (known.Count == 0) return;
-        text.Begin("nowpose_headset_pose_state", Gauge, "1 for the present state of the headset's pose, 0 for the other states.");
-        foreach (var headset in known)
-        {
-            var pose = StatusObjects.Word(headset, "pose");
-            var present = PoseStates.Contains(pose) ? pose : Other;
-            foreach (var word in PoseStates) text.Add(word == present ? 1 : 0, ("headset", (string)headset["name"]), ("state", word));
-        }
-
         text.Begin("nowpose_headset_current_share_ratio", Gauge, "Share of frames with a current pose.");
         foreach (var headset in known) text.Add(StatusObjects.Number(headset, "current_share"), ("headset", (string)headset["name"]));
         text.Begin("nowpose_headset_missing_joints", Gauge, "Joints of the robot without a sample on the headset.");

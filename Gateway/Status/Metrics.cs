@@ -114,8 +114,8 @@ static class Metrics
             text, name, Gauge, help, headsets, headset => ("headset", NameOf(headset)), headset => StatusObjects.Number(headset, key) * unit);
 
         AddEach(
-            text, "nowpose_headset_synchronised", Gauge, "1 while the headset's clock is synchronised.", headsets, headset => ("headset", NameOf(headset)),
-            headset => Says(headset, "state", "synchronised", "holdover"));
+            text, "nowpose_headset_synchronised", Gauge, "1 while the headset's clock is synchronised, 0 in all other states.", headsets, headset => ("headset", NameOf(headset)),
+            headset => Says(headset, "state", "synchronised"));
         Add("nowpose_headset_seen_seconds", "Time since the headset's last report.", "seen_s_ago", 1);
         Add("nowpose_headset_clock_error_bound_seconds", "Error bound of the headset's clock.", "error_bound_us", Micro);
         Add("nowpose_headset_round_trip_seconds", "Round-trip time of the headset's clock synchronisation.", "rtt_ms", Milli);
@@ -172,6 +172,5 @@ static class Metrics
 
     static string NameOf(JsonObject words) => (string)words["name"];
 
-    static double? Says(JsonObject words, string key, params string[] yes) =>
-        StatusObjects.Word(words, key) is { } word ? (yes.Contains(word) ? 1 : 0) : null;
+    static double? Says(JsonObject words, string key, string yes) => StatusObjects.Word(words, key) is { } word ? (word == yes ? 1 : 0) : null;
 }

@@ -17,6 +17,7 @@ public class StampWatchTests
     StampWatch _watch;
     TimeSpan _correction;
     TimeSpan _errorBound;
+    TimeSpan _plantAhead;
     bool _isOwnServed;
 
     ControlTime System => _own.Now + _correction;
@@ -29,7 +30,9 @@ public class StampWatchTests
         var hub = new MessageHub();
         _sources = [.. new[] { "first", "second", "third" }.Select(name => Open(hub, name))];
         _log.Clear();
-        _watch = new StampWatch(() => _own.Now, () => _errorBound, () => _isOwnServed ? _own : null, () => System, false, _time);
+        _plantAhead = TimeSpan.Zero;
+        _watch = new StampWatch(
+            () => _own.Now + _plantAhead, () => _isOwnServed ? "own" : "plc", () => _errorBound, () => _isOwnServed ? _own : null, () => System, false, _time);
         _watch.Look(_log.Add);
     }
 
@@ -121,6 +124,26 @@ public class StampWatchTests
         Run(2, () => System);
 
         Assert.That(_watch.IsContradicted, Is.True);
+    }
+
+    [TestCase(0.3)]
+    [TestCase(-0.04)]
+    public void Look_PlantsClockServedAndThenSet_IsAContradictionOnlyAfterItIsSet(double seconds)
+    {
+        Run(StampWatch.Seconds + 1, () => System);
+
+        (_isOwnServed, _plantAhead) = (false, TimeSpan.FromSeconds(seconds));
+        Run(StampWatch.Seconds + 2, () => System);
+        Assert.That(_watch.Warning, Is.Null, "another control clock");
+
+        _plantAhead += TimeSpan.FromSeconds(0.3);
+        Run(2, () => System);
+        Assert.That(_watch.Found.Reason, Does.Contain("source first").And.Contain("300 ms older").And.Contain("plc").And.Not.Contain("correction"));
+        Assert.That(_watch.Found.Remedy, Does.StartWith("Set the clock of the source").And.Not.Contain("--own-clock"));
+
+        (_isOwnServed, _plantAhead) = (true, TimeSpan.Zero);
+        Run(StampWatch.Seconds + 2, () => System);
+        Assert.That(_watch.Warning, Is.Null, "the own clock again");
     }
 
     [Test]

@@ -84,7 +84,7 @@ public class MetricsTests
         Assert.That(Value(families, "nowpose_forward_seconds_bucket", "0.005"), Is.EqualTo(1));
         Assert.That(Value(families, "nowpose_forward_seconds_bucket", "+Inf"), Is.EqualTo(2));
         Assert.That(Value(families, "nowpose_forward_seconds_sum"), Is.EqualTo(0.033).Within(1e-9));
-        Assert.That(Value(families, "nowpose_headset_synchronised", "goggles"), Is.EqualTo(1));
+        Assert.That(Value(families, "nowpose_headset_synchronised", "goggles"), Is.EqualTo(0));
         Assert.That(Value(families, "nowpose_headset_application_latency_seconds", "goggles"), Is.EqualTo(0.095).Within(1e-12));
         Assert.That(Value(families, "nowpose_connections_closed_total", "Silence"), Is.EqualTo(3));
         Assert.That(Value(families, "nowpose_recording_lost_lines"), Is.EqualTo(1));
@@ -108,6 +108,22 @@ public class MetricsTests
         {
             "nowpose_joint_state{joint=\"a\",source=\"press\",state=\"live\"} 1", "nowpose_joint_state{joint=\"b\",source=\"press\",state=\"refused\"} 1",
         }));
+    }
+
+    [TestCase("unsynchronised", 0, "unsynchronised")]
+    [TestCase("converging", 0, "converging")]
+    [TestCase("coarse", 0, "coarse")]
+    [TestCase("synchronised", 1, "synchronised")]
+    [TestCase("holdover", 0, "holdover")]
+    [TestCase("invented", 0, "other")]
+    public void Of_HeadsetsClock_IsSynchronisedInThatStateOnly(string state, int synchronised, string expected)
+    {
+        var lines = Metrics.Of(Snapshot(Words("goggles", ("state", state))), new ForwardingTimes()).Split('\n');
+
+        Assert.That(lines, Does.Contain($"nowpose_headset_synchronised{{headset=\"goggles\"}} {synchronised}"));
+        Assert.That(
+            lines.Where(line => line.StartsWith("nowpose_headset_clock_state{", StringComparison.Ordinal) && line.EndsWith(" 1", StringComparison.Ordinal)),
+            Is.EqualTo(new[] { $"nowpose_headset_clock_state{{headset=\"goggles\",state=\"{expected}\"}} 1" }));
     }
 
     [Test]

@@ -4,7 +4,7 @@ import { setText } from './liveTable';
 import type { Level, State, StatusEvent } from './state';
 import { localTime } from './times';
 
-const WORDS: Record<Level, string> = { ok: 'OK', warning: 'Warning', error: 'Fault' };
+const WORDS: Record<Level | 'unknown', string> = { ok: 'OK', warning: 'Warning', error: 'Fault', unknown: 'Not known' };
 const MOST_ALARMS = 8;
 
 /** The title, the status line and the alarms at the top of the page. */
@@ -15,10 +15,10 @@ export class Overall {
   show({ cell, host, version, status, events }: State): void {
     setText(byId('cell'), cell || 'Operations');
     setText(byId('place'), [host && `host ${host}`, version && `Nowpose gateway ${version}`].filter(Boolean).join(' · '));
-    const level = status?.level ?? 'ok';
+    const level = status?.level ?? 'unknown';
     const title = [cell || 'Operations', host, version && `Nowpose ${version}`].filter(Boolean).join(' · ');
     document.title = level === 'ok' ? title : `${WORDS[level]}: ${title}`;
-    this.setLine(level, status ? `${WORDS[level]}: ${status.text}` : '');
+    this.setLine(level, `${WORDS[level]}: ${status?.text ?? 'the gateway does not report its state.'}`);
     this.showAlarms((events ?? []).filter(event => !event.until_utc));
   }
 

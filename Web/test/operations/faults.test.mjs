@@ -179,6 +179,14 @@ describe('faults', () => {
     assert.equal(await page.getAttribute('#status', 'class'), 'level unknown');
   });
 
+  it('of a gateway that reports no state are not shown as OK', async () => {
+    delete gateway.state.status;
+    const page = await open();
+
+    await becomes(page, '#status', 'Not known: the gateway does not report its state.');
+    assert.equal(await page.getAttribute('#status', 'class'), 'level unknown');
+  });
+
   it('explain their terms and units on hover', async () => {
     const page = await open();
 

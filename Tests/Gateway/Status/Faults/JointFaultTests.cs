@@ -140,7 +140,7 @@ public class JointFaultTests
 
     [TestCase(null, "error")]
     [TestCase("03F3", "error")]
-    [TestCase("03E8", "ok")]
+    [TestCase("03E8", "warning")]
     public async Task Joint_ClientDisconnected_StaysInFaultUnlessClosedNormally(string close, string level)
     {
         await _gateway.StartAsync();
@@ -155,7 +155,7 @@ public class JointFaultTests
 
         var state = await _gateway.StateAsync();
         Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo(level), state.GetRawText());
-        Assert.That(state.GetProperty("joints").GetArrayLength(), Is.EqualTo(level == "ok" ? 0 : 1));
+        Assert.That(state.GetProperty("joints").GetArrayLength(), Is.EqualTo(level == "error" ? 1 : 0));
     }
 
     [Test]
