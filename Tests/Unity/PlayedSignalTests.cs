@@ -108,6 +108,31 @@ public class PlayedSignalTests : PlayedParts
         Assert.That(signal.Value, Is.Zero);
     }
 
+    [TestCase(-0.08)]
+    [TestCase(0)]
+    [TestCase(0.06)]
+    [TestCase(0.25)]
+    public void Signal_AnyDelayOfTheMessage_RaisesEventsInTheFrameOfItsStampOrItsArrival(double delay)
+    {
+        const double frame = 1 / 60.0;
+        var signal = Below<CellSignal>("gripper", _session.transform);
+        Run(1);
+        SendSignal("gripper", _cell.Now - 1, 0);
+        Run(0.5);
+        var change = _cell.Now + 0.503;
+        var (light, arrival) = (double.NaN, double.NaN);
+        signal.Changed += _ => light = _cell.Now + Visu;
+
+        Run(1.5, seen: () =>
+        {
+            if (!double.IsNaN(arrival) || _cell.Now < change + delay) return;
+            arrival = _cell.Now;
+            SendSignal("gripper", change, 1, arrival - change);
+        });
+
+        Assert.That(light - Math.Max(change, arrival + Visu), Is.InRange(-1e-6, frame + 1e-6));
+    }
+
     [TestCase("0.0 mm", 12.345, "12.3 mm")]
     [TestCase("on;;off", 1, "on")]
     [TestCase("on;;off", 0, "off")]

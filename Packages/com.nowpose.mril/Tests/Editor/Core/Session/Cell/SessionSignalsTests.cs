@@ -8,20 +8,39 @@ namespace Nowpose.Tests.Core.Session.Cell
 {
     public class SessionSignalsTests
     {
-        [Test]
-        public void Signal_ChangeReceivedInTime_IsShownInTheFrameOfItsStamp()
+        // A message ahead of its stamp is one of a control system that knows the change in advance.
+        [TestCase(-0.08)]
+        [TestCase(0)]
+        [TestCase(0.06)]
+        [TestCase(0.25)]
+        public void Signal_AnyDelayOfTheMessage_IsShownInTheFrameOfItsStampOrItsArrival(double delay)
         {
+            const double frame = 1 / 60.0;
+            double[] stamps = { 20.7, 20.96, 21.313, 21.32, 21.8 };
             var cell = new CellSession();
-            var shown = new List<(double Light, double Value)>();
             cell.Send("grip", 19.5, 0);
-            cell.Run(0.5);
-            // The message arrives before light of that time is shown, because the display latency is longer than the remaining delay.
-            cell.Session.Listener.SignalsReceived(
-                new SignalsMessage(ControlTime.FromSeconds(20.7), new SignalValue("grip", 1)), HeadsetTime.FromSeconds(20.62));
+            cell.Run(0.1);
+            var shown = new List<(double Light, double Value)>();
+            var light = 0.0;
+            cell.Session.Signals.Table.Changed += signal => shown.Add((light, signal.Value));
 
-            cell.Run(0.5, light => shown.Add((light, ValueOf(cell, "grip"))));
+            for (var sent = 0; cell.Now < 22.5; cell.Run(frame))
+            {
+                light = cell.Now + CellSession.Visu;
+                for (; sent < stamps.Length && stamps[sent] + delay <= cell.Now; sent++)
+                    cell.Session.Listener.SignalsReceived(
+                        new SignalsMessage(ControlTime.FromSeconds(stamps[sent]), new SignalValue("grip", (sent + 1) % 2)),
+                        HeadsetTime.FromSeconds(stamps[sent] + delay));
+            }
 
-            foreach (var (light, value) in shown) Assert.That(value, Is.EqualTo(light >= 20.7 ? 1 : 0), light + " s");
+            Assert.That(shown, Has.Count.EqualTo(stamps.Length));
+            for (var i = 0; i < stamps.Length; i++)
+            {
+                Assert.That(shown[i].Value, Is.EqualTo((i + 1) % 2));
+                // The light of a frame that begins at the arrival appears later by the display latency.
+                var possible = Math.Max(stamps[i], stamps[i] + delay + CellSession.Visu);
+                Assert.That(shown[i].Light - possible, Is.InRange(-1e-4, frame + 1e-4), "change " + i);
+            }
         }
 
         [Test]
