@@ -63,7 +63,7 @@ namespace Nowpose.Session
 
         static (int Level, string Message) Status(SessionStatistics statistics)
         {
-            if (statistics.Pose == PoseState.Current) return (0, "");
+            if (statistics.Pose == PoseState.Current) return DisplayWords.ProblemOf(statistics) is { } problem ? (1, problem) : (0, "");
             var missing = MissingJoints(statistics);
             var pose = "the pose is " + PoseStateName.Of(statistics);
             return missing.Length == 0 ? (1, pose) : (2, pose + "; missing joints: " + missing);

@@ -105,8 +105,7 @@ namespace Nowpose.Unity.Status
             var obstacle = problem ?? (isPairing ? pairing.Obstacle : null);
             var guidance = obstacle == null && isPairing ? pairing.Guidance : null;
             var fault = obstacle ?? FaultOf(statistics) ?? _missingJoints.Of(statistics) ?? FaultOf(parts, statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
-                ?? statistics?.BeyondLimits?.Words ?? DisplayWords.ProblemOf(statistics)
-                ?? (IsMismatched(statistics) ? statistics.ProfileMismatches[0].Words : null) ?? statistics?.VersionMismatch;
+                ?? DisplayWords.ProblemOf(statistics) ?? statistics?.VersionMismatch;
             if (guidance != null) SetMessage(guidance, "");
             else if (fault != null) SetMessage(fault, "! ");
             else SetMessage(_restingJoints.Of(statistics) ?? (ShowsJointErrors && statistics != null ? _joints.Of(statistics.JointErrors) : null), "");
@@ -125,7 +124,7 @@ namespace Nowpose.Unity.Status
         {
             var percentile = statistics.ApplicationLatency95;
             Set(StatusRow.ApplicationLatency, Milliseconds.Of(statistics.ApplicationLatency), percentile.HasValue ? Percentiles.Of(percentile) : "");
-            var isUncertain = statistics.IsDisplayTimeInconsistent || statistics.IsDisplayTimeImplausible || IsMismatched(statistics);
+            var isUncertain = statistics.IsDisplayTimeInconsistent || statistics.IsDisplayTimeImplausible || DisplayWords.IsMismatched(statistics);
             var visualisation = isUncertain ? MarkedMilliseconds : Milliseconds;
             Set(StatusRow.VisualisationLatency, visualisation.Of(statistics.VisualisationLatency), _origin.Of(statistics));
             Set(StatusRow.RenderTime, Milliseconds.Of(statistics.RenderTime), RenderTimeWords.NameOf(statistics.RenderTimeSource));
@@ -134,8 +133,6 @@ namespace Nowpose.Unity.Status
         }
 
         // A predicted display time does not depend on the profile.
-        static bool IsMismatched(SessionStatistics statistics) =>
-            statistics != null && statistics.ProfileMismatches.Count > 0 && !statistics.IsLightPredicted;
 
         void UpdateError(DisplayedError? error, bool isOutside)
         {

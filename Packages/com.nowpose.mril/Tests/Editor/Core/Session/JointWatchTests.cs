@@ -1,6 +1,10 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Kinematics;
+using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using Nowpose.Latency.Profile;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Simulation;
@@ -247,6 +251,28 @@ namespace Nowpose.Tests.Core.Session
 
         static Dictionary<string, string> DiagnosticsOf(SimulatedSession simulated) =>
             SessionDiagnostics.Of(StatisticsOf(simulated), "left", default).Values.ToDictionary(each => each.Key, each => each.Value);
+
+        [Test]
+        public void Diagnostics_CurrentPoseWithAProblem_AreAWarningWithTheWordsOfThePanel()
+        {
+            (int, string) StatusOf(SessionStatistics statistics)
+            {
+                statistics.Pose = PoseState.Current;
+                var message = SessionDiagnostics.Of(statistics, "left", default);
+                return (message.Level, message.Message);
+            }
+            var watch = new LimitWatch(TestRobot.Model);
+            for (var i = 0; i < 3; i++) watch.Add(0, 45);
+            var profile = new LatencyProfile(40, 1, new DisplayConditions(graphicsApi: "Direct3D11"), DateTime.UnixEpoch, CalibrationMethod.Sine, 1);
+            var mismatches = profile.MismatchesWith(new DisplayConditions(graphicsApi: "Vulkan"));
+            var implausible = new SessionStatistics { IsDisplayTimeImplausible = true };
+
+            Assert.That(StatusOf(new SessionStatistics()), Is.EqualTo((0, "")));
+            Assert.That(StatusOf(new SessionStatistics { BeyondLimits = watch.Present }), Is.EqualTo((1, watch.Present.Words)));
+            Assert.That(StatusOf(new SessionStatistics { ProfileMismatches = mismatches }), Is.EqualTo((1, mismatches[0].Words)));
+            Assert.That(StatusOf(new SessionStatistics { ProfileMismatches = mismatches, IsLightPredicted = true }), Is.EqualTo((0, "")));
+            Assert.That(StatusOf(implausible), Is.EqualTo((1, DisplayWords.ProblemOf(implausible))));
+        }
 
         [TestCase(PoseState.Current, ClockState.Synchronised, 0.4, "current")]
         [TestCase(PoseState.Current, ClockState.Coarse, 0.9, "coarse")]

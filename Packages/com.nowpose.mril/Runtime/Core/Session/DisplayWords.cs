@@ -1,12 +1,10 @@
 using System;
 using System.Globalization;
-using Nowpose.Latency;
 using Nowpose.Latency.Reprojection;
-using Nowpose.Session;
 
-namespace Nowpose.Unity.Session
+namespace Nowpose.Session
 {
-    /// <summary>Messages about problems between the finished frame and the display, with what to do.</summary>
+    /// <summary>Messages about problems of the display that leave the pose current, with what to do.</summary>
     static class DisplayWords
     {
         const string Implausible = "display times of the runtime are implausible";
@@ -30,7 +28,11 @@ namespace Nowpose.Unity.Session
         public static string ProblemOf(SessionStatistics statistics)
         {
             if (statistics == null) return null;
-            return statistics.IsDisplayTimeImplausible ? Warning : DepthSubmissionWords.ProblemOf(statistics.DepthSubmission);
+            return statistics.BeyondLimits?.Words ?? (statistics.IsDisplayTimeImplausible ? Warning : DepthSubmissionWords.ProblemOf(statistics.DepthSubmission))
+                ?? (IsMismatched(statistics) ? statistics.ProfileMismatches[0].Words : null);
         }
+
+        /// <summary>Returns whether the profile in use was measured under other conditions.</summary>
+        public static bool IsMismatched(SessionStatistics statistics) => statistics.ProfileMismatches.Count > 0 && !statistics.IsLightPredicted;
     }
 }
