@@ -94,10 +94,11 @@ namespace Nowpose.Sync.Envelope
                 var steady = new OffsetCurve(_steadySkew, _steadyBend);
                 _up.Measure(steady);
                 _down.Measure(steady);
-                if (_up.Update(_down, _steadySkewError, resolution) | _down.Update(_up, _steadySkewError, resolution))
+                var since = Math.Max(_up.Update(_down, _steadySkewError, resolution), _down.Update(_up, _steadySkewError, resolution));
+                if (since > 0)
                 {
                     _memory.Explain();
-                    _unrecognised.Reset();
+                    _unrecognised.Explain(since);
                 }
             }
             if (_exchanges++ == 0)

@@ -11,8 +11,9 @@ namespace Nowpose.Sync.Envelope
     /// change and, while they replace the older ones, would look like a change of the skew. The clock rates do not change, so the
     /// excess over the earlier minimum delay is added to each bound, and the offset and the skew are unchanged.
     /// A delay that is shorter than all earlier ones replaces the reference, and the offset moves by half the difference.
-    /// In both cases the error is at most half the difference of the changes of the two directions. A change too small to separate from
-    /// a wrong skew moves the offset by half of it, and widens the error if the other direction shows that the path has changed.
+    /// In both cases the error is half the difference of the changes of the two directions. Until a change is recognised, the fit may follow it
+    /// by 1.2 times this amount. A change too small to separate from a wrong skew moves the offset by half of it, and widens the error if the
+    /// other direction shows that the path has changed.
     /// Allocates nothing after construction.
     /// </remarks>
     sealed class MinDelay
@@ -134,15 +135,16 @@ namespace Nowpose.Sync.Envelope
         /// <param name="other">The other direction, measured relative to the same curve.</param>
         /// <param name="skewError">Standard error of the curve's slope.</param>
         /// <param name="resolution">Resolution of the control clock, s: movement of bounds without any change.</param>
-        /// <returns>Whether a change was detected.</returns>
-        public bool Update(MinDelay other, double skewError, double resolution)
+        /// <returns>Number of exchanges since the change that was detected; 0 if none was.</returns>
+        public int Update(MinDelay other, double skewError, double resolution)
         {
             _sinceChange++;
             _sinceHidden++;
-            if (_count < MinEarlier + ShorterWindow) return false;
+            if (_count < MinEarlier + ShorterWindow) return 0;
             if (_excess > 0) FollowShorterAgain(_count);
             if (_sinceShorter > 0) FollowShorter(_count);
-            return FindLonger(other, _count, skewError, resolution) || FindShorter(_count, skewError, resolution);
+            if (FindLonger(other, _count, skewError, resolution)) return _sinceChange;
+            return FindShorter(_count, skewError, resolution) ? _sinceShorter : 0;
         }
 
         // Lateness of the tightest bound of a window; negative when it is tighter than the earlier ones.

@@ -36,6 +36,8 @@ namespace Nowpose.Sync.Envelope
         readonly double[] _tightest = new double[MinDelay.MaxCount / Block];
         readonly double[] _late = new double[MinDelay.MaxCount / Block];
         double _usual, _remembered;
+        // Time of the earliest change that the remembered error includes.
+        HeadsetTime _rememberedAt;
 
         public UnrecognisedChange(EnvelopeSide below, EnvelopeSide above, BoundsHistory history)
         {
@@ -44,8 +46,18 @@ namespace Nowpose.Sync.Envelope
             _history = history;
         }
 
-        /// <summary>Reports that the estimate restarts, or that a change of the path was recognised and corrected.</summary>
+        /// <summary>Reports that the estimate restarts.</summary>
         public void Reset() => _remembered = 0;
+
+        /// <summary>
+        /// Reports that a change of the path was recognised and corrected. The error of an earlier change remains, because that change may have
+        /// left the history.
+        /// </summary>
+        /// <param name="since">Number of exchanges since the recognised change. The remembered time is accurate to a block.</param>
+        public void Explain(int since)
+        {
+            if (_rememberedAt >= SentAt(since + Block)) _remembered = 0;
+        }
 
         /// <summary>Gets the maximum error over all possible times of a change, s.</summary>
         /// <param name="up">Delays of the requests, measured up to the newest exchange; likewise <paramref name="down"/>.</param>
@@ -63,11 +75,19 @@ namespace Nowpose.Sync.Envelope
                 // The best of more packets is less late.
                 var longer = late - UsualFactor * _usual / newest;
                 var shorter = -late - UsualFactor * _usual / (blocks - newest);
-                if (newest >= MinRemembered && late > RememberedFactor * _usual / newest) _remembered = Math.Max(_remembered, late / 2);
+                if (newest >= MinRemembered && late > RememberedFactor * _usual / newest) Remember(late / 2, SentAt(newest * Block));
                 error = Math.Max(error, Math.Max(longer * Followed((newest + 1) * Block), shorter / 2));
             }
             return Math.Max(error, _remembered);
         }
+
+        void Remember(double error, HeadsetTime at)
+        {
+            if (_remembered == 0 || at < _rememberedAt) _rememberedAt = at;
+            _remembered = Math.Max(_remembered, error);
+        }
+
+        HeadsetTime SentAt(int exchanges) => _history[Math.Min(exchanges, _history.Count) - 1].Sent;
 
         // Lateness of the newest blocks relative to all earlier ones, and the usual lateness of a single block.
         void AddLateness(MinDelay delay, int blocks)
@@ -94,7 +114,7 @@ namespace Nowpose.Sync.Envelope
         // step before the part f of its points, ends f/2 + 3f(1 − f)/2 of the step away from the line without the step.
         double Followed(int newest)
         {
-            var since = ClockTicks.Seconds(_history[Math.Min(newest, _history.Count) - 1].Sent - _history[0].Received);
+            var since = ClockTicks.Seconds(SentAt(newest) - _history[0].Received);
             var share = (_below.WeightShareSince(since) + _above.WeightShareSince(since)) / 2;
             return share / 2 + 1.5 * share * (1 - share);
         }

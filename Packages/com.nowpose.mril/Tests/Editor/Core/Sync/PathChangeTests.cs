@@ -108,8 +108,30 @@ namespace Nowpose.Tests.Core.Sync
                 var run = Run(Link(network, seed), 0, changeMs);
 
                 var after = run.Instants.Where(i => i.At > ChangeAt + 5).ToArray();
-                Assert.That(after.Average(i => Math.Abs(i.ErrorMs) <= i.Model.EstimatedError.TotalMilliseconds ? 1 : 0), Is.GreaterThan(0.95), "seed " + seed);
+                Assert.That(after.Average(i => Math.Abs(i.ErrorMs) <= i.Model.EstimatedError.TotalMilliseconds ? 1 : 0), Is.GreaterThan(0.99), "seed " + seed);
                 Assert.That(after.Last().Model.EstimatedError.TotalMilliseconds, Is.LessThan(network == "wifi" ? 1.6 : 2), "and says something; seed " + seed);
+            }
+        }
+
+        [TestCase("wifi", 0.3)]
+        [TestCase("busy-wifi", 0.3)]
+        public void EstimatedError_ChangeRecognisedMinutesAfterAnUnrecognisedOne_StillIncludesBoth(string network, double changeMs)
+        {
+            for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
+            {
+                var link = Link(network, seed);
+                var run = new SyncRun(new EnvelopeClockEstimator());
+                run.Run(link, 0, ChangeAt);
+                link.LongerDownMs = changeMs;
+                run.Run(link, ChangeAt, ChangeAt + 300);
+                link.LongerUpMs = 4;
+                run.Run(link, ChangeAt + 300, ChangeAt + 600);
+
+                var after = run.Instants.Where(i => i.At > ChangeAt + 305).ToArray();
+                var share = after.Average(i => Math.Abs(i.ErrorMs) <= i.Model.EstimatedError.TotalMilliseconds ? 1 : 0);
+                var before = run.Instants.Last(i => i.At < ChangeAt + 300).Model.EstimatedError.TotalMilliseconds;
+                Assert.That(after.Min(i => i.Model.EstimatedError.TotalMilliseconds), Is.GreaterThan(0.9 * before), "seed " + seed);
+                Assert.That(share, Is.GreaterThan(0.99), "seed " + seed);
             }
         }
 
