@@ -76,7 +76,7 @@ namespace Nowpose.Tests.Core.Signals
             Assert.That(signal.Next(At(6)), Is.False);
         }
 
-        // Each message states the true value at its stamp. Whatever their order, the last is right, and no value is shown twice in succession.
+        // Each message states the true value at its stamp. In any order, the last one is right, and no value is shown twice in succession.
         [Test]
         public void Add_AnyOrderOfTrueValues_EndsWithTheNewestAndShowsChangesOnly([Range(1, 200)] int seed)
         {
@@ -98,9 +98,9 @@ namespace Nowpose.Tests.Core.Signals
             Assert.That(signal.Value, Is.EqualTo(messages.Find(each => each.Stamp == 10 + 0.01 * 29).Value));
         }
 
-        [TestCase(100, 1, 3)] // the source started anew
+        [TestCase(100, 1, 3)] // the source started again
         [TestCase(0.2, 0.01, 5)] // near enough for messages that were overtaken
-        public void Add_StampsOfTheSourceGoBack_StartsAnewWithTheLateValues(double step, double interval, int needed)
+        public void Add_StampsOfTheSourceGoBack_RestartsWithTheLateValues(double step, double interval, int needed)
         {
             var signal = new SignalTrack("grip");
             var restarts = 0;
