@@ -26,7 +26,7 @@ export async function halls(t, { more = '', namespaces = [] } = {}) {
   const robots = namespaces.length === 0 ? '' : `  namespaces: [${namespaces.join(', ')}]\n`;
   const [near, far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t)]);
   const publisher = bridge(t, 'publish', near, broker, robots), subscriber = bridge(t, 'subscribe', far, broker, clockOf(sync) + robots + more);
-  await until(() => near.heard.filter(m => m.op === 'subscribe').length === 8 + 3 * namespaces.length, () => publisher.err);
+  await until(() => near.heard.filter(m => m.op === 'subscribe').length === 9 + 3 * namespaces.length, () => publisher.err);
   await until(() => far.state?.state === 'connected', () => subscriber.err);
   // No message passes until the clock of its stamps is known.
   await served(far);
