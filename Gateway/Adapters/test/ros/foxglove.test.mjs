@@ -49,7 +49,7 @@ test('the graph is one node with the topics and services of the gateway', limit,
   assert.deepEqual(details.publishing, topics);
   assert.deepEqual(details.offered, services);
   assert.equal(await ask(ros, 'getTopicType', '/joint_states'), types[topics.indexOf('/joint_states')]);
-  assert.deepEqual(await ask(ros, 'getTopicsForType', 'std_msgs/String'), ['/robot_description']);
+  assert.deepEqual(await ask(ros, 'getTopicsForType', 'std_msgs/String'), ['/robot_description', '/nowpose/version']);
   for (const service of services) assert.match(await ask(ros, 'getServiceType', service), /^rosapi\/[A-Z]/, service);
 });
 
