@@ -30,7 +30,7 @@ static class SweepLogReader
         var rows = new List<SweepRow>();
         var device = "";
         while (csv.Read()) rows.Add(RowOf(csv.Record, $"{name}:{above + csv.RawRow}", ref device));
-        if (rows.Count == 0) throw new InputException($"{name}: there are no rows below the header; a sweep log has one for each frame");
+        if (rows.Count == 0) throw new InputException($"{name}: the header has no rows below it; a sweep log has one row for each frame");
         return rows;
     }
 

@@ -23,5 +23,5 @@ export function compareVersions(log: Log, gateway: unknown): void {
   else log.change('version', String(gateway), `the gateway has version ${gateway}, this adapter has ${VERSION}; install the same version`);
 }
 
-/** Gets 0.2 of 0.2.0 and of 0.2.0-rc.1; undefined for a text that is no version. */
+/** Gets 0.2 of 0.2.0 and of 0.2.0-rc.1; undefined for a text that is not a version. */
 const seriesOf = (version: string): string | undefined => /^(\d{1,9}\.\d{1,9})\.\d{1,9}([-+][0-9A-Za-z.+-]{1,64})?$/.exec(version)?.[1];

@@ -74,7 +74,7 @@ namespace Nowpose.Frames
         /// <param name="epoch">Time from which the predictor counts.</param>
         public DropReason Add(in FrameTransform pose, bool isStationary, ControlTime epoch)
         {
-            if (_parent == null) Begin(pose, isStationary, hasFormerParent: false);
+            if (_parent == null) Begin(pose, isStationary);
             if (pose.Parent == _parent && isStationary == _isStationary && _waitingCount == 0)
             {
                 if (IsMovedBy(pose)) Put(null);
@@ -120,7 +120,7 @@ namespace Nowpose.Frames
             if (_waitingCount == 0) return;
             // The object's source has priority: it has given the object another parent.
             _reach = null;
-            Begin(_waiting[0], _isNextStationary, hasFormerParent: true);
+            Begin(_waiting[0], _isNextStationary);
             for (var i = 0; i < _waitingCount; i++) Take(_waiting[i], epoch);
             _waitingCount = 0;
         }
@@ -172,8 +172,9 @@ namespace Nowpose.Frames
                 || UnitQuaternion.Of(difference).Log().Length > SameRotation;
         }
 
-        void Begin(in FrameTransform pose, bool isStationary, bool hasFormerParent)
+        void Begin(in FrameTransform pose, bool isStationary)
         {
+            var hasFormerParent = _parent != null;
             _parent = pose.Parent;
             _isStationary = isStationary;
             if (!isStationary) _predictor ??= _newPredictor();
