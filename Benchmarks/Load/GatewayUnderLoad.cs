@@ -7,7 +7,7 @@ namespace Nowpose.Benchmarks.Load;
 /// <summary>A gateway in a separate process, with a simulated robot whose samples are sent at the time of their stamp.</summary>
 sealed class GatewayUnderLoad : IDisposable
 {
-    static readonly TimeSpan Patience = TimeSpan.FromSeconds(30);
+    static readonly TimeSpan StartTimeout = TimeSpan.FromSeconds(30);
 
     readonly Process _process;
     readonly TaskCompletionSource _serves = new(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -56,7 +56,7 @@ sealed class GatewayUnderLoad : IDisposable
         gateway._process.BeginOutputReadLine();
         try
         {
-            await gateway._serves.Task.WaitAsync(Patience);
+            await gateway._serves.Task.WaitAsync(StartTimeout);
             return gateway;
         }
         catch

@@ -33,7 +33,7 @@ static class LoadVerb
                 parsed.GetValue(headsets), parsed.GetValue(rate), TimeSpan.FromSeconds(parsed.GetValue(seconds)));
             var results = await MeasureAsync(settings, parsed.GetValue(breaks), stop);
             LoadTable.Write(results, Console.Out);
-            if (results.Count > 1) TellTheBreak(results);
+            if (results.Count > 1) WriteBreak(results);
             return Judge(results[0]);
         });
         return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "Benchmarks of Nowpose.", command), args);
@@ -66,7 +66,7 @@ static class LoadVerb
         return ExitStatus.Failed;
     }
 
-    static void TellTheBreak(IReadOnlyList<LoadResult> results)
+    static void WriteBreak(IReadOnlyList<LoadResult> results)
     {
         var last = results[^1];
         Console.Error.WriteLine(last.Break == null

@@ -57,7 +57,7 @@ sealed class ReaderProgress : IDisposable
     TimeSpan Now => _time.GetElapsedTime(_start);
 
     /// <summary>Gets the timeout for a client to read a number of bytes and to answer.</summary>
-    public TimeSpan Patience(long bytes) => _pongTimeout + TimeSpan.FromSeconds(bytes / MinBytesPerSecond);
+    public TimeSpan TimeoutFor(long bytes) => _pongTimeout + TimeSpan.FromSeconds(bytes / MinBytesPerSecond);
 
     /// <summary>End of the last time in which messages had to wait for the client, a count of the time provider.</summary>
     public long WaitedUntil { get; private set; } = long.MinValue;
@@ -137,7 +137,7 @@ sealed class ReaderProgress : IDisposable
             // Received data count as an answer until the client has answered a ping. If it stops answering later, it has stopped reading.
             var last = _window.HasAnswered || _lastReceived < pingAt ? pingAt : _lastReceived;
             // Bytes sent after the ping do not delay its pong.
-            return Now - last >= Patience(_window.BytesBeforePing);
+            return Now - last >= TimeoutFor(_window.BytesBeforePing);
         }
     }
 

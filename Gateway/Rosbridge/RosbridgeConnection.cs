@@ -9,7 +9,7 @@ sealed class RosbridgeConnection : IDisposable
 {
     internal const int WaitingReplies = 64;
     const int NotEnded = -1;
-    static readonly TimeSpan GoodbyeTimeout = ProtocolLimits.GoodbyeTimeout;
+    static readonly TimeSpan CloseTimeout = ProtocolLimits.CloseTimeout;
 
     readonly WebSocket _socket;
     readonly MessageReceiver _receiver;
@@ -54,7 +54,7 @@ sealed class RosbridgeConnection : IDisposable
     public void End(Closure why)
     {
         if (Interlocked.CompareExchange(ref _ended, (int)why, NotEnded) == NotEnded)
-            _ = SayGoodbyeAsync(why);
+            _ = CloseAsync(why);
     }
 
     /// <summary>Serves the client until either side ends the connection; returns the reason.</summary>
@@ -69,7 +69,7 @@ sealed class RosbridgeConnection : IDisposable
         if (Ended == null && HasPeerLeft) session.Leave();
         session.Dispose();
         if (Ended == null && why != Closure.Silence)
-            await SayGoodbyeAsync(why);
+            await CloseAsync(why);
         await _stop.CancelAsync();
         await StopPumpsAsync(Task.WhenAll(replying, watching), isGone: why == Closure.Silence);
         return why;
@@ -156,7 +156,7 @@ sealed class RosbridgeConnection : IDisposable
     {
         try
         {
-            await sending.WaitAsync(_reader.Patience(length));
+            await sending.WaitAsync(_reader.TimeoutFor(length));
             _reader.OnWaited();
         }
         catch (TimeoutException)
@@ -184,25 +184,25 @@ sealed class RosbridgeConnection : IDisposable
     async Task StopPumpsAsync(Task replying, bool isGone)
     {
         var pumps = Task.WhenAll([replying, .. _pumps.Values.Select(pump => pump.Ended)]);
-        if (isGone || await Task.WhenAny(pumps, Task.Delay(GoodbyeTimeout)) != pumps)
+        if (isGone || await Task.WhenAny(pumps, Task.Delay(CloseTimeout)) != pumps)
             _socket.Abort();
         await pumps;
     }
 
-    async Task SayGoodbyeAsync(Closure why)
+    async Task CloseAsync(Closure why)
     {
-        using var patience = new CancellationTokenSource(GoodbyeTimeout);
+        using var timeout = new CancellationTokenSource(CloseTimeout);
         try
         {
             // A peer's close is answered with the same code, or with none if it had none.
             if (why == Closure.ByPeer)
-                await _socket.CloseOutputAsync(_socket.CloseStatus ?? WebSocketCloseStatus.NormalClosure, null, patience.Token);
+                await _socket.CloseOutputAsync(_socket.CloseStatus ?? WebSocketCloseStatus.NormalClosure, null, timeout.Token);
             else
-                await _socket.CloseOutputAsync(StatusOf(why), why.ToString(), patience.Token);
+                await _socket.CloseOutputAsync(StatusOf(why), why.ToString(), timeout.Token);
             if (Ended != null)
-                await Task.Delay(GoodbyeTimeout, _stop.Token);
+                await Task.Delay(CloseTimeout, _stop.Token);
             else if (why != Closure.ByPeer)
-                await _receiver.DrainAsync(GoodbyeTimeout);
+                await _receiver.DrainAsync(CloseTimeout);
         }
         catch (Exception e) when (IsEndOfConnection(e) || e is InvalidOperationException)
         {

@@ -4,7 +4,7 @@ using Nowpose.Gateway.Operations;
 namespace Nowpose.Gateway.Security;
 
 /// <summary>Admits requests according to the protocol and answers those that it refuses. One instance for everything that a gateway serves.</summary>
-sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters counters, Action<string> log)
+sealed class AccessControl(GatewayOptions options, WrongTokens wrong, ConnectionCounters counters, Action<string> log)
 {
     public BrowserSessions Sessions { get; } = new(options.Time);
 
