@@ -46,7 +46,7 @@ sealed class RosbridgeConnection : IDisposable
         foreach (var (topic, pump) in _pumps)
             if (pump.Ended.IsCompletedSuccessfully) _pumps.Remove(topic);
         if (!_pumps.TryGetValue(subscription.Topic, out var own))
-            _pumps.Add(subscription.Topic, own = new TopicPump(one => PumpAsync(() => one.PumpAsync(SendAsync, _stop.Token))));
+            _pumps.Add(subscription.Topic, own = new TopicPump(one => PumpAsync(() => one.PumpAsync(next => SendAsync(next, isReply: false), _stop.Token))));
         own.Start(subscription);
     }
 
@@ -61,7 +61,7 @@ sealed class RosbridgeConnection : IDisposable
     public async Task<Closure> RunAsync(RosbridgeSession session)
     {
         var replying = PumpAsync(RepliesAsync);
-        var watching = PumpAsync(EndWhenSilentAsync);
+        var watching = PumpAsync(WatchAsync);
         Closure why;
         // The client answers with its own close, which ends the receiving, or the timeout ends it.
         await using (_serverStops.UnsafeRegister(_ => End(Closure.Stopped), null))
@@ -117,16 +117,16 @@ sealed class RosbridgeConnection : IDisposable
     async Task RepliesAsync()
     {
         while (await _replies.Reader.WaitToReadAsync(_stop.Token))
-            await SendAsync(_ => _replies.Reader.TryRead(out var reply) ? reply : default);
+            await SendAsync(_ => _replies.Reader.TryRead(out var reply) ? reply : default, isReply: true);
     }
 
     // Selects the message only when it can be sent, because a message selected earlier would be outdated.
-    async Task SendAsync(Func<long, ReadOnlyMemory<byte>> next)
+    async Task SendAsync(Func<long, ReadOnlyMemory<byte>> next, bool isReply)
     {
         await _sending.WaitAsync(_stop.Token);
         try
         {
-            await _reader.OpensAsync(_stop.Token);
+            await _reader.OpensAsync(isReply, _stop.Token);
             var message = next(_reader.WaitedUntil);
             if (message.IsEmpty) return;
             await _reader.SendsAsync(message.Length);
@@ -135,7 +135,7 @@ sealed class RosbridgeConnection : IDisposable
                 await sending;
             else
                 await BecomesSentAsync(sending.AsTask(), message.Length);
-            _reader.OnSent(message.Length);
+            _reader.OnSent(message.Length, isReply);
         }
         finally
         {
@@ -143,10 +143,15 @@ sealed class RosbridgeConnection : IDisposable
         }
     }
 
-    // No close is sent: a peer that does not read would not receive it.
-    async Task EndWhenSilentAsync()
+    async Task WatchAsync()
     {
-        await _reader.BecomesSilentAsync(_stop.Token);
+        if (await _reader.WatchAsync(_stop.Token) == Closure.SlowReader)
+        {
+            End(Closure.SlowReader);
+            return;
+        }
+
+        // No close is sent: a peer that does not read would not receive it.
         Interlocked.CompareExchange(ref _ended, (int)Closure.Silence, NotEnded);
         _socket.Abort();
     }
