@@ -23,7 +23,7 @@ sealed record OverallStatus(string Level, string Text)
     static string Summary(IReadOnlyList<JointStatus> joints, int headsets)
     {
         var resting = joints.Count(joint => joint.State == JointDataState.Rest);
-        var live = resting == 0 ? $"{Count(joints.Count, "joint")} live" : $"{Count(joints.Count - resting, "joint")} live, {resting} at rest";
+        var live = resting == 0 ? $"{Count(joints.Count, "joint")} live" : $"{Count(joints.Count - resting, "joint")} live, {resting} assumed at rest";
         return $"{live}, {Count(headsets, "headset")}";
     }
 
