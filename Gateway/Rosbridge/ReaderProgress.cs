@@ -90,7 +90,7 @@ sealed class ReaderProgress : IDisposable
     {
         lock (_lock)
         {
-            _window.OnSent(bytes, isReply);
+            _window.OnSent(bytes, Now, isReply);
             PlanPing();
         }
     }
