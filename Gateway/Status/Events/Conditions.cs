@@ -116,7 +116,8 @@ sealed class Conditions(
 
     IEnumerable<Condition> OfSources(IReadOnlyList<JointStatus> rows)
     {
-        if (!options.ExpectsSources || rows.Count > 0) return [];
+        // A plant may have objects and signals only.
+        if (!options.ExpectsSources || rows.Count > 0 || cell.HasAny) return [];
         return
         [
             new("source", "of joint positions", "is missing", "no adapter has reported a joint and no sample has arrived", Level.Error, true)
