@@ -15,6 +15,7 @@ static class PathsVerb
     {
         var seeds = NumberOption.Create("--seeds", "Number of runs for each change", 6, 1, 1000, "");
         var first = NumberOption.Create("--first-seed", "Seed of the first run; each further run uses the next one", 7000, 0, 1_000_000, "");
+        var size = NumberOption.CreateOptional("--size-ms", $"Size of the changes; {string.Join(", ", SizesMs.Select(Text))} ms if not given", 0.01, 1000.0, "ms");
         var estimator = new Option<string>("--estimator")
         {
             Description = $"Clock estimator [{string.Join(", ", ClockEstimators.Names)}]", HelpName = "NAME",
@@ -23,18 +24,21 @@ static class PathsVerb
         estimator.AcceptOnlyFromAmong([.. ClockEstimators.Names]);
         var command = new Command("paths", "Compare the estimated clock with the true clock while the minimum delays of a path change, in virtual time")
         {
-            seeds, first, estimator,
+            seeds, first, size, estimator,
         };
-        command.SetAction((parsed, stop) => Task.FromResult(
-            Run(parsed.GetValue(estimator), [.. Enumerable.Range(parsed.GetValue(first), parsed.GetValue(seeds))], stop)));
+        command.SetAction((parsed, stop) =>
+        {
+            double[] sizesMs = parsed.GetValue(size) is { } only ? [only] : SizesMs;
+            return Task.FromResult(Run(parsed.GetValue(estimator), sizesMs, [.. Enumerable.Range(parsed.GetValue(first), parsed.GetValue(seeds))], stop));
+        });
         return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "Benchmarks of Nowpose.", command), args);
     }
 
-    static int Run(string estimator, int[] seeds, CancellationToken stop)
+    static int Run(string estimator, double[] sizesMs, int[] seeds, CancellationToken stop)
     {
         var missed = new List<string>();
-        Console.WriteLine($"| link | change | {string.Join(" | ", SizesMs.Select(size => string.Create(CultureInfo.InvariantCulture, $"{size} ms")))} |");
-        Console.WriteLine($"| --- | --- | {string.Join(" | ", SizesMs.Select(_ => "---"))} |");
+        Console.WriteLine($"| link | change | {string.Join(" | ", sizesMs.Select(size => Text(size) + " ms"))} |");
+        Console.WriteLine($"| --- | --- | {string.Join(" | ", sizesMs.Select(_ => "---"))} |");
         foreach (var link in LinkProfile.All)
         {
             PathRun[] Play(PathChange change, double sizeMs) =>
@@ -42,7 +46,7 @@ static class PathsVerb
             var undisturbed = Play(PathChange.None, 0);
             foreach (var change in PathChange.All)
             {
-                var cells = SizesMs.Select(size => new PathCell(link, change, size, Play(change, size), undisturbed)).ToList();
+                var cells = sizesMs.Select(size => new PathCell(link, change, size, Play(change, size), undisturbed)).ToList();
                 Console.WriteLine($"| {link.Name} | {change.Name} | {string.Join(" | ", cells)} |");
                 missed.AddRange(cells.SelectMany(cell => cell.Missed));
             }
@@ -56,4 +60,6 @@ static class PathsVerb
         foreach (var line in missed) Console.Error.WriteLine("error: " + line);
         return missed.Count == 0 ? ExitStatus.Done : ExitStatus.Failed;
     }
+
+    static string Text(double number) => number.ToString(CultureInfo.InvariantCulture);
 }

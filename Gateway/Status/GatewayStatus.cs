@@ -37,13 +37,13 @@ sealed class GatewayStatus : IDisposable
     readonly DropCounters _drops;
     readonly (string Name, ConnectionCounters Counters)[] _connections;
     readonly SourceWatch _sources = new();
-    readonly DiagnosticsBoard _said;
+    readonly DiagnosticsBoard _diagnostics;
     readonly JointBoard _joints;
     readonly CellBoard _cell;
     readonly RecentRefusals _refusals;
     readonly Conditions _conditions;
     readonly StatusWatch _watch;
-    readonly CellReports _reports;
+    readonly CellReports _cellReports;
     readonly SignalStatusTopic _signals;
     readonly HubSource _version;
     readonly long[] _messages = new long[Counted.Length];
@@ -63,15 +63,15 @@ sealed class GatewayStatus : IDisposable
         _hub = hub;
         _drops = drops;
         _connections = [("sync", sync), ("websocket", webSocket)];
-        _said = new DiagnosticsBoard(options.Time);
+        _diagnostics = new DiagnosticsBoard(options.Time);
         _joints = new JointBoard(options.Time, () => limits.Robot);
-        _reports = new CellReports(options.Time);
-        _cell = new CellBoard(options.Time, _reports);
+        _cellReports = new CellReports(options.Time);
+        _cell = new CellBoard(options.Time, _cellReports);
         _refusals = new RecentRefusals(options.Time);
         Events = events;
-        _conditions = new Conditions(options, clock, _said, _refusals, _reports, limits, recorder);
+        _conditions = new Conditions(options, clock, _diagnostics, _refusals, _cellReports, limits, recorder);
         hub.JointRefused += Refuse;
-        hub.Left += _said.Remove;
+        hub.Left += _diagnostics.Remove;
         hub.SampleDropped += _joints.Refuse;
         hub.SourceLeft += _joints.Leave;
         hub.SignalsEnded += _cell.End;
@@ -107,7 +107,7 @@ sealed class GatewayStatus : IDisposable
         _signals.Dispose();
         _version.Dispose();
         _hub.JointRefused -= Refuse;
-        _hub.Left -= _said.Remove;
+        _hub.Left -= _diagnostics.Remove;
         _hub.SampleDropped -= _joints.Refuse;
         _hub.SourceLeft -= _joints.Leave;
         _hub.SignalsEnded -= _cell.End;
@@ -119,19 +119,21 @@ sealed class GatewayStatus : IDisposable
         var sources = _sources.Read();
         var hops = new HopTimes(
             Middle([.. sources.SelectMany(source => source.SortedAges).Order()]), _hub.Forwarding.Percentile(0.5)?.TotalMilliseconds);
-        var said = _said.Read();
+        var reports = _diagnostics.Read();
         var beyond = _limits.Joints;
         var joints = _joints.Read();
         var conditions = ConditionsOf(joints);
+        var (frames, signals) = (_cell.Frames(_clock.Now), _cell.Signals(_clock.Now));
         return new StatusSnapshot(
-            _options.Cell, Environment.MachineName, Version, OverallStatus.Of(conditions, joints, said), _started.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture),
+            _options.Cell, Environment.MachineName, Version, OverallStatus.Of(conditions, joints, frames.Count, signals.Count, _limits.Robot != null, reports),
+            _started.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture),
             Math.Round(Stopwatch.GetElapsedTime(_startCount).TotalSeconds, 1), Math.Round(_clock.Now.SinceEpoch.TotalSeconds, 6), OfClock(),
             [.. _clock.Status().Select(Of)],
-            [.. said.Where(IsAdapter).Select(StatusObjects.Adapter)],
+            [.. reports.Where(IsAdapter).Select(StatusObjects.Adapter)],
             [.. sources.Select(source => Of(source, beyond))],
             [.. joints.Select(Of)],
-            _cell.Frames(_clock.Now), _cell.Signals(_clock.Now),
-            [.. said.Where(one => !IsAdapter(one)).Select(one => StatusObjects.Headset(one, hops))],
+            frames, signals,
+            [.. reports.Where(one => !IsAdapter(one)).Select(one => StatusObjects.Headset(one, hops))],
             OfForwarding(),
             _connections.ToDictionary(server => server.Name, server => Of(server.Counters)),
             Enumerable.Range(0, Counted.Length).ToDictionary(topic => Counted[topic], topic => Interlocked.Read(ref _messages[topic])),
@@ -155,7 +157,7 @@ sealed class GatewayStatus : IDisposable
         else if (message.Content is SignalsMessage signals) _cell.Add(message.Source, signals);
         else if (message.Content is DiagnosticsMessage diagnostics)
         {
-            _said.Add(diagnostics);
+            _diagnostics.Add(diagnostics);
             if (StatusObjects.IsAdapter(diagnostics.HardwareId)) Report(message.Source, diagnostics);
         }
     }
@@ -165,8 +167,8 @@ sealed class GatewayStatus : IDisposable
         var name = StatusObjects.AdapterName(diagnostics.HardwareId);
         if (source != null) source.Name = name;
         _joints.Report(name, diagnostics.Values, source);
-        _reports.Add(name, diagnostics.Values);
-        _signals.Report(_reports.Troubled(AdapterReport.SignalPrefix), _options.Time.GetUtcNow());
+        _cellReports.Add(name, diagnostics.Values);
+        _signals.Report(_cellReports.Troubled(AdapterReport.SignalPrefix), _options.Time.GetUtcNow());
     }
 
     void Refuse(HubSource source, string joint, HubSource owner)

@@ -10,20 +10,23 @@ namespace Nowpose.Gateway.Status;
 sealed record OverallStatus(string Level, string Text)
 {
     /// <param name="conditions">Present conditions, the worst first.</param>
+    /// <param name="hasRobot">Whether a robot is described, whose joints then need a source.</param>
     public static OverallStatus Of(
-        IReadOnlyList<Condition> conditions, IReadOnlyList<JointStatus> joints,
-        IReadOnlyList<(string Name, TimeSpan, IReadOnlyList<KeyValuePair<string, string>>)> said)
+        IReadOnlyList<Condition> conditions, IReadOnlyList<JointStatus> joints, int frames, int signals, bool hasRobot,
+        IReadOnlyList<(string Name, TimeSpan, IReadOnlyList<KeyValuePair<string, string>>)> reports)
     {
-        if (conditions.Count == 0 && joints.Count == 0) return new("warning", "no source publishes joint positions yet");
-        if (conditions.Count == 0) return new("ok", Summary(joints, said.Count(one => !StatusObjects.IsAdapter(one.Name))));
+        if (conditions.Count == 0 && joints.Count == 0 && (hasRobot || frames + signals == 0)) return new("warning", "no source publishes joint positions yet");
+        if (conditions.Count == 0) return new("ok", Summary(joints, frames, signals, reports.Count(one => !StatusObjects.IsAdapter(one.Name))));
         var more = conditions.Count == 1 ? "" : $" (and {conditions.Count - 1} more)";
         return new(conditions[0].Level.ToString().ToLowerInvariant(), conditions[0].TextWithSince + more);
     }
 
-    static string Summary(IReadOnlyList<JointStatus> joints, int headsets)
+    static string Summary(IReadOnlyList<JointStatus> joints, int frames, int signals, int headsets)
     {
+        // A cell may have objects and signals only.
+        if (joints.Count == 0) return $"{Count(frames, "object")}, {Count(signals, "signal")}, {Count(headsets, "headset")}";
         var resting = joints.Count(joint => joint.State == JointDataState.Rest);
-        var live = resting == 0 ? $"{Count(joints.Count, "joint")} live" : $"{Count(joints.Count - resting, "joint")} live, {resting} at rest";
+        var live = resting == 0 ? $"{Count(joints.Count, "joint")} live" : $"{Count(joints.Count - resting, "joint")} live, {resting} assumed at rest";
         return $"{live}, {Count(headsets, "headset")}";
     }
 

@@ -24,6 +24,47 @@ public class SendWindowTests
     }
 
     [Test]
+    public void Reader_BelowTwoKilobytesPerSecond_ReceivesOneMessageAtATime(
+        [Values(600, 800, 1000, 1200, 1500, 2000)] double bytesPerSecond, [Values(370, 450)] int messageBytes, [Values(1, 40)] int roundTripMs)
+    {
+        var run = new Run(bytesPerSecond, messageBytes, intervalMs: 20, roundTripMs);
+
+        run.Continue(TimeSpan.FromSeconds(60));
+
+        Assert.That(run.MaxAge, Is.LessThanOrEqualTo(SendWindow.MaxReadTime), $"window {run.Window.Size} bytes");
+        Assert.That(run.Window.IsTooSlow, Is.False);
+        Assert.That(run.ReadMessages * messageBytes, Is.GreaterThan(0.75 * 60 * bytesPerSecond), "used");
+    }
+
+    [Test]
+    public void IsTooSlow_EachMessageTakesASecond_IsTrueAfterAFewMessages()
+    {
+        var run = new Run(bytesPerSecond: 450, messageBytes: 450, intervalMs: 20, roundTripMs: 1);
+
+        run.Continue(TimeSpan.FromSeconds(SendWindow.MaxLatePongs));
+        Assert.That(run.Window.IsTooSlow, Is.False);
+        run.Continue(TimeSpan.FromSeconds(2));
+
+        Assert.That(run.Window.IsTooSlow, Is.True);
+    }
+
+    [Test]
+    public void IsTooSlow_SinglePongsAreLate_IsFalse()
+    {
+        var window = new SendWindow();
+        var now = TimeSpan.Zero;
+        for (var i = 0; i < 100; i++)
+        {
+            window.OnSent(450, now);
+            var ping = window.OnPing(now);
+            now += i % SendWindow.MaxLatePongs == 0 ? Step : SendWindow.MaxReadTime + Step;
+            window.OnPong(ping, now);
+
+            Assert.That(window.IsTooSlow, Is.False);
+        }
+    }
+
+    [Test]
     public void Reader_Fast_ReceivesAllDespiteALongRoundTrip([Values(1, 40, 120, 180)] int roundTripMs)
     {
         var run = new Run(bytesPerSecond: 1e7, messageBytes: 450, intervalMs: 20, roundTripMs);
@@ -33,6 +74,29 @@ public class SendWindowTests
         run.Continue(TimeSpan.FromSeconds(60));
 
         Assert.That(run.Refused - refused, Is.Zero, "messages that the window refused after its first seconds");
+    }
+
+    [Test]
+    public void Reader_BehindALossyPath_ReceivesNearlyAllMessages([Values(250, 350)] int stallMs, [Values(20, 40)] int roundTripMs)
+    {
+        // Positions and the poses of objects, 30 kB/s. After a lost packet, TCP delivers nothing until it has sent the packet again.
+        var run = new Run(bytesPerSecond: 1e7, messageBytes: 750, intervalMs: 25, roundTripMs) { StallMs = stallMs };
+        run.Continue(TimeSpan.FromSeconds(10));
+        var refused = run.Refused;
+
+        run.Continue(TimeSpan.FromSeconds(60));
+
+        Assert.That((run.Refused - refused) / (60 / 0.025), Is.LessThan(0.05), "share of messages that the window refused");
+    }
+
+    [Test]
+    public void Reader_At4KilobytesPerSecondBehindALossyPath_ReceivesOnlyRecentMessages([Values(250, 350)] int stallMs)
+    {
+        var run = new Run(bytesPerSecond: 4000, messageBytes: 450, intervalMs: 20, roundTripMs: 40) { StallMs = stallMs };
+
+        run.Continue(TimeSpan.FromSeconds(60));
+
+        Assert.That(run.MaxAge.TotalSeconds, Is.LessThan(MaxAgeSeconds + (stallMs / 1000.0)), $"window {run.Window.Size} bytes");
     }
 
     [Test]
@@ -68,14 +132,14 @@ public class SendWindowTests
     public void IsOpen_ClientNeverAnswersAPing_OpensAtTheAssumedRateAfterTheTimeout()
     {
         var window = new SendWindow();
-        window.OnSent(SendWindow.FirstBytes);
+        window.OnSent(SendWindow.FirstBytes, TimeSpan.Zero);
         window.OnPing(TimeSpan.Zero);
 
         Assert.That(window.IsOpen(SendWindow.FirstPongTimeout - Step), Is.False);
         Assert.That(window.IsAssumed, Is.False);
         Assert.That(window.IsOpen(SendWindow.FirstPongTimeout), Is.True);
         Assert.That(window.IsAssumed, Is.True);
-        window.OnSent(SendWindow.FirstBytes + (int)SendWindow.AssumedBytesPerSecond);
+        window.OnSent(SendWindow.FirstBytes + (int)SendWindow.AssumedBytesPerSecond, SendWindow.FirstPongTimeout);
         Assert.That(window.IsOpen(SendWindow.FirstPongTimeout + TimeSpan.FromSeconds(1)), Is.False);
         Assert.That(window.IsOpen(SendWindow.FirstPongTimeout + TimeSpan.FromSeconds(1) + Step), Is.True);
     }
@@ -111,7 +175,7 @@ public class SendWindowTests
     {
         var window = new SendWindow();
         window.OnPong(window.OnPing(TimeSpan.Zero), Step);
-        window.OnSent(SendWindow.FirstBytes);
+        window.OnSent(SendWindow.FirstBytes, TimeSpan.Zero);
         var ping = window.OnPing(Step);
 
         Assert.That(window.IsOpen(TimeSpan.FromMinutes(1)), Is.False);
@@ -126,12 +190,12 @@ public class SendWindowTests
     public void IsPingDue_ClientNearOrFar_IsTrueAfterItsNumberOfBytes(int pongMs, int bytes)
     {
         var window = new SendWindow();
-        window.OnSent(1);
+        window.OnSent(450, TimeSpan.Zero);
         window.OnPong(window.OnPing(TimeSpan.Zero), pongMs * Step);
 
-        window.OnSent(bytes - 1);
+        window.OnSent(bytes - 1, pongMs * Step);
         Assert.That(window.IsPingDue, Is.False);
-        window.OnSent(1);
+        window.OnSent(1, pongMs * Step);
         Assert.That(window.IsPingDue, Is.True);
     }
 
@@ -166,7 +230,21 @@ public class SendWindowTests
         public int ReadMessages { get; private set; }
         public int Refused { get; private set; }
 
+        /// <summary>Time at the start of every two seconds in which nothing arrives at the client, ms.</summary>
+        public int StallMs { get; init; }
+
         TimeSpan OneWay => TimeSpan.FromMilliseconds(roundTripMs / 2.0);
+
+        TimeSpan Arrival
+        {
+            get
+            {
+                var arrival = _now + OneWay;
+                var inStall = TimeSpan.FromMilliseconds(arrival.TotalMilliseconds % 2000);
+                var stall = TimeSpan.FromMilliseconds(StallMs);
+                return inStall < stall ? arrival - inStall + stall : arrival;
+            }
+        }
 
         public void Continue(TimeSpan time)
         {
@@ -196,8 +274,8 @@ public class SendWindowTests
 
         void Send()
         {
-            Window.OnSent(messageBytes);
-            _way.Enqueue((_now + OneWay, messageBytes, _now, 0));
+            Window.OnSent(messageBytes, _now);
+            _way.Enqueue((Arrival, messageBytes, _now, 0));
             PlanPing();
         }
 
@@ -209,7 +287,7 @@ public class SendWindowTests
         void Ping()
         {
             _nextPing = null;
-            _way.Enqueue((_now + OneWay, PingBytes, _now, Window.OnPing(_now)));
+            _way.Enqueue((Arrival, PingBytes, _now, Window.OnPing(_now)));
         }
 
         void Read()

@@ -90,6 +90,7 @@ describe('silence', () => {
 
     const [state, since] = cell.status.values()['joint/a'].split(' ');
     assert.equal(state, 'rest');
+    assert.match(cell.status.values()['joint/a'], / its source confirms the last value; silence means rest; the joint is assumed at rest$/);
     // The joint is at rest since its last sample, which came 1 s earlier.
     assert.ok(Number(since) < Date.now() / 1000 - 0.9, since);
     assert.equal(cell.status.level, 0);

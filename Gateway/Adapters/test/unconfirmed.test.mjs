@@ -26,6 +26,7 @@ describe('a source that cannot confirm', () => {
     const { status, stateOf } = await passive({ x: stops, y: swings }, 3);
 
     assert.deepEqual([stateOf('x'), stateOf('y'), status.level], ['rest', 'live', 1]);
+    assert.match(status.values()['joint/x'], / no value arrives; silence means rest; the joint is assumed at rest; nothing confirms/);
     assert.match(status.values()['uncertain/x'], /^nothing confirms its last value, .*; set silence: \{ fault_after_s: N \}/);
     assert.match(status.message, /^x may not be at rest: nothing confirms/);
   });
@@ -62,6 +63,7 @@ describe('a source that cannot confirm', () => {
     const { status, stateOf } = await passive({ x: stops, y: swings }, 4, 5000);
 
     assert.deepEqual([stateOf('x'), status.level, status.values()['uncertain/x']], ['rest', 0, undefined]);
+    assert.match(status.values()['joint/x'], / no value arrives; silence is a fault after 5 s; the joint is assumed at rest$/);
   });
 
   it('Source_SendsEachJointPeriodically_SilenceIsFault', () => {

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using Nowpose.Gateway;
+using Nowpose.Gateway.Plants;
 using Nowpose.Protocol;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Gateway.Cell.CellTexts;
@@ -52,6 +53,18 @@ public class CellStatusTests
         var messages = state.GetProperty("messages");
         Assert.That(messages.GetProperty("/joint_states").GetInt64(), Is.EqualTo(1));
         Assert.That(messages.GetProperty("/*/joint_states").GetInt64(), Is.EqualTo(2));
+    }
+
+    [TestCase(false, "ok")]
+    [TestCase(true, "warning")]
+    public async Task State_ObjectsWithoutJoints_IsOkUnlessARobotIsDescribed(bool hasRobot, string level)
+    {
+        if (hasRobot) await _source.SendAsync(RosbridgeWriter.PublishString(RosTopics.RobotDescription, RobotFiles.LoadText("youbot")));
+        await _source.SendAsync(Tf(Frame("box")));
+        await _source.SendAsync(SignalsText(("belt", 1)));
+        await _source.RoundTripAsync();
+
+        Assert.That((await StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo(level));
     }
 
     [Test]

@@ -4,6 +4,10 @@ import type { AdapterStatus } from '../gateway/status';
 /** Time without a sample after which a joint is at rest. With a shorter time, slow motion would change the state with each sample. */
 const REST_MS = 1000;
 
+/** What is known about a joint at rest. */
+const CONFIRMED = 'its source confirms the last value';
+const SILENT = 'no value arrives';
+
 /** Why rest is uncertain if the source cannot be asked for a joint's value. */
 const CURE = 'set silence: { fault_after_s: N } if the source sends each joint repeatedly, even at rest';
 const UNCONFIRMED = `nothing confirms its last value, so rest cannot be distinguished from an end of its data; ${CURE}`;
@@ -70,7 +74,7 @@ export class Silence {
     const heard = this.#heard.get(joint);
     if (heard === undefined) return;
     heard.confirmed = this.now();
-    if (this.conditions.stateOf(joint) !== 'live' || heard.confirmed - heard.sample >= REST_MS) this.#rest(joint, heard, uncertainty);
+    if (this.conditions.stateOf(joint) !== 'live' || heard.confirmed - heard.sample >= REST_MS) this.#rest(joint, heard, CONFIRMED, uncertainty);
   }
 
   /** Wall clock time of the last sample in milliseconds. */
@@ -101,9 +105,9 @@ export class Silence {
       this.#fault(joint, `no value for more than ${this.unconfirmedMs / 1000} s, and the source does not confirm the last one`);
     else if (this.unconfirmedMs === null && silent >= REST_MS) {
       // With a limit for a fault, the source is known to be silent for up to that time.
-      if (limit !== null) this.#rest(joint, heard);
+      if (limit !== null) this.#rest(joint, heard, SILENT);
       else if (this.hasEnded(joint)) this.#fault(joint, 'its data ended in mid-motion: it cannot have stopped at its last position');
-      else this.#rest(joint, heard, uncertainty);
+      else this.#rest(joint, heard, SILENT, uncertainty);
     }
     return [];
   }
@@ -112,8 +116,10 @@ export class Silence {
     this.conditions.fault(joint, reason, this.lastSample(joint));
   }
 
-  #rest(joint: string, heard: Heard, uncertainty = ''): void {
+  #rest(joint: string, heard: Heard, evidence: string, uncertainty = ''): void {
     const limit = this.faultAfterMs(joint);
-    if (limit === null || this.now() - heard.sample <= limit) this.conditions.rest(joint, this.lastSample(joint), uncertainty);
+    if (limit !== null && this.now() - heard.sample > limit) return;
+    const meaning = limit === null ? 'silence means rest' : `silence is a fault after ${limit / 1000} s`;
+    this.conditions.rest(joint, this.lastSample(joint), `${evidence}; ${meaning}`, uncertainty);
   }
 }

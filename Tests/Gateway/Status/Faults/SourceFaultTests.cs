@@ -147,4 +147,14 @@ public class SourceFaultTests
             "a source of joint positions is missing: no adapter has reported a joint and no sample has arrived (since 2026-11-20 12:00:00 UTC). "
                 + "Check that the adapter of each plant runs and is connected."));
     }
+
+    [Test]
+    public async Task Ready_PlantWithObjectsOnly_NeedsNoSourceOfJointPositions()
+    {
+        await _gateway.StartAsync(options => options with { ExpectsSources = true });
+
+        _gateway.Report("adapter/press", ("state", "connected"), ("frame/box", $"live {_gateway.Since(1)}"));
+
+        await _gateway.ReadyAsync(HttpStatusCode.OK);
+    }
 }
