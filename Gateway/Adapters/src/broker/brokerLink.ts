@@ -3,6 +3,7 @@ import { connect, type IClientOptions, type MqttClient } from 'mqtt';
 import { Backoff, pause } from '../backoff';
 import { SendQueue } from '../gateway/sendQueue';
 import type { BrokerSettings } from './settings';
+import { brokerMessages } from '../messages/broker';
 
 const KEEP_ALIVE_S = 3;
 const CONNECT_MS = 5000;
@@ -94,7 +95,7 @@ export class BrokerLink {
   #connect(stop: AbortSignal): Promise<string> {
     const client = connect(this.settings.endpoint, this.#options());
     return new Promise(resolve => {
-      let reason = 'the broker closed the connection';
+      let reason = brokerMessages.closed;
       const leave = (): void => {
         this.#sayAway(client);
         client.end(false, {}, () => resolve('stopped'));
@@ -149,7 +150,7 @@ export class BrokerLink {
     const { topic, direction } = this.settings;
     for (const name of this.subscriptions)
       client.subscribe(`${topic}/${name}`, { qos: 1 }, error => {
-        if (error) this.events.away(`the broker refuses the subscription of ${topic}/${name}: ${error.message}`);
+        if (error) this.events.away(brokerMessages.subscriptionRefused(`${topic}/${name}`, error.message));
       });
     if (direction === 'publish') this.#keep(ALIVE, this.#presence);
     for (const [name, payload] of this.#retained) this.#keep(name, payload);
@@ -181,10 +182,9 @@ export class BrokerLink {
 }
 
 function inWords(error: Error & { code?: unknown }, endpoint: string): string {
-  if (error.code === 'ECONNREFUSED') return `nothing listens at ${endpoint}; is the broker running?`;
-  if (error.code === 134 || error.code === 135 || error.code === 4 || error.code === 5)
-    return `${endpoint} refuses the login; check user and password_file, and the user's rights at the broker`;
+  if (error.code === 'ECONNREFUSED') return brokerMessages.refuses(endpoint);
+  if (error.code === 134 || error.code === 135 || error.code === 4 || error.code === 5) return brokerMessages.loginRefused(endpoint);
   if (String(error.code).includes('CERT') || String(error.code).includes('UNABLE_TO') || String(error.code).includes('SELF_SIGNED'))
-    return `the broker's certificate is not trusted (${String(error.code)}); set authority_file to the certificate that issued it`;
+    return brokerMessages.notTrusted(String(error.code));
   return error.message;
 }

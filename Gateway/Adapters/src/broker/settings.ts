@@ -2,11 +2,12 @@ import type { Kind } from '../adapter';
 import { requireAddress } from '../configuration/address';
 import { type Configuration, isLoopback } from '../configuration/configuration';
 import { requirePlain } from '../configuration/plain';
-import { shown } from '../configuration/problem';
 import { secretIn, secretText } from '../configuration/secret';
 import { type User, userIn } from '../configuration/user';
 import type { YamlFile } from '../configuration/yamlFile';
 import { type Nanoseconds, ofMilliseconds } from '../times';
+import { brokerSettingMessages } from '../messages/broker';
+import { configurationMessages } from '../messages/configuration';
 
 const OLDEST_MS = 10_000;
 const SYNC_PORT = 47010;
@@ -59,13 +60,11 @@ export const broker: Kind = {
     requireAddress(file, ['plant', 'endpoint'], endpoint);
     requirePlain(file, section);
     section.namespaces?.forEach((namespace, i, all) => {
-      if (all.indexOf(namespace) < i) file.report(['plant', 'namespaces', i], `value ${shown(namespace)} occurs twice; name each namespace once`);
+      if (all.indexOf(namespace) < i) file.report(['plant', 'namespaces', i], configurationMessages.valueTwice(namespace, 'namespace'));
     });
-    if (user !== undefined && isOpen && !isLoopback(endpoint)) file.report(['plant', 'user'], 'the password would be sent unencrypted; use mqtts://');
-    if (direction === 'publish' && section.clock !== undefined)
-      file.report(['plant', 'clock'], 'not used with direction: publish; the bridge on the receiving side asks for the time');
-    if (direction === 'subscribe' && section.clock === undefined)
-      file.report(['plant', 'clock'], 'missing; add host and sync port of the gateway that has the plant, because the time stamps use its clock');
+    if (user !== undefined && isOpen && !isLoopback(endpoint)) file.report(['plant', 'user'], configurationMessages.passwordInClear('mqtts://'));
+    if (direction === 'publish' && section.clock !== undefined) file.report(['plant', 'clock'], brokerSettingMessages.unusedClock);
+    if (direction === 'subscribe' && section.clock === undefined) file.report(['plant', 'clock'], brokerSettingMessages.noClock);
     const settings: BrokerSettings = {
       direction,
       endpoint,
@@ -83,9 +82,8 @@ export const broker: Kind = {
   summary(configuration) {
     const { direction, endpoint, topic, clock } = settingsOf(configuration);
     const gateway = configuration.isSupervised ? 'this gateway' : `gateway ${configuration.gateway.url}`;
-    return direction === 'publish'
-      ? `${gateway} to broker ${endpoint}, topics ${topic}/…`
-      : `broker ${endpoint}, topics ${topic}/… to ${gateway}, time of ${clock?.host}:${clock?.port}`;
+    const { publishing, subscribing } = brokerSettingMessages;
+    return direction === 'publish' ? publishing(gateway, endpoint, topic) : subscribing(endpoint, topic, gateway, `${clock?.host}:${clock?.port}`);
   },
 };
 
@@ -94,8 +92,7 @@ function clockOf(file: YamlFile, { clock }: Section, configuration: Configuratio
   const isTls = clock.tls === true || clock.pin !== undefined;
   const at = ['plant', 'clock', 'token_file'] as const;
   const token = clock.token_file === undefined ? null : secretIn(file, at, clock.token_file);
-  if (token !== null && !isTls && !isLoopback(clock.host))
-    file.report(at, 'a token is sent only over TLS or within this machine; add the pin of the gateway that has the plant, or tls: true');
+  if (token !== null && !isTls && !isLoopback(clock.host)) file.report(at, brokerSettingMessages.tokenInClear);
   configuration.secrets.push(token ?? '');
   return { host: clock.host, port: clock.port ?? SYNC_PORT, isTls, pin: clock.pin ?? null, token };
 }

@@ -2,6 +2,7 @@ import { pause } from '../backoff';
 import type { GatewayLink } from '../gateway/link';
 import { monotonicTime, type Nanoseconds, NS_PER_MS, toRosTime } from '../times';
 import { Resolution } from './resolution';
+import { clockMessages } from '../messages/gateway';
 
 /** A reading of the control clock between two messages of the gateway. */
 export interface ClockReading {
@@ -22,7 +23,7 @@ export class ClockStopped extends Error {
   override readonly name = 'ClockStopped';
 
   constructor() {
-    super('the clock does not advance');
+    super(clockMessages.stopped);
   }
 }
 
@@ -120,7 +121,7 @@ export class PlantClock {
    * @throws Error The plant is disconnected, or does not answer.
    */
   async read(): Promise<ClockReading> {
-    if (this.#read === null) throw new Error('the plant is not connected');
+    if (this.#read === null) throw new Error(clockMessages.notConnected);
     const read = this.#read;
     const reading = await this.#observed(read);
     if (this.#resolution.isStopped) throw new ClockStopped();

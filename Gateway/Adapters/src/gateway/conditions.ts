@@ -1,4 +1,5 @@
 import type { Log } from '../log';
+import { stateMessages } from '../messages/values';
 
 /** What a value belongs to; the prefix of its key in the diagnostics. */
 export type ConditionKind = 'joint' | 'frame' | 'signal';
@@ -41,8 +42,7 @@ export class Conditions {
 
   /** Expects a name, which is missing until its first usable value. */
   expect(name: string): void {
-    if (!this.#known.has(name))
-      this.#known.set(name, { state: 'missing', since: this.now(), reason: 'no value has arrived since the start', uncertainty: '' });
+    if (!this.#known.has(name)) this.#known.set(name, { state: 'missing', since: this.now(), reason: stateMessages.noValueYet, uncertainty: '' });
   }
 
   has(name: string): boolean {
@@ -67,7 +67,7 @@ export class Conditions {
   live(name: string): void {
     if (this.stateOf(name) === 'live') return;
     this.#enter(name, 'live', '', this.now());
-    this.log.resume(`${this.kind} ${name}`, `${name} is live again`);
+    this.log.resume(`${this.kind} ${name}`, stateMessages.liveAgain(name));
   }
 
   /**
@@ -77,14 +77,8 @@ export class Conditions {
   rest(name: string, since: number, uncertainty = ''): void {
     const known = this.#known.get(name);
     if (known?.state === 'rest' && known.uncertainty === uncertainty) return;
-    this.#enter(
-      name,
-      'rest',
-      `no change is reported; the ${this.kind} is assumed at rest${uncertainty === '' ? '' : `; ${uncertainty}`}`,
-      since,
-      uncertainty,
-    );
-    this.log.resume(`${this.kind} ${name}`, `${name} is at rest without a fault`);
+    this.#enter(name, 'rest', stateMessages.assumedAtRest(this.kind, uncertainty), since, uncertainty);
+    this.log.resume(`${this.kind} ${name}`, stateMessages.restWithoutFault(name));
   }
 
   fault(name: string, reason: string, since = this.now()): void {
@@ -108,14 +102,14 @@ export class Conditions {
     if (isSame && Math.abs(known.since - since) < SAME_SINCE_MS) return;
     this.#enter(name, state, reason, since, uncertainty);
     if (state === 'rest' || state === 'live')
-      this.log.resume(`${this.kind} ${name}`, `${name} is ${state === 'rest' ? 'at rest, without fault' : 'live again'}`);
+      this.log.resume(`${this.kind} ${name}`, state === 'rest' ? stateMessages.restWithoutFault(name) : stateMessages.liveAgain(name));
     else this.log.change(`${this.kind} ${name}`, `${state} ${reason}`, `${name} ${state}: ${reason}`);
   }
 
   /** Removes a name that is no longer expected. */
   forget(name: string): void {
     if (!this.#known.delete(name)) return;
-    this.log.resume(`${this.kind} ${name}`, `${name} is no longer expected`);
+    this.log.resume(`${this.kind} ${name}`, stateMessages.notExpected(name));
     this.changed();
   }
 

@@ -9,6 +9,8 @@ import { JointStates } from './jointStates';
 import { settingsOf } from './settings';
 import { RosSignals } from './signals';
 import { passedTrajectory } from './trajectory';
+import { malformedMessages } from '../messages/broker';
+import { rosMessages } from '../messages/ros';
 
 const CLOCK_RETRY_MS = 1000;
 
@@ -45,11 +47,11 @@ export async function run(context: AdapterContext): Promise<void> {
   async function attach(ended: AbortSignal): Promise<void> {
     while (!ended.aborted) {
       try {
-        if (await clock.attach(readTime, ended)) return log.resume('clock', "the robot's clock is available");
+        if (await clock.attach(readTime, ended)) return log.resume('clock', rosMessages.clockAvailable);
       } catch (error) {
         if (ended.aborted) return;
         clock.doWithout();
-        log.change('clock', `the robot's clock is not available: ${(error as Error).message}; start rosapi beside rosbridge, or set clock: false`);
+        log.change('clock', rosMessages.noClock((error as Error).message));
         await pause(CLOCK_RETRY_MS, ended);
       }
     }
@@ -58,7 +60,7 @@ export async function run(context: AdapterContext): Promise<void> {
   async function readTime() {
     const { time } = await robot.call(GET_TIME);
     const now = ofRosTime(time);
-    if (now === null || now <= 0n) throw new Error(`${GET_TIME} returns no time; with use_sim_time, start the simulation`);
+    if (now === null || now <= 0n) throw new Error(rosMessages.noTime(GET_TIME));
     return { received: now, sent: now };
   }
 
@@ -83,20 +85,19 @@ export async function run(context: AdapterContext): Promise<void> {
 
   function passDescription(text: unknown): void {
     if (typeof text === 'string' && text.includes('<robot')) gateway.publishKept(topicOf(namespace, ROBOT_DESCRIPTION), description(text));
-    else status.refuse('malformed', 'robot description', 'it has no <robot> element');
+    else status.refuse('malformed', 'robot description', malformedMessages.noRobot);
   }
 
   function passTrajectory(message: Record<string, unknown>): void {
     const passed = passedTrajectory(message, names);
-    if (passed === null) return status.refuse('malformed', 'trajectory', 'it has no forwarded joint, or a value is not a number');
+    if (passed === null) return status.refuse('malformed', 'trajectory', malformedMessages.forwardedTrajectory);
     status.accept('trajectory');
     gateway.publish(topicOf(namespace, JOINT_TRAJECTORY), passed);
   }
 
   status.detail('endpoint', settings.endpoint);
   status.detail('security', settings.endpoint.startsWith('wss:') ? 'tls' : 'none');
-  if (settings.isPlain)
-    log.line('this rosbridge is neither encrypted nor authenticated (plain: true): anyone with access to its network can imitate the robot');
+  if (settings.isPlain) log.line(rosMessages.notSecure);
   status.enter('connecting');
   await robot.run(stopping);
 }

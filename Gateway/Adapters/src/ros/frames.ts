@@ -6,6 +6,8 @@ import type { AdapterStatus } from '../gateway/status';
 import type { Silence } from '../samples/silence';
 import { StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
+import { malformedMessages } from '../messages/broker';
+import { rosMessages } from '../messages/ros';
 
 /** A frame of the cell and its name in ROS. */
 export interface RosFrame {
@@ -87,7 +89,7 @@ export class RosFrames {
 
   #found({ transforms }: Record<string, unknown>): { index: number; pose: Pose; stamp: Nanoseconds | null }[] {
     if (!Array.isArray(transforms)) {
-      this.status.refuse('malformed', 'transforms', 'the message has no list of transforms', this.status.frames);
+      this.status.refuse('malformed', 'transforms', rosMessages.noTransforms, this.status.frames);
       return [];
     }
     return transforms.flatMap((one: Record<string, unknown> | null) => {
@@ -101,12 +103,7 @@ export class RosFrames {
       const turn = numbers(rotation, ['x', 'y', 'z', 'w']);
       const quaternion = turn === null ? null : unit(turn);
       if (position === null || quaternion === null || bare(parent) === '') {
-        this.status.refuse(
-          'malformed',
-          frame,
-          `its transform from ${source} has no parent, or no finite position, or no unit quaternion`,
-          this.status.frames,
-        );
+        this.status.refuse('malformed', frame, malformedMessages.transform(source), this.status.frames);
         return [];
       }
       return [{ index, pose: { frame, parent: this.#parentOf(bare(parent)), position, rotation: quaternion }, stamp: ofRosTime(stamp) }];

@@ -1,12 +1,13 @@
 import type { Kind } from '../adapter';
 import { requireAddress } from '../configuration/address';
 import { type Configuration, readNames } from '../configuration/configuration';
-import { shown } from '../configuration/problem';
 import { requirePlain, requireTls } from '../configuration/plain';
 import { WORLD } from '../configuration/frames';
 import type { RosFrame } from './frames';
 import type { RosSignal } from './signals';
 import { ofMilliseconds, type Nanoseconds } from '../times';
+import { configurationMessages } from '../messages/configuration';
+import { rosMessages } from '../messages/ros';
 
 const OLDEST_MS = 10_000;
 
@@ -77,12 +78,12 @@ export const ros: Kind = {
     for (const name of ['frame', 'source'] as const) {
       const names = frames.map(each => each[name] ?? each.frame);
       names.forEach((each, i) => {
-        if (names.indexOf(each) < i) file.report(['frames', i, name], `value ${shown(each)} occurs twice; name each frame once`);
+        if (names.indexOf(each) < i) file.report(['frames', i, name], configurationMessages.valueTwice(each, 'frame'));
       });
     }
     const sources = joints.map(joint => joint.source ?? joint.name);
     sources.forEach((source, i) => {
-      if (sources.indexOf(source) < i) file.report(['joints', i], `the robot's joint ${String(source)} occurs twice; name each joint once`);
+      if (sources.indexOf(source) < i) file.report(['joints', i], rosMessages.sourceTwice(String(source)));
     });
   },
   passesUnlisted: ({ joints }) => joints.length === 0,

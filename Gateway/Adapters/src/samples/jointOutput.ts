@@ -3,12 +3,13 @@ import type { Joint } from '../configuration/configuration';
 import { JOINT_STATES, jointState, topicOf } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
 import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
-import { decelerationFloor, EndOfData, type LimitBasis } from './endOfData';
+import { decelerationFloor, EndOfData } from './endOfData';
 import { grouped, type Sample } from './grouping';
 import { numberIn } from './number';
 import { Silence } from './silence';
 import { OF_LONG_AGO, type Refusal, StampRule } from './stampRule';
 import { Standing } from './standing';
+import { refusalMessages, silenceMessages } from '../messages/values';
 
 /** A value from the control system. */
 export interface JointValue {
@@ -37,16 +38,6 @@ export interface JointOutputOptions {
 
 /** When a source stopped writing a value: after its last change, or later at rest. */
 export type SourceStop = 'after-change' | 'at-rest';
-
-/** Description of the exceeded limit in a fault. */
-const LIMITS: Record<LimitBasis, string> = {
-  configured: 'of max_deceleration',
-  observed: 'observed in its samples; set max_deceleration if it can brake harder',
-  assumed: 'assumed for it; set max_deceleration if it can brake harder',
-};
-
-/** Reason for a joint whose source stopped. */
-const NOT_WRITTEN = "the server's source timestamps show that the value is no longer written, although it was written at rest before";
 
 /** Minimum silence of a joint at rest, and interval of its repeated samples. Headsets predict for about 300 ms. */
 const SILENCE: Nanoseconds = 60n * NS_PER_MS;
@@ -178,11 +169,7 @@ export class JointOutput {
     if (verdict !== null || isOthersKnown || unobserved === null) this.#judged.add(joint);
     if (unobserved !== null) this.#unobserved.set(joint, unobserved);
     if (verdict === null) return false;
-    const unit = this.#unitOf(joint);
-    this.#end(
-      joint,
-      `a stop there would need ${verdict.required.toFixed(1)} ${unit}, more than the ${verdict.limit.toFixed(1)} ${unit} ${LIMITS[verdict.basis]}`,
-    );
+    this.#end(joint, silenceMessages.stopTooHard(verdict.required, verdict.limit, this.#unitOf(joint), verdict.basis));
     return true;
   }
 
@@ -190,7 +177,7 @@ export class JointOutput {
   #isAbandoned(joint: number): boolean {
     const required = this.#unobserved.get(joint);
     if (required === undefined || this.sourceStopOf(joint) !== 'after-change') return false;
-    this.#end(joint, `${this.#unobservedStop(joint, required)}, and ${NOT_WRITTEN}`);
+    this.#end(joint, `${silenceMessages.unobservedStop(required, this.#unitOf(joint))}, and ${silenceMessages.notWritten}`);
     return true;
   }
 
@@ -198,18 +185,14 @@ export class JointOutput {
     const { joint: name } = this.joints[joint];
     this.#standing.forget(joint);
     this.#ended.add(joint);
-    this.status.joints.fault(name, `its data ended in mid-motion: ${reason}`, this.silence.lastSample(name));
+    this.status.joints.fault(name, silenceMessages.endedBecause(reason), this.silence.lastSample(name));
   }
 
   /** Gets the reason why it is uncertain that the joint rests; empty if it is certain. */
   #uncertaintyOf(joint: number): string {
-    if (this.sourceStopOf(joint) !== null) return NOT_WRITTEN;
+    if (this.sourceStopOf(joint) !== null) return silenceMessages.notWritten;
     const required = this.#unobserved.get(joint);
-    return required === undefined ? '' : this.#unobservedStop(joint, required);
-  }
-
-  #unobservedStop(joint: number, required: number): string {
-    return `the stop itself was not observed; it would need ${required.toFixed(1)} ${this.#unitOf(joint)}`;
+    return required === undefined ? '' : silenceMessages.unobservedStop(required, this.#unitOf(joint));
   }
 
   #unitOf(joint: number): string {
@@ -246,7 +229,7 @@ export class JointOutput {
     }
     const position = raw * scale + offset;
     if (!Number.isFinite(position)) {
-      this.refuse(joint, 'not-finite', `value ${raw} with scale ${scale} is not a position`);
+      this.refuse(joint, 'not-finite', refusalMessages.scaledNotPosition(raw, scale));
       return null;
     }
     const refusal = this.#rule.judge(joint, stamp, now);

@@ -1,13 +1,9 @@
 import type { Conditions } from '../gateway/conditions';
 import type { AdapterStatus } from '../gateway/status';
+import { silenceMessages } from '../messages/values';
 
 /** Time without a sample after which a joint is at rest. With a shorter time, slow motion would change the state with each sample. */
 const REST_MS = 1000;
-
-/** Why rest is uncertain if the source cannot be asked for a joint's value. */
-const CURE = 'set silence: { fault_after_s: N } if the source sends each joint repeatedly, even at rest';
-const UNCONFIRMED = `nothing confirms its last value, so rest cannot be distinguished from an end of its data; ${CURE}`;
-const ALL_UNCONFIRMED = `no joint of its source sends anything, so rest cannot be distinguished from an end of the source; ${CURE}`;
 
 interface Heard {
   /** Times of the last sample, and of the last confirmation that the joint still has that value. */
@@ -85,7 +81,9 @@ export class Silence {
     const areAllSilent = this.#heard.size > 1 && [...this.#heard.values()].every(({ sample }) => this.now() - sample >= REST_MS);
     return [...this.#heard].flatMap(([joint, heard]) => {
       const state = this.#reported.has(joint) ? undefined : this.conditions.stateOf(joint);
-      return state === 'live' || state === 'rest' ? this.#check(joint, heard, areAllSilent ? ALL_UNCONFIRMED : UNCONFIRMED) : [];
+      return state === 'live' || state === 'rest'
+        ? this.#check(joint, heard, areAllSilent ? silenceMessages.allUnconfirmed : silenceMessages.unconfirmed)
+        : [];
     });
   }
 
@@ -94,15 +92,14 @@ export class Silence {
     const limit = this.faultAfterMs(joint);
     const unconfirmed = this.now() - heard.confirmed;
     if (limit !== null && silent > limit) {
-      this.#fault(joint, `no new value for more than ${limit / 1000} s, which is a fault here (silence in plant.yaml)`);
+      this.#fault(joint, silenceMessages.tooLong(limit));
       return [joint];
     }
-    if (this.unconfirmedMs !== null && unconfirmed > this.unconfirmedMs)
-      this.#fault(joint, `no value for more than ${this.unconfirmedMs / 1000} s, and the source does not confirm the last one`);
+    if (this.unconfirmedMs !== null && unconfirmed > this.unconfirmedMs) this.#fault(joint, silenceMessages.notConfirmed(this.unconfirmedMs));
     else if (this.unconfirmedMs === null && silent >= REST_MS) {
       // With a limit for a fault, the source is known to be silent for up to that time.
       if (limit !== null) this.#rest(joint, heard);
-      else if (this.hasEnded(joint)) this.#fault(joint, 'its data ended in mid-motion: it cannot have stopped at its last position');
+      else if (this.hasEnded(joint)) this.#fault(joint, silenceMessages.ended);
       else this.#rest(joint, heard, uncertainty);
     }
     return [];

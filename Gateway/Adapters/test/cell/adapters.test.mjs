@@ -9,6 +9,9 @@ import { start, until } from '../program.mjs';
 import { Robot } from '../ros/robot.mjs';
 import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
+import { messages } from '../messages.mjs';
+
+const { symbolMessages } = messages;
 
 /** Starts an adapter for the text of a configuration. */
 async function adapterFor(t, text) {
@@ -125,7 +128,7 @@ signals:
     position: { unit: m, x: { symbol: MAIN.bOpen }, y: 0, z: 0 }
 `);
 
-    await until(() => bridge.state?.['frame/part']?.includes('MAIN.bOpen is BOOL; a position must be a number'), () => JSON.stringify(bridge.state));
+    await until(() => bridge.state?.['frame/part']?.includes(`MAIN.bOpen is BOOL; ${symbolMessages.notNumber}`), () => JSON.stringify(bridge.state));
     assert.match(bridge.state['frame/part'], /line 22: /);
   });
 
