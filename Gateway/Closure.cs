@@ -26,6 +26,9 @@ public enum Closure
     /// <summary>Timeout: nothing was received, no pong was received, or the client did not read what was sent.</summary>
     Silence,
 
+    /// <summary>The client needs so much time for each sample that all samples would be more than a second old.</summary>
+    SlowReader,
+
     /// <summary>An oversized message that did not end within the limit for skipping it.</summary>
     EndlessMessage,
 

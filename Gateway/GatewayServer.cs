@@ -30,7 +30,7 @@ public sealed class GatewayServer : IAsyncDisposable
 
     readonly GatewayOptions _options;
     readonly Action<string> _unlimitedLog;
-    readonly QuietLog _log;
+    readonly RateLimitedLog _log;
     readonly AccessWatch _access;
     readonly RosbridgeServer _rosbridge;
     readonly CodePage _page;
@@ -55,10 +55,10 @@ public sealed class GatewayServer : IAsyncDisposable
         _access = new AccessWatch(options, Log);
         WebSocketConnections = new ConnectionCounters();
         var wrong = new WrongTokens(options.Time);
-        var door = new Door(options, wrong, WebSocketConnections, Log);
-        _rosbridge = new RosbridgeServer(options, Clock, PlantClocks, Hub, door, _access, WebSocketConnections, Log);
-        _page = new CodePage(options, Clock, door, WebSocketConnections, Log, LightCodePage.Html);
-        _pairing = new PairingRoutes(options, door, WebSocketConnections, Log, Web.PairingPage.Html);
+        var accessControl = new AccessControl(options, wrong, WebSocketConnections, Log);
+        _rosbridge = new RosbridgeServer(options, Clock, PlantClocks, Hub, accessControl, _access, WebSocketConnections, Log);
+        _page = new CodePage(options, Clock, accessControl, WebSocketConnections, Log, LightCodePage.Html);
+        _pairing = new PairingRoutes(options, accessControl, WebSocketConnections, Log, Web.PairingPage.Html);
         Recorder = new Recorder(options, Hub, Clock, PlantClocks, Drops, Log);
         _sync = new SyncServer(options, Clock, _access, wrong, Log);
         _limits = new LimitAlarm(Hub, Log);
@@ -71,9 +71,9 @@ public sealed class GatewayServer : IAsyncDisposable
             options, new PendingPlaces(_webPending, WebSocketConnections, Log), Log, _rosbridge.ServeAsync,
             _page.ServeAsync,
             _pairing.ServeAsync,
-            new StatusRoutes(_status, door).ServeAsync,
-            new RecordingRoutes(Recorder, recordings, door).ServeAsync,
-            new OperationsRoutes(options, door, WebSocketConnections, Log, OperationsPage.Html).ServeAsync,
+            new StatusRoutes(_status, accessControl).ServeAsync,
+            new RecordingRoutes(Recorder, recordings, accessControl).ServeAsync,
+            new OperationsRoutes(options, accessControl, WebSocketConnections, Log, OperationsPage.Html).ServeAsync,
             RosbridgeServer.CountFragmentsAsync);
     }
 
@@ -115,7 +115,7 @@ public sealed class GatewayServer : IAsyncDisposable
     internal Action<string> Log => _log.Write;
 
     /// <summary>Returns a log with limits of its own, for a part whose lines must not be suppressed because of others. The caller disposes it.</summary>
-    internal QuietLog NewLog() => new(_unlimitedLog, Time);
+    internal RateLimitedLog NewLog() => new(_unlimitedLog, Time);
 
     internal EventList Events => _status.Events;
 
@@ -181,8 +181,8 @@ public sealed class GatewayServer : IAsyncDisposable
         _access.Dispose();
         _rosbridge.Stop();
         _sync.Dispose();
-        using var patience = new CancellationTokenSource(StopTimeout);
-        await _web.StopAsync(patience.Token);
+        using var timeout = new CancellationTokenSource(StopTimeout);
+        await _web.StopAsync(timeout.Token);
         await _web.DisposeAsync();
         _rosbridge.Dispose();
         // Last, so that all received messages are in the file.

@@ -39,7 +39,7 @@ static class GatewayWeb
         });
         builder.WebHost.ConfigureKestrel(kestrel => Configure(kestrel, options, pending));
         builder.Services.AddSingleton<IConnectionListenerFactory>(
-            services => new PatientListenerFactory(services.GetRequiredService<IOptions<SocketTransportOptions>>(), log));
+            services => new ResilientListenerFactory(services.GetRequiredService<IOptions<SocketTransportOptions>>(), log));
         var web = builder.Build();
         web.Use(next => context => PendingPlaces.CompleteHandshakeAsync(context, next));
         web.Use(next => context => SecurityHeaders.AddAsync(context, next));

@@ -19,7 +19,7 @@ sealed partial class HtmlPage(string html)
 
     public Task SendAsync(HttpContext context)
     {
-        if (!IsBuilt) return Door.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, Missing);
+        if (!IsBuilt) return AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, Missing);
         var response = context.Response;
         response.ContentType = "text/html; charset=utf-8";
         response.ContentLength = _page.Length;

@@ -7,7 +7,10 @@ namespace Nowpose.Benchmarks.Load;
 /// <summary>A gateway in a separate process, with a simulated robot whose samples are sent at the time of their stamp.</summary>
 sealed class GatewayUnderLoad : IDisposable
 {
-    static readonly TimeSpan Patience = TimeSpan.FromSeconds(30);
+    static readonly TimeSpan StartTimeout = TimeSpan.FromSeconds(30);
+
+    /// <summary>The gateway that was built with this program.</summary>
+    public static readonly string OwnProgram = Path.Combine(AppContext.BaseDirectory, "Nowpose.Gateway.dll");
 
     readonly Process _process;
     readonly TaskCompletionSource _serves = new(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -37,11 +40,12 @@ sealed class GatewayUnderLoad : IDisposable
     }
 
     /// <param name="connections">Maximum number of connections on each port.</param>
-    public static async Task<GatewayUnderLoad> StartAsync(double rateHz, int connections)
+    /// <param name="program">Path of Nowpose.Gateway.dll; null for <see cref="OwnProgram"/>.</param>
+    public static async Task<GatewayUnderLoad> StartAsync(double rateHz, int connections, string program = null)
     {
         string[] arguments =
         [
-            Path.Combine(AppContext.BaseDirectory, "Nowpose.Gateway.dll"), "simulate", "--sync-port", "0", "--ws-port", "0",
+            program ?? OwnProgram, "simulate", "--sync-port", "0", "--ws-port", "0",
             "--sampling-ms", (1000 / rateHz).ToString(CultureInfo.InvariantCulture), "--acquisition-ms", "0",
             "--max-connections", connections.ToString(CultureInfo.InvariantCulture),
         ];
@@ -56,7 +60,7 @@ sealed class GatewayUnderLoad : IDisposable
         gateway._process.BeginOutputReadLine();
         try
         {
-            await gateway._serves.Task.WaitAsync(Patience);
+            await gateway._serves.Task.WaitAsync(StartTimeout);
             return gateway;
         }
         catch

@@ -26,9 +26,10 @@ sealed class LoadRun : IDisposable
         _stalled = StalledHeadset.RunAsync(gateway, _stop.Token);
     }
 
-    public static async Task<LoadRun> StartAsync(double rateHz, int connections)
+    /// <inheritdoc cref="GatewayUnderLoad.StartAsync"/>
+    public static async Task<LoadRun> StartAsync(double rateHz, int connections, string program = null)
     {
-        var gateway = await GatewayUnderLoad.StartAsync(rateHz, connections);
+        var gateway = await GatewayUnderLoad.StartAsync(rateHz, connections, program);
         try
         {
             return new LoadRun(gateway, rateHz);

@@ -22,21 +22,52 @@ static class LoadVerb
         {
             Description = "Afterwards, add a quarter more headsets every 20 s until P99 reaches 5 ms or samples are lost",
         };
+        var compared = new Option<string>("--compare")
+        {
+            Description = "Compare P99 with that of another build, given by the path of its Nowpose.Gateway.dll, in alternating runs", HelpName = "PATH",
+        };
+        var rounds = NumberOption.Create("--rounds", "Number of runs of each build with --compare", 5, 1, 100, "");
         var command = new Command(
             "gateway", "Run a gateway in a separate process with many headsets, which share this machine's processors with it")
         {
-            headsets, rate, seconds, breaks,
+            headsets, rate, seconds, breaks, compared, rounds,
         };
         command.SetAction(async (parsed, stop) =>
         {
             var settings = new LoadSettings(
                 parsed.GetValue(headsets), parsed.GetValue(rate), TimeSpan.FromSeconds(parsed.GetValue(seconds)));
+            if (parsed.GetValue(compared) is { } program) return await CompareAsync(settings, program, parsed.GetValue(rounds), stop);
             var results = await MeasureAsync(settings, parsed.GetValue(breaks), stop);
             LoadTable.Write(results, Console.Out);
-            if (results.Count > 1) TellTheBreak(results);
+            if (results.Count > 1) WriteBreak(results);
             return Judge(results[0]);
         });
         return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "Benchmarks of Nowpose.", command), args);
+    }
+
+    static async Task<int> CompareAsync(LoadSettings settings, string program, int rounds, CancellationToken stop)
+    {
+        if (!File.Exists(program)) throw new InputException($"--compare: {program} does not exist; give the path of the other build's Nowpose.Gateway.dll");
+        var results = new List<(LoadResult Own, LoadResult Other)>();
+        for (var round = 1; round <= rounds; round++)
+        {
+            var isOwnFirst = round % 2 == 1;
+            var first = await MeasureAsync(settings, isOwnFirst ? null : program, stop);
+            var second = await MeasureAsync(settings, isOwnFirst ? program : null, stop);
+            results.Add(isOwnFirst ? (first, second) : (second, first));
+            Console.Error.WriteLine(FormattableString.Invariant(
+                $"round {round} of {rounds}: P99 {results[^1].Own.ForwardP99Ms:0.00} ms, other build {results[^1].Other.ForwardP99Ms:0.00} ms"));
+        }
+
+        var comparison = new LoadComparison(results);
+        comparison.Write(Console.Out);
+        return comparison.Ratio <= LoadComparison.MaxRatio ? ExitStatus.Done : ExitStatus.Failed;
+    }
+
+    static async Task<LoadResult> MeasureAsync(LoadSettings settings, string program, CancellationToken stop)
+    {
+        using var run = await LoadRun.StartAsync(settings.RateHz, settings.Headsets + OtherConnections, program);
+        return await run.MeasureAsync(settings, stop);
     }
 
     static async Task<List<LoadResult>> MeasureAsync(LoadSettings settings, bool untilItBreaks, CancellationToken stop)
@@ -66,7 +97,7 @@ static class LoadVerb
         return ExitStatus.Failed;
     }
 
-    static void TellTheBreak(IReadOnlyList<LoadResult> results)
+    static void WriteBreak(IReadOnlyList<LoadResult> results)
     {
         var last = results[^1];
         Console.Error.WriteLine(last.Break == null

@@ -34,7 +34,7 @@ static class SessionVerb
         var samples = new List<MemorySample> { await ReadAsync(gateway, http, 0) };
         for (var round = 1; round <= rounds; round++)
         {
-            await StayAsync(gateway, truth, headsets, RateHz, stay, stop);
+            await RunSessionsAsync(gateway, truth, headsets, RateHz, stay, stop);
             samples.Add(await ReadAsync(gateway, http, round * headsets));
             Console.Error.WriteLine(FormattableString.Invariant($"{samples[^1].Sessions} sessions: {samples[^1].ResidentMiB:0.0} MiB"));
         }
@@ -44,7 +44,7 @@ static class SessionVerb
     }
 
     // Each headset opens both connections, receives samples, sends diagnostics and disconnects.
-    static async Task StayAsync(GatewayUnderLoad gateway, ControlTruth truth, int count, double rateHz, TimeSpan stay, CancellationToken stop)
+    static async Task RunSessionsAsync(GatewayUnderLoad gateway, ControlTruth truth, int count, double rateHz, TimeSpan stay, CancellationToken stop)
     {
         var latencies = new LatencyCounts();
         var headsets = Enumerable.Range(0, count).Select(i => new LeanHeadset($"session {i}", rateHz, latencies, truth)).ToList();

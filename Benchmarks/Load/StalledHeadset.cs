@@ -9,7 +9,7 @@ static class StalledHeadset
 {
     const int LittleBytes = 4096;
     const int Descriptions = 200;
-    static readonly TimeSpan Patience = TimeSpan.FromSeconds(9);
+    static readonly TimeSpan StallTime = TimeSpan.FromSeconds(9);
     static readonly TimeSpan Pause = TimeSpan.FromSeconds(1);
 
     public static async Task RunAsync(GatewayUnderLoad gateway, CancellationToken stop)
@@ -52,6 +52,6 @@ static class StalledHeadset
         // Each of these is answered with the whole robot description, which soon exceeds every buffer.
         for (var i = 0; i < Descriptions; i++)
             await LeanSocket.SendTextAsync(socket, RosbridgeWriter.Subscribe(RosTopics.RobotDescription));
-        await Task.Delay(Patience, stop);
+        await Task.Delay(StallTime, stop);
     }
 }

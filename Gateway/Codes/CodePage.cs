@@ -11,7 +11,7 @@ namespace Nowpose.Gateway.Codes;
 /// has tokens. It is requested by POST, for which browsers always send the Origin header.
 /// </remarks>
 /// <param name="html">Null if the page was not built.</param>
-sealed class CodePage(GatewayOptions options, IControlClock clock, Door door, ConnectionCounters counters, Action<string> log, string html)
+sealed class CodePage(GatewayOptions options, IControlClock clock, AccessControl accessControl, ConnectionCounters counters, Action<string> log, string html)
 {
     public const string Path = "/vlc";
     const string TimePath = "/vlc/time";
@@ -33,8 +33,8 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, Door door, Co
 
     async Task ShowAsync(HttpContext context)
     {
-        if (!await door.AdmitOriginAsync(context)) return;
-        if (!HttpMethods.IsGet(context.Request.Method)) await Door.RefuseMethodAsync(context, "GET");
+        if (!await accessControl.AdmitOriginAsync(context)) return;
+        if (!HttpMethods.IsGet(context.Request.Method)) await AccessControl.RefuseMethodAsync(context, "GET");
         else await SendPageAsync(context);
     }
 
@@ -48,10 +48,10 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, Door door, Co
 
     async Task TellTimeAsync(HttpContext context, ControlTime received)
     {
-        if (await door.AdmitAsync(context) == null) return;
+        if (await accessControl.AdmitAsync(context) == null) return;
         if (!HttpMethods.IsPost(context.Request.Method))
         {
-            await Door.RefuseMethodAsync(context, "POST");
+            await AccessControl.RefuseMethodAsync(context, "POST");
             return;
         }
         if (!await _places.AdmitAsync(context)) return;

@@ -13,7 +13,7 @@ sealed class TimePlaces(GatewayOptions options, ConnectionCounters counters, Act
     public async Task<bool> AdmitAsync(HttpContext context)
     {
         if (PlaceOf(context) is not { } place)
-            await Door.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, $"no more than {options.MaxConnections} connections");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, $"no more than {options.MaxConnections} connections");
         else if (place.Rate.TryTake())
             return true;
         else
@@ -25,7 +25,7 @@ sealed class TimePlaces(GatewayOptions options, ConnectionCounters counters, Act
     {
         place.Why = Closure.TooManyRequests;
         log($"websocket: closed a connection, {place.Why}");
-        return Door.RefuseForNowAsync(context, TimeSpan.FromSeconds(1), $"no more than {options.SyncRequestsPerSecond} requests a second");
+        return AccessControl.RefuseForNowAsync(context, TimeSpan.FromSeconds(1), $"no more than {options.SyncRequestsPerSecond} requests a second");
     }
 
     // Requests of one connection are sequential.
@@ -36,7 +36,7 @@ sealed class TimePlaces(GatewayOptions options, ConnectionCounters counters, Act
         if (!counters.TryEnter(options.MaxConnections)) return null;
         var place = new Place(new RequestRate(options.SyncRequestsPerSecond));
         items.Add(this, place);
-        PendingPlaces.GiveBack(context);
+        PendingPlaces.Release(context);
         context.Features.GetRequiredFeature<IConnectionLifetimeFeature>().ConnectionClosed.Register(() => counters.Leave(place.Why));
         return place;
     }

@@ -5,7 +5,7 @@ namespace Nowpose.Gateway.Operations;
 
 /// <summary>Exchanges a token for a session cookie, and ends the session.</summary>
 /// <remarks>Scripts and other sites cannot read the cookie. With TLS, it is sent over TLS only. It is valid as long as its token.</remarks>
-sealed class BrowserLogin(GatewayOptions options, Door door, ConnectionCounters counters, Action<string> log)
+sealed class BrowserLogin(GatewayOptions options, AccessControl accessControl, ConnectionCounters counters, Action<string> log)
 {
     readonly WrongTokens _wrong = new(options.Time);
 
@@ -19,7 +19,7 @@ sealed class BrowserLogin(GatewayOptions options, Door door, ConnectionCounters 
         else if (await SmallJson.ReadAsync(context) is not { } request || await RefuseBlockedAsync(context))
             return;
         else if (options.RoleOf(request.GetValueOrDefault("token", "").Trim()) is { } role)
-            await WelcomeAsync(context, request["token"].Trim(), role);
+            await OpenSessionAsync(context, request["token"].Trim(), role);
         else
         {
             _wrong.Count(context.Connection.RemoteIpAddress);
@@ -32,28 +32,28 @@ sealed class BrowserLogin(GatewayOptions options, Door door, ConnectionCounters 
     /// <summary>POST /operations/logout.</summary>
     public Task LogOutAsync(HttpContext context)
     {
-        Forget(context);
-        context.Response.Cookies.Delete(BrowserSessions.CookieOf(context), Terms());
+        CloseSession(context);
+        context.Response.Cookies.Delete(BrowserSessions.CookieOf(context), CookieSettings());
         return SmallJson.AnswerAsync(context, new { });
     }
 
     Task<bool> RefuseBlockedAsync(HttpContext context) =>
-        Door.RefuseBlockedAsync(context, _wrong, "too many wrong tokens; wait a minute");
+        AccessControl.RefuseBlockedAsync(context, _wrong, "too many wrong tokens; wait a minute");
 
-    Task WelcomeAsync(HttpContext context, string token, Role role)
+    Task OpenSessionAsync(HttpContext context, string token, Role role)
     {
-        Forget(context);
-        context.Response.Cookies.Append(BrowserSessions.CookieOf(context), door.Sessions.Open(TokenList.HashOf(token)), Terms());
+        CloseSession(context);
+        context.Response.Cookies.Append(BrowserSessions.CookieOf(context), accessControl.Sessions.Open(TokenList.HashOf(token)), CookieSettings());
         log($"operations: a browser logged in as {role}");
         return SmallJson.AnswerAsync(context, new { role = role.ToString().ToLowerInvariant() });
     }
 
-    void Forget(HttpContext context)
+    void CloseSession(HttpContext context)
     {
-        if (context.Request.Cookies[BrowserSessions.CookieOf(context)] is { } id) door.Sessions.Close(id);
+        if (context.Request.Cookies[BrowserSessions.CookieOf(context)] is { } id) accessControl.Sessions.Close(id);
     }
 
-    CookieOptions Terms() => new() { HttpOnly = true, SameSite = SameSiteMode.Strict, Secure = options.Certificate != null, Path = "/" };
+    CookieOptions CookieSettings() => new() { HttpOnly = true, SameSite = SameSiteMode.Strict, Secure = options.Certificate != null, Path = "/" };
 
-    static Task RefuseAsync(HttpContext context, int status, string text) => Door.AnswerAsync(context, status, text);
+    static Task RefuseAsync(HttpContext context, int status, string text) => AccessControl.AnswerAsync(context, status, text);
 }

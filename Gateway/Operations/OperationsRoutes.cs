@@ -5,13 +5,13 @@ namespace Nowpose.Gateway.Operations;
 /// <summary>Serves the operations page and its login. The data that it shows are served below the same path by others.</summary>
 /// <remarks>The page itself contains no data and needs no token: it has the login form.</remarks>
 /// <param name="html">Null if the page was not built.</param>
-sealed class OperationsRoutes(GatewayOptions options, Door door, ConnectionCounters counters, Action<string> log, string html)
+sealed class OperationsRoutes(GatewayOptions options, AccessControl accessControl, ConnectionCounters counters, Action<string> log, string html)
 {
     public const string Path = "/operations";
     const string LoginPath = Path + "/login", LogoutPath = Path + "/logout";
 
     readonly HtmlPage _page = new(html);
-    readonly BrowserLogin _login = new(options, door, counters, log);
+    readonly BrowserLogin _login = new(options, accessControl, counters, log);
 
     /// <summary>Answers its own requests and passes on all others, including WebSockets on any path.</summary>
     public async Task ServeAsync(HttpContext context, RequestDelegate next)
@@ -27,16 +27,16 @@ sealed class OperationsRoutes(GatewayOptions options, Door door, ConnectionCount
         Path when HttpMethods.IsGet(context.Request.Method) => _page.SendAsync(context),
         LoginPath when HttpMethods.IsPost(context.Request.Method) => _login.LogInAsync(context),
         LogoutPath when HttpMethods.IsPost(context.Request.Method) => _login.LogOutAsync(context),
-        Path => Door.RefuseMethodAsync(context, "GET"),
-        LoginPath or LogoutPath => Door.RefuseMethodAsync(context, "POST"),
+        Path => AccessControl.RefuseMethodAsync(context, "GET"),
+        LoginPath or LogoutPath => AccessControl.RefuseMethodAsync(context, "POST"),
         _ => next(context),
     };
 
     async Task<bool> AdmitAsync(HttpContext context)
     {
-        if (!await door.AdmitOriginAsync(context)) return false;
-        if (door.IsNoRebinding(context)) return true;
-        await Door.AnswerAsync(
+        if (!await accessControl.AdmitOriginAsync(context)) return false;
+        if (accessControl.IsNoRebinding(context)) return true;
+        await AccessControl.AnswerAsync(
             context, StatusCodes.Status403Forbidden,
             "without tokens, the operations page is available under the gateway's address, its machine's name and localhost only");
         return false;

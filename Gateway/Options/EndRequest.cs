@@ -12,7 +12,7 @@ sealed class EndRequest : IDisposable
 
     readonly CancellationTokenSource _stop = new();
     readonly PosixSignalRegistration[] _registrations;
-    Timer _patience;
+    Timer _timeout;
     int _requests;
 
     public EndRequest() => _registrations = [.. Signals.Select(signal => PosixSignalRegistration.Create(signal, End))];
@@ -25,7 +25,7 @@ sealed class EndRequest : IDisposable
     public void Dispose()
     {
         foreach (var registration in _registrations) registration.Dispose();
-        _patience?.Dispose();
+        _timeout?.Dispose();
     }
 
     void End(PosixSignalContext context)
@@ -33,7 +33,7 @@ sealed class EndRequest : IDisposable
         if (Interlocked.Increment(ref _requests) > 1) return;
         context.Cancel = true;
         IsInterrupt = context.Signal == PosixSignal.SIGINT;
-        _patience = new Timer(_ => Environment.Exit(IsInterrupt ? ExitStatus.Interrupted : ExitStatus.Terminated), null, TimeToEnd, Timeout.InfiniteTimeSpan);
+        _timeout = new Timer(_ => Environment.Exit(IsInterrupt ? ExitStatus.Interrupted : ExitStatus.Terminated), null, TimeToEnd, Timeout.InfiniteTimeSpan);
         // Continuations of the cancellation must not run on the thread that delivers signals.
         Task.Run(_stop.Cancel);
     }

@@ -32,7 +32,7 @@ static class HeadsetFile
     /// <exception cref="InputException">The file cannot be read.</exception>
     public static IReadOnlyList<PairedHeadset> Load(string path, out string fault)
     {
-        var lines = Guarded(path, () => File.Exists(path) ? Patient(() => File.ReadAllLines(path)) : []);
+        var lines = Guarded(path, () => File.Exists(path) ? Retried(() => File.ReadAllLines(path)) : []);
         return Parse(path, lines, out fault);
     }
 
@@ -71,7 +71,7 @@ static class HeadsetFile
         var options = new FileStreamOptions { Mode = mode, Access = FileAccess.ReadWrite, Share = FileShare.None };
         if (mode == FileMode.OpenOrCreate && !OperatingSystem.IsWindows())
             options.UnixCreateMode = UnixFileMode.UserRead | UnixFileMode.UserWrite;
-        using var file = Patient(() => new FileStream(path, options));
+        using var file = Retried(() => new FileStream(path, options));
         var before = new byte[file.Length];
         file.ReadExactly(before);
         var after = Encoding.UTF8.GetBytes(change(Encoding.UTF8.GetString(before)));
@@ -83,7 +83,7 @@ static class HeadsetFile
     });
 
     // Another process has the file open for a short time only.
-    static T Patient<T>(Func<T> work)
+    static T Retried<T>(Func<T> work)
     {
         for (var left = Attempts; ; left--)
         {

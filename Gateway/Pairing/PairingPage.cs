@@ -11,7 +11,7 @@ namespace Nowpose.Gateway.Pairing;
 /// the page is opened through a tunnel by a user of this machine, or the verb "pair" shows the code on a terminal.
 /// </remarks>
 /// <param name="html">Null if the page was not built.</param>
-sealed class PairingPage(GatewayOptions options, ShownCode shown, Door door, string html)
+sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl accessControl, string html)
 {
     readonly HtmlPage _page = new(html);
 
@@ -32,7 +32,7 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, Door door, str
     }
 
     /// <summary>POST /pair/code: {"renew": ""} requests a new code.</summary>
-    public async Task TellCodeAsync(HttpContext context)
+    public async Task SendCodeAsync(HttpContext context)
     {
         if (!await AdmitAsync(context) || await SmallJson.ReadAsync(context) is not { } request) return;
         if (request.ContainsKey("renew")) shown.Discard();
@@ -41,7 +41,7 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, Door door, str
     }
 
     /// <summary>POST /pair/cell: gets the marker's code for name, host, offset and size_mm; without them, the default values.</summary>
-    public async Task TellCellAsync(HttpContext context)
+    public async Task SendCellAsync(HttpContext context)
     {
         if (!await AdmitAsync(context) || await SmallJson.ReadAsync(context) is not { } request) return;
         if (!request.ContainsKey("name"))
@@ -75,12 +75,12 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, Door door, str
 
     async Task<bool> AdmitAsync(HttpContext context)
     {
-        if (!await door.AdmitOriginAsync(context)) return false;
+        if (!await accessControl.AdmitOriginAsync(context)) return false;
         // A page whose name was made to resolve to this address (DNS rebinding) could read the answer. It sends its own host name.
-        if (IsFromThisMachine(context.Connection) && door.IsOwnHost(context)) return true;
+        if (IsFromThisMachine(context.Connection) && accessControl.IsOwnHost(context)) return true;
         // An operator's cookie or header is not sent with such a name.
-        if (door.IsOperator(context)) return true;
-        await Door.AnswerAsync(
+        if (accessControl.IsOperator(context)) return true;
+        await AccessControl.AnswerAsync(
             context, StatusCodes.Status403Forbidden,
             "the pairing page is available to browsers on the gateway's machine, under its address, its name or localhost, and to operators who have logged in");
         return false;

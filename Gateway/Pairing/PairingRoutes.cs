@@ -13,12 +13,12 @@ sealed class PairingRoutes
     readonly bool _isOn;
 
     /// <param name="html">The HTML of the page; null if it was not built.</param>
-    public PairingRoutes(GatewayOptions options, Door door, ConnectionCounters counters, Action<string> log, string html)
+    public PairingRoutes(GatewayOptions options, AccessControl accessControl, ConnectionCounters counters, Action<string> log, string html)
     {
         var shown = new ShownCode(options.Certificate == null ? null : CertificatePin.Of(options.Certificate), options.Time);
         _isOn = options.Headsets != null;
-        _service = new PairingService(options, shown, door, counters, log);
-        Page = new PairingPage(options, shown, door, html);
+        _service = new PairingService(options, shown, accessControl, counters, log);
+        Page = new PairingPage(options, shown, accessControl, html);
     }
 
     public PairingPage Page { get; }
@@ -34,10 +34,10 @@ sealed class PairingRoutes
         {
             PairingLimits.Path when isPost => _service.ServeAsync(context),
             PairingLimits.Path when HttpMethods.IsGet(request.Method) => Page.ShowAsync(context),
-            CodePath when isPost => Page.TellCodeAsync(context),
-            CellPath when isPost => Page.TellCellAsync(context),
-            PairingLimits.Path or CodePath or CellPath => Door.RefuseMethodAsync(context, request.Path == PairingLimits.Path ? "GET, POST" : "POST"),
-            _ => Door.AnswerAsync(context, StatusCodes.Status404NotFound, $"{request.Path}: page not found"),
+            CodePath when isPost => Page.SendCodeAsync(context),
+            CellPath when isPost => Page.SendCellAsync(context),
+            PairingLimits.Path or CodePath or CellPath => AccessControl.RefuseMethodAsync(context, request.Path == PairingLimits.Path ? "GET, POST" : "POST"),
+            _ => AccessControl.AnswerAsync(context, StatusCodes.Status404NotFound, $"{request.Path}: page not found"),
         };
     }
 }

@@ -4,7 +4,7 @@ using Nowpose.Pairing;
 namespace Nowpose.Gateway.Pairing;
 
 /// <summary>Exchanges the token of the shown code for a headset's own token.</summary>
-sealed class PairingService(GatewayOptions options, ShownCode shown, Door door, ConnectionCounters counters, Action<string> log)
+sealed class PairingService(GatewayOptions options, ShownCode shown, AccessControl accessControl, ConnectionCounters counters, Action<string> log)
 {
     readonly WrongTokens _wrong = new(options.Time);
 
@@ -12,18 +12,18 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, Door door, 
     public async Task ServeAsync(HttpContext context)
     {
         // A headset sends no Origin. Another site's page that tries codes does.
-        if (!await door.AdmitOriginAsync(context)) return;
+        if (!await accessControl.AdmitOriginAsync(context)) return;
         if (await RefuseBlockedAsync(context)) return;
         // The address may have been blocked by other requests while the body was being received.
         if (await SmallJson.ReadAsync(context) is not { } request || await RefuseBlockedAsync(context)) return;
         if (!request.TryGetValue("token", out var token) || !request.TryGetValue("name", out var name))
-            await Door.AnswerAsync(context, StatusCodes.Status400BadRequest, "token and name are needed");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, "token and name are needed");
         else
             await ExchangeAsync(context, token, name);
     }
 
     Task<bool> RefuseBlockedAsync(HttpContext context) =>
-        Door.RefuseBlockedAsync(context, _wrong, $"more than {PairingLimits.WrongCodesPerMinute} wrong codes in a minute");
+        AccessControl.RefuseBlockedAsync(context, _wrong, $"more than {PairingLimits.WrongCodesPerMinute} wrong codes in a minute");
 
     Task ExchangeAsync(HttpContext context, string token, string name)
     {
@@ -37,7 +37,7 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, Door door, 
         {
             // The code stays valid: the failure was not the headset's.
             log("pairing: " + fault.Message);
-            return Door.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, "the headset's token cannot be stored");
+            return AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, "the headset's token cannot be stored");
         }
 
         if (own != null)
@@ -49,6 +49,6 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, Door door, 
         _wrong.Count(context.Connection.RemoteIpAddress);
         counters.Count(Closure.Token);
         log("pairing: refused a wrong code");
-        return Door.AnswerAsync(context, StatusCodes.Status401Unauthorized, "this is not the current code");
+        return AccessControl.AnswerAsync(context, StatusCodes.Status401Unauthorized, "this is not the current code");
     }
 }

@@ -17,12 +17,12 @@ static class SmallJson
         var length = context.Request.ContentLength;
         if (length > PairingLimits.BodyBytes)
         {
-            await Door.AnswerAsync(context, StatusCodes.Status413PayloadTooLarge, $"no more than {PairingLimits.BodyBytes} bytes");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status413PayloadTooLarge, $"no more than {PairingLimits.BodyBytes} bytes");
             return null;
         }
 
         if (length is > 0 && await BodyAsync(context, (int)length) is { } texts) return texts;
-        await Door.AnswerAsync(context, StatusCodes.Status400BadRequest, "the request must be a JSON object of strings with a Content-Length");
+        await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, "the request must be a JSON object of strings with a Content-Length");
         return null;
     }
 

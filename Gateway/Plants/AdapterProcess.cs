@@ -100,8 +100,8 @@ sealed class AdapterProcess : IAsyncDisposable
         try
         {
             process.StandardInput.Close();
-            using var patience = new CancellationTokenSource(TimeToEnd);
-            await process.WaitForExitAsync(patience.Token).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
+            using var timeout = new CancellationTokenSource(TimeToEnd);
+            await process.WaitForExitAsync(timeout.Token).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
             if (!process.HasExited) process.Kill(entireProcessTree: true);
         }
         catch (Exception e) when (e is InvalidOperationException or IOException or ObjectDisposedException)

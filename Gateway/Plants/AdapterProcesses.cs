@@ -9,7 +9,7 @@ sealed class AdapterProcesses : IAsyncDisposable
     readonly AdapterProcess[] _processes;
 
     // One for each adapter, so that many lines of one do not suppress those of another.
-    readonly QuietLog[] _logs;
+    readonly RateLimitedLog[] _logs;
 
     AdapterProcesses(PlantFile[] plants, GatewayServer gateway)
     {

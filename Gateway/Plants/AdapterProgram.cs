@@ -17,13 +17,13 @@ static class AdapterProgram
     {
         using var process = Start(file, ["--check"], null);
         process.StandardInput.Close();
-        using var patience = CancellationTokenSource.CreateLinkedTokenSource(stop);
-        patience.CancelAfter(CheckTimeout);
+        using var timeout = CancellationTokenSource.CreateLinkedTokenSource(stop);
+        timeout.CancelAfter(CheckTimeout);
         try
         {
-            var good = process.StandardOutput.ReadToEndAsync(patience.Token);
-            var bad = process.StandardError.ReadToEndAsync(patience.Token);
-            await process.WaitForExitAsync(patience.Token);
+            var good = process.StandardOutput.ReadToEndAsync(timeout.Token);
+            var bad = process.StandardError.ReadToEndAsync(timeout.Token);
+            await process.WaitForExitAsync(timeout.Token);
             if (process.ExitCode != 0) throw new WrongEntriesException((await bad).Trim().Split('\n'));
             var lines = (await good).Trim().Split('\n', 2);
             var content = PlantContent.Read(file, lines.Length == 2 ? lines[1] : "");

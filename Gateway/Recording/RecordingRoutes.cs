@@ -8,7 +8,7 @@ namespace Nowpose.Gateway.Recording;
 /// <remarks>
 /// POST /operations/recording with {"on": "true"} or {"on": "false"}. GET /operations/recordings for the list; with a name appended for a file.
 /// </remarks>
-sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, Door door)
+sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, AccessControl accessControl)
 {
     const string SwitchPath = "/operations/recording", ListPath = "/operations/recordings", FilePath = ListPath + "/";
 
@@ -17,18 +17,18 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, Door do
     {
         if (context.Request.Headers.Upgrade.Count > 0) return next(context);
         var (path, method) = (context.Request.Path.Value ?? "", context.Request.Method);
-        if (path == SwitchPath) return HttpMethods.IsPost(method) ? SwitchAsync(context) : Door.RefuseMethodAsync(context, "POST");
+        if (path == SwitchPath) return HttpMethods.IsPost(method) ? SwitchAsync(context) : AccessControl.RefuseMethodAsync(context, "POST");
         if (path != ListPath && !path.StartsWith(FilePath, StringComparison.Ordinal)) return next(context);
-        if (!HttpMethods.IsGet(method)) return Door.RefuseMethodAsync(context, "GET");
+        if (!HttpMethods.IsGet(method)) return AccessControl.RefuseMethodAsync(context, "GET");
         return path == ListPath ? ListAsync(context) : SendAsync(context, path[FilePath.Length..]);
     }
 
     async Task SwitchAsync(HttpContext context)
     {
-        if (!await door.AdmitOperatorAsync(context) || await SmallJson.ReadAsync(context) is not { } request) return;
+        if (!await accessControl.AdmitOperatorAsync(context) || await SmallJson.ReadAsync(context) is not { } request) return;
         if (request.GetValueOrDefault("on") is not ("true" or "false"))
         {
-            await Door.AnswerAsync(context, StatusCodes.Status400BadRequest, "on: must be \"true\" or \"false\"");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, "on: must be \"true\" or \"false\"");
             return;
         }
 
@@ -40,7 +40,7 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, Door do
         }
         catch (InputException fault)
         {
-            await Door.AnswerAsync(context, StatusCodes.Status409Conflict, fault.Message);
+            await AccessControl.AnswerAsync(context, StatusCodes.Status409Conflict, fault.Message);
         }
     }
 
@@ -55,7 +55,7 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, Door do
         if (!await AdmitReaderAsync(context)) return;
         if (folder.Find(name) is not { } file)
         {
-            await Door.AnswerAsync(context, StatusCodes.Status404NotFound, "no recording in the folder has this name; /operations/recordings lists the names");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status404NotFound, "no recording in the folder has this name; /operations/recordings lists the names");
             return;
         }
 
@@ -72,8 +72,8 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, Door do
     // Browsers send no Origin header when a page requests from its own host.
     async Task<bool> AdmitReaderAsync(HttpContext context)
     {
-        if (door.IsNoRebinding(context)) return await door.AdmitOperatorAsync(context);
-        await Door.AnswerAsync(context, StatusCodes.Status403Forbidden, "use the gateway's address, its name or localhost");
+        if (accessControl.IsNoRebinding(context)) return await accessControl.AdmitOperatorAsync(context);
+        await AccessControl.AnswerAsync(context, StatusCodes.Status403Forbidden, "use the gateway's address, its name or localhost");
         return false;
     }
 }

@@ -57,15 +57,16 @@ sealed class ReaderProgress : IDisposable
     TimeSpan Now => _time.GetElapsedTime(_start);
 
     /// <summary>Gets the timeout for a client to read a number of bytes and to answer.</summary>
-    public TimeSpan Patience(long bytes) => _pongTimeout + TimeSpan.FromSeconds(bytes / MinBytesPerSecond);
+    public TimeSpan TimeoutFor(long bytes) => _pongTimeout + TimeSpan.FromSeconds(bytes / MinBytesPerSecond);
 
     /// <summary>End of the last time in which messages had to wait for the client, a count of the time provider.</summary>
     public long WaitedUntil { get; private set; } = long.MinValue;
 
     /// <summary>Completes when a message may be sent.</summary>
-    public async Task OpensAsync(CancellationToken stop)
+    /// <param name="isReply"><inheritdoc cref="SendWindow.IsOpen" path="/param[@name='isReply']"/></param>
+    public async Task OpensAsync(bool isReply, CancellationToken stop)
     {
-        while (NextChange() is { } change)
+        while (NextChange(isReply) is { } change)
         {
             await Task.WhenAny(change, Task.Delay(WaitStep, _time, stop));
             stop.ThrowIfCancellationRequested();
@@ -85,11 +86,11 @@ sealed class ReaderProgress : IDisposable
     }
 
     /// <summary>Call this after a message was sent.</summary>
-    public void OnSent(int bytes)
+    public void OnSent(int bytes, bool isReply = false)
     {
         lock (_lock)
         {
-            _window.OnSent(bytes);
+            _window.OnSent(bytes, isReply);
             PlanPing();
         }
     }
@@ -113,17 +114,22 @@ sealed class ReaderProgress : IDisposable
         Signal();
     }
 
-    /// <summary>Sends a ping in each interval until the client fails to answer in time.</summary>
+    /// <summary>Sends a ping in each interval until the client fails to answer in time, or reads too slowly. Returns which of the two.</summary>
     /// <exception cref="OperationCanceledException">The wait was cancelled.</exception>
-    public async Task BecomesSilentAsync(CancellationToken stop)
+    public async Task<Closure> WatchAsync(CancellationToken stop)
     {
         var shortest = _pingInterval < _pongTimeout ? _pingInterval : _pongTimeout;
-        using var timer = new PeriodicTimer(shortest / 4, _time);
-        while (await timer.WaitForNextTickAsync(stop))
+        while (true)
         {
-            if (IsSilent()) return;
+            await Task.Delay(shortest / 4, _time, stop);
+            if (IsSilent()) return Closure.Silence;
             bool isPingDue;
-            lock (_lock) isPingDue = _window.PingAt == null && Now - _lastPing >= _pingInterval;
+            lock (_lock)
+            {
+                if (_window.IsTooSlow) return Closure.SlowReader;
+                isPingDue = _window.PingAt == null && Now - _lastPing >= _pingInterval;
+            }
+
             if (isPingDue) _ = PingAsync();
         }
     }
@@ -137,7 +143,7 @@ sealed class ReaderProgress : IDisposable
             // Received data count as an answer until the client has answered a ping. If it stops answering later, it has stopped reading.
             var last = _window.HasAnswered || _lastReceived < pingAt ? pingAt : _lastReceived;
             // Bytes sent after the ping do not delay its pong.
-            return Now - last >= Patience(_window.BytesBeforePing);
+            return Now - last >= TimeoutFor(_window.BytesBeforePing);
         }
     }
 
@@ -172,13 +178,13 @@ sealed class ReaderProgress : IDisposable
     }
 
     // Null while the window is open.
-    Task NextChange()
+    Task NextChange(bool isReply)
     {
         Task change;
         bool isReportDue;
         lock (_lock)
         {
-            change = _window.IsOpen(Now) ? null : (_changed ??= new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously)).Task;
+            change = _window.IsOpen(Now, isReply) ? null : (_changed ??= new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously)).Task;
             isReportDue = _window.IsAssumed && !_isUnansweredReported;
             _isUnansweredReported |= isReportDue;
         }

@@ -9,7 +9,7 @@ sealed class RosbridgeConnection : IDisposable
 {
     internal const int WaitingReplies = 64;
     const int NotEnded = -1;
-    static readonly TimeSpan GoodbyeTimeout = ProtocolLimits.GoodbyeTimeout;
+    static readonly TimeSpan CloseTimeout = ProtocolLimits.CloseTimeout;
 
     readonly WebSocket _socket;
     readonly MessageReceiver _receiver;
@@ -46,7 +46,7 @@ sealed class RosbridgeConnection : IDisposable
         foreach (var (topic, pump) in _pumps)
             if (pump.Ended.IsCompletedSuccessfully) _pumps.Remove(topic);
         if (!_pumps.TryGetValue(subscription.Topic, out var own))
-            _pumps.Add(subscription.Topic, own = new TopicPump(one => PumpAsync(() => one.PumpAsync(SendAsync, _stop.Token))));
+            _pumps.Add(subscription.Topic, own = new TopicPump(one => PumpAsync(() => one.PumpAsync(next => SendAsync(next, isReply: false), _stop.Token))));
         own.Start(subscription);
     }
 
@@ -54,14 +54,14 @@ sealed class RosbridgeConnection : IDisposable
     public void End(Closure why)
     {
         if (Interlocked.CompareExchange(ref _ended, (int)why, NotEnded) == NotEnded)
-            _ = SayGoodbyeAsync(why);
+            _ = CloseAsync(why);
     }
 
     /// <summary>Serves the client until either side ends the connection; returns the reason.</summary>
     public async Task<Closure> RunAsync(RosbridgeSession session)
     {
         var replying = PumpAsync(RepliesAsync);
-        var watching = PumpAsync(EndWhenSilentAsync);
+        var watching = PumpAsync(WatchAsync);
         Closure why;
         // The client answers with its own close, which ends the receiving, or the timeout ends it.
         await using (_serverStops.UnsafeRegister(_ => End(Closure.Stopped), null))
@@ -69,7 +69,7 @@ sealed class RosbridgeConnection : IDisposable
         if (Ended == null && HasPeerLeft) session.Leave();
         session.Dispose();
         if (Ended == null && why != Closure.Silence)
-            await SayGoodbyeAsync(why);
+            await CloseAsync(why);
         await _stop.CancelAsync();
         await StopPumpsAsync(Task.WhenAll(replying, watching), isGone: why == Closure.Silence);
         return why;
@@ -117,16 +117,16 @@ sealed class RosbridgeConnection : IDisposable
     async Task RepliesAsync()
     {
         while (await _replies.Reader.WaitToReadAsync(_stop.Token))
-            await SendAsync(_ => _replies.Reader.TryRead(out var reply) ? reply : default);
+            await SendAsync(_ => _replies.Reader.TryRead(out var reply) ? reply : default, isReply: true);
     }
 
     // Selects the message only when it can be sent, because a message selected earlier would be outdated.
-    async Task SendAsync(Func<long, ReadOnlyMemory<byte>> next)
+    async Task SendAsync(Func<long, ReadOnlyMemory<byte>> next, bool isReply)
     {
         await _sending.WaitAsync(_stop.Token);
         try
         {
-            await _reader.OpensAsync(_stop.Token);
+            await _reader.OpensAsync(isReply, _stop.Token);
             var message = next(_reader.WaitedUntil);
             if (message.IsEmpty) return;
             await _reader.SendsAsync(message.Length);
@@ -135,7 +135,7 @@ sealed class RosbridgeConnection : IDisposable
                 await sending;
             else
                 await BecomesSentAsync(sending.AsTask(), message.Length);
-            _reader.OnSent(message.Length);
+            _reader.OnSent(message.Length, isReply);
         }
         finally
         {
@@ -143,10 +143,15 @@ sealed class RosbridgeConnection : IDisposable
         }
     }
 
-    // No close is sent: a peer that does not read would not receive it.
-    async Task EndWhenSilentAsync()
+    async Task WatchAsync()
     {
-        await _reader.BecomesSilentAsync(_stop.Token);
+        if (await _reader.WatchAsync(_stop.Token) == Closure.SlowReader)
+        {
+            End(Closure.SlowReader);
+            return;
+        }
+
+        // No close is sent: a peer that does not read would not receive it.
         Interlocked.CompareExchange(ref _ended, (int)Closure.Silence, NotEnded);
         _socket.Abort();
     }
@@ -156,7 +161,7 @@ sealed class RosbridgeConnection : IDisposable
     {
         try
         {
-            await sending.WaitAsync(_reader.Patience(length));
+            await sending.WaitAsync(_reader.TimeoutFor(length));
             _reader.OnWaited();
         }
         catch (TimeoutException)
@@ -184,25 +189,25 @@ sealed class RosbridgeConnection : IDisposable
     async Task StopPumpsAsync(Task replying, bool isGone)
     {
         var pumps = Task.WhenAll([replying, .. _pumps.Values.Select(pump => pump.Ended)]);
-        if (isGone || await Task.WhenAny(pumps, Task.Delay(GoodbyeTimeout)) != pumps)
+        if (isGone || await Task.WhenAny(pumps, Task.Delay(CloseTimeout)) != pumps)
             _socket.Abort();
         await pumps;
     }
 
-    async Task SayGoodbyeAsync(Closure why)
+    async Task CloseAsync(Closure why)
     {
-        using var patience = new CancellationTokenSource(GoodbyeTimeout);
+        using var timeout = new CancellationTokenSource(CloseTimeout);
         try
         {
             // A peer's close is answered with the same code, or with none if it had none.
             if (why == Closure.ByPeer)
-                await _socket.CloseOutputAsync(_socket.CloseStatus ?? WebSocketCloseStatus.NormalClosure, null, patience.Token);
+                await _socket.CloseOutputAsync(_socket.CloseStatus ?? WebSocketCloseStatus.NormalClosure, null, timeout.Token);
             else
-                await _socket.CloseOutputAsync(StatusOf(why), why.ToString(), patience.Token);
+                await _socket.CloseOutputAsync(StatusOf(why), why.ToString(), timeout.Token);
             if (Ended != null)
-                await Task.Delay(GoodbyeTimeout, _stop.Token);
+                await Task.Delay(CloseTimeout, _stop.Token);
             else if (why != Closure.ByPeer)
-                await _receiver.DrainAsync(GoodbyeTimeout);
+                await _receiver.DrainAsync(CloseTimeout);
         }
         catch (Exception e) when (IsEndOfConnection(e) || e is InvalidOperationException)
         {

@@ -11,7 +11,7 @@ namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>Serves rosbridge v2 on every path of the WebSocket port.</summary>
 sealed class RosbridgeServer(
-    GatewayOptions options, ServedClock clock, PlantClocks plant, MessageHub hub, Door door, AccessWatch access, ConnectionCounters counters,
+    GatewayOptions options, ServedClock clock, PlantClocks plant, MessageHub hub, AccessControl accessControl, AccessWatch access, ConnectionCounters counters,
     Action<string> log)
     : IDisposable
 {
@@ -35,13 +35,13 @@ sealed class RosbridgeServer(
 
     public async Task ServeAsync(HttpContext context)
     {
-        if (await door.AdmitAsync(context) is not { } role)
+        if (await accessControl.AdmitAsync(context) is not { } role)
             return;
         if (!context.WebSockets.IsWebSocketRequest)
-            await Door.AnswerAsync(
+            await AccessControl.AnswerAsync(
                 context, StatusCodes.Status426UpgradeRequired, "this port serves rosbridge v2 over WebSocket; connect with a WebSocket client");
         else if (!counters.TryEnter(options.MaxConnections))
-            await Door.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, $"no more than {options.MaxConnections} connections");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, $"no more than {options.MaxConnections} connections");
         else
             await ServeAsync(context, role);
     }
@@ -72,7 +72,7 @@ sealed class RosbridgeServer(
             // The connection sends its own pings, which also measure how far the client has read.
             KeepAliveInterval = Timeout.InfiniteTimeSpan,
         });
-        PendingPlaces.GiveBack(context);
+        PendingPlaces.Release(context);
         var isSource = role == Role.Source;
         // Only a source may send long messages.
         var longest = isSource ? ProtocolLimits.DescriptionBytes : ProtocolLimits.MessageBytes;
@@ -92,10 +92,10 @@ sealed class RosbridgeServer(
             Address = AddressOf(context.Connection),
         };
         using var watched = access.Watch(
-            door.TokenHashOf(context), role, () => connection.End(Closure.Token), door.LoginOf(context));
+            accessControl.TokenHashOf(context), role, () => connection.End(Closure.Token), accessControl.LoginOf(context));
         var why = await connection.RunAsync(session);
         if (why == Closure.MalformedFrame)
-            await upgrade.DrainAsync(ProtocolLimits.GoodbyeTimeout);
+            await upgrade.DrainAsync(ProtocolLimits.CloseTimeout);
         return why;
     }
 

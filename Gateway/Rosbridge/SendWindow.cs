@@ -10,16 +10,26 @@ namespace Nowpose.Gateway.Rosbridge;
 /// </remarks>
 sealed class SendWindow
 {
+    /// <summary>Window size for a slow reader: one message at a time, because the last one may exceed the window.</summary>
+    const int OneMessage = 1;
+
     /// <summary>
-    /// Minimum window size. It allows two messages of an arm, because the last one may exceed the window; a reader of 1 kB/s needs a second for them.
+    /// Minimum window size for a client that reads <see cref="MinBytesPerSecond"/>. It allows two messages of an arm, which are read within 0.8 s.
     /// </summary>
     internal const int MinBytes = 512;
+
+    const double MinBytesPerSecond = 1200;
 
     /// <summary>Window size before the first pong. At 4 kB/s it is read within a third of a second.</summary>
     internal const int FirstBytes = 1280;
 
-    /// <summary>Minimum window size for a client that answers within <see cref="Quick"/>. At 4 kB/s it is read within two thirds of a second.</summary>
+    /// <summary>
+    /// Minimum window size for a client that answers within <see cref="Quick"/> and reads <see cref="QuickBytesPerSecond"/>. At 4 kB/s it is read
+    /// within two thirds of a second.
+    /// </summary>
     internal const int QuickBytes = 2560;
+
+    const double QuickBytesPerSecond = 3500;
 
     /// <summary>Maximum number of bytes from one ping to the next. More pings let TCP detect more lost packets early.</summary>
     const int PingBytes = 1280;
@@ -47,6 +57,12 @@ sealed class SendWindow
     /// <remarks>With a receive buffer of 1 KiB, TCP carries only 2.5 kB/s to a client that could read 4 kB/s.</remarks>
     internal const double AssumedBytesPerSecond = 2000;
 
+    /// <summary>Time to read one message above which its sample is more than a second old: the queue adds 0.15 s.</summary>
+    internal static readonly TimeSpan MaxReadTime = TimeSpan.FromMilliseconds(850);
+
+    /// <summary>Number of pongs in a row that are later than this, after which the client is too slow. A lossy network delays single ones.</summary>
+    internal const int MaxLatePongs = 5;
+
     /// <summary>Window size of a client whose window was not full, as a multiple of its unread bytes.</summary>
     const double Reserve = 1.25;
 
@@ -56,12 +72,14 @@ sealed class SendWindow
     long _pingId;
     TimeSpan? _pingAt;
     bool _wasFull;
-    bool _mayGrow;
+    bool _mayGrow = true;
     bool _hasAnswered;
+    bool _hasPublished;
+    int _latePongs;
     TimeSpan? _assumedUntil;
 
     /// <summary>Window size, bytes.</summary>
-    public int Size { get; private set; } = FirstBytes;
+    public int Size { get; private set; } = OneMessage;
 
     /// <summary>Number of sent bytes that are not confirmed as read.</summary>
     public long Unread => _sent - _read;
@@ -78,25 +96,33 @@ sealed class SendWindow
     /// <summary>Whether the client's read rate is assumed, because it has not answered a ping in time.</summary>
     public bool IsAssumed => !_hasAnswered && _assumedUntil != null;
 
+    /// <summary>Whether the client needs too much time for each single message, so that its samples are always old.</summary>
+    public bool IsTooSlow => _latePongs >= MaxLatePongs;
+
     /// <summary>Time at which the outstanding ping was sent; null if there is none.</summary>
     public TimeSpan? PingAt => _pingAt;
 
     /// <summary>Whether a message may be sent; the last one may exceed the window.</summary>
-    public bool IsOpen(TimeSpan now)
+    /// <param name="isReply">Whether the message answers a request. Of all others, only one is sent before the first pong.</param>
+    public bool IsOpen(TimeSpan now, bool isReply = false)
     {
         if (!_hasAnswered && now - _pingAt >= FirstPongTimeout) AssumeRead(now);
-        var isOpen = Unread < Size;
+        var isOpen = _hasAnswered ? Unread < Size : Unread < FirstBytes && (isReply || IsAssumed || !_hasPublished);
         _wasFull |= !isOpen;
         return isOpen;
     }
 
-    public void OnSent(int bytes) => _sent += bytes;
+    public void OnSent(int bytes, bool isReply = false)
+    {
+        _sent += bytes;
+        _hasPublished |= !isReply;
+    }
 
     /// <summary>Whether a ping should be sent first: after a long message, the first pong would be delayed by it.</summary>
     public bool IsPingDueBefore(int bytes) => !_hasAnswered && _pingAt == null && bytes > FirstBytes;
 
     /// <summary>Whether a ping should follow the sent data.</summary>
-    public bool IsPingDue => _pingAt == null && _sent - Math.Max(_read, _pingPosition) >= (IsNear ? NearPingBytes : Math.Min(Size / 2, PingBytes));
+    public bool IsPingDue => _pingAt == null && _sent - Math.Max(_read, _pingPosition) >= PingDueBytes;
 
     /// <summary>Records a ping at the end of the sent data.</summary>
     /// <returns>Its number, which the pong repeats.</returns>
@@ -113,15 +139,18 @@ sealed class SendWindow
         if (_pingAt is not { } pingAt || id != _pingId) return;
         _pingAt = null;
         var unread = Unread;
-        var hadData = _pingPosition > _read;
+        var read = _pingPosition - _read;
         _read = _pingPosition;
         _hasAnswered = true;
-        IsNear = now - pingAt < Near;
         // The pong of an idle connection does not show how fast the client could read.
-        if (hadData) Resize(now - pingAt, unread);
+        if (read > 0) Resize(now - pingAt, read, unread);
+        // With a smaller window, no ping would ever be due.
+        IsNear = now - pingAt < Near && Size >= QuickBytes;
         _mayGrow = _wasFull;
         _wasFull = false;
     }
+
+    int PingDueBytes => IsNear ? NearPingBytes : _hasAnswered || _hasPublished ? Math.Clamp(Size / 2, 1, PingBytes) : FirstBytes / 2;
 
     void AssumeRead(TimeSpan now)
     {
@@ -134,10 +163,14 @@ sealed class SendWindow
 
     // A full window grows with the next pong, because the first pong of a client that has just become slow is still fast.
     // A window that is not full shrinks to what it needs: after a burst of messages, it must not stay large for a client that becomes slow later.
-    void Resize(TimeSpan took, long unread)
+    void Resize(TimeSpan took, long read, long unread)
     {
+        _latePongs = took > MaxReadTime ? _latePongs + 1 : 0;
         var factor = Math.Clamp(Target / (took + TimeSpan.FromTicks(1)), 0.25, 2);
-        var size = took > Target || _mayGrow ? Size * factor : Math.Min(Size, Math.Max(QuickBytes, Reserve * unread));
-        Size = (int)Math.Clamp(size, took < Quick ? QuickBytes : MinBytes, MaxBytes);
+        var size = took > Target || _mayGrow ? Math.Max(Size, read) * factor : Math.Min(Size, Math.Max(QuickBytes, Reserve * unread));
+        // The client reads at least at this rate. A pong for a few bytes does not show that it can read more.
+        var rate = read / took.TotalSeconds;
+        var min = took < Quick && rate >= QuickBytesPerSecond ? QuickBytes : rate >= MinBytesPerSecond ? MinBytes : OneMessage;
+        Size = (int)Math.Clamp(size, min, MaxBytes);
     }
 }

@@ -11,7 +11,7 @@ sealed class PendingPlaces(PendingConnections pending, ConnectionCounters counte
     static readonly object Key = new();
 
     /// <summary>Releases the place of an admitted request.</summary>
-    public static void GiveBack(HttpContext context) => Of(context.Features.Get<IConnectionItemsFeature>()?.Items)?.Dispose();
+    public static void Release(HttpContext context) => Of(context.Features.Get<IConnectionItemsFeature>()?.Items)?.Dispose();
 
     /// <summary>Records that a connection has sent a whole request.</summary>
     public static Task CompleteHandshakeAsync(HttpContext context, RequestDelegate next)

@@ -23,15 +23,15 @@ sealed class DiagnosticsBoard(TimeProvider time)
     internal static readonly TimeSpan ForgottenAfter = TimeSpan.FromSeconds(30);
 
     readonly Lock _lock = new();
-    readonly Dictionary<string, (long At, KeyValuePair<string, string>[] Values)> _said = [];
+    readonly Dictionary<string, (long At, KeyValuePair<string, string>[] Values)> _reports = [];
 
     public void Add(DiagnosticsMessage message)
     {
         var values = Kept(message.Values);
         lock (_lock)
         {
-            if (_said.Count >= MaxClients && !_said.ContainsKey(message.HardwareId)) MakeRoom();
-            _said[message.HardwareId] = (time.GetTimestamp(), values);
+            if (_reports.Count >= MaxClients && !_reports.ContainsKey(message.HardwareId)) MakeRoom();
+            _reports[message.HardwareId] = (time.GetTimestamp(), values);
         }
     }
 
@@ -39,7 +39,7 @@ sealed class DiagnosticsBoard(TimeProvider time)
     public void Remove(string name)
     {
         if (StatusObjects.IsAdapter(name)) return;
-        lock (_lock) _said.Remove(name);
+        lock (_lock) _reports.Remove(name);
     }
 
     /// <summary>Gets the diagnostics in the order of their names.</summary>
@@ -47,12 +47,12 @@ sealed class DiagnosticsBoard(TimeProvider time)
     {
         lock (_lock)
         {
-            foreach (var (name, said) in _said)
-                if (!StatusObjects.IsAdapter(name) && time.GetElapsedTime(said.At) > ForgottenAfter) _said.Remove(name);
+            foreach (var (name, report) in _reports)
+                if (!StatusObjects.IsAdapter(name) && time.GetElapsedTime(report.At) > ForgottenAfter) _reports.Remove(name);
             return
             [
-                .. _said.OrderBy(said => said.Key, StringComparer.Ordinal)
-                    .Select(said => (said.Key, time.GetElapsedTime(said.Value.At), (IReadOnlyList<KeyValuePair<string, string>>)said.Value.Values)),
+                .. _reports.OrderBy(report => report.Key, StringComparer.Ordinal)
+                    .Select(report => (report.Key, time.GetElapsedTime(report.Value.At), (IReadOnlyList<KeyValuePair<string, string>>)report.Value.Values)),
             ];
         }
     }
@@ -69,5 +69,5 @@ sealed class DiagnosticsBoard(TimeProvider time)
     }
 
     // Connected clients report once a second, so the one that has been silent longest is removed.
-    void MakeRoom() => _said.Remove(_said.OrderBy(said => StatusObjects.IsAdapter(said.Key)).ThenBy(said => said.Value.At).First().Key);
+    void MakeRoom() => _reports.Remove(_reports.OrderBy(report => StatusObjects.IsAdapter(report.Key)).ThenBy(report => report.Value.At).First().Key);
 }

@@ -34,7 +34,7 @@ static class JointMetrics
     static void AddJoints(PrometheusText text, IReadOnlyList<JointView> joints)
     {
         if (joints.Count == 0) return;
-        text.Begin("nowpose_joint_state", Gauge, "1 for the present state of the joint, 0 for the other states.");
+        text.Begin("nowpose_joint_state", Gauge, "1 for the present state of the joint, 0 for the other states. rest: no change is reported, and the joint is assumed at rest.");
         foreach (var joint in joints)
             foreach (var word in JointDataStates.Names)
                 text.Add(joint.State == word ? 1 : 0, ("joint", joint.Name), ("source", joint.Source), ("state", word));

@@ -7,7 +7,7 @@ using Nowpose.Gateway.Status.Events;
 namespace Nowpose.Gateway.Status;
 
 /// <summary>Serves the status to the operations page, to Prometheus and to service managers.</summary>
-sealed class StatusRoutes(GatewayStatus status, Door door)
+sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
 {
     const string StatePath = "/operations/state", MetricsPath = "/metrics", LivePath = "/healthz", ReadyPath = "/readyz",
         EventsPath = "/operations/events";
@@ -39,13 +39,13 @@ sealed class StatusRoutes(GatewayStatus status, Door door)
     }
 
     static Task AnswerAsync(HttpContext context, Func<HttpContext, Task> answer) =>
-        HttpMethods.IsGet(context.Request.Method) || HttpMethods.IsHead(context.Request.Method) ? answer(context) : Door.RefuseMethodAsync(context, "GET");
+        HttpMethods.IsGet(context.Request.Method) || HttpMethods.IsHead(context.Request.Method) ? answer(context) : AccessControl.RefuseMethodAsync(context, "GET");
 
     async Task TellStateAsync(HttpContext context)
     {
         if (await AdmitAsync(context) is not { } role) return;
         // On the gateway's own machine, without required tokens, every client is an operator.
-        var effective = door.IsOperator(context) ? Role.Operator : role;
+        var effective = accessControl.IsOperator(context) ? Role.Operator : role;
         var state = status.Read() with { Role = effective.ToString().ToLowerInvariant() };
         await SendAsync(context, "application/json", JsonSerializer.SerializeToUtf8Bytes(state, Snake));
     }
@@ -63,7 +63,7 @@ sealed class StatusRoutes(GatewayStatus status, Door door)
         var format = context.Request.Query["format"].ToString();
         if (format is not ("" or "json" or "csv"))
         {
-            await Door.AnswerAsync(context, StatusCodes.Status400BadRequest, "format: json or csv is allowed");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, "format: json or csv is allowed");
             return;
         }
 
@@ -84,8 +84,8 @@ sealed class StatusRoutes(GatewayStatus status, Door door)
     async Task<Role?> AdmitAsync(HttpContext context)
     {
         // Browsers send no Origin header when a page requests from its own host.
-        if (door.IsNoRebinding(context)) return await door.AdmitAsync(context);
-        await Door.AnswerAsync(context, StatusCodes.Status403Forbidden, "use the gateway's address, its name or localhost");
+        if (accessControl.IsNoRebinding(context)) return await accessControl.AdmitAsync(context);
+        await AccessControl.AnswerAsync(context, StatusCodes.Status403Forbidden, "use the gateway's address, its name or localhost");
         return null;
     }
 

@@ -13,7 +13,7 @@ namespace Nowpose.Gateway.Verbs;
 /// <summary>pair: shows the current pairing code of a gateway on this machine on a terminal.</summary>
 static class PairVerb
 {
-    static readonly TimeSpan Patience = TimeSpan.FromSeconds(10);
+    static readonly TimeSpan RequestTimeout = TimeSpan.FromSeconds(10);
 
     public static Command Create()
     {
@@ -59,7 +59,7 @@ static class PairVerb
                 RemoteCertificateValidationCallback = (_, shown, _, errors) => (refusal = trust.Refusal(shown, errors, DateTime.Now)) == null,
             },
         })
-        { Timeout = Patience };
+        { Timeout = RequestTimeout };
 #pragma warning restore CA5399, CA5400
         try
         {

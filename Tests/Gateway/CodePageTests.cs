@@ -64,8 +64,8 @@ public class CodePageTests
     public async Task Page_NotBuilt_AnswersInOneLineWithTheRemedy()
     {
         var counters = new ConnectionCounters();
-        var door = new Door(Gateways.Options(), new WrongTokens(TimeProvider.System), counters, _ => { });
-        var page = new CodePage(Gateways.Options(), new StopwatchControlClock(Gateways.Start), door, counters, _ => { }, html: null);
+        var accessControl = new AccessControl(Gateways.Options(), new WrongTokens(TimeProvider.System), counters, _ => { });
+        var page = new CodePage(Gateways.Options(), new StopwatchControlClock(Gateways.Start), accessControl, counters, _ => { }, html: null);
         var context = new DefaultHttpContext { Request = { Method = "GET", Path = "/vlc" }, Response = { Body = new MemoryStream() } };
 
         await page.ServeAsync(context, _ => throw new InvalidOperationException("handed on")).Bounded();

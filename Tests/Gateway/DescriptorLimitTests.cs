@@ -44,17 +44,17 @@ public class DescriptorLimitTests
         var failures = new Queue<Exception>(
             [new SocketException((int)SocketError.TooManyOpenSockets), new InsufficientMemoryException("no memory"), new IOException("disk")]);
         var log = new List<string>();
-        await using var patient = new PatientListener(
+        await using var listener = new ResilientListener(
             new FailingListener(await sockets.BindAsync(new IPEndPoint(IPAddress.Loopback, 0)), failures), log.Add);
         using var client = new TcpClient();
-        await client.ConnectAsync((IPEndPoint)patient.EndPoint).Bounded();
+        await client.ConnectAsync((IPEndPoint)listener.EndPoint).Bounded();
 
-        await using var connection = await patient.AcceptAsync().AsTask().Bounded();
+        await using var connection = await listener.AcceptAsync().AsTask().Bounded();
 
         Assert.That(connection, Is.Not.Null);
         Assert.That(log, Has.Count.EqualTo(3).And.All.Contain("could not be accepted"));
-        await patient.UnbindAsync();
-        Assert.That(await patient.AcceptAsync().AsTask().Bounded(), Is.Null);
+        await listener.UnbindAsync();
+        Assert.That(await listener.AcceptAsync().AsTask().Bounded(), Is.Null);
     }
 
     sealed class FailingListener(IConnectionListener inner, Queue<Exception> failures) : IConnectionListener

@@ -1,4 +1,5 @@
 using NUnit.Framework;
+using Nowpose.Gateway;
 using Nowpose.Gateway.Rosbridge;
 
 namespace Nowpose.Headless.Tests.Gateway;
@@ -112,10 +113,31 @@ public class ReaderProgressTests
         for (var i = 0; i < 3; i++)
         {
             time.Advance(SendWindow.FirstPongTimeout);
-            await progress.OpensAsync(default).Bounded();
+            await progress.OpensAsync(isReply: false, default).Bounded();
         }
 
         Assert.That(reports, Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task WatchAsync_EachMessageIsReadLate_ReportsASlowReader()
+    {
+        var time = new SteppedTimers();
+        var pings = new List<byte[]>();
+        using var progress = Progress(time, pings);
+        var watching = progress.WatchAsync(default);
+
+        for (var i = 0; i < SendWindow.MaxLatePongs; i++)
+        {
+            Assert.That(watching.IsCompleted, Is.False);
+            progress.OnSent(450);
+            time.Advance(ReaderProgress.PingDelay);
+            time.Advance(SendWindow.MaxReadTime + TimeSpan.FromMilliseconds(1));
+            progress.OnPong(pings[^1]);
+        }
+
+        time.Advance(TimeSpan.FromSeconds(1));
+        Assert.That(await watching.Bounded(), Is.EqualTo(Closure.SlowReader));
     }
 
     [Test]
@@ -127,7 +149,7 @@ public class ReaderProgressTests
         progress.OnSent(5000);
         time.Advance(ReaderProgress.PingDelay);
         using var stop = new CancellationTokenSource();
-        var opens = progress.OpensAsync(stop.Token);
+        var opens = progress.OpensAsync(isReply: false, stop.Token);
 
         progress.OnPong([1, 2, 3]);
         progress.OnPong(new byte[8]);

@@ -24,6 +24,47 @@ public class SendWindowTests
     }
 
     [Test]
+    public void Reader_BelowTwoKilobytesPerSecond_ReceivesOneMessageAtATime(
+        [Values(600, 800, 1000, 1200, 1500, 2000)] double bytesPerSecond, [Values(370, 450)] int messageBytes, [Values(1, 40)] int roundTripMs)
+    {
+        var run = new Run(bytesPerSecond, messageBytes, intervalMs: 20, roundTripMs);
+
+        run.Continue(TimeSpan.FromSeconds(60));
+
+        Assert.That(run.MaxAge, Is.LessThanOrEqualTo(SendWindow.MaxReadTime), $"window {run.Window.Size} bytes");
+        Assert.That(run.Window.IsTooSlow, Is.False);
+        Assert.That(run.ReadMessages * messageBytes, Is.GreaterThan(0.75 * 60 * bytesPerSecond), "used");
+    }
+
+    [Test]
+    public void IsTooSlow_EachMessageTakesASecond_IsTrueAfterAFewMessages()
+    {
+        var run = new Run(bytesPerSecond: 450, messageBytes: 450, intervalMs: 20, roundTripMs: 1);
+
+        run.Continue(TimeSpan.FromSeconds(SendWindow.MaxLatePongs));
+        Assert.That(run.Window.IsTooSlow, Is.False);
+        run.Continue(TimeSpan.FromSeconds(2));
+
+        Assert.That(run.Window.IsTooSlow, Is.True);
+    }
+
+    [Test]
+    public void IsTooSlow_SinglePongsAreLate_IsFalse()
+    {
+        var window = new SendWindow();
+        var now = TimeSpan.Zero;
+        for (var i = 0; i < 100; i++)
+        {
+            window.OnSent(450);
+            var ping = window.OnPing(now);
+            now += i % SendWindow.MaxLatePongs == 0 ? Step : SendWindow.MaxReadTime + Step;
+            window.OnPong(ping, now);
+
+            Assert.That(window.IsTooSlow, Is.False);
+        }
+    }
+
+    [Test]
     public void Reader_Fast_ReceivesAllDespiteALongRoundTrip([Values(1, 40, 120, 180)] int roundTripMs)
     {
         var run = new Run(bytesPerSecond: 1e7, messageBytes: 450, intervalMs: 20, roundTripMs);
@@ -126,7 +167,7 @@ public class SendWindowTests
     public void IsPingDue_ClientNearOrFar_IsTrueAfterItsNumberOfBytes(int pongMs, int bytes)
     {
         var window = new SendWindow();
-        window.OnSent(1);
+        window.OnSent(450);
         window.OnPong(window.OnPing(TimeSpan.Zero), pongMs * Step);
 
         window.OnSent(bytes - 1);

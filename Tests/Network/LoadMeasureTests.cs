@@ -55,6 +55,18 @@ public class LoadMeasureTests
     }
 
     [Test]
+    public void Ratio_LoadOfTheMachineChangesBetweenRounds_IsThatOfTheBuilds()
+    {
+        // Each round has another load; the fourth has an outlier.
+        double[] loads = [1, 4, 9, 2, 16];
+        static LoadResult Result(double p99Ms) => new(200, 50, 10, 0, 0, 0, 0, 0, 1, p99Ms, 20, 0, 0, 0, 0, 0, 0, 0, 0);
+
+        var comparison = new LoadComparison([.. loads.Select((load, i) => (Result(1.1 * load * (i == 3 ? 5 : 1)), Result(load)))]);
+
+        Assert.That(comparison.Ratio, Is.EqualTo(1.1).Within(1e-9));
+    }
+
+    [Test]
     public void Memory_Growing_IsNotFlat()
     {
         var (flat, growing) = (new MemoryWatch(), new MemoryWatch());

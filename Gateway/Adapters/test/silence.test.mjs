@@ -93,6 +93,8 @@ describe('silence', () => {
 
     const [state, since] = cell.status.values()['joint/a'].split(' ');
     assert.equal(state, 'rest');
+    const { basis, confirmed } = silenceMessages;
+    assert.ok(cell.status.values()['joint/a'].endsWith(stateMessages.assumedAtRest(basis(confirmed, null), 'joint', '')), cell.status.values()['joint/a']);
     // The joint is at rest since its last sample, which came 1 s earlier.
     assert.ok(Number(since) < Date.now() / 1000 - 0.9, since);
     assert.equal(cell.status.level, 0);
@@ -143,7 +145,7 @@ describe('silence', () => {
     assert.match(reason, like(silenceMessages.unobservedStop(ANY, 'rad/s²')));
     assert.match(reason, / 1\d\.\d rad\/s²$/);
     assert.equal(cell.status.message, stateMessages.uncertainRest('a', reason));
-    assert.ok(cell.status.values()['joint/a'].endsWith(stateMessages.assumedAtRest('joint', reason)), cell.status.values()['joint/a']);
+    assert.ok(cell.status.values()['joint/a'].endsWith(stateMessages.assumedAtRest(silenceMessages.basis(silenceMessages.confirmed, null), 'joint', reason)), cell.status.values()['joint/a']);
   });
 
   it('Motion_OfAllJointsInterruptedBelowTheFloorAndNoLongerWritten_IsFault', () => {

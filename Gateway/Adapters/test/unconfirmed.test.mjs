@@ -29,8 +29,10 @@ describe('a source that cannot confirm', () => {
     const { status, stateOf } = await passive({ x: stops, y: swings }, 3);
 
     assert.deepEqual([stateOf('x'), stateOf('y'), status.level], ['rest', 'live', 1]);
-    assert.equal(status.values()['uncertain/x'], silenceMessages.unconfirmed);
-    assert.equal(status.message, stateMessages.uncertainRest('x', silenceMessages.unconfirmed));
+    const { basis, noValue, unconfirmed } = silenceMessages;
+    assert.ok(status.values()['joint/x'].endsWith(stateMessages.assumedAtRest(basis(noValue, null), 'joint', unconfirmed)), status.values()['joint/x']);
+    assert.equal(status.values()['uncertain/x'], unconfirmed);
+    assert.equal(status.message, stateMessages.uncertainRest('x', unconfirmed));
   });
 
   it('Source_CannotConfirmAndIsCompletelySilent_IsReported', async () => {
@@ -65,6 +67,8 @@ describe('a source that cannot confirm', () => {
     const { status, stateOf } = await passive({ x: stops, y: swings }, 4, 5000);
 
     assert.deepEqual([stateOf('x'), status.level, status.values()['uncertain/x']], ['rest', 0, undefined]);
+    const { basis, noValue } = silenceMessages;
+    assert.ok(status.values()['joint/x'].endsWith(stateMessages.assumedAtRest(basis(noValue, 5000), 'joint', '')), status.values()['joint/x']);
   });
 
   it('Source_SendsEachJointPeriodically_SilenceIsFault', () => {

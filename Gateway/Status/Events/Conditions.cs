@@ -24,7 +24,7 @@ sealed class Conditions(
     const string DoesNotReport = "does not report";
 
     /// <summary>Separator before an adapter's own remedy in its reason why a rest is uncertain.</summary>
-    const string OwnCure = "; set ";
+    const string OwnRemedy = "; set ";
 
     static readonly string[] CurrentPoses = ["current", "coarse"];
 
@@ -35,12 +35,12 @@ sealed class Conditions(
     /// <param name="joints">The latest states of the joint board.</param>
     public IReadOnlyList<Condition> Read(IReadOnlyList<JointStatus> joints)
     {
-        var said = diagnostics.Read();
+        var reports = diagnostics.Read();
         return
         [
-            .. OfClock().Concat(OfStamps()).Concat(OfSources(joints)).Concat(OfAdapters(said)).Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(OfUncertainRests(joints))
+            .. OfClock().Concat(OfStamps()).Concat(OfSources(joints)).Concat(OfAdapters(reports)).Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(OfUncertainRests(joints))
                 .Concat(OfCell("frame", AdapterReport.FramePrefix)).Concat(OfCell("signal", AdapterReport.SignalPrefix))
-                .Concat(said.SelectMany(Of)).Concat(OfRefusals()).Concat(OfLimits()).Concat(OfRecording()).Concat(OfCertificate())
+                .Concat(reports.SelectMany(Of)).Concat(OfRefusals()).Concat(OfLimits()).Concat(OfRecording()).Concat(OfCertificate())
                 .DistinctBy(condition => condition.Key).OrderByDescending(condition => condition.Level),
         ];
     }
@@ -66,7 +66,7 @@ sealed class Conditions(
     static IEnumerable<Condition> OfUncertainRests(IReadOnlyList<JointStatus> joints) => joints.Where(row => row.Uncertainty.Length > 0).Select(
         row => new Condition("joint", $"{row.Name} ({row.Source})", "may not be at rest", row.Uncertainty, Level.Warning, Since: row.Since)
         {
-            Remedy = "Check that the joint is at rest" + (row.Uncertainty.Contains(OwnCure, StringComparison.Ordinal)
+            Remedy = "Check that the joint is at rest" + (row.Uncertainty.Contains(OwnRemedy, StringComparison.Ordinal)
                 ? "." : "; if it is, set its max_deceleration in the plant's configuration."),
         });
 
@@ -129,9 +129,9 @@ sealed class Conditions(
     }
 
     // Adapters whose reports stop later are found by the missing reports.
-    IEnumerable<Condition> OfAdapters(IReadOnlyList<(string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>>)> said) =>
+    IEnumerable<Condition> OfAdapters(IReadOnlyList<(string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>>)> reports) =>
         from state in Adapters.Select(adapter => adapter())
-        let isReporting = said.Any(one => StatusObjects.IsAdapter(one.Name) && StatusObjects.AdapterName(one.Name) == state.Name && one.Ago < state.RunTime)
+        let isReporting = reports.Any(one => StatusObjects.IsAdapter(one.Name) && StatusObjects.AdapterName(one.Name) == state.Name && one.Ago < state.RunTime)
         where !isReporting
         let end = state.End is { } end ? $"its program ended with {end}" : null
         select new Condition(
@@ -141,17 +141,17 @@ sealed class Conditions(
             IsNormalAtStart = end == null,
         };
 
-    IEnumerable<Condition> Of((string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>> Values) said)
+    IEnumerable<Condition> Of((string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>> Values) report)
     {
-        var isAdapter = StatusObjects.IsAdapter(said.Name);
-        var (kind, name) = isAdapter ? ("adapter", StatusObjects.AdapterName(said.Name)) : ("headset", said.Name);
-        if (said.Ago > Silence)
+        var isAdapter = StatusObjects.IsAdapter(report.Name);
+        var (kind, name) = isAdapter ? ("adapter", StatusObjects.AdapterName(report.Name)) : ("headset", report.Name);
+        if (report.Ago > Silence)
         {
-            yield return isAdapter ? SilentAdapter(name, said.Ago) : LostHeadset(name, said.Ago);
+            yield return isAdapter ? SilentAdapter(name, report.Ago) : LostHeadset(name, report.Ago);
             yield break;
         }
 
-        string Value(string key) => said.Values.FirstOrDefault(pair => pair.Key == key).Value;
+        string Value(string key) => report.Values.FirstOrDefault(pair => pair.Key == key).Value;
         if (isAdapter && Value("state") is { } state && state != "connected")
             yield return new(kind, name, "is not connected", Value("reason") is { } why ? $"{state}: {why}" : state, Level.Error)
             {
@@ -226,13 +226,13 @@ sealed class Conditions(
         var left = options.CertificateExpires - options.Time.GetUtcNow().UtcDateTime;
         if (left > CertificateNotice || left == null) yield break;
         var day = options.CertificateExpires.Value.ToString("yyyy-MM-dd HH:mm 'UTC'", CultureInfo.InvariantCulture);
-        const string Cure = "renew the file with the same key; the gateway needs no restart";
+        const string Remedy = "renew the file with the same key; the gateway needs no restart";
         yield return left > TimeSpan.Zero
-            ? new("certificate", "of the gateway", "is about to expire", $"it expires on {day}; {Cure}", Level.Warning)
+            ? new("certificate", "of the gateway", "is about to expire", $"it expires on {day}; {Remedy}", Level.Warning)
             {
                 Headline = "the gateway's certificate is about to expire",
             }
-            : new("certificate", "of the gateway", "has expired", $"headsets have refused it since {day}; {Cure}", Level.Error, true)
+            : new("certificate", "of the gateway", "has expired", $"headsets have refused it since {day}; {Remedy}", Level.Error, true)
             {
                 Headline = "the gateway's certificate has expired",
             };

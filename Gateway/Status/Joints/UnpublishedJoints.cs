@@ -12,7 +12,7 @@ sealed class UnpublishedJoints(TimeProvider time)
     internal const string NoSource = "no source";
 
     /// <summary>Time for several sources of one arm to start one after the other.</summary>
-    internal static readonly TimeSpan Patience = TimeSpan.FromSeconds(1);
+    internal static readonly TimeSpan StartTimeout = TimeSpan.FromSeconds(1);
 
     readonly Dictionary<string, (long Count, DateTimeOffset Utc)> _since = [];
 
@@ -24,7 +24,7 @@ sealed class UnpublishedJoints(TimeProvider time)
         var missing = names.Exists(hasSource.Invoke) ? names.FindAll(name => !hasSource(name)) : [];
         foreach (var name in _since.Keys.Except(missing).ToArray()) _since.Remove(name);
         foreach (var name in missing) _since.TryAdd(name, (time.GetTimestamp(), time.GetUtcNow()));
-        return _since.Where(entry => time.GetElapsedTime(entry.Value.Count) >= Patience).Select(entry => new JointStatus(
+        return _since.Where(entry => time.GetElapsedTime(entry.Value.Count) >= StartTimeout).Select(entry => new JointStatus(
             entry.Key, NoSource, JointDataState.Missing, entry.Value.Utc, null, 0, "the robot description has this joint, but no source publishes it"));
     }
 

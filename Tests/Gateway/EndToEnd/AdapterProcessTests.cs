@@ -91,12 +91,12 @@ public class AdapterProcessTests
         var lines = new System.Collections.Concurrent.ConcurrentQueue<string>();
         await using var gateway = await GatewayServer.StartAsync(
             Gateways.Options(), new Nowpose.Gateway.Clock.StopwatchControlClock(Gateways.Start), lines.Enqueue).Bounded();
-        for (var i = 0; i < 2 * QuietLog.MaxKinds; i++) gateway.Log($"line {i}");
+        for (var i = 0; i < 2 * RateLimitedLog.MaxKinds; i++) gateway.Log($"line {i}");
 
         await using var adapters = AdapterProcesses.Start([Plant(_folder.Path)], gateway);
 
         await Soon.BecomesAsync(() => lines.Any(line => line.Contains("its adapter ended", StringComparison.Ordinal)), "its end is logged");
-        Assert.That(lines.Count(line => line.StartsWith("line ", StringComparison.Ordinal)), Is.EqualTo(QuietLog.MaxKinds + QuietLog.LinesAMinute));
+        Assert.That(lines.Count(line => line.StartsWith("line ", StringComparison.Ordinal)), Is.EqualTo(RateLimitedLog.MaxKinds + RateLimitedLog.LinesAMinute));
     }
 
     [Test]

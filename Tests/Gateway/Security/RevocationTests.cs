@@ -57,7 +57,7 @@ public class RevocationTests
     /// <summary>Checks the sum of the waits by design. The delays of a busy machine are not part of the promise.</summary>
     [Test]
     public void Token_Removed_TakesEffectWithinTwoSeconds() =>
-        Assert.That(TokenList.Settles + AccessWatch.Interval + ProtocolLimits.GoodbyeTimeout, Is.LessThan(TimeSpan.FromSeconds(2)));
+        Assert.That(TokenList.Settles + AccessWatch.Interval + ProtocolLimits.CloseTimeout, Is.LessThan(TimeSpan.FromSeconds(2)));
 
     [Test]
     public async Task Token_RemovedWhileItsClientDoesNotRead_EndsTheConnection()

@@ -17,6 +17,10 @@ public class WrongTokenTests
 {
     static readonly GatewayOptions WithTokens = Gateways.Options() with { Tokens = Gateways.Tokens };
 
+    const string Weak = "observer-token", Strong = "Vq3xN0bK7sYt2LwEo9Rj5HcDm1";
+
+    static readonly IPAddress Nat = IPAddress.Parse("10.0.0.1");
+
     /// <summary>Delays much longer than the test, so a delayed answer does not arrive.</summary>
     static readonly GatewayOptions Slow = WithTokens with { WrongTokenDelay = TimeSpan.FromMinutes(10), TokenTimeout = TimeSpan.FromMinutes(10) };
 
@@ -92,6 +96,67 @@ public class WrongTokenTests
         for (var i = 0; i < WrongTokens.MaxAddresses - 1; i++) wrong.Count(new IPAddress([10, 2, (byte)(i >> 8), (byte)i]));
         Assert.That(wrong.BlockedFor(newest) > TimeSpan.Zero, Is.True, "only the oldest make room");
         Assert.That(wrong.BlockedFor(silent) > TimeSpan.Zero, Is.False);
+    }
+
+    [Test]
+    public void RoleOf_WeakTokensOfOneAddress_AreComparedAtALimitedRate()
+    {
+        var time = new SteppedTime();
+        var wrong = new WrongTokens(time);
+        var compared = 0;
+        Role? Guess(string token, IPAddress address) => wrong.RoleOf(address, token, known =>
+        {
+            compared++;
+            return known is Weak or Strong ? Role.Observer : null;
+        });
+
+        for (var second = 0; second < 3600; second++)
+        {
+            for (var i = 0; i < 10; i++) Guess("guess", Nat);
+            time.Advance(TimeSpan.FromSeconds(1));
+        }
+
+        for (var i = 0; i < 10; i++) Guess("guess", Nat);
+        Assert.That(compared, Is.EqualTo(WrongTokens.MaxWeakGuesses + (3600 / WrongTokens.WeakGuessInterval.TotalSeconds)));
+        Assert.That(wrong.BlockedFor(Nat), Is.GreaterThan(TimeSpan.Zero).And.LessThanOrEqualTo(WrongTokens.WeakGuessInterval));
+        Assert.That(Guess(Strong, Nat), Is.EqualTo(Role.Observer), "nobody can guess this one");
+        Assert.That(Guess(Weak, IPAddress.Parse("10.0.0.2")), Is.EqualTo(Role.Observer), "another address");
+    }
+
+    [Test]
+    public void RoleOf_ValidWeakToken_UsesNoGuess()
+    {
+        var wrong = new WrongTokens(new SteppedTime());
+
+        for (var i = 0; i < 3 * WrongTokens.MaxWeakGuesses; i++) Assert.That(wrong.RoleOf(Nat, Weak, _ => Role.Source), Is.EqualTo(Role.Source));
+
+        Assert.That(wrong.BlockedFor(Nat), Is.EqualTo(TimeSpan.Zero));
+    }
+
+    [Test]
+    public async Task Guesses_OverManyConnections_AreLimitedOnBothPortsExceptForStrongTokens()
+    {
+        var time = new SteppedTime();
+        await using var gateway = await Gateways.StartAsync(WithTokens with
+        {
+            Tokens = new TokenList([(Weak, Role.Observer), (Strong, Role.Observer)]), WrongTokenDelay = TimeSpan.Zero, Time = time,
+        });
+        for (var i = 0; i < WrongTokens.MaxWeakGuesses; i += 2)
+        {
+            await AskAsync(gateway, "guess");
+            Assert.That(await IsAcceptedAsync(gateway, "guess"), Is.False);
+        }
+
+        var (status, retryAfter) = await AskAsync(gateway, Weak);
+
+        Assert.That(status, Is.EqualTo(HttpStatusCode.TooManyRequests));
+        Assert.That(retryAfter, Is.Not.Null);
+        Assert.That(await IsAcceptedAsync(gateway, Weak), Is.False);
+        Assert.That((await AskAsync(gateway, Strong)).Status, Is.EqualTo(HttpStatusCode.OK));
+        Assert.That(await IsAcceptedAsync(gateway, Strong), Is.True);
+        time.Advance(WrongTokens.WeakGuessInterval);
+        Assert.That((await AskAsync(gateway, Weak)).Status, Is.EqualTo(HttpStatusCode.OK));
+        Assert.That(await IsAcceptedAsync(gateway, Weak), Is.True);
     }
 
     [Test]
@@ -238,6 +303,13 @@ public class WrongTokenTests
             lock (_delays)
                 foreach (var (_, end) in _delays) end();
         }
+    }
+
+    static async Task<bool> IsAcceptedAsync(GatewayServer gateway, string token)
+    {
+        using var client = await RawSyncClient.ConnectAsync(gateway);
+        await client.SendAsync(SyncToken.Write(token));
+        return (await client.ReceiveAsync()).Value.IsAccepted;
     }
 
     static async Task<(HttpStatusCode Status, TimeSpan? RetryAfter)> AskAsync(GatewayServer gateway, string token)

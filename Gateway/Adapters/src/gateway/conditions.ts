@@ -72,12 +72,14 @@ export class Conditions {
 
   /**
    * @param since Time of the last sample.
+   * @param basis What is known about the silence, and its meaning.
    * @param uncertainty The reason why the rest is uncertain; empty for none.
    */
-  rest(name: string, since: number, uncertainty = ''): void {
+  rest(name: string, since: number, basis: string, uncertainty = ''): void {
     const known = this.#known.get(name);
-    if (known?.state === 'rest' && known.uncertainty === uncertainty) return;
-    this.#enter(name, 'rest', stateMessages.assumedAtRest(this.kind, uncertainty), since, uncertainty);
+    const reason = stateMessages.assumedAtRest(basis, this.kind, uncertainty);
+    if (known?.state === 'rest' && known.reason === reason) return;
+    this.#enter(name, 'rest', reason, since, uncertainty);
     this.log.resume(`${this.kind} ${name}`, stateMessages.restWithoutFault(name));
   }
 

@@ -20,9 +20,12 @@ export const refusalMessages = {
 export const stateMessages = {
   noValueYet: 'no value has arrived since the start',
   disconnected: 'the plant is not connected',
-  /** @param uncertainty The reason why the rest is uncertain; empty for none. */
-  assumedAtRest: (kind: string, uncertainty: string) =>
-    `no change is reported; the ${kind} is assumed at rest${uncertainty === '' ? '' : `; ${uncertainty}`}`,
+  /**
+   * @param knowledge What is known about the silence, and its meaning.
+   * @param uncertainty The reason why the rest is uncertain; empty for none.
+   */
+  assumedAtRest: (knowledge: string, kind: string, uncertainty: string) =>
+    `${knowledge}; the ${kind} is assumed at rest${uncertainty === '' ? '' : `; ${uncertainty}`}`,
   liveAgain: (name: string) => `${name} is live again`,
   restWithoutFault: (name: string) => `${name} is at rest without a fault`,
   notExpected: (name: string) => `${name} is no longer expected`,
@@ -34,6 +37,14 @@ const CURE = 'set silence: { fault_after_s: N } if the source sends each joint r
 
 /** Reasons for a silent joint, and why its rest is uncertain. */
 export const silenceMessages = {
+  confirmed: 'its source confirms the last value',
+  noValue: 'no value arrives',
+  /**
+   * @param evidence What is known about a silent joint.
+   * @param maxMs Time after which its silence is a fault; null if it means rest.
+   */
+  basis: (evidence: string, maxMs: number | null) =>
+    `${evidence}; ${maxMs === null ? 'silence means rest' : `silence is a fault after ${maxMs / 1000} s`}`,
   unconfirmed: `nothing confirms its last value, so rest cannot be distinguished from an end of its data; ${CURE}`,
   allUnconfirmed: `no joint of its source sends anything, so rest cannot be distinguished from an end of the source; ${CURE}`,
   tooLong: (maxMs: number) => `no new value for more than ${maxMs / 1000} s, which is a fault here (silence in plant.yaml)`,

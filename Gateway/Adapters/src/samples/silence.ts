@@ -66,7 +66,8 @@ export class Silence {
     const heard = this.#heard.get(joint);
     if (heard === undefined) return;
     heard.confirmed = this.now();
-    if (this.conditions.stateOf(joint) !== 'live' || heard.confirmed - heard.sample >= REST_MS) this.#rest(joint, heard, uncertainty);
+    if (this.conditions.stateOf(joint) !== 'live' || heard.confirmed - heard.sample >= REST_MS)
+      this.#rest(joint, heard, silenceMessages.confirmed, uncertainty);
   }
 
   /** Wall clock time of the last sample in milliseconds. */
@@ -98,9 +99,9 @@ export class Silence {
     if (this.unconfirmedMs !== null && unconfirmed > this.unconfirmedMs) this.#fault(joint, silenceMessages.notConfirmed(this.unconfirmedMs));
     else if (this.unconfirmedMs === null && silent >= REST_MS) {
       // With a limit for a fault, the source is known to be silent for up to that time.
-      if (limit !== null) this.#rest(joint, heard);
+      if (limit !== null) this.#rest(joint, heard, silenceMessages.noValue);
       else if (this.hasEnded(joint)) this.#fault(joint, silenceMessages.ended);
-      else this.#rest(joint, heard, uncertainty);
+      else this.#rest(joint, heard, silenceMessages.noValue, uncertainty);
     }
     return [];
   }
@@ -109,8 +110,9 @@ export class Silence {
     this.conditions.fault(joint, reason, this.lastSample(joint));
   }
 
-  #rest(joint: string, heard: Heard, uncertainty = ''): void {
+  #rest(joint: string, heard: Heard, evidence: string, uncertainty = ''): void {
     const limit = this.faultAfterMs(joint);
-    if (limit === null || this.now() - heard.sample <= limit) this.conditions.rest(joint, this.lastSample(joint), uncertainty);
+    if (limit !== null && this.now() - heard.sample > limit) return;
+    this.conditions.rest(joint, this.lastSample(joint), silenceMessages.basis(evidence, limit), uncertainty);
   }
 }

@@ -18,7 +18,7 @@ namespace Nowpose.Network
     /// </remarks>
     sealed class NativeWebSocketLink : IWebSocketLink
     {
-        static readonly TimeSpan Goodbye = TimeSpan.FromSeconds(1);
+        static readonly TimeSpan CloseTimeout = TimeSpan.FromSeconds(1);
 
         readonly ConnectionSettings _settings;
         readonly IHeadsetClock _clock;
@@ -121,11 +121,11 @@ namespace Nowpose.Network
 
         async Task CloseAsync()
         {
-            using (var patience = new CancellationTokenSource(Goodbye))
+            using (var timeout = new CancellationTokenSource(CloseTimeout))
             {
                 try
                 {
-                    await _socket.Close().OrCancelled(patience.Token).ConfigureAwait(false);
+                    await _socket.Close().OrCancelled(timeout.Token).ConfigureAwait(false);
                 }
                 catch (Exception)
                 {

@@ -215,7 +215,7 @@ public class JointFaultTests
         string[] all = [.. UnpublishedJoints.NamesOf(RobotFiles.Load("youbot"))];
         _gateway.Publish(all[1..]);
         await Soon.BecomesAsync(() => IsDescribed(all), "the description is read");
-        _gateway.Time.Advance(UnpublishedJoints.Patience);
+        _gateway.Time.Advance(UnpublishedJoints.StartTimeout);
         _gateway.Publish(all[1..]);
 
         var reasons = await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable);

@@ -21,12 +21,12 @@ public class UnpublishedJointsTests
         Assert.That(joints.Board.Read(), Has.All.Property("State").EqualTo(JointDataState.Live), "no robot is described");
         robot = arm;
         Assert.That(joints.Board.Read().Select(joint => joint.Name), Is.EqualTo(names[1..]), "its source may still be starting");
-        joints.Send(UnpublishedJoints.Patience.TotalSeconds + 0.1, names[1..]);
+        joints.Send(UnpublishedJoints.StartTimeout.TotalSeconds + 0.1, names[1..]);
 
         var missing = joints.Joint(names[0]);
         Assert.That(missing.State, Is.EqualTo(JointDataState.Missing));
         Assert.That(missing.Source, Is.EqualTo("no source"));
-        Assert.That(missing.Since, Is.EqualTo(joints.Time.GetUtcNow() - UnpublishedJoints.Patience - TimeSpan.FromSeconds(0.1)));
+        Assert.That(missing.Since, Is.EqualTo(joints.Time.GetUtcNow() - UnpublishedJoints.StartTimeout - TimeSpan.FromSeconds(0.1)));
         Assert.That(missing.Reason, Does.Contain("no source publishes it"));
         joints.Send(0.1, names);
         Assert.That(joints.Board.Read(), Has.Count.EqualTo(names.Length).And.All.Property("State").EqualTo(JointDataState.Live));

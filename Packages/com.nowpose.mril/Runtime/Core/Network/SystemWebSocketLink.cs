@@ -48,11 +48,11 @@ namespace Nowpose.Network
 
         async Task CloseOutputAsync(WebSocketCloseStatus status)
         {
-            using (var patience = new CancellationTokenSource(ProtocolLimits.GoodbyeTimeout))
+            using (var timeout = new CancellationTokenSource(ProtocolLimits.CloseTimeout))
             {
                 try
                 {
-                    await _socket.CloseOutputAsync(status, null, patience.Token).ConfigureAwait(false);
+                    await _socket.CloseOutputAsync(status, null, timeout.Token).ConfigureAwait(false);
                 }
                 catch (Exception)
                 {

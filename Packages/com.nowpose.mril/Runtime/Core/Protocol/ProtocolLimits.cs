@@ -50,7 +50,7 @@ namespace Nowpose.Protocol
         public static readonly TimeSpan PongTimeout = TimeSpan.FromSeconds(6);
 
         /// <summary>Timeout for sending the answer to a close.</summary>
-        public static readonly TimeSpan GoodbyeTimeout = TimeSpan.FromSeconds(1);
+        public static readonly TimeSpan CloseTimeout = TimeSpan.FromSeconds(1);
 
         /// <summary>Usual interval of sync exchanges, in ms.</summary>
         public const double SyncIntervalMs = 200;

@@ -141,8 +141,8 @@ namespace Nowpose.Sync.Envelope
             _sinceChange++;
             _sinceHidden++;
             if (_count < MinEarlier + ShorterWindow) return 0;
-            if (_excess > 0) FollowShorterAgain(_count);
-            if (_sinceShorter > 0) FollowShorter(_count);
+            if (_excess > 0) ReduceExcess(_count);
+            if (_sinceShorter > 0) RefineReference(_count);
             if (FindLonger(other, _count, skewError, resolution)) return _sinceChange;
             return FindShorter(_count, skewError, resolution) ? _sinceShorter : 0;
         }
@@ -159,7 +159,7 @@ namespace Nowpose.Sync.Envelope
         }
 
         // A bound with too large a correction would be tighter than the data prove.
-        void FollowShorterAgain(int count)
+        void ReduceExcess(int count)
         {
             var broken = Math.Min(_excess, _tightness[0] - Tightest(1, count));
             if (broken <= 0) return;
@@ -206,7 +206,7 @@ namespace Nowpose.Sync.Envelope
                 _excess += change;
                 _sinceChange = window;
                 if (_sinceHidden < window) _hiddenError = 0;
-                other.Hide(window, earlier);
+                other.AddHiddenError(window, earlier);
                 for (var i = 0; i < window; i++) Shift(i, i + 1, Math.Min(change, reference - _tightness[i]));
                 return true;
             }
@@ -214,7 +214,7 @@ namespace Nowpose.Sync.Envelope
         }
 
         // The other direction may have changed by less than the effect of a wrong skew. The offset then moves by half of that change.
-        void Hide(int window, int earlier)
+        void AddHiddenError(int window, int earlier)
         {
             var late = Math.Abs(Lateness(window, earlier));
             if (late <= Quantile(window, earlier, Tightest(window, earlier), 1 - Math.Exp(-HiddenSignificance / window))) return;
@@ -223,7 +223,7 @@ namespace Nowpose.Sync.Envelope
         }
 
         // After few exchanges the new minimum delay is less certain than the earlier one; a tighter bound shows a larger change.
-        void FollowShorter(int count)
+        void RefineReference(int count)
         {
             if (++_sinceShorter > Math.Min(count, MaxEarlier)) _sinceShorter = 0;
             if (_sinceShorter == 0) return;

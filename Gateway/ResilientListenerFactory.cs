@@ -7,10 +7,10 @@ using Microsoft.Extensions.Options;
 namespace Nowpose.Gateway;
 
 /// <summary>Opens the port of the web server.</summary>
-sealed class PatientListenerFactory(IOptions<SocketTransportOptions> options, Action<string> log) : IConnectionListenerFactory
+sealed class ResilientListenerFactory(IOptions<SocketTransportOptions> options, Action<string> log) : IConnectionListenerFactory
 {
     readonly SocketTransportFactory _sockets = new(options, NullLoggerFactory.Instance);
 
     public async ValueTask<IConnectionListener> BindAsync(EndPoint endpoint, CancellationToken cancellationToken = default) =>
-        new PatientListener(await _sockets.BindAsync(endpoint, cancellationToken), log);
+        new ResilientListener(await _sockets.BindAsync(endpoint, cancellationToken), log);
 }

@@ -4,11 +4,11 @@ using Nowpose.Gateway.Operations;
 namespace Nowpose.Gateway.Security;
 
 /// <summary>Admits requests according to the protocol and answers those that it refuses. One instance for everything that a gateway serves.</summary>
-sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters counters, Action<string> log)
+sealed class AccessControl(GatewayOptions options, WrongTokens wrong, ConnectionCounters counters, Action<string> log)
 {
     public BrowserSessions Sessions { get; } = new(options.Time);
 
-    AccessRule Rule => field ??= new AccessRule(options, Sessions);
+    AccessRule Rule => field ??= new AccessRule(options, Sessions, wrong);
 
     /// <summary>Gets the role of a request; null if it was refused and answered.</summary>
     public async Task<Role?> AdmitAsync(HttpContext context)
@@ -86,7 +86,7 @@ sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters 
         return true;
     }
 
-    // Known tokens are accepted before this, even from an address with many wrong ones.
+    // Valid tokens are accepted before this, even from an address with many wrong ones, unless they are weak.
     async Task RefuseTokenAsync(HttpContext context)
     {
         const string Text = "the bearer token is missing or unknown";

@@ -9,7 +9,7 @@ namespace Nowpose.Gateway;
 /// Kestrel closes a port permanently at the first exception of its listener. The last file descriptors are kept free, because Kestrel's
 /// listener uses a whole processor when none are left.
 /// </remarks>
-sealed class PatientListener(IConnectionListener inner, Action<string> log) : IConnectionListener
+sealed class ResilientListener(IConnectionListener inner, Action<string> log) : IConnectionListener
 {
     internal static readonly TimeSpan PauseAfterFailure = TimeSpan.FromMilliseconds(50);
 

@@ -3,17 +3,17 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-public class QuietLogTests
+public class RateLimitedLogTests
 {
     readonly List<string> _lines = [];
     readonly SteppedTime _time = new();
-    QuietLog _log;
+    RateLimitedLog _log;
 
     [SetUp]
     public void SetUp()
     {
         _lines.Clear();
-        _log = new QuietLog(_lines.Add, _time);
+        _log = new RateLimitedLog(_lines.Add, _time);
     }
 
     [TearDown]
@@ -27,7 +27,7 @@ public class QuietLogTests
         _time.Advance(TimeSpan.FromSeconds(61));
         _log.Write("something else");
 
-        Assert.That(atOnce, Is.EqualTo(QuietLog.LinesAMinute));
+        Assert.That(atOnce, Is.EqualTo(RateLimitedLog.LinesAMinute));
         Assert.That(_lines[^2..], Is.EqualTo(new[] { "refused (990 more)", "something else" }));
     }
 
@@ -36,7 +36,7 @@ public class QuietLogTests
     {
         for (var i = 0; i < 1000; i++) _log.Write("refused " + i);
 
-        Assert.That(_lines.Count, Is.EqualTo(QuietLog.MaxKinds + QuietLog.LinesAMinute));
+        Assert.That(_lines.Count, Is.EqualTo(RateLimitedLog.MaxKinds + RateLimitedLog.LinesAMinute));
     }
 
     [Test]
@@ -44,11 +44,11 @@ public class QuietLogTests
     {
         for (var minute = 0; minute < 3; minute++)
         {
-            for (var i = 0; i < QuietLog.LinesAMinute; i++) _log.Write("closed");
+            for (var i = 0; i < RateLimitedLog.LinesAMinute; i++) _log.Write("closed");
             _time.Advance(TimeSpan.FromSeconds(61));
         }
 
-        Assert.That(_lines, Is.EqualTo(Enumerable.Repeat("closed", 3 * QuietLog.LinesAMinute)));
+        Assert.That(_lines, Is.EqualTo(Enumerable.Repeat("closed", 3 * RateLimitedLog.LinesAMinute)));
     }
 
     [Test]

@@ -3,7 +3,7 @@ namespace Nowpose.Gateway;
 /// <summary>
 /// Writes lines with a limit per minute for equal lines, followed by the number of suppressed ones, so that peers cannot fill the disk. Thread-safe.
 /// </summary>
-sealed class QuietLog : IDisposable
+sealed class RateLimitedLog : IDisposable
 {
     public const int LinesAMinute = 10;
 
@@ -17,7 +17,7 @@ sealed class QuietLog : IDisposable
     readonly Dictionary<string, (long Since, int Count)> _lines = [];
     ITimer _timer;
 
-    public QuietLog(Action<string> log, TimeProvider time)
+    public RateLimitedLog(Action<string> log, TimeProvider time)
     {
         _log = log;
         _time = time;

@@ -1,0 +1,32 @@
+using Nowpose.Cli;
+
+namespace Nowpose.Benchmarks.Load;
+
+/// <summary>Compares the forwarding P99 of two builds of the gateway by alternating runs with the same load.</summary>
+/// <remarks>The two runs of a round follow each other, so that other load on the machine affects both. The first build alternates, too.</remarks>
+/// <param name="rounds">Results of this build and of the other one in each round.</param>
+sealed class LoadComparison(IReadOnlyList<(LoadResult Own, LoadResult Other)> rounds)
+{
+    /// <summary>Maximum P99 of this build relative to that of the other one.</summary>
+    public const double MaxRatio = 1.2;
+
+    /// <summary>Median over all rounds of the P99 of this build divided by that of the other one.</summary>
+    public double Ratio => Quantile.Of(rounds.Select(RatioOf), 0.5);
+
+    public void Write(TextWriter to)
+    {
+        to.WriteLine("| round | P50, other build ms | P99, other build ms | ratio | cores, other build | lost, other build |");
+        to.WriteLine("| --- | --- | --- | --- | --- | --- |");
+        for (var i = 0; i < rounds.Count; i++)
+        {
+            var (own, other) = rounds[i];
+            to.WriteLine(FormattableString.Invariant($"| {i + 1} | {own.ForwardP50Ms:0.00}, {other.ForwardP50Ms:0.00} | {own.ForwardP99Ms:0.00}, {other.ForwardP99Ms:0.00} ")
+                + FormattableString.Invariant($"| {RatioOf(rounds[i]):0.00} | {own.GatewayCores:0.00}, {other.GatewayCores:0.00} | {own.Lost}, {other.Lost} |"));
+        }
+
+        to.WriteLine();
+        to.WriteLine(FormattableString.Invariant($"P99 relative to the other build, median of {rounds.Count} rounds: {Ratio:0.00}; the limit is {MaxRatio:0.0}"));
+    }
+
+    static double RatioOf((LoadResult Own, LoadResult Other) round) => round.Own.ForwardP99Ms / round.Other.ForwardP99Ms;
+}
