@@ -34,7 +34,7 @@ describe('a source that cannot confirm', () => {
     const { status, stateOf } = await passive({ x: stops, y: stops }, 3);
 
     assert.deepEqual([stateOf('x'), stateOf('y'), status.level], ['rest', 'rest', 1]);
-    for (const joint of ['x', 'y']) assert.match(status.values()[`uncertain/${joint}`], /^no joint of its source sends anything, .*; set silence/);
+    for (const joint of ['x', 'y']) assert.match(status.values()[`uncertain/${joint}`], /^nothing arrives from its source, .*; set silence/);
   });
 
   it('Source_CannotConfirm_MotionAfterRestIsLiveAndCertain', async () => {

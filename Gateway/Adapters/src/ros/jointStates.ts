@@ -10,6 +10,8 @@ import type { JointNames, OutJoint } from './jointNames';
 
 const MAX_JOINTS = 256;
 
+const ENDED = 'its data ended in mid-motion: it cannot have stopped at its last position';
+
 interface Publisher {
   publish(topic: string, msg: object): void;
 }
@@ -41,8 +43,8 @@ export class JointStates {
   ) {
     // A joint whose publisher is silent cannot be confirmed.
     silence.unconfirmedMs = null;
-    const others = silence.hasEnded;
-    silence.hasEnded = joint => others(joint) || this.#hasEnded(joint);
+    const others = silence.endOf;
+    silence.endOf = joint => others(joint) ?? (this.#hasEnded(joint) ? ENDED : null);
     this.#rule = new StampRule(MAX_JOINTS, oldest);
   }
 

@@ -5,9 +5,9 @@ import type { AdapterStatus } from '../gateway/status';
 const REST_MS = 1000;
 
 /** Why rest is uncertain if the source cannot be asked for a joint's value. */
-const CURE = 'set silence: { fault_after_s: N } if the source sends each joint repeatedly, even at rest';
+const CURE = 'set silence: { fault_after_s: N } if the source sends its values repeatedly, even at rest';
 const UNCONFIRMED = `nothing confirms its last value, so rest cannot be distinguished from an end of its data; ${CURE}`;
-const ALL_UNCONFIRMED = `no joint of its source sends anything, so rest cannot be distinguished from an end of the source; ${CURE}`;
+const ALL_UNCONFIRMED = `nothing arrives from its source, so rest cannot be distinguished from an end of the source; ${CURE}`;
 
 interface Heard {
   /** Times of the last sample, and of the last confirmation that the joint still has that value. */
@@ -19,8 +19,8 @@ interface Heard {
 export class Silence {
   /** Limit for a joint that is silent and not confirmed by the source; null if the source cannot confirm. */
   unconfirmedMs: number | null = 1500;
-  /** Whether the data of a joint ended while it moved; called for a silent joint that the source cannot confirm. */
-  hasEnded: (joint: string) => boolean = () => false;
+  /** Gets why the data of a joint ended while it moved, null if they did not; called for a silent joint that the source cannot confirm. */
+  endOf: (joint: string) => string | null = () => null;
   readonly #heard = new Map<string, Heard>();
   /** Joints whose state another gateway reports; their silence is not evaluated here. */
   readonly #reported = new Set<string>();
@@ -101,9 +101,9 @@ export class Silence {
       this.#fault(joint, `no value for more than ${this.unconfirmedMs / 1000} s, and the source does not confirm the last one`);
     else if (this.unconfirmedMs === null && silent >= REST_MS) {
       // With a limit for a fault, the source is known to be silent for up to that time.
-      if (limit !== null) this.#rest(joint, heard);
-      else if (this.hasEnded(joint)) this.#fault(joint, 'its data ended in mid-motion: it cannot have stopped at its last position');
-      else this.#rest(joint, heard, uncertainty);
+      const end = limit === null ? this.endOf(joint) : null;
+      if (end !== null) this.#fault(joint, end);
+      else this.#rest(joint, heard, limit === null ? uncertainty : '');
     }
     return [];
   }

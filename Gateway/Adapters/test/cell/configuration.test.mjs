@@ -48,6 +48,21 @@ signals:
   - { signal: closed, topic: /gripper/closed, type: std_msgs/Bool }
 `;
 
+const MQTT = `plant:
+  kind: mqtt
+  endpoint: mqtt://127.0.0.1
+  time: { field: t, unit: ms }
+joints:
+  - { joint: a, topic: arm, field: q.0, unit: deg }
+frames:
+  - frame: part
+    parent: { of: [world, tool0], topic: part, field: parent }
+    position: { unit: mm, x: { topic: part, field: pose.x }, y: 0, z: 0 }
+    angles: { order: zyx, axes: moving, unit: deg, values: [{ topic: part/angle }, 0, 0] }
+signals:
+  - { signal: closed, topic: gripper/closed }
+`;
+
 const read = text => readConfiguration(temporaryFile('plant.yaml', text), {}, Object.fromEntries(Object.entries(kinds).map(([name, kind]) => [name, kind.check])));
 const linesOf = (text, from, to) => {
   const changed = text.replace(from, to);
@@ -71,6 +86,10 @@ describe('configuration of frames, signals and robots', () => {
   });
 
   it('Frames_OfAds_AreReadFromSymbols', () => assert.deepEqual(read(ADS).values.map(({ address }) => address.symbol), ['MAIN.x', 'MAIN.qz', 'MAIN.qw', 'MAIN.bClosed']));
+
+  it('Frames_OfMqtt_AreReadFromTopics', () => assert.deepEqual(read(MQTT).values.map(({ label, address }) => [label, address.topic, address.field]), [
+    ['a', 'arm', 'q.0'], ['part parent', 'part', 'parent'], ['part x', 'part', 'pose.x'], ['part angle z', 'part/angle', undefined], ['closed', 'gripper/closed', undefined],
+  ]));
 
   it('Ros_FramesAndSignals_AreValid', () => assert.deepEqual(linesOf(ROS, '  world: map\n', ''), []));
 
@@ -99,6 +118,19 @@ describe('configuration of frames, signals and robots', () => {
     ['Namespace', OPCUA, '  arm1: ur5e', '  1arm: ur5e', /^line \d+: robots: .*allowed: a robot's namespace: a letter/],
     ['RobotFile', OPCUA, '  arm1: ur5e', '  arm1: none.urdf', /^line 5: robots\.arm1: value "none\.urdf"; the file cannot be read/],
     ['JointOfRobot', OPCUA, 'arm2/shoulder_pan_joint', 'arm2/sholder_pan_joint', /^line 9: joints\[1\]\.joint: value "arm2\/sholder_pan_joint"; the robot has no such joint, did you mean shoulder_pan_joint\?/],
+    ['MqttWildcard', MQTT, 'topic: arm,', 'topic: arm/+,', /^line 6: joints\[0\]\.topic: value "arm\/\+"; allowed: a topic's name, such as .*without the wildcards/],
+    ['MqttNoTopic', MQTT, 'x: { topic: part, field: pose.x }', 'x: { field: pose.x }', /^line 10: frames\[0\]\.position\.x\.topic: missing; add the topic of the variable with this number$/],
+    ['MqttNode', MQTT, 'x: { topic: part, field: pose.x }', 'x: { node: i=3 }', /^line 10: frames\[0\]\.position\.x\.node: not known here; allowed: topic, field$/],
+    ['MqttField', MQTT, 'field: q.0', 'field: q..0', /^line 6: joints\[0\]\.field: value "q\.\.0"; allowed: the place in the JSON of the message/],
+    ['MqttUnitOfTime', MQTT, 'unit: ms }', 'unit: min }', /^line 4: plant\.time\.unit: value "min"; .*allowed: iso, ns, us, ms, s/],
+    ['MqttNoUnitOfTime', MQTT, ', unit: ms }', ' }', /^line 4: plant\.time\.unit: missing; allowed: iso, ns, us, ms, s/],
+    ['MqttSilence', MQTT, '  time:', '  silence: { fault_after_s: 0 }\n  time:', /^line 4: plant\.silence\.fault_after_s: value 0; allowed: a time from 0\.5 to 3600 s/],
+    ['MqttPlainToAnother', MQTT, '127.0.0.1', '10.0.0.5', /^line 1: plant\.plain: missing; mqtt:\/\/ to another machine is neither encrypted/],
+    ['MqttNothing', MQTT.slice(0, MQTT.indexOf('joints:')), 'kind: mqtt', 'kind: mqtt\n  silence: rest', /^line 1: plant: no topic is read; add joints, frames or signals$/],
+    ['RosPoseType', ROS, 'source: detected_part }', 'topic: /pose, type: geometry_msgs/Pose }', /^line 7: frames\[0\]\.type: value "geometry_msgs\/Pose"; allowed: .*PoseStamped/],
+    ['RosPoseNoType', ROS, 'source: detected_part }', 'topic: /pose }', /^line 7: frames\[0\]\.type: missing, but topic needs it; add the type of the topic's messages/],
+    ['RosTopicOfTwoTypes', ROS, 'signals:', 'signals:\n  - { signal: other, topic: /gripper/closed, type: std_msgs/Int8 }', /^line 10: signals\[1\]\.type: value "std_msgs\/Bool"; line 9 has std_msgs\/Int8 for \/gripper\/closed; a topic has one type/],
+    ['RosJointSourceAndTopic', ROS, 'frames:', 'joints:\n  - { joint: a, source: b, topic: /a, type: std_msgs/Float64 }\nframes:', /^line 7: joints\[0\]\.source: the topic is of this joint only; remove source or topic/],
     ['RosFrameTwice', ROS, 'signals:', '  - { frame: other, source: detected_part }\nsignals:', /^line 8: frames\[1\]\.source: value "detected_part" occurs twice/],
     ['RosType', ROS, 'std_msgs/Bool', 'Bool', /^line 9: signals\[0\]\.type: value "Bool"; allowed: the type of the topic's messages/],
     ['RosTopic', ROS, '/gripper/closed', 'gripper closed', /^line 9: signals\[0\]\.topic: value "gripper closed"; allowed: a topic's name/],
