@@ -194,7 +194,10 @@ namespace Nowpose.Frames
             UnitQuaternion.TryNormalise(pose.Qx, pose.Qy, pose.Qz, pose.Qw, out var rotation);
             var outcome = _predictor.Add(new PoseSample(
                 ClockTicks.Seconds(pose.Stamp - epoch), new Vector3D(pose.X, pose.Y, pose.Z), rotation), _displayed);
-            if (!(pose.Stamp <= _newest) || outcome == SampleOutcome.StartedAnew) (_newest, _given) = (pose.Stamp, rotation.At(pose.X, pose.Y, pose.Z));
+            var hasRestarted = outcome == SampleOutcome.StartedAnew;
+            if (!(pose.Stamp <= _newest) || hasRestarted) (_newest, _given) = (pose.Stamp, rotation.At(pose.X, pose.Y, pose.Z));
+            // The times of the release are those of the source's earlier run.
+            if (hasRestarted && Reach?.IsReleased == true) Put(null);
             return outcome == SampleOutcome.Duplicate ? DropReason.DuplicateSample
                 : outcome == SampleOutcome.TooOld ? DropReason.LateSample : DropReason.None;
         }
