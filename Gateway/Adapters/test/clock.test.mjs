@@ -69,7 +69,7 @@ describe('plant clock', () => {
     await assert.rejects(clock.attach(async () => { throw new Error('no such service'); }, never), /no such service/);
 
     assert.deepEqual([gateway.services.size, clock.isSettled], [0, false]);
-    clock.doWithout();
+    await clock.doWithout(AbortSignal.abort());
     assert.deepEqual([gateway.services.size, clock.isSettled], [0, true]);
   });
 

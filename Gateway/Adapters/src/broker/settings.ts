@@ -1,10 +1,8 @@
 import type { Kind } from '../adapter';
-import { requireAddress } from '../configuration/address';
 import { type Configuration, isLoopback } from '../configuration/configuration';
-import { requirePlain } from '../configuration/plain';
-import { secretIn, secretText } from '../configuration/secret';
-import { type User, userIn } from '../configuration/user';
+import { secretIn } from '../configuration/secret';
 import type { YamlFile } from '../configuration/yamlFile';
+import { type BrokerAddress, brokerOf, type BrokerSection } from '../mqtt/address';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import { brokerSettingMessages } from '../messages/broker';
 import { configurationMessages } from '../messages/configuration';
@@ -24,27 +22,20 @@ export interface Upstream {
 /** The settings of kind broker, with the contents of their files. */
 export interface BrokerSettings {
   direction: 'publish' | 'subscribe';
-  endpoint: string;
+  broker: BrokerAddress;
   /** Prefix of all topics of this plant at the broker. */
   topic: string;
   /** Namespaces of the robots; the first is that of the robot without one. */
   namespaces: string[];
-  isPlain: boolean;
-  authority: string | null;
-  user: User | null;
   oldest: Nanoseconds;
   /** Source of the time; null for none, so that the gateway serves its own. */
   clock: Upstream | null;
 }
 
-interface Section {
+interface Section extends BrokerSection {
   direction: 'publish' | 'subscribe';
-  endpoint: string;
   topic: string;
   namespaces?: string[];
-  plain?: boolean;
-  authority_file?: string;
-  user?: { name: string; password_file?: string };
   oldest_ms?: number;
   clock?: { host: string; port?: number; tls?: boolean; pin?: string; token_file?: string };
 }
@@ -55,24 +46,17 @@ export const settingsOf = (configuration: Configuration): BrokerSettings => conf
 export const broker: Kind = {
   check(file, configuration, environment) {
     const section = configuration.plant as unknown as Section;
-    const { endpoint, direction, plain, user } = section;
-    const isOpen = endpoint.startsWith('mqtt:');
-    requireAddress(file, ['plant', 'endpoint'], endpoint);
-    requirePlain(file, section);
+    const { direction } = section;
     section.namespaces?.forEach((namespace, i, all) => {
       if (all.indexOf(namespace) < i) file.report(['plant', 'namespaces', i], configurationMessages.valueTwice(namespace, 'namespace'));
     });
-    if (user !== undefined && isOpen && !isLoopback(endpoint)) file.report(['plant', 'user'], configurationMessages.passwordInClear('mqtts://'));
     if (direction === 'publish' && section.clock !== undefined) file.report(['plant', 'clock'], brokerSettingMessages.unusedClock);
     if (direction === 'subscribe' && section.clock === undefined) file.report(['plant', 'clock'], brokerSettingMessages.noClock);
     const settings: BrokerSettings = {
       direction,
-      endpoint,
+      broker: brokerOf(file, section, configuration, environment),
       topic: section.topic,
       namespaces: ['', ...(section.namespaces ?? [])],
-      isPlain: isOpen && plain === true,
-      authority: section.authority_file === undefined ? null : secretText(file, ['plant', 'authority_file'], section.authority_file, false),
-      user: userIn(file, user, configuration, environment),
       oldest: ofMilliseconds(section.oldest_ms ?? OLDEST_MS),
       clock: clockOf(file, section, configuration),
     };
@@ -80,7 +64,12 @@ export const broker: Kind = {
   },
   passesUnlisted: configuration => settingsOf(configuration).direction === 'subscribe',
   summary(configuration) {
-    const { direction, endpoint, topic, clock } = settingsOf(configuration);
+    const {
+      direction,
+      topic,
+      clock,
+      broker: { endpoint },
+    } = settingsOf(configuration);
     const gateway = configuration.isSupervised ? 'this gateway' : `gateway ${configuration.gateway.url}`;
     const { publishing, subscribing } = brokerSettingMessages;
     return direction === 'publish' ? publishing(gateway, endpoint, topic) : subscribing(endpoint, topic, gateway, `${clock?.host}:${clock?.port}`);

@@ -145,6 +145,11 @@ export class PoseOutput {
     this.silence.check();
   }
 
+  /** Reports why the frames of a value that has arrived are not published yet. */
+  explain(value: number, reason: string): void {
+    for (const { frame } of this.#tracksOf(value)) this.status.frames.explain(frame.frame, reason);
+  }
+
   /** Starts a new connection: objects at rest may have moved in between. */
   startAnew(): void {
     for (const component of this.#components) component.forget();

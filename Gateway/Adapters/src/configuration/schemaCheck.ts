@@ -47,6 +47,10 @@ function inWords(error: ErrorObject, root: unknown): { path: Path; text: string 
       const known = Object.keys(parent.properties ?? {});
       return { path: [...at, name], text: configurationMessages.unknownEntry(nearest(name, known)[0], known) };
     }
+    case 'dependencies': {
+      const { property, missingProperty } = error.params as Record<'property' | 'missingProperty', string>;
+      return { path: [...at, missingProperty], text: `missing, but ${property} needs it${because(named(parent.properties?.[missingProperty]))}` };
+    }
     case 'const':
     case 'enum': {
       const allowed = (parent.enum ?? [error.params.allowedValue]).map(String);

@@ -53,6 +53,10 @@ export class Conditions {
     return this.#known.get(name)?.state;
   }
 
+  reasonOf(name: string): string | undefined {
+    return this.#known.get(name)?.reason;
+  }
+
   /** The first one that is neither live nor at rest; null when there is none. */
   get trouble(): [string, Condition] | null {
     return [...this.#known].find(([, condition]) => !isGood(condition)) ?? null;
@@ -89,6 +93,12 @@ export class Conditions {
 
   missing(name: string, reason: string): void {
     this.#trouble(name, 'missing', reason, this.now(), true);
+  }
+
+  /** Sets the reason of one that is neither live nor at rest: its value has arrived, but is not used yet. */
+  explain(name: string, reason: string): void {
+    const known = this.#known.get(name);
+    if (known !== undefined && !isGood(known)) this.#trouble(name, known.state, reason, known.since, true);
   }
 
   /** The caller logs the refusal. */

@@ -47,7 +47,7 @@ export class GatewayLink {
   readonly #kept = new Map<string, string>();
   readonly #topics = new Set<string>();
   readonly #services = new Map<string, { type: string; answer: Service; heard: number }>();
-  readonly #subscriptions = new Map<string, { type: string; listen: (message: Record<string, unknown>) => void }>();
+  readonly #subscriptions = new Map<string, { type: string; listeners: ((message: Record<string, unknown>) => void)[] }>();
   readonly #calls = new Map<string, (answer: Record<string, unknown>) => void>();
   readonly #statuses = new Set<string>();
   readonly #watchers: LinkEvents[];
@@ -107,10 +107,11 @@ export class GatewayLink {
     this.#watchers.push(events);
   }
 
-  /** Subscribes to a topic of the other end. */
+  /** Subscribes to a topic of the other end. A topic may have several listeners. */
   subscribe(topic: string, listen: (message: Record<string, unknown>) => void, type = typeOf(topic)!): void {
-    this.#subscriptions.set(topic, { type, listen });
-    this.#send(subscription(topic, type));
+    const known = this.#subscriptions.get(topic);
+    this.#subscriptions.set(topic, { type, listeners: [...(known?.listeners ?? []), listen] });
+    if (known === undefined) this.#send(subscription(topic, type));
   }
 
   /**
@@ -235,7 +236,7 @@ export class GatewayLink {
   // Invalid messages of the other end must not end the process.
   #pass({ topic, msg }: Record<string, unknown>): void {
     try {
-      this.#subscriptions.get(text(topic))?.listen(msg as Record<string, unknown>);
+      for (const listen of this.#subscriptions.get(text(topic))?.listeners ?? []) listen(msg as Record<string, unknown>);
     } catch (error) {
       for (const { malformed } of this.#watchers) malformed?.(text(topic), (error as Error).message);
     }

@@ -22,6 +22,16 @@ export const brokerMessages = {
   atOtherGateway: (reason: string) => `at the gateway that has the plant: ${reason}`,
 };
 
+/** Errors of a configuration of kind mqtt, and reasons for values of topics. */
+export const mqttMessages = {
+  nothingRead: 'no topic is read; add joints, frames or signals',
+  arrivalTime: 'the time of the arrival',
+  retained: 'only a retained message of unknown age has arrived; it is shown after the next message',
+  notJson: (topic: string) => `the message on ${topic} is neither JSON nor a number nor true or false`,
+  noTime: (topic: string, unit: string, field: string) => `the message on ${topic} has no time in ${unit} in the field ${field}`,
+  noField: (topic: string, field: string) => `the message on ${topic} has no field ${field}`,
+};
+
 /** Reasons why a message is malformed. */
 export const malformedMessages = {
   notObject: 'it is not a JSON object, or longer than allowed',

@@ -33,7 +33,7 @@ export const stateMessages = {
   validAgain: (name: string) => `${name} is valid again`,
 };
 
-const CURE = 'set silence: { fault_after_s: N } if the source sends each joint repeatedly, even at rest';
+const CURE = 'set silence: { fault_after_s: N } if the source sends its values repeatedly, even at rest';
 
 /** Reasons for a silent joint, and why its rest is uncertain. */
 export const silenceMessages = {
@@ -46,7 +46,7 @@ export const silenceMessages = {
   basis: (evidence: string, maxMs: number | null) =>
     `${evidence}; ${maxMs === null ? 'silence means rest' : `silence is a fault after ${maxMs / 1000} s`}`,
   unconfirmed: `nothing confirms its last value, so rest cannot be distinguished from an end of its data; ${CURE}`,
-  allUnconfirmed: `no joint of its source sends anything, so rest cannot be distinguished from an end of the source; ${CURE}`,
+  allUnconfirmed: `nothing arrives from its source, so rest cannot be distinguished from an end of the source; ${CURE}`,
   tooLong: (maxMs: number) => `no new value for more than ${maxMs / 1000} s, which is a fault here (silence in plant.yaml)`,
   notConfirmed: (maxMs: number) => `no value for more than ${maxMs / 1000} s, and the source does not confirm the last one`,
   ended: 'its data ended in mid-motion: it cannot have stopped at its last position',

@@ -8,7 +8,7 @@ import { StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
 import type { JointNames, OutJoint } from './jointNames';
 import { malformedMessages } from '../messages/broker';
-import { refusalMessages } from '../messages/values';
+import { refusalMessages, silenceMessages } from '../messages/values';
 
 const MAX_JOINTS = 256;
 
@@ -43,8 +43,8 @@ export class JointStates {
   ) {
     // A joint whose publisher is silent cannot be confirmed.
     silence.unconfirmedMs = null;
-    const others = silence.hasEnded;
-    silence.hasEnded = joint => others(joint) || this.#hasEnded(joint);
+    const others = silence.endOf;
+    silence.endOf = joint => others(joint) ?? (this.#hasEnded(joint) ? silenceMessages.ended : null);
     this.#rule = new StampRule(MAX_JOINTS, oldest);
   }
 

@@ -85,6 +85,7 @@ export class JointOutput {
     this.#ends = joints.map(joint => new EndOfData(decelerationFloor(joint.isLinear), joint.maxDeceleration ?? null));
     const limits = new Map(joints.map(joint => [joint.joint, joint.faultAfterMs ?? null]));
     this.silence = new Silence(status, joint => (limits.has(joint) ? limits.get(joint) : options.faultAfterMs) ?? null, counter);
+    this.silence.endOf = name => this.#endOf(joints.findIndex(({ joint }) => joint === name));
   }
 
   /** Publishes values that arrived together; for each joint, the oldest comes first. */
@@ -136,6 +137,11 @@ export class JointOutput {
     this.status.joints.fault(this.joints[joint].joint, reason);
   }
 
+  /** Reports why a joint whose value has arrived is not published yet. */
+  explain(joint: number, reason: string): void {
+    this.status.joints.explain(this.joints[joint].joint, reason);
+  }
+
   /** Starts a new connection: joints at rest may have moved in between. */
   startAnew(): void {
     for (let joint = 0; joint < this.joints.length; joint++) {
@@ -171,6 +177,12 @@ export class JointOutput {
     if (verdict === null) return false;
     this.#end(joint, silenceMessages.stopTooHard(verdict.required, verdict.limit, this.#unitOf(joint), verdict.basis));
     return true;
+  }
+
+  /** Gets the reason why the data of a silent joint that nothing confirms ended while it moved; null if they did not. */
+  #endOf(joint: number): string | null {
+    if (joint < 0 || !this.#hasEnded(joint, this.clock.now ?? this.#ends[joint].newest ?? 0n)) return null;
+    return this.status.joints.reasonOf(this.joints[joint].joint) ?? null;
   }
 
   /** Determines whether the source stopped writing a joint whose stop was not observed. */

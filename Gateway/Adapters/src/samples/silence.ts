@@ -15,8 +15,8 @@ interface Heard {
 export class Silence {
   /** Limit for a joint that is silent and not confirmed by the source; null if the source cannot confirm. */
   unconfirmedMs: number | null = 1500;
-  /** Whether the data of a joint ended while it moved; called for a silent joint that the source cannot confirm. */
-  hasEnded: (joint: string) => boolean = () => false;
+  /** Gets why the data of a joint ended while it moved, null if they did not; called for a silent joint that the source cannot confirm. */
+  endOf: (joint: string) => string | null = () => null;
   readonly #heard = new Map<string, Heard>();
   /** Joints whose state another gateway reports; their silence is not evaluated here. */
   readonly #reported = new Set<string>();
@@ -99,9 +99,9 @@ export class Silence {
     if (this.unconfirmedMs !== null && unconfirmed > this.unconfirmedMs) this.#fault(joint, silenceMessages.notConfirmed(this.unconfirmedMs));
     else if (this.unconfirmedMs === null && silent >= REST_MS) {
       // With a limit for a fault, the source is known to be silent for up to that time.
-      if (limit !== null) this.#rest(joint, heard, silenceMessages.noValue);
-      else if (this.hasEnded(joint)) this.#fault(joint, silenceMessages.ended);
-      else this.#rest(joint, heard, silenceMessages.noValue, uncertainty);
+      const end = limit === null ? this.endOf(joint) : null;
+      if (end !== null) this.#fault(joint, end);
+      else this.#rest(joint, heard, silenceMessages.noValue, limit === null ? uncertainty : '');
     }
     return [];
   }

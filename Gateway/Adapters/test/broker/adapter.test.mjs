@@ -94,7 +94,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
 
   it('Message_ListenerThrows_IsCountedAndTheNextIsProcessed', async t => {
     const broker = await Mosquitto.start(t), heard = [], problems = [], ending = new AbortController();
-    const settings = { endpoint: broker.url, topic: TOPIC, user: null, authority: null, direction: 'subscribe' };
+    const settings = { broker: { endpoint: broker.url, user: null, authority: null }, topic: TOPIC, direction: 'subscribe' };
     const link = new BrokerLink(settings, 'hall', ['joint_states'], {
       opened: () => {}, away: () => {},
       heard: (topic, payload) => heard.push(JSON.parse(payload)),

@@ -5,7 +5,7 @@ import { parts } from '../parts.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { messages } from '../messages.mjs';
 
-const { adsSettingMessages, configurationMessages, frameMessages, opcuaSettingMessages, robotMessages } = messages;
+const { adsSettingMessages, configurationMessages, frameMessages, mqttMessages, opcuaSettingMessages, robotMessages, rosMessages } = messages;
 
 const { kinds, readConfiguration } = await parts('configuration/configuration', 'kinds');
 
@@ -51,6 +51,21 @@ signals:
   - { signal: closed, topic: /gripper/closed, type: std_msgs/Bool }
 `;
 
+const MQTT = `plant:
+  kind: mqtt
+  endpoint: mqtt://127.0.0.1
+  time: { field: t, unit: ms }
+joints:
+  - { joint: a, topic: arm, field: q.0, unit: deg }
+frames:
+  - frame: part
+    parent: { of: [world, tool0], topic: part, field: parent }
+    position: { unit: mm, x: { topic: part, field: pose.x }, y: 0, z: 0 }
+    angles: { order: zyx, axes: moving, unit: deg, values: [{ topic: part/angle }, 0, 0] }
+signals:
+  - { signal: closed, topic: gripper/closed }
+`;
+
 const read = text => readConfiguration(temporaryFile('plant.yaml', text), {}, Object.fromEntries(Object.entries(kinds).map(([name, kind]) => [name, kind.check])));
 const linesOf = (text, from, to) => {
   const changed = text.replace(from, to);
@@ -74,6 +89,10 @@ describe('configuration of frames, signals and robots', () => {
   });
 
   it('Frames_OfAds_AreReadFromSymbols', () => assert.deepEqual(read(ADS).values.map(({ address }) => address.symbol), ['MAIN.x', 'MAIN.qz', 'MAIN.qw', 'MAIN.bClosed']));
+
+  it('Frames_OfMqtt_AreReadFromTopics', () => assert.deepEqual(read(MQTT).values.map(({ label, address }) => [label, address.topic, address.field]), [
+    ['a', 'arm', 'q.0'], ['part parent', 'part', 'parent'], ['part x', 'part', 'pose.x'], ['part angle z', 'part/angle', undefined], ['closed', 'gripper/closed', undefined],
+  ]));
 
   it('Ros_FramesAndSignals_AreValid', () => assert.deepEqual(linesOf(ROS, '  world: map\n', ''), []));
 
@@ -102,6 +121,19 @@ describe('configuration of frames, signals and robots', () => {
     ['Namespace', OPCUA, '  arm1: ur5e', '  1arm: ur5e', 'line 4: robots: value '],
     ['RobotFile', OPCUA, '  arm1: ur5e', '  arm1: none.urdf', `line 5: robots.arm1: ${robotMessages.notReadable('none.urdf', 'ENOENT', [])}`],
     ['JointOfRobot', OPCUA, 'arm2/shoulder_pan_joint', 'arm2/sholder_pan_joint', `line 9: joints[1].joint: ${robotMessages.noJoint('arm2/sholder_pan_joint', 'shoulder_pan_joint')}`],
+    ['MqttWildcard', MQTT, 'topic: arm,', 'topic: arm/+,', 'line 6: joints[0].topic: value "arm/+"; '],
+    ['MqttNoTopic', MQTT, 'x: { topic: part, field: pose.x }', 'x: { field: pose.x }', `line 10: frames[0].position.x.topic: ${frameMessages.noAddress('topic')}`],
+    ['MqttNode', MQTT, 'x: { topic: part, field: pose.x }', 'x: { node: i=3 }', `line 10: frames[0].position.x.node: ${configurationMessages.unknownEntry(undefined, ['topic', 'field'])}`],
+    ['MqttField', MQTT, 'field: q.0', 'field: q..0', 'line 6: joints[0].field: value "q..0"; '],
+    ['MqttUnitOfTime', MQTT, 'unit: ms }', 'unit: min }', 'line 4: plant.time.unit: value "min"; '],
+    ['MqttNoUnitOfTime', MQTT, ', unit: ms }', ' }', 'line 4: plant.time.unit: missing; '],
+    ['MqttSilence', MQTT, '  time:', '  silence: { fault_after_s: 0 }\n  time:', 'line 4: plant.silence.fault_after_s: value 0; '],
+    ['MqttPlainToAnother', MQTT, '127.0.0.1', '10.0.0.5', `line 1: plant.plain: ${configurationMessages.notPlain('mqtt')}`],
+    ['MqttNothing', MQTT.slice(0, MQTT.indexOf('joints:')), 'kind: mqtt', 'kind: mqtt\n  silence: rest', `line 1: plant: ${mqttMessages.nothingRead}`],
+    ['RosPoseType', ROS, 'source: detected_part }', 'topic: /pose, type: geometry_msgs/Pose }', 'line 7: frames[0].type: value "geometry_msgs/Pose"; '],
+    ['RosPoseNoType', ROS, 'source: detected_part }', 'topic: /pose }', 'line 7: frames[0].type: missing, '],
+    ['RosTopicOfTwoTypes', ROS, 'signals:', 'signals:\n  - { signal: other, topic: /gripper/closed, type: std_msgs/Int8 }', `line 10: signals[1].type: ${rosMessages.twoTypes('std_msgs/Bool', 9, 'std_msgs/Int8', '/gripper/closed')}`],
+    ['RosJointSourceAndTopic', ROS, 'frames:', 'joints:\n  - { joint: a, source: b, topic: /a, type: std_msgs/Float64 }\nframes:', `line 7: joints[0].source: ${rosMessages.sourceAndTopic}`],
     ['RosFrameTwice', ROS, 'signals:', '  - { frame: other, source: detected_part }\nsignals:', `line 8: frames[1].source: ${configurationMessages.valueTwice('detected_part', 'frame')}`],
     ['RosType', ROS, 'std_msgs/Bool', 'Bool', 'line 9: signals[0].type: value "Bool"; '],
     ['RosTopic', ROS, '/gripper/closed', 'gripper closed', 'line 9: signals[0].topic: value "gripper closed"; '],
