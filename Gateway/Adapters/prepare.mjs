@@ -7,5 +7,5 @@ process.exitCode = await prepare({
   folder: dirname(fileURLToPath(import.meta.url)),
   sources: ['src', 'licences', 'plant.schema.json', 'package-lock.json', 'bundle.mjs', 'loading.mjs', 'prepare.mjs', '../../Web/preparation.mjs',
     '../../Packages/com.nowpose.mril/Runtime/Robots'],
-  outputs: ['plant.mjs', 'opcua.mjs', 'ads.mjs', 'rtde.mjs', 'ros.mjs', 'broker.mjs', 'plant.schema.json', 'adapter-licences.txt'],
+  outputs: ['plant.mjs', 'opcua.mjs', 'ads.mjs', 'rtde.mjs', 'ros.mjs', 'mqtt.mjs', 'broker.mjs', 'plant.schema.json', 'adapter-licences.txt'],
 });

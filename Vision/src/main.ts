@@ -3,6 +3,7 @@ import './interrupts';
 import { createInterface } from 'node:readline';
 import { Finder, type Found } from './finder';
 import { mirrored, type Grey } from './levels';
+import { pictureMessages } from './messages';
 import { loaded } from './opencv';
 import type { Pattern } from './pattern';
 import { readPicture, writePicture } from './pictureFile';
@@ -55,7 +56,7 @@ function follow(picture: Grey, boxes?: Box[]): Place[] {
     tracker?.delete();
     tracker = new Tracker(picture, boxes);
   }
-  if (!tracker) throw new Error('the first tracked picture has no boxes');
+  if (!tracker) throw new Error(pictureMessages.noBoxes);
   return tracker.follow(picture);
 }
 

@@ -5,6 +5,7 @@ import decoder from '@jsquash/jpeg/codec/dec/mozjpeg_dec.wasm';
 import encoder from '@jsquash/jpeg/codec/enc/mozjpeg_enc.wasm';
 import { PNG } from 'pngjs';
 import type { Grey } from './levels';
+import { pictureMessages } from './messages';
 import { checkSize, isHeic, isJpeg, isPng } from './pictureSize';
 
 // The codecs need a class of browsers that Node lacks.
@@ -25,16 +26,15 @@ let isEncoding = false;
  */
 export async function readPicture(path: string): Promise<Grey> {
   const bytes = readFileSync(path);
-  if (bytes.length === 0) throw new Error('the file is empty');
-  if (isHeic(bytes))
-    throw new Error('it is a HEIC or AVIF picture: set the camera to JPEG, or convert it, for example with ImageMagick: magick IN.heic OUT.jpg');
-  if (!isPng(bytes) && !isJpeg(bytes)) throw new Error('it is neither a PNG nor a JPEG picture: set the camera to JPEG, or convert it');
+  if (bytes.length === 0) throw new Error(pictureMessages.empty);
+  if (isHeic(bytes)) throw new Error(pictureMessages.heic);
+  if (!isPng(bytes) && !isJpeg(bytes)) throw new Error(pictureMessages.otherFormat);
   checkSize(bytes);
   try {
     return greyOf(isPng(bytes) ? PNG.sync.read(bytes) : await readJpeg(bytes));
   } catch {
     // Decoders' errors do not help a user, and may have no message.
-    throw new Error('the picture is damaged or incomplete');
+    throw new Error(pictureMessages.damagedOrIncomplete);
   }
 }
 

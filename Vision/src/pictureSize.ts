@@ -1,10 +1,12 @@
+import { pictureMessages } from './messages';
+
 /** Maximum size: that of phone cameras. A decoded picture needs four bytes per pixel, and there are several workers. */
 const maxMegapixels = 110;
 
 /** Throws if a PNG or JPEG file is too large according to its header, or is truncated. */
 export function checkSize(bytes: Buffer): void {
   const [width, height] = isPng(bytes) ? pngSize(bytes) : jpegSize(bytes);
-  if (width * height > maxMegapixels * 1e6) throw new Error(`${width}x${height} pixels are too many; the maximum is ${maxMegapixels} megapixels`);
+  if (width * height > maxMegapixels * 1e6) throw new Error(pictureMessages.tooLarge(width, height, maxMegapixels));
 }
 
 export const isPng = (bytes: Buffer) => bytes.subarray(0, 4).equals(Buffer.from([0x89, 0x50, 0x4e, 0x47]));
@@ -32,7 +34,7 @@ function jpegSize(bytes: Buffer): [number, number] {
 function segment(bytes: Buffer, isWanted: (marker: number) => boolean): number {
   for (let at = 2; at + 9 <= bytes.length;) {
     const marker = bytes[at + 1];
-    if (bytes[at] !== 0xff) throw new Error('the picture is damaged');
+    if (bytes[at] !== 0xff) throw new Error(pictureMessages.damaged);
     if (marker === 0xff) at++;
     else if (isWanted(marker)) return at;
     else at += 2 + bytes.readUInt16BE(at + 2);
@@ -46,4 +48,4 @@ const isFrame = (marker: number) => (marker >= 0xc0 && marker <= 0xcf && marker 
 const startOfScan = 0xda;
 const endOfImage = Buffer.from([0xff, 0xd9]);
 
-const cutOff = () => new Error('the file is incomplete');
+const cutOff = () => new Error(pictureMessages.incomplete);

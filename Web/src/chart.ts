@@ -1,8 +1,8 @@
 import uPlot from 'uplot';
 import { el } from './dom';
+import { plotMessages } from './messages/plots';
 import { colour, onColoursChanged } from './theme';
 
-const KEYS = 'Arrow keys move the cursor, plus and minus zoom, 0 resets.';
 const charts: Chart[] = [];
 
 export interface ChartOptions {
@@ -34,7 +34,7 @@ export class Chart {
       tabindex: 0,
       role: 'group',
       'aria-roledescription': 'plot',
-      'aria-label': `${options.description} ${KEYS}`,
+      'aria-label': `${options.description} ${plotMessages.keys}`,
     });
     this.plot = new uPlot(this.uplotOptions(), options.data, this.element);
     this.plot.root.querySelector('canvas')!.setAttribute('aria-hidden', 'true');

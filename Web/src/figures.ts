@@ -1,8 +1,8 @@
 import type { Chart } from './chart';
 import { el } from './dom';
 import type { Legend } from './legend';
-
-export const PAPER = 'https://doi.org/10.1007/s11740-022-01175-2';
+import { plotLabels, plotMessages } from './messages/plots';
+import { PAPER } from './messages/report';
 
 export interface FigureOptions {
   id: string;
@@ -20,11 +20,11 @@ export interface Plot {
 
 /** A section with a heading, the claim and its source, the plots, and their numbers in a table. */
 export function figure(options: FigureOptions, plots: Plot[], numbers: HTMLElement): HTMLElement {
-  return section(options, ...plots.map(plotBlock), el('details', {}, el('summary', {}, 'Numbers of this plot'), numbers));
+  return section(options, ...plots.map(plotBlock), el('details', {}, el('summary', {}, plotLabels.numbers), numbers));
 }
 
 export function notMeasured(options: FigureOptions): HTMLElement {
-  return section(options, el('p', { class: 'missing' }, 'Not measured in this run.'));
+  return section(options, el('p', { class: 'missing' }, plotMessages.notMeasured));
 }
 
 function section(options: FigureOptions, ...content: HTMLElement[]): HTMLElement {
@@ -40,6 +40,17 @@ function section(options: FigureOptions, ...content: HTMLElement[]): HTMLElement
 
 function citation(source: string): HTMLElement {
   return el('span', { class: 'source' }, '(', el('a', { href: PAPER }, `Schnierle & Röck 2022, ${source}`), ')');
+}
+
+/** The last paragraph of a page, with a link to the paper. */
+export function credit(text: string): HTMLElement {
+  const [before, after] = text.split(PAPER);
+  return el('footer', {}, el('p', {}, before, el('a', { href: PAPER }, PAPER), after));
+}
+
+/** Explains how to use the plots of a page. */
+export function plotHint(): HTMLElement {
+  return el('p', { class: 'hint' }, plotMessages.howToUse);
 }
 
 export function plotBlock({ chart, legend }: Plot): HTMLElement {

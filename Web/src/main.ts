@@ -4,7 +4,9 @@ import './paper/figures.css';
 import './robot/robot.css';
 import { hasPoints, readReport, type Report, type SummaryRow } from './data';
 import { el } from './dom';
-import { PAPER } from './figures';
+import { credit, plotHint } from './figures';
+import { plotMessages } from './messages/plots';
+import { creditMessages, reportLabels, reportMessages } from './messages/report';
 import { format } from './numbers';
 import { claimsSection } from './paper/claims';
 import { figureSection } from './paper/section';
@@ -16,13 +18,13 @@ import { factTable, reductionOf, summaryTable } from './tables';
 
 function headline(rows: SummaryRow[]): HTMLElement {
   const row = rows.find(r => reductionOf(r) != null);
-  if (!row) return el('p', { class: 'missing' }, 'Tool error not measured in this run.');
+  if (!row) return el('p', { class: 'missing' }, plotMessages.partNotMeasured('Tool error'));
   const reduction = reductionOf(row)!;
   return el(
     'p',
     { class: 'headline' },
     el('strong', {}, format(Math.abs(100 * reduction), '%')),
-    el('span', {}, `${reduction >= 0 ? 'less' : 'more'} tool error with compensation`),
+    el('span', {}, reduction >= 0 ? reportLabels.lessError : reportLabels.moreError),
     el('small', {}, `${row.label}: ${format(row.uncompensated, row.unit)} → ${format(row.compensated, row.unit)}`),
   );
 }
@@ -34,19 +36,14 @@ function overview(report: Report): HTMLElement {
     { class: 'overview', 'aria-labelledby': 'result-heading' },
     el('h2', { id: 'result-heading' }, 'Result'),
     headline(rows),
-    hasPoints(rows) ? summaryTable(rows) : el('p', { class: 'missing' }, 'Comparison not measured in this run.'),
-    el(
-      'p',
-      { class: 'claim' },
-      'Uncompensated: the tool is drawn at the newest position that has arrived. Compensated: it is drawn '
-        + 'at the position predicted for the moment at which the light of the picture reaches the eye.',
-    ),
+    hasPoints(rows) ? summaryTable(rows) : el('p', { class: 'missing' }, plotMessages.partNotMeasured('Comparison')),
+    el('p', { class: 'claim' }, reportMessages.uncompensatedAndCompensated),
   );
 }
 
 function facts(report: Report): HTMLElement {
   const table = (caption: string, rows: Report['facts']) =>
-    hasPoints(rows) ? factTable(caption, rows!) : el('p', { class: 'missing' }, `${caption}: not measured in this run.`);
+    hasPoints(rows) ? factTable(caption, rows!) : el('p', { class: 'missing' }, plotMessages.partNotMeasured(caption));
   return el(
     'section',
     { id: 'facts', 'aria-labelledby': 'facts-heading' },
@@ -62,9 +59,6 @@ function ofPaper(report: Report, playhead?: Playhead): HTMLElement[] {
 }
 
 function page(report: Report): Node[] {
-  const hint =
-    'Drag across a plot to zoom, double-click to reset, point at it to read values; '
-    + 'with the keyboard: arrow keys, plus, minus and 0. Names in a legend switch signals on and off.';
   const playhead = hasPoints(report.playback?.t) ? new Playhead() : undefined;
   return [
     el('header', {}, el('h1', {}, report.title || 'Nowpose report'), report.subtitle ? el('p', {}, report.subtitle) : null),
@@ -72,25 +66,14 @@ function page(report: Report): Node[] {
       'main',
       {},
       el('div', { class: 'first' }, overview(report), errorSection(report.error, playhead)),
-      el('p', { class: 'hint' }, hint),
+      plotHint(),
       playhead ? new Playback(report.playback!, playhead).element : null,
       ...ofPaper(report, playhead),
       latencySection(report.latency),
       report.range ? rangeSection(report.range, playhead) : null,
       facts(report),
     ),
-    el(
-      'footer',
-      {},
-      el(
-        'p',
-        {},
-        'Method: M. Schnierle, S. Röck, “Latency and sampling compensation in mixed-reality-in-the-loop '
-          + 'simulations of production systems”, Production Engineering (2022), ',
-        el('a', { href: PAPER }, PAPER),
-        '. Made by Nowpose.',
-      ),
-    ),
+    credit(creditMessages.report),
   ];
 }
 

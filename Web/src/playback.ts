@@ -1,7 +1,8 @@
 import type { PlaybackData } from './data';
 import { el } from './dom';
 import { Legend } from './legend';
-import { format } from './numbers';
+import { reportLabels, reportMessages } from './messages/report';
+import { robotDescriptions } from './messages/robot';
 import type { Playhead } from './playhead';
 import type { Part } from './robot/bodies';
 import { Objects } from './robot/objects';
@@ -19,7 +20,7 @@ const LEGEND: Record<Part, { label: string; look: Look }> = {
 /** Plays the session: the true robot, the displayed one, and the one that would have been displayed without compensation. */
 export class Playback {
   readonly element: HTMLElement;
-  private readonly view = new RobotView('The robot of this session as it was, as it was displayed, and without compensation, at one moment.');
+  private readonly view = new RobotView(robotDescriptions.session);
   private readonly words = el('p', { class: 'apart' });
   private readonly button = el('button', { type: 'button', class: 'play' }, 'Play');
   private readonly slider: HTMLInputElement;
@@ -36,13 +37,13 @@ export class Playback {
   ) {
     const { t } = data;
     this.time = t[0];
-    this.slider = el('input', { type: 'range', min: t[0], max: t[t.length - 1], step: 0.02, value: t[0], 'aria-label': 'moment of the session' });
+    this.slider = el('input', { type: 'range', min: t[0], max: t[t.length - 1], step: 0.02, value: t[0], 'aria-label': reportLabels.moment });
     const legend = new Legend((Object.keys(LEGEND) as Part[]).map(part => ({ ...LEGEND[part], toggle: shown => this.toggle(part, shown) })));
     this.element = el(
       'section',
       { id: 'playback', 'aria-labelledby': 'playback-heading' },
       el('h2', { id: 'playback-heading' }, 'Playback'),
-      el('p', { class: 'claim' }, 'The cell at one moment of the session; plots and playback move together.'),
+      el('p', { class: 'claim' }, reportMessages.playback),
       legend.element,
       this.words,
       this.view.element,
@@ -108,10 +109,9 @@ export class Playback {
     for (const part of Object.keys(poses) as Part[]) bodies.pose(part, names, poses[part][i]);
     const [compensated, held] = [bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth')];
     for (const part of this.hidden) bodies.pose(part, names, null);
-    const workpieces = this.showObjects(i);
+    const texts = [reportMessages.toolError(compensated, held), this.showObjects(i)];
     this.view.ask();
-    this.words.textContent =
-      `The tool is drawn ${format(compensated, 'mm')} from where it was; without compensation ${format(held, 'mm')}.` + workpieces;
+    this.words.textContent = texts.filter(Boolean).join(' ');
   }
 
   private showObjects(instant: number): string {
@@ -120,7 +120,7 @@ export class Playback {
     const poses = { truth: objects.truth[instant], displayed: objects.displayed[instant], hold: objects.hold[instant] };
     for (const part of Object.keys(poses) as Part[]) this.objects.pose(part, this.hidden.has(part) ? null : poses[part]);
     const [compensated, held] = [poses.displayed, poses.hold].map(shown => shown && this.objects!.largestDistance(shown, poses.truth));
-    return ` Workpieces: at most ${format(compensated, 'mm')}, without compensation ${format(held, 'mm')}.`;
+    return reportMessages.workpieceError(compensated, held);
   }
 }
 

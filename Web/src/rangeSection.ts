@@ -1,6 +1,8 @@
 import type { RangeData } from './data';
 import { figure, type FigureOptions, notMeasured } from './figures';
 import { linePlot } from './linePlot';
+import { plotDescriptions } from './messages/plots';
+import { claimMessages } from './messages/report';
 import { format } from './numbers';
 import type { Playhead } from './playhead';
 import { inWords, numbersOf, trace } from './sections';
@@ -8,14 +10,7 @@ import { LOOKS } from './traces';
 
 /** The effect of a load on render time and visualisation latency, with the runtime's range state. */
 export function rangeSection(range: RangeData, playhead?: Playhead): HTMLElement {
-  const options: FigureOptions = {
-    id: 'range',
-    title: 'Constant-latency range',
-    claim:
-      'While frames are rendered within the limit, the visualisation latency stays as calibrated. Beyond it, frames miss the display’s '
-      + 'refresh, which the headset reports (shaded).',
-    source: 'Fig. 10',
-  };
+  const options: FigureOptions = { id: 'range', title: 'Constant-latency range', claim: claimMessages.range, source: 'Fig. 10' };
   const render = trace('render time', LOOKS.compensated, range.t, range.render_ms);
   const visu = trace('L_visu', LOOKS.compensated, range.t, range.visu_ms);
   if (render.length + visu.length === 0) return notMeasured(options);
@@ -25,7 +20,7 @@ export function rangeSection(range: RangeData, playhead?: Playhead): HTMLElement
   const alarms = spans.length === 0 ? 'No alarm.' : spans.map(([from, to]) => `Alarm from ${format(from)} to ${format(to, 's')}.`).join(' ');
   const plot = (what: string, yLabel: string, traces: typeof render) =>
     linePlot({
-      description: `${what} of each frame over time. ${inWords(traces, 'ms')} ${alarms}`,
+      description: plotDescriptions.ofEachFrame(what, `${inWords(traces, 'ms')} ${alarms}`),
       height: 220,
       yLabel,
       unit: 'ms',

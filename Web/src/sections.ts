@@ -3,24 +3,21 @@ import { beyond, fieldPlot, pathsOf } from './fieldPlot';
 import { figure, type FigureOptions, notMeasured } from './figures';
 import { histogram } from './histogram';
 import { linePlot } from './linePlot';
+import { plotDescriptions, plotLabels } from './messages/plots';
+import { claimMessages, reportLabels, reportMessages } from './messages/report';
 import { format, statistics } from './numbers';
 import type { Playhead } from './playhead';
 import { factTable, statisticsTable } from './tables';
 import { LOOKS, type Trace } from './traces';
 
 export function errorSection(error: ErrorData | null | undefined, playhead?: Playhead): HTMLElement {
-  const options: FigureOptions = {
-    id: 'error',
-    title: 'Tool error over time',
-    claim: 'Without compensation, the displayed tool lags behind the robot. With compensation, it stays close to the robot.',
-    source: 'Sect. 3',
-  };
+  const options: FigureOptions = { id: 'error', title: plotLabels.toolError, claim: claimMessages.error, source: 'Sect. 3' };
   const traces = [
     trace('uncompensated', LOOKS.hold, error?.t, error?.hold),
     trace('compensated', LOOKS.compensated, error?.t, error?.compensated),
   ].flat();
   if (traces.length === 0) return notMeasured(options);
-  const description = `Distance between the drawn and the true tool over time. ${inWords(traces, 'mm')}`;
+  const description = plotDescriptions.error(inWords(traces, 'mm'));
   return figure(
     options,
     [linePlot({ description, height: 300, yLabel: 'tool error (mm)', unit: 'mm', traces, playhead, fromZero: true })],
@@ -32,7 +29,7 @@ export function jointSection(joint: JointData | null | undefined, playhead?: Pla
   const options: FigureOptions = {
     id: 'joint',
     title: joint?.name ? `Joint position: ${joint.name}` : 'Joint position',
-    claim: 'Samples arrive late and in steps; the prediction follows the ground truth and deviates where the acceleration changes.',
+    claim: claimMessages.joint,
     source: 'Fig. 16',
   };
   const signal = (label: string, look: Trace['look'], s: Signal | null | undefined) => trace(label, look, s?.t, s?.v);
@@ -43,7 +40,7 @@ export function jointSection(joint: JointData | null | undefined, playhead?: Pla
   ].flat();
   if (traces.length === 0) return notMeasured(options);
   const unit = joint!.unit;
-  const description = `Position of joint ${joint!.name} over control time. ${inWords(traces, unit)}`;
+  const description = plotDescriptions.joint(joint!.name, inWords(traces, unit));
   return figure(
     options,
     [linePlot({ description, height: 300, yLabel: `position (${unit})`, unit, traces, playhead })],
@@ -52,25 +49,19 @@ export function jointSection(joint: JointData | null | undefined, playhead?: Pla
 }
 
 export function fieldSection(field: FieldData | null | undefined): HTMLElement {
-  const options: FigureOptions = {
-    id: 'field',
-    title: 'Error field',
-    claim:
-      'Error is speed times latency: compensation takes the operating points towards zero latency, across the curves of equal error, at the same speed.',
-    source: 'Fig. 18',
-  };
+  const options: FigureOptions = { id: 'field', title: 'Error field', claim: claimMessages.field, source: 'Fig. 18' };
   const paths = field ? pathsOf(field) : [];
   if (paths.length === 0) return notMeasured(options);
   const rows = paths.map(p => [p.label, statistics(p.points.latency_ms)] as const);
   const words = rows.map(([label, s]) => `${label}: latency ${format(s?.min)} to ${format(s?.max, 'ms')}.`).join(' ');
   const outside = beyond(field!);
-  const note = outside > 0 ? ` ${outside} of the points lie beyond the plot.` : '';
-  const description = `Operating points by latency and speed with curves of equal error. ${words}${note}`;
+  const note = outside > 0 ? ` ${reportMessages.pointsBeyond(outside)}` : '';
+  const description = plotDescriptions.field(words + note);
   return figure(
     { ...options, claim: options.claim + note },
     [fieldPlot(field!, description)],
     statisticsTable(
-      'Latency of the operating points',
+      reportLabels.latencyOfPoints,
       'ms',
       rows.map(([label, s]) => [label, s]),
     ),
@@ -78,14 +69,7 @@ export function fieldSection(field: FieldData | null | undefined): HTMLElement {
 }
 
 export function clockSection(clock: ClockData | null | undefined, playhead?: Playhead): HTMLElement {
-  const options: FigureOptions = {
-    id: 'clock',
-    title: 'Clock synchronisation',
-    claim:
-      'The headset estimates the offset between its clock and the control clock over the network, with an error bound; '
-      + 'the paper reports less than 1 ms.',
-    source: 'Fig. 8',
-  };
+  const options: FigureOptions = { id: 'clock', title: 'Clock synchronisation', claim: claimMessages.clock, source: 'Fig. 8' };
   const negative = clock?.bound_us?.map(b => (b == null ? null : -b));
   const offset = trace('offset', LOOKS.compensated, clock?.t, clock?.offset_us);
   const error = [
@@ -96,12 +80,12 @@ export function clockSection(clock: ClockData | null | undefined, playhead?: Pla
   if (offset.length + error.length === 0) return notMeasured(options);
   const extent = errorExtent(clock!);
   const widest = maxMagnitude(error.flatMap(t => t.v));
-  const note = widest > extent ? ` The error is shown up to ${format(extent, 'µs')}; it or its bound reaches ${format(widest, 'µs')}.` : '';
+  const note = widest > extent ? ` ${reportMessages.errorBeyond(extent, widest)}` : '';
   const plots = [];
   if (offset.length > 0)
     plots.push(
       linePlot({
-        description: `Clock offset relative to the first estimate, over time. ${inWords(offset, 'µs')}`,
+        description: plotDescriptions.clockOffset(inWords(offset, 'µs')),
         height: 200,
         yLabel: 'offset (µs)',
         unit: 'µs',
@@ -112,7 +96,7 @@ export function clockSection(clock: ClockData | null | undefined, playhead?: Pla
   if (error.length > 0)
     plots.push(
       linePlot({
-        description: `Error of the clock offset with its bound, over time. ${inWords(error, 'µs')}${note}`,
+        description: plotDescriptions.clockError(inWords(error, 'µs') + note),
         height: 260,
         yLabel: 'offset error (µs)',
         unit: 'µs',
@@ -139,19 +123,12 @@ function maxMagnitude(values: Value[]): number {
 }
 
 export function latencySection(latency: LatencyData | null | undefined): HTMLElement {
-  const options: FigureOptions = {
-    id: 'latency',
-    title: latency?.label || 'Application latency',
-    claim: 'The latency varies: compensation uses the measured latency of each sample, not the mean.',
-    source: 'Eq. 2',
-  };
+  const options: FigureOptions = { id: 'latency', title: latency?.label || 'Application latency', claim: claimMessages.latency, source: 'Eq. 2' };
   if (!hasPoints(latency?.bin_ms)) return notMeasured(options);
   const { bin_ms: bins, count } = latency!;
   const top = count.indexOf(count.reduce((a, b) => Math.max(a, b), 0));
   const total = count.reduce((a, b) => a + b, 0);
-  const description =
-    `Histogram of the application latency of ${format(total)} samples from ${format(bins[0])} `
-    + `to ${format(bins[bins.length - 1], 'ms')}, most at ${format(bins[top], 'ms')}.`;
+  const description = plotDescriptions.latency(total, bins[0], bins[bins.length - 1], bins[top]);
   return figure(
     options,
     [histogram(latency!, description)],

@@ -3,6 +3,7 @@ import { after, before, describe, it } from 'node:test';
 import { Browser } from './browser.mjs';
 import { figures } from './figuresSample.mjs';
 import { contrast, hasInk, luminance, settled } from './inks.mjs';
+import { messages } from './messages.mjs';
 
 const HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(2)>&lt;b&gt;"\'';
 const PLOTS = 5;
@@ -115,7 +116,7 @@ describe('the figures page', () => {
   it('lists the figures that an interrupted run did not compute', async () => {
     const page = await browser.open({ ...figures(), missing: ['12', '18'] });
 
-    assert.deepEqual(await texts(page, '.missing'), ['Not computed, because the run was interrupted: Fig. 12, Fig. 18.']);
+    assert.deepEqual(await texts(page, '.missing'), [messages.figuresMessages.notComputed('Fig. 12, Fig. 18')]);
   });
 
   it('opens at the section that the address names', async () => {

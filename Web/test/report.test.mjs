@@ -3,10 +3,12 @@ import { after, before, describe, it } from 'node:test';
 import { Browser } from './browser.mjs';
 import { contrast, hasInk, luminance, painted, settled, shadedShare } from './inks.mjs';
 import { figures } from './figuresSample.mjs';
+import { messages } from './messages.mjs';
 import { report } from './sample.mjs';
 
 const HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(2)>&lt;b&gt;"\'';
 const PLOTS = 6;
+const { figuresLabels, plotLabels, plotMessages, reportLabels } = messages;
 
 let browser;
 before(async () => { browser = await Browser.start(); });
@@ -27,7 +29,7 @@ describe('a complete report', () => {
 
     assert.deepEqual(await text(page, 'h1'), ['Nowpose: youBot over WiFi']);
     assert.equal(await page.title(), 'Nowpose: youBot over WiFi');
-    assert.deepEqual(await text(page, 'h2'), ['Result', 'Tool error over time', 'Joint position: arm_joint_1', 'Error field',
+    assert.deepEqual(await text(page, 'h2'), ['Result', plotLabels.toolError, 'Joint position: arm_joint_1', 'Error field',
       'Clock synchronisation', 'Application latency of the samples', 'Conditions and figures']);
   });
 
@@ -36,7 +38,9 @@ describe('a complete report', () => {
     data.summary[0] = { label: 'Tool error, RMS', unit: 'mm', uncompensated: 20, compensated: 3.5 };
     const page = await browser.open(data);
 
-    assert.match(plain(await text(page, '.headline'))[0], /^82\.5 %\s+less tool error with compensation\s+Tool error, RMS: 20 mm → 3\.50 mm$/);
+    const [headline] = plain(await text(page, '.headline'));
+    assert.match(headline, /^82\.5 %\s[^]*\sTool error, RMS: 20 mm → 3\.50 mm$/);
+    assert.ok(headline.includes(reportLabels.lessError));
     for (const selector of ['.headline', '.overview table', '#error .plot']) {
       const box = await page.locator(selector).boundingBox();
       assert.ok(box.y + box.height <= 800, `${selector} ends at ${box.y + box.height} px`);
@@ -46,7 +50,8 @@ describe('a complete report', () => {
   it('reports an increased error', async () => {
     const page = await browser.open({ summary: [{ label: 'RMS', unit: 'mm', uncompensated: 4, compensated: 5 }] });
 
-    assert.match(plain(await text(page, '.headline'))[0], /^25 %\s+more tool error/);
+    const [headline] = plain(await text(page, '.headline'));
+    assert.ok(headline.startsWith('25 %') && headline.includes(reportLabels.moreError), headline);
     assert.deepEqual(plain(await text(page, '.overview tbody td')), ['4', '5', '+25 %']);
   });
 
@@ -65,7 +70,7 @@ describe('a complete report', () => {
     const page = await browser.open(report());
 
     const captions = await page.locator('details caption').allTextContents();
-    assert.deepEqual(captions, ['Tool error (mm)', 'Joint position (rad)', 'Latency of the operating points (ms)', 'Clock (µs)',
+    assert.deepEqual(captions, ['Tool error (mm)', 'Joint position (rad)', `${reportLabels.latencyOfPoints} (ms)`, 'Clock (µs)',
       'Samples by latency']);
   });
 
@@ -130,7 +135,8 @@ describe('missing measurements', () => {
       assert.equal(await page.locator('.plot').count(), 0);
       const words = await text(page, '.missing');
       assert.equal(words.length, 9);
-      for (const w of words) assert.match(w, /not measured in this run\.$/i);
+      const forms = [plotMessages.notMeasured, ...['Tool error', 'Comparison', 'Settings', 'Measured'].map(plotMessages.partNotMeasured)];
+      assert.deepEqual([...new Set(words)].sort(), forms.sort());
     });
   }
 
@@ -256,7 +262,7 @@ describe('a report of the paper’s scenario', () => {
 
     assert.deepEqual(page.complaints, []);
     const headings = await text(page, 'h2');
-    assert.ok(headings.includes('The paper’s claims and this run'));
+    assert.ok(headings.includes(figuresLabels.claimsAndRun));
     assert.ok(headings.some(h => h.startsWith('Fig. 8')) && headings.some(h => h.startsWith('Fig. 16')));
     assert.ok(!headings.includes('Clock synchronisation') && !headings.includes('Error field'));
   });

@@ -9,10 +9,12 @@ import { build } from 'esbuild';
 import { Browser } from './browser.mjs';
 import { ClockGateway } from './clockGateway.mjs';
 import { drawn } from './drawn.mjs';
+import { messages } from './messages.mjs';
 
 const path = relative => fileURLToPath(new URL(relative, import.meta.url));
 const gateways = ['Debug', 'Release'].map(kind => path(`../../Gateway/bin/${kind}/net10.0/Nowpose.Gateway.dll`)).filter(existsSync);
 const PERIOD = 65536;
+const { clockCodeReasons, gatewayReasons } = messages;
 
 async function load(name) {
   const { outputFiles: [bundle] } = await build({ entryPoints: [path(`../src/vlc/${name}.ts`)], bundle: true, format: 'esm', write: false });
@@ -188,7 +190,7 @@ describe('the page of the control clock\'s code', () => {
     assert.deepEqual(page.faults, []);
     await page.waitForFunction(() => /L_monitor ≈ \d+ ± \d+ ms/.test(document.getElementById('facts').textContent));
     assert.match(await page.locator('#time').textContent(), /^C1 17\d{8}\.\d{3} s$/);
-    assert.match(await page.locator('#facts').textContent(), /error bound ± \d\.\d ms.*L_monitor/);
+    assert.match(await page.locator('#facts').textContent(), /± \d\.\d ms.*L_monitor/);
   });
 
   it('shows no code while the gateway is down, and the new time after its restart', async () => {
@@ -196,7 +198,7 @@ describe('the page of the control clock\'s code', () => {
     await synchronised(page);
 
     gateway.stop();
-    await unsynchronised(page, 'the gateway does not answer');
+    await unsynchronised(page, gatewayReasons.noAnswer);
     gateway.aheadNs += 12_345_000_000n;
     await gateway.start(gateway.port);
     await synchronised(page);
@@ -208,21 +210,21 @@ describe('the page of the control clock\'s code', () => {
     gateway = Object.assign(new ClockGateway(), { isSynchronised: false });
     const page = await open(await gateway.start());
 
-    await unsynchronised(page, 'the control clock itself');
+    await unsynchronised(page, clockCodeReasons.controlClock);
   });
 
   it('asks for the gateway\'s token and does not keep it in address or storage', async () => {
     gateway = Object.assign(new ClockGateway(), { token: 'sesame' });
     const page = await open(await gateway.start());
-    await unsynchronised(page, 'requires a token');
+    await unsynchronised(page, gatewayReasons.tokenRequired);
 
     await page.fill('#token input', 'guess');
     await page.press('#token input', 'Enter');
-    await unsynchronised(page, 'refuses this token');
+    await unsynchronised(page, gatewayReasons.tokenRefused);
     // Longer than the interval between two exchanges.
     await page.waitForTimeout(600);
     assert.equal(gateway.refused, 2);
-    await unsynchronised(page, 'refuses this token');
+    await unsynchronised(page, gatewayReasons.tokenRefused);
 
     await page.fill('#token input', 'sesame');
     await page.press('#token input', 'Enter');

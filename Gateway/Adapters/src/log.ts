@@ -1,3 +1,5 @@
+import { logMessages } from './messages/gateway';
+
 /** Rate limit per subject, whose state may change as often as its values arrive. */
 const MAX_LINES = 10;
 const PERIOD_MS = 60_000;
@@ -49,7 +51,7 @@ export class Log {
   #sumUp(subject: string): void {
     const { lines, newest } = this.#lately.get(subject)!;
     this.#lately.delete(subject);
-    if (lines > MAX_LINES) this.line(`${newest} (the newest of ${lines - MAX_LINES} more lines within ${PERIOD_MS / 1000} s)`);
+    if (lines > MAX_LINES) this.line(logMessages.moreLines(newest, lines - MAX_LINES, PERIOD_MS / 1000));
   }
 
   /** Returns one line of printable characters without secrets, for any text of a peer. */

@@ -9,6 +9,7 @@ import { Log } from './log';
 import { PlantOutput } from './samples/plantOutput';
 import { type Nanoseconds, ofMilliseconds, toMilliseconds } from './times';
 import { compareVersions, VERSION } from './version';
+import { clockMessages } from './messages/gateway';
 
 const DIAGNOSTICS_MS = 1000;
 const SILENCE_CHECK_MS = 250;
@@ -67,11 +68,10 @@ export async function runPlant(configuration: Configuration): Promise<number> {
 }
 
 function tellCoarse(status: AdapterStatus, log: Log, coarse: Nanoseconds | null): void {
-  const steps = coarse === null ? null : `its clock advances in steps of ${Math.round(toMilliseconds(coarse))} ms`;
+  const steps = coarse === null ? null : clockMessages.steps(toMilliseconds(coarse));
   status.detail('clock', steps);
-  if (steps === null) return log.resume('clock steps', 'the resolution of its clock is sufficient again');
-  const cure = 'name a time that advances in smaller steps, or make the clock of the control system advance in smaller steps';
-  log.change('clock steps', 'coarse', `${steps}, too coarse for headsets; ${cure}`);
+  if (steps === null) return log.resume('clock steps', clockMessages.fineAgain);
+  log.change('clock steps', 'coarse', clockMessages.coarse(steps));
 }
 
 function diagnosticsOf(name: string, status: AdapterStatus, gateway: GatewayLink): object {

@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 import type { Log } from './log';
+import { gatewayMessages } from './messages/gateway';
 
 /** Set by the bundler, from package.json. */
 declare const NOWPOSE_VERSION: string;
@@ -19,8 +20,8 @@ export function versionWithCommit(): string {
 export function compareVersions(log: Log, gateway: unknown): void {
   const series = typeof gateway === 'string' ? seriesOf(gateway) : undefined;
   if (series === undefined) return;
-  if (series === seriesOf(VERSION)) log.resume('version', `the gateway's version ${gateway} fits`);
-  else log.change('version', String(gateway), `the gateway has version ${gateway}, this adapter has ${VERSION}; install the same version`);
+  if (series === seriesOf(VERSION)) log.resume('version', gatewayMessages.versionFits(gateway as string));
+  else log.change('version', String(gateway), gatewayMessages.otherVersion(String(gateway), VERSION));
 }
 
 /** Gets 0.2 of 0.2.0 and of 0.2.0-rc.1; undefined for a text that is not a version. */

@@ -1,6 +1,9 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from './parts.mjs';
+import { messages } from './messages.mjs';
+
+const { clockMessages } = messages;
 
 const { Resolution, PlantClock, ofFileTime, toRosTime } = await parts('clock/resolution', 'clock/plantClock', 'times');
 const MS = 1_000_000n;
@@ -66,7 +69,7 @@ describe('plant clock', () => {
     await assert.rejects(clock.attach(async () => { throw new Error('no such service'); }, never), /no such service/);
 
     assert.deepEqual([gateway.services.size, clock.isSettled], [0, false]);
-    clock.doWithout();
+    await clock.doWithout(AbortSignal.abort());
     assert.deepEqual([gateway.services.size, clock.isSettled], [0, true]);
   });
 
@@ -136,7 +139,7 @@ describe('plant clock', () => {
 
     isPaused = true;
     let answered = 0;
-    for (let i = 0; i < 150; i++) await asked().then(() => answered++, error => assert.equal(error.message, 'the clock does not advance'));
+    for (let i = 0; i < 150; i++) await asked().then(() => answered++, error => assert.equal(error.message, clockMessages.stopped));
     isPaused = false;
     const after = await asked();
 

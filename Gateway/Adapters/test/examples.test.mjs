@@ -24,7 +24,7 @@ for (const name of names)
 const withRobot = names.map(name => [name, parse(readFileSync(join(folder, name), 'utf8'))]).filter(([, { robot }]) => robot !== undefined);
 
 it('Examples_OfControlSystems_NameTheirRobot', () =>
-  assert.deepEqual(withRobot.map(([name]) => name).sort(), ['ads.yaml', 'opcua.yaml', 'rtde.yaml', 'twincat-opcua.yaml']));
+  assert.deepEqual(withRobot.map(([name]) => name).sort(), ['ads.yaml', 'mqtt.yaml', 'opcua.yaml', 'rtde.yaml', 'twincat-opcua.yaml']));
 
 for (const [name, { robot, joints }] of withRobot)
   it(`Example_${name}_NamesAllJointsOfItsArm`, () => {

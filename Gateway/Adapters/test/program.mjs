@@ -16,7 +16,7 @@ export function start(test, args, { env = {}, stdin = 'ignore' } = {}) {
   child.stdout.on('data', part => { run.out += part; });
   child.stderr.on('data', part => { run.err += part; });
   run.ended = new Promise(resolve => child.on('close', (status, signal) => resolve(status ?? signal)));
-  run.said = text => until(() => run.err.includes(text), () => `"${text}" in:\n${run.err}`);
+  run.said = text => until(() => (text instanceof RegExp ? text.test(run.err) : run.err.includes(text)), () => `"${text}" in:\n${run.err}`);
   test.after(async () => {
     child.kill('SIGTERM');
     const late = setTimeout(() => child.kill('SIGKILL'), 5000);

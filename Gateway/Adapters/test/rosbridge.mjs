@@ -11,8 +11,12 @@ export class RosbridgeDouble {
   #http = null;
   #calls = 0;
 
-  /** @param tls A key and certificate for wss. @param token A client without this token gets 401. */
-  static async start(test, { port = 0, tls = null, token = null } = {}) {
+  /**
+   * @param tls A key and certificate for wss.
+   * @param token A client without this token gets 401.
+   * @param now Its control clock, ns; null for a gateway that does not answer.
+   */
+  static async start(test, { port = 0, tls = null, token = null, now = null } = {}) {
     const double = new RosbridgeDouble();
     const verifyClient = ({ req }, done) => {
       double.headers.push(req.headers);
@@ -21,7 +25,12 @@ export class RosbridgeDouble {
     double.#http = tls && createSecureServer(tls);
     double.#server = new WebSocketServer(tls ? { server: double.#http, verifyClient } : { host: '127.0.0.1', port, verifyClient });
     double.#server.on('connection', socket => {
-      socket.on('message', data => double.heard.push(JSON.parse(data.toString())));
+      socket.on('message', data => {
+        const message = JSON.parse(data.toString());
+        double.heard.push(message);
+        if (now !== null && message.service === '/rosapi/get_time' && message.op === 'call_service')
+          socket.send(JSON.stringify({ op: 'service_response', id: message.id, service: message.service, result: true, values: { time: rosTime(now()) } }));
+      });
       socket.on('error', () => {});
     });
     double.#http?.listen(port, '127.0.0.1');
@@ -73,4 +82,5 @@ export class RosbridgeDouble {
   }
 }
 
+const rosTime = time => ({ sec: Number(time / 1_000_000_000n), nanosec: Number(time % 1_000_000_000n) });
 export const nanoseconds = ({ sec, nanosec }) => BigInt(sec) * 1_000_000_000n + BigInt(nanosec);

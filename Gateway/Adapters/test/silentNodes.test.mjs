@@ -3,6 +3,9 @@ import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { DataType, DataValue, StatusCodes, Variant } from 'node-opcua-client';
 import { parts } from './parts.mjs';
+import { messages } from './messages.mjs';
+
+const { nodeMessages } = messages;
 
 const { SilentNodes } = await parts('opcua/silentNodes');
 
@@ -61,7 +64,7 @@ describe('silent nodes', () => {
     await cell.look();
 
     assert.deepEqual(during, [[1], [1]]);
-    assert.deepEqual(cell.lost, [[0, 'joints[0].node: value n0; the server no longer has this node (BadNodeIdUnknown)']]);
+    assert.deepEqual(cell.lost, [[0, nodeMessages.gone('joints[0].node', 'n0', 'BadNodeIdUnknown')]]);
     assert.deepEqual(cell.renewed, [0]);
   });
 

@@ -3,7 +3,8 @@ import '../report.css';
 import '../paper/figures.css';
 import './calibration.css';
 import { el } from '../dom';
-import { PAPER, plotBlock } from '../figures';
+import { credit, plotBlock, plotHint } from '../figures';
+import { creditMessages, PAPER } from '../messages/report';
 import { plotOf } from '../paper/plots';
 import { dataTable } from '../paper/tables';
 import { text } from '../paper/text';
@@ -18,26 +19,10 @@ function page(data: CalibrationData): Node[] {
       {},
       ...data.warnings.map(warning => el('p', { class: 'warning', role: 'note' }, ...text(warning))),
       el('section', { 'aria-label': 'Result' }, factTable('Result and conditions', data.facts)),
-      el(
-        'p',
-        { class: 'hint' },
-        'Drag across a plot to zoom, double-click to reset, point at it to read values; '
-          + 'with the keyboard: arrow keys, plus, minus and 0. Names in a legend switch signals on and off.',
-      ),
+      plotHint(),
       ...data.sections.map(section),
     ),
-    el(
-      'footer',
-      {},
-      el(
-        'p',
-        {},
-        'The method is that of M. Schnierle, S. Röck, “Latency and sampling compensation in mixed-reality-in-the-loop '
-          + 'simulations of production systems”, Production Engineering (2022), ',
-        el('a', { href: PAPER }, PAPER),
-        ' (CC BY 4.0). Made by Nowpose.',
-      ),
-    ),
+    credit(creditMessages.calibration),
   ];
 }
 

@@ -1,16 +1,8 @@
 import { el } from '../dom';
+import { emptyMessages, hopMeanings } from '../messages/operations';
 import { format } from '../numbers';
 import { type Column, LiveTable } from './liveTable';
-import { type Headset, type Hop, HOPS } from './state';
-
-const MEANING: Record<Hop, string> = {
-  plant: 'from the sample to its arrival at the gateway',
-  gateway: 'within the gateway',
-  network: 'half the round trip',
-  queue: 'time in queues',
-  render: 'the render job',
-  display: 'from the rendered frame until its light reaches the eye',
-};
+import { type Headset, HOPS } from './state';
 
 /** Latency of each headset by hop, as numbers and as a bar. */
 export class Budget {
@@ -24,11 +16,11 @@ export class Budget {
       'Latency by hop',
       [...columns, { label: 'together (ms)', isNumber: true, cell: h => format(totalOf(h)) }],
       headset => headset.name,
-      'No headset has reported its latency yet.',
+      emptyMessages.latencies,
       name => this.barOf(name),
       'Headset',
     );
-    const legend = HOPS.map(hop => el('li', {}, el('span', { class: `hop ${hop}`, 'aria-hidden': 'true' }), `${hop}: ${MEANING[hop]}`));
+    const legend = HOPS.map(hop => el('li', {}, el('span', { class: `hop ${hop}`, 'aria-hidden': 'true' }), `${hop}: ${hopMeanings[hop]}`));
     this.element = el('div', {}, el('ul', { class: 'hops' }, ...legend), this.table.element);
   }
 

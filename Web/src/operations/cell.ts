@@ -1,4 +1,5 @@
 import { el } from '../dom';
+import { emptyMessages } from '../messages/operations';
 import { LiveTable } from './liveTable';
 import { type CellFrame, type Signal, type State } from './state';
 
@@ -20,7 +21,7 @@ export class Cell {
       { label: 'Source', cell: frame => frame.source },
     ],
     frame => frame.name,
-    'No source publishes objects.',
+    emptyMessages.frames,
     undefined,
     undefined,
     frame => frame.reason ?? '',
@@ -34,7 +35,7 @@ export class Cell {
       { label: 'Source', cell: signal => signal.source },
     ],
     signal => signal.name,
-    'No source publishes signals.',
+    emptyMessages.signals,
     undefined,
     undefined,
     signal => signal.reason ?? '',

@@ -1,4 +1,5 @@
 import { el } from '../dom';
+import { emptyMessages, operationsLabels } from '../messages/operations';
 import { LiveTable } from './liveTable';
 import { eventWords } from './overall';
 import type { StatusEvent } from './state';
@@ -17,7 +18,7 @@ export class Events {
       { label: 'Event', cell: e => eventWords(e), isLong: true },
     ],
     e => String(e.id),
-    'Nothing has gone wrong since the gateway was started.',
+    emptyMessages.events,
     undefined,
     'No.',
   );
@@ -29,7 +30,7 @@ export class Events {
       'div',
       {},
       this.table.element,
-      el('p', { class: 'downloads' }, 'Download all events as ', link('csv'), ' or ', link('json'), '.'),
+      el('p', { class: 'downloads' }, `${operationsLabels.downloadEvents} `, link('csv'), ' or ', link('json'), '.'),
     );
   }
 

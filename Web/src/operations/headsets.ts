@@ -1,4 +1,5 @@
 import { el } from '../dom';
+import { emptyMessages, operationsLabels } from '../messages/operations';
 import { format } from '../numbers';
 import { LiveTable } from './liveTable';
 import { type Headset, numberOf, textOf } from './state';
@@ -41,7 +42,7 @@ export class Headsets {
         number('Dropped', 'dropped'),
       ],
       headset => headset.name,
-      'No headset is connected.',
+      emptyMessages.headsets,
       name => this.choiceOf(name),
       'Shown',
       noteOf,
@@ -94,9 +95,7 @@ function poseLevel(headset: Headset): string {
 function noteOf(headset: Headset): string {
   const missing = textOf(headset, 'missing_joints').split(',').filter(Boolean).join(', ');
   const mismatch = textOf(headset, 'profile_mismatch');
-  return [missing && `missing joints: ${missing}`, mismatch && `the latency profile does not match this headset: ${mismatch}`]
-    .filter(Boolean)
-    .join('; ');
+  return [missing && `missing joints: ${missing}`, mismatch && operationsLabels.profileMismatch(mismatch)].filter(Boolean).join('; ');
 }
 
 function rangeOf(headset: Headset): string {

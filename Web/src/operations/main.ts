@@ -1,6 +1,7 @@
 import 'uplot/dist/uPlot.min.css';
 import '../report.css';
 import './operations.css';
+import { operationsMessages } from '../messages/operations';
 import { byId } from '../pairing/elements';
 import { Budget } from './budget';
 import { Cell } from './cell';
@@ -76,7 +77,7 @@ async function read(): Promise<void> {
   if ('value' in answer) {
     link.open();
     show(answer.value);
-  } else lose(isRefused ? 'Log in to see the state of the gateway.' : answer.trouble);
+  } else lose(isRefused ? operationsMessages.loggedOut : answer.trouble);
 }
 
 let seen = '';
@@ -121,5 +122,5 @@ function show(state: State): void {
 function lose(why: string): void {
   byId('content').classList.add('stale');
   overall.lose();
-  setText(byId('trouble'), seen ? `${why}. The data shown are from ${seen}.` : `${why}`);
+  setText(byId('trouble'), operationsMessages.noNewState(why, seen));
 }

@@ -1,4 +1,5 @@
 import { el } from '../dom';
+import { operationsLabels, operationsMessages } from '../messages/operations';
 import { byId } from '../pairing/elements';
 import { setText } from './liveTable';
 import type { Level, State, StatusEvent } from './state';
@@ -18,14 +19,14 @@ export class Overall {
     const level = status?.level ?? 'unknown';
     const title = [cell || 'Operations', host, version && `Nowpose ${version}`].filter(Boolean).join(' · ');
     document.title = level === 'ok' ? title : `${WORDS[level]}: ${title}`;
-    this.setLine(level, `${WORDS[level]}: ${status?.text ?? 'the gateway does not report its state.'}`);
+    this.setLine(level, status ? `${WORDS[level]}: ${status.text}` : operationsMessages.stateNotReported);
     this.showAlarms((events ?? []).filter(event => !event.until_utc));
   }
 
   /** Shows the state as unknown when the gateway does not answer. */
   lose(): void {
     document.title = `Not known: ${document.title.replace(/^(Warning|Fault|Not known): /, '')}`;
-    this.setLine('unknown', 'Not known: the gateway sends no state to this page.');
+    this.setLine('unknown', operationsMessages.noState);
   }
 
   private setLine(level: Level | 'unknown', text: string): void {
@@ -38,7 +39,7 @@ export class Overall {
     const lines = worst
       .slice(0, MOST_ALARMS)
       .map(event => ({ level: event.level, text: `${eventWords(event)} – since ${localTime(event.since_utc)}` }));
-    if (worst.length > MOST_ALARMS) lines.push({ level: 'warning', text: `and ${worst.length - MOST_ALARMS} more, in the list of events` });
+    if (worst.length > MOST_ALARMS) lines.push({ level: 'warning', text: operationsLabels.moreEvents(worst.length - MOST_ALARMS) });
     this.alarms.hidden = lines.length === 0;
     while (this.alarms.children.length > lines.length) this.alarms.lastElementChild!.remove();
     while (this.alarms.children.length < lines.length) this.alarms.append(el('li'));

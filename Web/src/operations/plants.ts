@@ -1,4 +1,6 @@
 import { el } from '../dom';
+import { emptyMessages, operationsLabels, operationsMessages } from '../messages/operations';
+import { longLabels } from '../messages/terms';
 import { format } from '../numbers';
 import { LiveTable } from './liveTable';
 import { type Joint, numberOf, type PlantClock, type Source, type State, textOf, type Words } from './state';
@@ -40,7 +42,7 @@ export class Plants {
       count('Sampling (ms)', 'sampling_ms'),
     ],
     a => a.name,
-    'No adapter runs: joint positions come from the gateway itself, or from other rosbridge clients.',
+    emptyMessages.adapters,
     undefined,
     undefined,
     adapterNote,
@@ -51,7 +53,7 @@ export class Plants {
       { label: 'Source', cell: j => j.source },
       {
         label: 'State',
-        cell: j => (j.uncertain ? 'may not be at rest' : (JOINT_WORDS[j.state] ?? j.state)),
+        cell: j => (j.uncertain ? operationsLabels.uncertainRest : (JOINT_WORDS[j.state] ?? j.state)),
         level: j => (j.uncertain ? 'warning' : (JOINT_LEVELS[j.state] ?? 'error')),
       },
       { label: 'Since', cell: j => localTime(j.since_utc) },
@@ -59,30 +61,30 @@ export class Plants {
       { label: 'Age', isNumber: true, cell: j => (j.age_s == null ? '–' : lengthWords(j.age_s)) },
     ],
     j => j.name + KEY + j.source,
-    'No joint is configured, and no joint positions have arrived.',
+    emptyMessages.joints,
     key => key.split(KEY)[0],
     'Joint',
     jointNote,
   );
   private readonly sources = new LiveTable<Source>(
-    'Sources of joint positions',
+    longLabels.sources,
     [
       { label: 'Rate (Hz)', isNumber: true, cell: s => format(s.rate_hz) },
-      { label: 'Age at the gateway, median (ms)', isNumber: true, cell: s => format(s.age_ms?.p50) },
+      { label: longLabels.ageAtGateway, isNumber: true, cell: s => format(s.age_ms?.p50) },
       { label: 'P95 (ms)', isNumber: true, cell: s => format(s.age_ms?.p95) },
     ],
     s => s.joints.join(', '),
-    'No joint positions arrive.',
+    emptyMessages.sources,
     undefined,
     'Joints',
-    limitWords,
+    ({ beyond_limits: joints }) => (joints?.length ? operationsMessages.beyondLimits(joints) : ''),
   );
   private readonly clocks = new LiveTable<PlantClock>(
-    'Clocks of the plant',
+    longLabels.plantClocks,
     [
-      { label: 'Use', cell: c => (c.is_control_clock ? 'control clock' : 'measured against the control clock') },
+      { label: 'Use', cell: c => (c.is_control_clock ? 'control clock' : operationsLabels.measuredClock) },
       { label: 'State', cell: c => (c.connected ? stateWords(c.state, c.estimated_error_us, c.error_bound_us) : 'not connected') },
-      { label: 'Ahead of the control clock (ms)', isNumber: true, cell: c => format(c.offset_to_control_ms) },
+      { label: longLabels.aheadOfControl, isNumber: true, cell: c => format(c.offset_to_control_ms) },
       { label: 'Skew (ppm)', isNumber: true, cell: c => format(c.skew_ppm) },
       { label: 'RTT (ms)', isNumber: true, cell: c => format(c.rtt_ms) },
       { label: '± (µs)', isNumber: true, cell: c => format(c.estimated_error_us) },
@@ -91,7 +93,7 @@ export class Plants {
       { label: 'Failures', isNumber: true, cell: c => format(c.failures) },
     ],
     c => c.name,
-    'No plant offers its clock: the gateway serves its own.',
+    emptyMessages.clocks,
     undefined,
     undefined,
     c => (c.last_failure ? `last failure: ${c.last_failure}` : ''),
@@ -119,14 +121,6 @@ function adapterNote(adapter: Words): string {
   const refused = Object.keys(adapter).filter(key => key.startsWith('refused/') && numberOf(adapter, key));
   const counts = refused.map(key => `${key.slice('refused/'.length)} ${format(numberOf(adapter, key))}`);
   return [textOf(adapter, 'reason'), counts.length > 0 ? `refused values: ${counts.join(', ')}` : ''].filter(Boolean).join('; ');
-}
-
-function limitWords({ beyond_limits: joints }: Source): string {
-  if (!joints?.length) return '';
-  return (
-    `outside the limits of the robot described, and drawn at the limit: ${joints.join(', ')}. `
-    + 'Is the description this robot’s, and does the source send rad and m, not degrees and mm?'
-  );
 }
 
 /** Returns the state of the control clock in one line. */

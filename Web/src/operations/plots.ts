@@ -1,4 +1,5 @@
 import { el } from '../dom';
+import { livePlotDescriptions } from '../messages/operations';
 import { LOOKS } from '../traces';
 import { LivePlot } from './livePlot';
 import { numberOf, type State } from './state';
@@ -8,33 +9,23 @@ const DASHED = { ink: '--quadratic', width: 2, dash: [8, 4] } as const;
 /** Plots of the chosen headset and the plant over the last two minutes. */
 export class Plots {
   readonly element: HTMLElement;
-  private readonly latency = new LivePlot('Latencies of the shown headset over the last two minutes.', 'latency (ms)', 'ms', [
+  private readonly latency = new LivePlot(livePlotDescriptions.latency, 'latency (ms)', 'ms', [
     { label: 'L_app', look: LOOKS.compensated },
     { label: 'L_visu', look: LOOKS.hold },
     { label: 'round trip', look: { ...DASHED, dash: [8, 4] } },
   ]);
-  private readonly clock = new LivePlot('Error bounds of the clocks over the last two minutes.', 'clock bound (µs)', 'µs', [
+  private readonly clock = new LivePlot(livePlotDescriptions.clock, 'clock bound (µs)', 'µs', [
     { label: 'shown headset', look: LOOKS.compensated },
     { label: 'control clock', look: LOOKS.hold },
   ]);
-  private readonly error = new LivePlot(
-    'Tool error of the shown headset over the last two minutes, as measured by the headset.',
-    'tool error (mm)',
-    'mm',
-    [
-      { label: 'held', look: LOOKS.hold },
-      { label: 'compensated', look: LOOKS.compensated },
-    ],
-  );
-  private readonly rate = new LivePlot(
-    'Joint position messages per second over the last two minutes, from the fastest and the slowest source.',
-    'rate (Hz)',
-    'Hz',
-    [
-      { label: 'fastest source', look: LOOKS.compensated },
-      { label: 'slowest source', look: LOOKS.hold },
-    ],
-  );
+  private readonly error = new LivePlot(livePlotDescriptions.error, 'tool error (mm)', 'mm', [
+    { label: 'held', look: LOOKS.hold },
+    { label: 'compensated', look: LOOKS.compensated },
+  ]);
+  private readonly rate = new LivePlot(livePlotDescriptions.rate, 'rate (Hz)', 'Hz', [
+    { label: 'fastest source', look: LOOKS.compensated },
+    { label: 'slowest source', look: LOOKS.hold },
+  ]);
 
   constructor() {
     this.element = el('div', { class: 'plots' }, ...[this.latency, this.clock, this.error, this.rate].map(plot => plot.element));

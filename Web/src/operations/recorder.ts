@@ -1,3 +1,4 @@
+import { operationsLabels, operationsMessages } from '../messages/operations';
 import { format } from '../numbers';
 import { byId } from '../pairing/elements';
 import { setText } from './liveTable';
@@ -22,7 +23,7 @@ export class Recorder {
     this.button.classList.toggle('on', this.isOn);
     setText(this.button, this.isOn ? 'Stop recording' : 'Record');
     setText(byId('recording'), wordsOf(recording, can));
-    setText(byId('may-record'), may || !can ? '' : 'To start or stop it, log in with a token of the role operator.');
+    setText(byId('may-record'), may || !can ? '' : operationsMessages.recordAsOperator);
   }
 
   private async turn(changed: () => void): Promise<void> {
@@ -34,13 +35,13 @@ export class Recorder {
 }
 
 function wordsOf(recording: Recording | null | undefined, can: boolean): string {
-  if (!recording || !can) return 'This gateway has no folder for recordings: start it with --recordings FOLDER.';
+  if (!recording || !can) return operationsMessages.noFolder;
   const size = `${format(recording.lines ?? 0)} lines, ${format((recording.bytes ?? 0) / 1e6, 'MB')}`;
   const lost = recording.lost ? `, ${format(recording.lost)} lines are missing` : '';
   const state = recording.on
     ? `recording ${recording.file ?? ''}: ${size}${lost}`
     : recording.file
-      ? `stopped; last ${recording.file}: ${recording.deleted ? 'the file was deleted' : `${size}${lost}`}`
+      ? `stopped; last ${recording.file}: ${recording.deleted ? operationsLabels.recordingDeleted : `${size}${lost}`}`
       : 'off';
   return recording.problem ? `${state}. Problem: ${recording.problem}` : state;
 }

@@ -1,4 +1,5 @@
 import { el } from '../dom';
+import { emptyMessages, operationsMessages } from '../messages/operations';
 import { format } from '../numbers';
 import { byId } from '../pairing/elements';
 import { LiveTable, setText } from './liveTable';
@@ -17,7 +18,7 @@ export class Recordings {
       { label: 'Last written', cell: file => localTime(file.changed_utc) },
     ],
     file => file.name,
-    'There are no recordings in the folder.',
+    emptyMessages.recordings,
     linkTo,
     'File',
   );
@@ -35,7 +36,7 @@ export class Recordings {
     byId('recordings-section').hidden = !can;
     this.table.element.hidden = !may;
     if (!can) return;
-    if (!may) return setText(this.note, 'To see and download recordings, log in with a token of the role operator.');
+    if (!may) return setText(this.note, operationsMessages.listAsOperator);
     const file = `${recording?.on} ${recording?.file}`;
     if (file === this.file && performance.now() - this.asked < POLL_MS) return;
     this.file = file;
@@ -45,7 +46,7 @@ export class Recordings {
 
   private async read(): Promise<void> {
     const answer = await ask<StoredRecording[]>('recordings');
-    if ('trouble' in answer) return setText(this.note, `The recordings cannot be listed: ${answer.trouble}`);
+    if ('trouble' in answer) return setText(this.note, operationsMessages.notListed(answer.trouble));
     const names = new Set(answer.value.map(file => file.name));
     const deleted = [...this.listed].filter(name => !names.has(name));
     if (deleted.length > 0) setText(this.note, `Deleted: ${deleted.join(', ')}`);

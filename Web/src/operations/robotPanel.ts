@@ -1,6 +1,6 @@
 import type { Matrix4 } from 'three';
 import { el } from '../dom';
-import { format } from '../numbers';
+import { jointReasons, robotDescriptions, robotMessages } from '../messages/robot';
 import type { Bodies } from '../robot/bodies';
 import { Frames } from '../robot/frames';
 import { JointTracks } from '../robot/tracks';
@@ -20,18 +20,13 @@ const NUMBERS_MS = 500;
 /** Interval of the pictures: smooth to the eye, with half the work of the maximum rate. */
 const PICTURE_MS = 30;
 
-// Predictions are not accurate enough for smaller differences.
-const apart = (mm: number) => (mm < 0.1 ? 'less than 0.1\u00a0mm' : format(mm, 'mm'));
-
-const about = (mm: number) => (mm < 0.1 ? '' : 'about ') + apart(mm);
-
 const seconds = () => performance.now() / 1000;
 
 /** View of the true robot half a second ago, and of the pose that the chosen headset displayed at that time. */
 export class RobotPanel {
   readonly element: HTMLElement;
-  private readonly view = new RobotView('The robot as it was half a second ago, and what the shown headset displayed for the same moment.');
-  private readonly words = el('p', { class: 'apart' }, 'No robot description has arrived.');
+  private readonly view = new RobotView(robotDescriptions.live);
+  private readonly words = el('p', { class: 'apart' }, robotMessages.noDescription);
   private readonly unknown = el('p', { class: 'level warning', hidden: true });
   private readonly truth = new JointTracks(KEEP_S);
   private displayed = new JointTracks(KEEP_S);
@@ -107,7 +102,7 @@ export class RobotPanel {
     const linkOf = (name: string) => bodies?.linkOf('truth', name) ?? this.others.linkOf(name);
     this.others.pose(time, this.frames, joint => !this.faults.has(joint));
     if (bodies) this.pose(bodies, time, linkOf);
-    else if (this.others.isAnyShown) setText(this.words, 'The robots in namespaces are drawn without the poses of headsets.');
+    else if (this.others.isAnyShown) setText(this.words, robotMessages.onlyOtherRobots);
     this.frames.pose(time, linkOf);
     this.view.ask();
   }
@@ -125,17 +120,17 @@ export class RobotPanel {
     this.shownAt = performance.now();
     this.showUnknown(bodies.joints, new Set(poses.truth?.names));
     // After the last sample, the true position is not known.
-    if ((this.truth.last ?? 0) < time) setText(this.words, 'Joint positions arrive too late for a comparison.');
+    if ((this.truth.last ?? 0) < time) setText(this.words, robotMessages.late);
     else this.showDistances(bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth'));
   }
 
   // Names the joints without a current position: a joint at 0 or at its last position must not be mistaken for the truth.
   private showUnknown(all: string[], received: Set<string>): void {
-    const words = all
+    const reasons = all
       .filter(joint => !received.has(joint) || this.faults.has(joint))
-      .map(joint => (received.has(joint) ? `${joint} is ${this.faults.get(joint)}` : `${joint} has not been received`));
-    this.unknown.hidden = words.length === 0;
-    setText(this.unknown, words.length === 0 ? '' : `${words.join(', ')}: the links below are not drawn.`);
+      .map(joint => (received.has(joint) ? jointReasons.inState(joint, this.faults.get(joint)!) : jointReasons.notReceived(joint)));
+    this.unknown.hidden = reasons.length === 0;
+    setText(this.unknown, reasons.length === 0 ? '' : robotMessages.linksNotDrawn(reasons));
   }
 
   // Returns null for a headset without recent reports.
@@ -152,10 +147,8 @@ export class RobotPanel {
 
   private showDistances(displayed: number | null, hold: number | null): void {
     const name = this.headset?.name;
-    if (!name) return setText(this.words, 'No headset is shown.');
+    if (!name) return setText(this.words, robotMessages.noHeadset);
     const isToolKnown = this.view.bodies!.isToolDrawn('truth');
-    if (!isToolKnown) return setText(this.words, 'The position of the tool is not known, because the position of a joint is not known.');
-    const shown = displayed == null ? `${name} does not report what it displays` : `${name} shows the tool ${apart(displayed)} from where it was`;
-    setText(this.words, hold == null ? `${shown}.` : `${shown}; without compensation ${about(hold)}.`);
+    setText(this.words, isToolKnown ? robotMessages.toolError(name, displayed, hold) : robotMessages.toolUnknown);
   }
 }

@@ -1,3 +1,5 @@
+import { gatewayReasons } from '../messages/gateway';
+
 /** The answer of /operations/state. A missing or null field is unknown. Names contain the units. */
 export interface State {
   cell?: string | null;
@@ -154,7 +156,7 @@ export async function ask<T>(path: string, fields?: Record<string, string>): Pro
     if (response.ok) return { value: (await response.json()) as T };
     return { trouble: (await response.text()).trim(), status: response.status };
   } catch {
-    return { trouble: 'the gateway does not answer', status: 0 };
+    return { trouble: gatewayReasons.noAnswer, status: 0 };
   } finally {
     clearTimeout(timer);
   }

@@ -1,3 +1,5 @@
+import { gatewayReasons } from '../messages/gateway';
+
 /** The gateway's answer, or the reason in one line why there is none. */
 export type Answer<T> = { value: T } | { trouble: string };
 
@@ -30,6 +32,6 @@ export async function ask<T>(what: 'code' | 'cell', fields: Record<string, strin
     });
     return response.ok ? { value: (await response.json()) as T } : { trouble: (await response.text()).trim() };
   } catch {
-    return { trouble: 'the gateway does not answer' };
+    return { trouble: gatewayReasons.noAnswer };
   }
 }

@@ -1,4 +1,5 @@
 import { el } from '../dom';
+import { pairingLabels } from '../messages/codes';
 import { draw, setEdge } from './drawing';
 import { byId } from './elements';
 import { ask, type Beginning, type Marker } from './gateway';
@@ -48,8 +49,7 @@ function show(text: string): boolean {
   const drawing = draw(text);
   setEdge(drawing, Number(field('size')));
   byId('cell').replaceChildren(drawing.element);
-  byId('caption').textContent =
-    `${field('name')} · edge of the code ${field('size')} mm · in the base frame ${offset()} (m, °) · ${drawing.modules} modules · ${text}`;
+  byId('caption').textContent = pairingLabels.marker(field('name'), field('size'), offset(), drawing.modules, text);
   byId('print').hidden = false;
   byId('fault').textContent = '';
   return true;

@@ -1,3 +1,4 @@
+import { pairingLabels } from '../messages/codes';
 import { byId } from './elements';
 import { draw } from './drawing';
 import { ask, type Answer, type ShownCode } from './gateway';
@@ -55,5 +56,5 @@ function tick(): void {
   // A code that is or may be invalid must not look valid.
   byId('token').classList.toggle('gone', trouble !== '' || left === 0);
   const clock = `${Math.floor(left / 60)}:${String(left % 60).padStart(2, '0')}`;
-  byId('left').textContent = trouble || `valid for ${clock}, or until a headset has used it`;
+  byId('left').textContent = trouble || pairingLabels.validFor(clock);
 }

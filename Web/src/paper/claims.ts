@@ -1,5 +1,6 @@
 import type { ClaimData } from '../data';
 import { el } from '../dom';
+import { figuresLabels } from '../messages/report';
 import { header, scrollable } from '../tables';
 import { anchorOf } from './section';
 import { text } from './text';
@@ -7,7 +8,7 @@ import { badge } from './verdict';
 
 /** Lists the paper's claims with its numbers, this run's numbers and the verdicts. */
 export function claimsSection(claims: ClaimData[]): HTMLElement {
-  const caption = 'The paper’s claims and this run';
+  const caption = figuresLabels.claimsAndRun;
   const rows = claims.map(c =>
     el(
       'tr',
@@ -28,7 +29,7 @@ export function claimsSection(claims: ClaimData[]): HTMLElement {
       el(
         'table',
         { class: 'contents' },
-        el('caption', {}, 'Claims of the paper and whether they hold in this run'),
+        el('caption', {}, figuresLabels.claims),
         header('Figure', 'Claim', 'Paper', 'Measured', 'Verdict'),
         el('tbody', {}, ...rows),
       ),

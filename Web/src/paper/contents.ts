@@ -1,4 +1,5 @@
 import { el } from '../dom';
+import { figuresLabels } from '../messages/report';
 import { header, scrollable } from '../tables';
 import type { FigureData } from './data';
 import { anchorOf } from './section';
@@ -6,7 +7,7 @@ import { badge } from './verdict';
 
 /** Lists the figures with their verdicts and links to their sections. */
 export function contents(figures: FigureData[]): HTMLElement {
-  const caption = 'Figures of the paper and whether their claims hold';
+  const caption = figuresLabels.figures;
   const rows = figures.map(f =>
     el(
       'tr',

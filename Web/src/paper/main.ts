@@ -2,16 +2,14 @@ import 'uplot/dist/uPlot.min.css';
 import '../report.css';
 import './figures.css';
 import { el } from '../dom';
-import { PAPER } from '../figures';
+import { credit, plotHint } from '../figures';
+import { creditMessages, figuresLabels, figuresMessages } from '../messages/report';
 import { factTable } from '../tables';
 import { contents } from './contents';
 import { type FiguresData, readFigures } from './data';
 import { figureSection } from './section';
 
 function page(data: FiguresData): Node[] {
-  const hint =
-    'Drag across a plot to zoom, double-click to reset, point at it to read values; '
-    + 'with the keyboard: arrow keys, plus, minus and 0. Names in a legend switch signals on and off.';
   const missing = data.missing.map(number => `Fig. ${number}`).join(', ');
   return [
     el('header', {}, el('h1', {}, data.title), el('p', {}, data.subtitle)),
@@ -25,29 +23,14 @@ function page(data: FiguresData): Node[] {
           'section',
           { 'aria-label': 'Verdicts' },
           contents(data.figures),
-          missing ? el('p', { class: 'missing' }, `Not computed, because the run was interrupted: ${missing}.`) : null,
+          missing ? el('p', { class: 'missing' }, figuresMessages.notComputed(missing)) : null,
         ),
-        el(
-          'section',
-          { 'aria-label': 'Conditions' },
-          factTable('Conditions of all figures, unless one says otherwise', data.conditions, ['Condition', 'Value']),
-        ),
+        el('section', { 'aria-label': 'Conditions' }, factTable(figuresLabels.conditions, data.conditions, ['Condition', 'Value'])),
       ),
-      el('p', { class: 'hint' }, hint),
+      plotHint(),
       ...data.figures.map(figureSection),
     ),
-    el(
-      'footer',
-      {},
-      el(
-        'p',
-        {},
-        'The figures’ numbers and claims are those of M. Schnierle, S. Röck, “Latency and sampling compensation in '
-          + 'mixed-reality-in-the-loop simulations of production systems”, Production Engineering (2022), ',
-        el('a', { href: PAPER }, PAPER),
-        ' (CC BY 4.0). All data are computed by this run. Made by Nowpose.',
-      ),
-    ),
+    credit(creditMessages.figures),
   ];
 }
 

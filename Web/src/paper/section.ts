@@ -1,5 +1,6 @@
 import { el } from '../dom';
-import { PAPER, plotBlock } from '../figures';
+import { plotBlock } from '../figures';
+import { PAPER } from '../messages/report';
 import type { DrawingData, FigureData } from './data';
 import { plotOf } from './plots';
 import { dataTable, textTable } from './tables';

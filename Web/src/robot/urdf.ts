@@ -1,5 +1,6 @@
 import { MeshPhongMaterial, type Object3D, Vector3 } from 'three';
 import URDFLoader, { type URDFJoint, type URDFRobot } from 'urdf-loader';
+import { robotReasons } from '../messages/robot';
 
 /** Names of the tool's link, in the order in which the headset searches for them. */
 const TOOLS = ['tool_centre_point', 'tool0', 'flange'];
@@ -21,7 +22,7 @@ const has = (map: object, name: string) => Object.prototype.hasOwnProperty.call(
 export function readUrdf(text: string): Robot {
   const document = new DOMParser().parseFromString(text, 'text/xml');
   const fault = document.querySelector('parsererror');
-  if (fault || document.documentElement.nodeName !== 'robot') throw new Error('the robot description is not a URDF');
+  if (fault || document.documentElement.nodeName !== 'robot') throw new Error(robotReasons.notUrdf);
   // Removes textures, which would be loaded over the network.
   document.querySelectorAll('texture').forEach(texture => texture.remove());
   let meshes = 0;

@@ -1,10 +1,10 @@
 import { AmbientLight, Box3, Color, DirectionalLight, GridHelper, type Group, Scene, Vector3, WebGLRenderer } from 'three';
 import { el } from '../dom';
+import { robotMessages } from '../messages/robot';
 import { colour, onColoursChanged } from '../theme';
 import { Bodies } from './bodies';
 import { OrbitCamera } from './camera';
 
-const KEYS = 'Arrow keys turn the view, plus and minus zoom, 0 resets; or drag, and double-click.';
 const HEIGHT = 380;
 
 /** Margin around the shown bodies, as a share of their size. */
@@ -38,14 +38,14 @@ export class RobotView {
     this.canvas = el('canvas', { 'aria-hidden': 'true' });
     const stage = el(
       'div',
-      { class: 'stage', tabindex: 0, role: 'group', 'aria-roledescription': '3D view', 'aria-label': `${description} ${KEYS}` },
+      { class: 'stage', tabindex: 0, role: 'group', 'aria-roledescription': '3D view', 'aria-label': `${description} ${robotMessages.keys}` },
       this.canvas,
     );
     this.element = el('div', { class: 'robot' }, stage, this.note);
     this.renderer = rendererOn(this.canvas);
     if (!this.renderer) {
       stage.remove();
-      this.say('This browser has no WebGL, so the robot is not drawn. Everything else on this page works.');
+      this.say(robotMessages.noWebGl);
       return;
     }
     this.orbit = new OrbitCamera(stage, () => this.ask());
@@ -77,13 +77,12 @@ export class RobotView {
     try {
       this.bodiesShown = new Bodies(urdf);
     } catch (fault) {
-      this.say(`The robot cannot be shown: ${fault instanceof Error ? fault.message : fault}`);
+      this.say(robotMessages.notShown(fault instanceof Error ? fault.message : String(fault)));
       return;
     }
     this.scene.add(this.bodiesShown.group);
     const { meshes } = this.bodiesShown.robots.truth;
-    if (this.renderer)
-      this.say(meshes > 0 ? `Lines replace ${meshes} ${meshes === 1 ? 'part' : 'parts'} of the robot whose meshes are not on this page.` : '');
+    if (this.renderer) this.say(meshes > 0 ? robotMessages.meshesReplaced(meshes) : '');
     this.seen.makeEmpty();
     this.recolour();
   }

@@ -1,3 +1,5 @@
+import { clockCodeReasons } from '../messages/codes';
+import { gatewayReasons } from '../messages/gateway';
 import { ControlClock, MIN_EXCHANGES } from './controlClock';
 import { grainOf } from './grain';
 
@@ -21,7 +23,7 @@ interface Answer {
 /** Keeps a clock synchronised with the gateway that serves this page. */
 export class Exchanges {
   readonly clock = new ControlClock(grainOf(() => performance.now()));
-  private problem = 'waiting for the gateway';
+  private problem = clockCodeReasons.waiting;
   private token = '';
   private isWaiting = false;
   private goOn = () => {};
@@ -40,11 +42,10 @@ export class Exchanges {
   reasonWithoutCode(now: number): string | null {
     const age = this.clock.age(now);
     if (this.problem) return this.problem;
-    if (age > SILENCE_MS) return 'the gateway does not answer';
-    if (this.clock.count < MIN_EXCHANGES) return `${this.clock.count} of ${MIN_EXCHANGES} exchanges`;
+    if (age > SILENCE_MS) return gatewayReasons.noAnswer;
+    if (this.clock.count < MIN_EXCHANGES) return clockCodeReasons.exchanges(this.clock.count, MIN_EXCHANGES);
     const { boundMs } = this.clock.at(now)!;
-    if (boundMs <= MAX_BOUND_MS) return null;
-    return `the error bound is ± ${boundMs.toFixed(1)} ms; it must be at most ± ${MAX_BOUND_MS} ms. Use a wired network or another browser`;
+    return boundMs <= MAX_BOUND_MS ? null : clockCodeReasons.boundTooLarge(boundMs, MAX_BOUND_MS);
   }
 
   async run(): Promise<never> {
@@ -66,18 +67,18 @@ export class Exchanges {
       const response = await fetch('/vlc/time', { method: 'POST', cache: 'no-store', headers, signal: AbortSignal.timeout(TIMEOUT_MS) });
       const t4 = performance.now();
       if (response.status === 401) return this.askForToken();
-      if (!response.ok) return this.fail(`the gateway refuses: ${(await response.text()).trim() || response.status}`);
+      if (!response.ok) return this.fail(gatewayReasons.refused((await response.text()).trim() || String(response.status)));
       const answer = (await response.json()) as Answer;
-      this.problem = answer.is_synchronised ? '' : 'the control clock itself is not synchronised';
+      this.problem = answer.is_synchronised ? '' : clockCodeReasons.controlClock;
       this.clock.add({ t1, t2: BigInt(answer.t2_ns), t3: BigInt(answer.t3_ns), t4, resolutionNs: answer.resolution_ns });
     } catch {
       // The gateway is unreachable or too slow, which is reported once the newest exchange is too old.
-      if (this.clock.age(performance.now()) > SILENCE_MS) this.fail('the gateway does not answer');
+      if (this.clock.age(performance.now()) > SILENCE_MS) this.fail(gatewayReasons.noAnswer);
     }
   }
 
   private askForToken(): void {
-    this.fail(this.token ? 'the gateway refuses this token' : 'the gateway requires a token');
+    this.fail(this.token ? gatewayReasons.tokenRefused : gatewayReasons.tokenRequired);
     this.token = '';
     this.isWaiting = true;
     this.onToken();

@@ -1,5 +1,6 @@
 import './vlc.css';
 import { controlCells, PERIOD_MS, SIDE } from './code';
+import { clockCodeMessages, clockCodeReasons } from '../messages/codes';
 import { Exchanges } from './exchanges';
 import { Monitor } from './monitor';
 
@@ -40,7 +41,7 @@ function show(why: string | null, ns: bigint, boundMs: number): void {
   }
   draw(Number((ns / NS_PER_MS) % BigInt(PERIOD_MS)));
   time.textContent = `C1 ${seconds(ns)} s`;
-  facts.textContent = `error bound ± ${boundMs.toFixed(1)} ms. ${delayInWords()}`;
+  facts.textContent = `${clockCodeMessages.errorBound(boundMs)} ${delayInWords()}`;
 }
 
 function seconds(ns: bigint): string {
@@ -50,9 +51,9 @@ function seconds(ns: bigint): string {
 
 function delayInWords(): string {
   const refresh = monitor.refreshMs;
-  if (Number.isNaN(refresh)) return 'Measuring the refresh rate.';
+  if (Number.isNaN(refresh)) return clockCodeMessages.measuring;
   const { mean, maxError } = monitor.delayMs;
-  return `Monitor: ${(1000 / refresh).toFixed(1)} Hz, L_monitor ≈ ${mean.toFixed(0)} ± ${maxError.toFixed(0)} ms plus the panel’s own delay.`;
+  return clockCodeMessages.monitor(1000 / refresh, mean, maxError);
 }
 
 function frame(at: number): void {
@@ -61,7 +62,7 @@ function frame(at: number): void {
   // Uses the frame's start, not the time of drawing, because the light follows a whole number of refreshes after the start.
   const reading = exchanges.clock.at(at);
   const why = exchanges.reasonWithoutCode(performance.now());
-  show(reading == null ? (why ?? 'no exchange with the gateway yet') : why, reading?.ns ?? 0n, reading?.boundMs ?? 0);
+  show(reading == null ? (why ?? clockCodeReasons.noExchange) : why, reading?.ns ?? 0n, reading?.boundMs ?? 0);
 }
 
 async function toggleFullScreen(): Promise<void> {

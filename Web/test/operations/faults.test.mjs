@@ -1,7 +1,10 @@
 // Faults on the operations page.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
+import { messages } from '../messages.mjs';
 import { becomes, cells, gateway, open } from './page.mjs';
+
+const { emptyMessages, longLabels, operationsLabels, operationsMessages } = messages;
 
 describe('faults', () => {
   const ago = seconds => new Date(Date.now() - 1000 * seconds).toISOString();
@@ -27,7 +30,7 @@ describe('faults', () => {
     assert.equal(await page.textContent('#status'), 'OK: 5 joints live, 2 headsets');
     assert.equal(await page.getAttribute('#status', 'class'), 'level ok');
     assert.ok(await page.locator('#alarms').isHidden());
-    assert.match(await page.textContent('#events'), /Nothing has gone wrong/);
+    assert.ok((await page.textContent('#events')).includes(emptyMessages.events));
     const headings = await page.locator('#content h2').allInnerTexts();
     assert.equal(headings[0], 'Plants');
   });
@@ -90,7 +93,7 @@ describe('faults', () => {
     const badge = name => page.locator(`[aria-label="Joints"] tr:has(th:text-is("${name}")) .level`);
     const note = name => page.locator(`[aria-label="Joints"] tbody:has(th:text-is("${name}")) .note`).innerText();
 
-    assert.deepEqual([await badge('arm_joint_1').innerText(), await badge('arm_joint_1').getAttribute('class')], ['may not be at rest', 'level warning']);
+    assert.deepEqual([await badge('arm_joint_1').innerText(), await badge('arm_joint_1').getAttribute('class')], [operationsLabels.uncertainRest, 'level warning']);
     assert.equal(await note('arm_joint_1'), `no change is reported; ${why}`);
     assert.deepEqual([await badge('arm_joint_2').innerText(), await badge('arm_joint_2').getAttribute('class')], ['assumed at rest', 'level rest']);
 
@@ -147,7 +150,7 @@ describe('faults', () => {
 
     assert.deepEqual((await cells(page, 'left door')).slice(1, 3), ['incomplete', '40']);
     const note = await page.locator('#headsets .note p').first().innerText();
-    assert.equal(note, 'missing joints: a, b; the latency profile does not match this headset: made for HoloLens 2');
+    assert.equal(note, `missing joints: a, b; ${operationsLabels.profileMismatch('made for HoloLens 2')}`);
   });
 
   it('do not include a coarse clock, which is shown with its ±', async () => {
@@ -158,7 +161,7 @@ describe('faults', () => {
 
     assert.deepEqual((await cells(page, 'left door')).slice(0, 2), Array(2).fill('coarse, ±\u00a03\u00a0ms'));
     assert.equal(await page.textContent('#clock'), 'coarse, ±\u00a04\u00a0ms, of press');
-    assert.equal((await page.locator('[aria-label="Clocks of the plant"] tr:has(th:text-is("press")) td').allInnerTexts())[1], 'coarse, ±\u00a04\u00a0ms');
+    assert.equal((await page.locator(`[aria-label="${longLabels.plantClocks}"] tr:has(th:text-is("press")) td`).allInnerTexts())[1], 'coarse, ±\u00a04\u00a0ms');
     assert.equal(await page.locator('#headsets tr:has-text("left door") .level').getAttribute('class'), 'level ok');
   });
 
@@ -183,7 +186,7 @@ describe('faults', () => {
     delete gateway.state.status;
     const page = await open();
 
-    await becomes(page, '#status', 'Not known: the gateway does not report its state.');
+    await becomes(page, '#status', operationsMessages.stateNotReported);
     assert.equal(await page.getAttribute('#status', 'class'), 'level unknown');
   });
 

@@ -2,6 +2,7 @@
 import { after, afterEach, before, beforeEach } from 'node:test';
 import { Browser, NO_WEBGL, WEBGL } from '../browser.mjs';
 import { FakeGateway } from '../fakeGateway.mjs';
+import { messages } from '../messages.mjs';
 
 /** The gateway of the current test. */
 export let gateway;
@@ -50,3 +51,12 @@ export const cells = (page, row) => page.locator(`tr:has(th:has-text("${row}"))`
 
 export const becomes = (page, selector, part) => page.waitForFunction(
   ([selector, part]) => document.querySelector(selector)?.textContent.includes(part), [selector, part]);
+
+/** Waits until the text below the robot has the distance of the displayed tool from the true one, in the given range in mm. */
+export const showsToolError = (page, min = 0, max = Infinity) => {
+  const [before, after] = messages.robotMessages.toolError('', 5, null).split(/5\.?0*.mm/);
+  return page.waitForFunction(([before, after, min, max]) => {
+    const mm = document.querySelector('.apart').textContent.split(before)[1]?.split(after.slice(0, -1))[0].match(/[\d.]+/)?.[0];
+    return mm !== undefined && Number(mm) >= min && Number(mm) <= max;
+  }, [before, after, min, max]);
+};

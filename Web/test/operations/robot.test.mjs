@@ -2,8 +2,11 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { JOINTS, UPRIGHT } from '../fakeGateway.mjs';
+import { messages } from '../messages.mjs';
 import { picture } from '../pixels.mjs';
-import { becomes, gateway, open, withGraphics } from './page.mjs';
+import { becomes, gateway, open, showsToolError, withGraphics } from './page.mjs';
+
+const { jointReasons, robotMessages, robotReasons } = messages;
 
 /** Number of bodies in one picture of the 3D view: draw calls between two clears. */
 const bodiesDrawn = async page => {
@@ -30,14 +33,14 @@ describe('the robot', () => {
   it('is neither drawn nor compared below a joint that was never received', async () => {
     gateway.turned = 0;
     const page = await open({ reducedMotion: 'reduce' });
-    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+    await showsToolError(page);
     const whole = await bodiesDrawn(page);
 
     gateway.turned = null;
     gateway.sets = [JOINTS.slice(0, 1)];
     await page.reload();
-    await becomes(page, '#robot .level', 'arm_joint_2 has not been received');
-    await becomes(page, '.apart', 'The position of the tool is not known');
+    await becomes(page, '#robot .level', jointReasons.notReceived('arm_joint_2'));
+    await becomes(page, '.apart', robotMessages.toolUnknown);
     const base = await bodiesDrawn(page);
 
     assert.ok((await picture(page, page.locator('.stage'), counts => counts.grey > 100)).grey > 100, 'its base');
@@ -47,7 +50,7 @@ describe('the robot', () => {
   it('is drawn beside the robots in namespaces, which have joints of the same names', async () => {
     gateway.turned = null;
     const page = await open({ reducedMotion: 'reduce' });
-    await page.waitForFunction(() => /does not report/.test(document.querySelector('.apart').textContent));
+    await becomes(page, '.apart', robotMessages.toolError('left door', null, null).slice(0, -1));
     const alone = await bodiesDrawn(page);
 
     gateway.robots = ['arm2'];
@@ -69,14 +72,14 @@ describe('the robot', () => {
 
   it('is not drawn below a joint whose data is not live, while other joints are', async () => {
     const page = await open();
-    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+    await showsToolError(page);
 
     Object.assign(gateway.state.joints[2], { state: 'stale', reason: 'samples stopped arriving' });
-    await becomes(page, '#robot .level', 'arm_joint_3 is stale');
-    await becomes(page, '.apart', 'The position of the tool is not known');
+    await becomes(page, '#robot .level', jointReasons.inState('arm_joint_3', 'stale'));
+    await becomes(page, '.apart', robotMessages.toolUnknown);
 
     gateway.state.joints[2].state = 'rest';
-    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+    await showsToolError(page);
   });
 
   it('shows the distance between the displayed and the true tool at one time', async () => {
@@ -84,12 +87,12 @@ describe('the robot', () => {
 
     // Turned by 0.1 rad about the base axis, from which the tool is 0.4809 m away (from the command line's kinematics). On a busy machine
     // messages arrive in bursts, and positions between two bursts are wrong for a while.
-    await page.waitForFunction(
-      far => Math.abs(Number(/shows the tool ([\d.]+)/.exec(document.querySelector('.apart').textContent)?.[1]) - far) < 1, 2 * 480.9 * Math.sin(0.05));
+    const far = 2 * 480.9 * Math.sin(0.05);
+    await showsToolError(page, far - 1, far + 1);
     gateway.turned = 0;
-    await page.waitForFunction(() => /less than 0.1|tool [0-4]\.\d/.test(document.querySelector('.apart').textContent));
+    await showsToolError(page, 0, 5);
 
-    assert.match(await page.textContent('.apart'), /without compensation about/);
+    assert.match(await page.textContent('.apart'), /mm.*mm/, 'also without compensation');
   });
 
   it('at rest has a distance of less than 0.1 mm', async () => {
@@ -97,23 +100,22 @@ describe('the robot', () => {
     gateway.pace = 0;
     const page = await open();
 
-    await page.waitForFunction(() => /shows the tool less than 0.1.mm from where it was; without compensation less than 0.1.mm\./
-      .test(document.querySelector('.apart').textContent));
+    await becomes(page, '.apart', robotMessages.toolError('left door', 0, 0));
   });
 
   it('without new positions is not compared', async () => {
     const page = await open();
-    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+    await showsToolError(page);
 
     gateway.isSilent = true;
 
-    await becomes(page, '.apart', 'arrive too late');
+    await becomes(page, '.apart', robotMessages.late);
   });
 
   it('is drawn three times, each in its own colour', async () => {
     gateway.turned = 1;
     const page = await open({ reducedMotion: 'reduce' });
-    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+    await showsToolError(page);
     const areSeen = counts => counts.blue > 1500 && counts.orange > 100 && counts.grey > 1500;
     const colours = await picture(page, page.locator('.stage'), areSeen);
 
@@ -123,14 +125,14 @@ describe('the robot', () => {
 
   // Only one other body is drawn, because the mixture of all three colours would be grey again.
   for (const [other, said] of [
-    ['displayed', /shows the tool less than 0\.1.mm from where it was\.$/], ['held', /what it displays; without compensation less than 0\.1/],
+    ['displayed', robotMessages.toolError('left door', 0, null)], ['held', robotMessages.toolError('left door', null, 0)],
   ]) {
     it(`has the colour of the truth where the ${other} pose is the same`, async () => {
       gateway.turned = other === 'displayed' ? 0 : null;
       gateway.pace = 0;
       if (other === 'displayed') delete gateway.state.headsets[0].l_app_ms;
       const page = await open({ reducedMotion: 'reduce' });
-      await page.waitForFunction(said => new RegExp(said).test(document.querySelector('.apart').textContent), said.source);
+      await becomes(page, '.apart', said);
 
       const isGrey = counts => counts.grey > 1500 && counts.blue + counts.orange < counts.grey / 100;
       const colours = await picture(page, page.locator('.stage'), isGrey);
@@ -142,7 +144,7 @@ describe('the robot', () => {
   it('stays completely visible when it moves', async () => {
     gateway.turned = 1;
     const page = await open({ reducedMotion: 'reduce' });
-    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+    await showsToolError(page);
 
     for (const rest of [[2.9, 0.3, -0.2, 0.3, 2.9], UPRIGHT]) {
       gateway.rest = rest;
@@ -178,8 +180,8 @@ describe('the robot', () => {
     gateway.urdf = gateway.urdf.replace(/<geometry>[^]*?<\/geometry>/g, '<geometry><mesh filename="package://robot/link.stl"/></geometry>')
       .replace('<material', '<material name="t"><texture filename="http://127.0.0.1:9/t.png"/></material><material');
     const page = await open({ reducedMotion: 'reduce' });
-    await becomes(page, '.robot .missing', 'Lines replace');
-    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+    await becomes(page, '.robot .missing', robotMessages.meshesReplaced(8).split('8')[0]);
+    await showsToolError(page);
 
     const { blue } = await picture(page, page.locator('.stage'), counts => counts.blue > 20);
 
@@ -189,7 +191,7 @@ describe('the robot', () => {
 
   it('that replaces another frees its graphics memory', async () => {
     const page = await open({ reducedMotion: 'reduce' });
-    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+    await showsToolError(page);
     await page.locator('.stage').scrollIntoViewIfNeeded();
     const meshes = gateway.urdf.replace(/<geometry>[^]*?<\/geometry>/g, '<geometry><mesh filename="link.stl"/></geometry>');
     const solid = gateway.urdf;
@@ -209,7 +211,7 @@ describe('the robot', () => {
     gateway.urdf = 'no robot at all';
     const page = await open();
 
-    await becomes(page, '.robot .missing', 'not a URDF');
+    await becomes(page, '.robot .missing', robotMessages.notShown(robotReasons.notUrdf));
     assert.deepEqual(page.complaints, []);
   });
 
@@ -218,8 +220,8 @@ describe('the robot', () => {
 describe('the robot without WebGL', () => {
   it('shows one message and the distances', async () => {
     const page = await open();
-    await becomes(page, '.robot .missing', 'no WebGL');
-    await page.waitForFunction(() => /shows the tool [\d.]+/.test(document.querySelector('.apart').textContent));
+    await becomes(page, '.robot .missing', robotMessages.noWebGl);
+    await showsToolError(page);
     assert.equal(await page.locator('.stage').count(), 0);
     assert.deepEqual(page.complaints, []);
   });

@@ -3,7 +3,10 @@ import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { JOINTS } from '../fakeGateway.mjs';
 import { hasInk } from '../inks.mjs';
+import { messages } from '../messages.mjs';
 import { becomes, cells, gateway, open } from './page.mjs';
+
+const { emptyMessages, operationsLabels, operationsMessages } = messages;
 
 /** Text of the note below a row; null if there is none. */
 const noteOf = async (page, row) => {
@@ -47,7 +50,7 @@ describe('the shown state', () => {
     assert.match(await page.textContent('#clock'), /synchronised, of press, ±\u00a035.*, within 120/);
     assert.deepEqual((await cells(page, 'belt')).slice(0, 2), ['ads', 'refused']);
     assert.equal(await noteOf(page, 'belt'), 'the router does not know this machine');
-    assert.deepEqual((await cells(page, 'press_ads')).slice(0, 4), ['measured against the control clock', 'synchronised', '12.5', '4.20']);
+    assert.deepEqual((await cells(page, 'press_ads')).slice(0, 4), [operationsLabels.measuredClock, 'synchronised', '12.5', '4.20']);
     assert.deepEqual((await cells(page, 'press_ads')).slice(5, 7), ['25', '90'], 'its ± beside its bound');
     assert.equal((await cells(page, 'press_ads'))[8], '2');
     assert.equal(await noteOf(page, 'press_ads'), 'last failure: no answer within 2 s');
@@ -67,7 +70,7 @@ describe('the shown state', () => {
     await page.locator('#cell-objects .level.warning').waitFor();
     assert.deepEqual((await cells(page, 'workpiece_1')).slice(0, 3), ['stale', 'tool_centre_point', '61\u00a0s']);
     assert.equal(await page.locator('#cell-objects .level.warning').count(), 1);
-    assert.match(await page.innerText('#cell-objects'), /No source publishes signals/);
+    assert.ok((await page.innerText('#cell-objects')).includes(emptyMessages.signals));
     gateway.state.frames = [{ name: 'lid', parent: null, source: 'cell', state: 'missing', age_s: null, reason: 'no value has arrived since the start' }];
     gateway.state.signals = [{ name: 'grip', value: null, source: 'cell', state: 'fault', age_s: null, reason: 'the server no longer has this node' }];
 
@@ -84,9 +87,9 @@ describe('the shown state', () => {
     gateway.state.sources[0].beyond_limits = [JOINTS[1]];
     const page = await open();
 
-    assert.match(await noteOf(page, JOINTS.join(', ')), /^outside the limits of the robot described, and drawn at the limit: arm_joint_2\./);
+    assert.equal(await noteOf(page, JOINTS.join(', ')), operationsMessages.beyondLimits([JOINTS[1]]));
     gateway.state.sources[0].beyond_limits = [];
-    await page.waitForFunction(() => !document.querySelector('#plants').textContent.includes('outside the limits'));
+    await page.waitForFunction(text => !document.querySelector('#plants').textContent.includes(text), operationsMessages.beyondLimits([JOINTS[1]]));
     assert.equal(await noteOf(page, JOINTS.join(', ')), null);
   });
 
@@ -186,7 +189,7 @@ describe('the shown state', () => {
     const page = await open({}, false);
 
     await becomes(page, '#clock', 'not known');
-    assert.match(await page.textContent('#headsets'), /No headset is connected/);
+    assert.ok((await page.textContent('#headsets')).includes(emptyMessages.headsets));
     assert.deepEqual(page.complaints, []);
   });
 });

@@ -3,8 +3,11 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { describe, it } from 'node:test';
 import { contrast, luminance } from '../inks.mjs';
+import { messages } from '../messages.mjs';
 import { readElement } from '../qr.mjs';
-import { becomes, cells, gateway, open, withGraphics } from './page.mjs';
+import { becomes, cells, gateway, open, showsToolError, withGraphics } from './page.mjs';
+
+const { gatewayReasons, operationsLabels, operationsMessages } = messages;
 
 /** Lowest contrast with the page of all texts in the content, after opacity and greyscale. */
 const weakestText = page => page.evaluate(() => {
@@ -49,7 +52,7 @@ describe('actions', () => {
 
     assert.ok(await page.locator('#record').isHidden());
     assert.ok(await page.locator('#recordings-section').isHidden());
-    assert.match(await page.textContent('#recording'), /no folder/);
+    assert.equal(await page.textContent('#recording'), operationsMessages.noFolder);
   });
 
   it('list and download recordings with their sizes, and show a deleted one', async () => {
@@ -64,14 +67,14 @@ describe('actions', () => {
     gateway.recordings = [];
     await becomes(page, '#recordings-note', 'Deleted: press-1.jsonl');
     gateway.state.recording = { can: true, on: false, file: 'press-1.jsonl', lines: 5, bytes: 10, lost: 0, deleted: true };
-    await becomes(page, '#recording', 'last press-1.jsonl: the file was deleted');
+    await becomes(page, '#recording', `last press-1.jsonl: ${operationsLabels.recordingDeleted}`);
   });
 
   it('list recordings only for operators', async () => {
     gateway.state.role = 'observer';
     const page = await open();
 
-    await becomes(page, '#recordings-note', 'log in with a token of the role operator');
+    await becomes(page, '#recordings-note', operationsMessages.listAsOperator);
     assert.equal(await page.locator('#recordings a').count(), 0);
   });
 
@@ -79,7 +82,7 @@ describe('actions', () => {
     gateway.state.role = 'observer';
     const page = await open();
     assert.ok(await page.isDisabled('#record'));
-    assert.match(await page.textContent('#may-record'), /role operator/);
+    assert.equal(await page.textContent('#may-record'), operationsMessages.recordAsOperator);
 
     gateway.state.recording = { can: true, on: false, file: 'a.jsonl', lines: 5, bytes: 10, lost: 3, problem: 'the disk is full' };
     await becomes(page, '#recording', '3 lines are missing. Problem: the disk is full');
@@ -107,7 +110,7 @@ describe('actions', () => {
     assert.ok(!(await page.content()).includes('open-sesame'));
     await page.click('#logout');
     await page.waitForSelector('#login', { state: 'visible' });
-    assert.match(await page.textContent('#trouble'), /Log in/);
+    assert.ok((await page.textContent('#trouble')).startsWith(operationsMessages.loggedOut));
   });
 
   it('show and hide the pairing code', async () => {
@@ -153,7 +156,7 @@ describe('a gateway that does not answer', () => {
     const page = await open();
 
     gateway.isSilent = true;
-    await becomes(page, '#trouble', 'does not answer. The data shown are from');
+    await becomes(page, '#trouble', operationsMessages.noNewState(gatewayReasons.noAnswer, ''));
     assert.ok(await page.locator('#content.stale').count());
     assert.ok(await weakestText(page) > 4.5, 'stale data are readable');
     const changes = await page.evaluate(async () => {
@@ -172,7 +175,7 @@ describe('a gateway that does not answer', () => {
 
   it('is reconnected, and its robot moves again', async () => {
     const page = await open();
-    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+    await showsToolError(page);
 
     gateway.hangUp();
     gateway.began -= 100_000;
@@ -182,7 +185,7 @@ describe('a gateway that does not answer', () => {
       assert.ok(Date.now() < deadline, 'the page did not reconnect');
       await new Promise(done => setTimeout(done, 50));
     }
-    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+    await showsToolError(page);
   });
 });
 
@@ -258,7 +261,7 @@ describe('accessibility in any window', () => {
   it('redraws only once a second with reduced motion', async () => {
     const frames = async reducedMotion => {
       const page = await open({ reducedMotion });
-      await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+      await showsToolError(page);
       await page.locator('.stage').scrollIntoViewIfNeeded();
       return page.evaluate(async () => {
         let count = 0;

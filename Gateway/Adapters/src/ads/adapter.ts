@@ -2,6 +2,7 @@ import type { AdapterContext } from '../adapter';
 import { Backoff, pause } from '../backoff';
 import { AdsSession } from './session';
 import { settingsOf } from './settings';
+import { adsMessages } from '../messages/ads';
 
 const STEADY_MS = 2000;
 
@@ -10,9 +11,7 @@ export async function run(context: AdapterContext): Promise<void> {
   const { configuration, status, log, stopping } = context;
   const settings = settingsOf(configuration);
   const backoff = new Backoff();
-  log.line(
-    "ADS is neither encrypted nor authenticated (plain: true): anyone with access to this network can read the PLC's data and imitate the PLC",
-  );
+  log.line(adsMessages.notSecure);
   status.detail('endpoint', String(configuration.plant.endpoint));
   status.detail('security', 'none');
   status.detail('sampling_ms', settings.samplingMs);

@@ -5,6 +5,8 @@ import type { TimeUnit } from '../samples/timeUnit';
 import { type Nanoseconds, ofFileTime } from '../times';
 import { timeOf } from './decoding';
 import type { ReadOnlyClient } from './readOnlyClient';
+import { adsMessages } from '../messages/ads';
+import { clockMessages } from '../messages/gateway';
 
 const PROBES = 64;
 const PROBE_EVERY_MS = 1;
@@ -66,7 +68,7 @@ export class NotificationTime implements PlcTime {
     if (this.#asking === 0) this.#early.clear();
     if (early !== undefined) return Promise.resolve(early);
     return new Promise((resolve, reject) => {
-      const timer = setTimeout(() => reject(new Error(`no first notification within ${MAX_WAIT_MS} ms`)), MAX_WAIT_MS);
+      const timer = setTimeout(() => reject(new Error(adsMessages.noNotification(MAX_WAIT_MS))), MAX_WAIT_MS);
       this.#waiting.set(handle, stamp => {
         clearTimeout(timer);
         resolve(stamp);
@@ -100,7 +102,7 @@ export class VariableTime implements PlcTime {
   async #value(): Promise<Nanoseconds> {
     const { indexGroup, indexOffset, size, name } = this.symbol;
     const time = timeOf(this.symbol, this.unit, await this.client.readRaw(indexGroup, indexOffset, size));
-    if (time === null) throw new Error(`${name} does not contain a valid time`);
+    if (time === null) throw new Error(clockMessages.noTime(name));
     return time;
   }
 
@@ -118,7 +120,7 @@ export class VariableTime implements PlcTime {
       .slice(1)
       .map((time, i) => time - times[i])
       .filter(step => step > 0n);
-    if (steps.length === 0) throw new Error(`${this.symbol.name} does not advance`);
+    if (steps.length === 0) throw new Error(adsMessages.clockStopped(this.symbol.name));
     return steps.reduce((min, step) => (step < min ? step : min));
   }
 }

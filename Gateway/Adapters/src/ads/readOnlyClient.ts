@@ -1,6 +1,7 @@
 import { ADS, type AdsCommandToSend, type AdsResponse, type AmsTcpPacket, Client } from 'ads-client';
 import type { AdsEndpoint } from './endpoint';
 import { parseStream, type StampedSamples } from './stream';
+import { adsMessages } from '../messages/ads';
 
 const MAX_FRAME = 16 * 1024 * 1024;
 const TIMEOUT_MS = 1500;
@@ -54,7 +55,7 @@ export class ReadOnlyClient extends Client {
     hidden.handleReceivedData = () =>
       this.#unlessBroken(() => {
         const { receiveBuffer } = hidden;
-        if (receiveBuffer.length >= 6 && receiveBuffer.readUInt32LE(2) > MAX_FRAME) throw new RangeError('the frame is larger than 16 MiB');
+        if (receiveBuffer.length >= 6 && receiveBuffer.readUInt32LE(2) > MAX_FRAME) throw new RangeError(adsMessages.frameTooLarge);
         received();
       });
   }
@@ -69,7 +70,7 @@ export class ReadOnlyClient extends Client {
   override async sendAdsCommand<T = AdsResponse>(command: AdsCommandToSend): Promise<AmsTcpPacket<T>> {
     const isReading =
       READING.includes(command.adsCommand) || (command.adsCommand === COMMAND.ReadWrite && LOOKING_UP.includes(command.payload!.readUInt32LE(0)));
-    if (!isReading) throw new Error(`command ${command.adsCommand} would write to the control system; adapters only read`);
+    if (!isReading) throw new Error(adsMessages.wouldWrite(command.adsCommand));
     return super.sendAdsCommand<T>(command);
   }
 

@@ -1,6 +1,7 @@
 import { getSystemErrorName } from 'node:util';
 import type { AdsEndpoint } from './endpoint';
 import type { ReadOnlyClient } from './readOnlyClient';
+import { adsMessages } from '../messages/ads';
 
 const RUN = 5;
 
@@ -14,27 +15,16 @@ export const isSymbolNotFound = (error: unknown): boolean => codeOf(error) === S
 export function reasonOf(error: unknown, client: ReadOnlyClient, endpoint: AdsEndpoint, localNetId: string | null): string {
   const { host, tcpPort, netId, port } = endpoint;
   const system = client.metaData.tcSystemState;
-  if (system !== undefined && system.adsState !== RUN)
-    return `TwinCAT at ${netId} is in ${system.adsStateStr} mode; reading continues when TwinCAT runs`;
+  if (system !== undefined && system.adsState !== RUN) return adsMessages.notRunning(netId, String(system.adsStateStr));
   const refused = /socket error (-\d+)/.exec(messageOf(error));
-  if (refused !== null)
-    return (
-      `nothing answers at ${host}:${tcpPort} (${getSystemErrorName(Number(refused[1]))}); `
-      + `check that TwinCAT or its router runs there and that its firewall allows TCP ${tcpPort}`
-    );
+  if (refused !== null) return adsMessages.noRouter(host, tcpPort, getSystemErrorName(Number(refused[1])));
   switch (codeOf(error)) {
     case TARGET_PORT:
-      return `no PLC runtime at AMS port ${port} of ${netId}; the first runtime of TwinCAT 3 has port 851, that of TwinCAT 2 port 801`;
+      return adsMessages.noRuntime(port, netId);
     case TARGET_MACHINE:
-      return `${host} does not know the AMS Net Id ${netId}; check it, and that ${host} is that machine or has a route to it`;
+      return adsMessages.unknownNetId(host, netId);
   }
-  if (client.isHungUp || /[Tt]imeout|socket (closed|ended)/.test(messageOf(error)))
-    return `${host} accepts the connection but does not answer${
-      localNetId === null
-        ? ''
-        : `; if it has never answered, add a route to this machine: `
-          + `in TwinCAT, SYSTEM > Routes > Add, AMS Net Id ${localNetId}, transport TCP_IP, the address of this machine`
-    }`;
+  if (client.isHungUp || /[Tt]imeout|socket (closed|ended)/.test(messageOf(error))) return adsMessages.noAnswer(host, localNetId);
   return messageOf(error);
 }
 

@@ -12,6 +12,7 @@ import type { AdsSettings } from './settings';
 import { SilentSymbols } from './silentSymbols';
 import type { StampedSamples } from './stream';
 import { findSymbol, type NamedSymbol, SymbolError } from './symbols';
+import { adsMessages, symbolMessages } from '../messages/ads';
 
 const RUN = 5;
 const GOODBYE_MS = 500;
@@ -55,8 +56,7 @@ export class AdsSession {
       Math.ceil(settings.publishingMs / settings.samplingMs),
       (time, values) => this.#put(time, values),
       values => {
-        for (const { index } of values)
-          context.output.refuse(index, 'stamp-missing', `the value arrived without ${settings.time?.symbol} of its cycle`);
+        for (const { index } of values) context.output.refuse(index, 'stamp-missing', adsMessages.noTimeOfCycle(settings.time!.symbol));
       },
     );
   }
@@ -89,7 +89,7 @@ export class AdsSession {
     client.onSamples = stamps => this.#hear(stamps);
     client.on('connectionLost', () => this.#end(this.#whyLost()));
     client.on('plcSymbolVersionChange', (next, before) => {
-      if (before !== undefined && before !== next) this.#end('the PLC has a new program; its variables are looked up again');
+      if (before !== undefined && before !== next) this.#end(adsMessages.newProgram);
     });
     client.on('plcRuntimeStateChange', () => this.#tellState());
   }
@@ -151,7 +151,7 @@ export class AdsSession {
           output.hold(now - ofMilliseconds(agoMs + STAMP_LAG_MS + samplingMs), ofMilliseconds(3 * samplingMs), new Set(others));
         },
         lose: (index, error) => {
-          if (this.#isRunning) output.lose(index, `${this.settings.values[index].symbol} cannot be read: ${this.#reasonOf(error)}`);
+          if (this.#isRunning) output.lose(index, adsMessages.notReadable(this.settings.values[index].symbol, this.#reasonOf(error)));
         },
         renew: async (index, value) => {
           for (const [handle, watched] of this.#watched) {
@@ -201,7 +201,7 @@ export class AdsSession {
           continue;
         }
         const { symbol, index } = watched;
-        if (data.length < symbol.size) return this.#end(`${symbol.name} has moved in the PLC's memory; its variables are looked up again`);
+        if (data.length < symbol.size) return this.#end(adsMessages.moved(symbol.name));
         if (index === null) time = timeOf(symbol, this.#unit, data);
         else {
           values.push({ index, value: numberOf(symbol, data) });
@@ -219,8 +219,7 @@ export class AdsSession {
     if (isOnChange && stamp !== null && this.#isRunning)
       this.context.output.hold(stamp - ofMilliseconds(samplingMs + publishingMs), ofMilliseconds(3 * samplingMs), new Set(values.map(v => v.index)));
     if (this.#isRunning) return this.context.output.publish(values.map(value => ({ ...value, stamp })));
-    for (const { index } of values)
-      this.context.output.refuse(index, 'plc-stopped', "the PLC's program does not run, so its variables do not change");
+    for (const { index } of values) this.context.output.refuse(index, 'plc-stopped', adsMessages.valuesStopped);
   }
 
   #tellState(): void {
@@ -231,20 +230,20 @@ export class AdsSession {
       this.context.status.enter('connected');
       void this.#attachClock();
     } else {
-      this.context.status.enter('waiting', `the PLC's program is in state ${adsStateStr}; positions continue when it runs`);
+      this.context.status.enter('waiting', adsMessages.programState(String(adsStateStr)));
       this.context.clock.detach();
     }
   }
 
   async #attachClock(): Promise<void> {
     const read = (): Promise<ClockReading> => {
-      if (!this.#isRunning) throw new Error("the PLC's program does not run; start it");
+      if (!this.#isRunning) throw new Error(adsMessages.programStopped);
       return this.#time!.read();
     };
     try {
       await this.context.clock.attach(read, this.context.stopping);
     } catch (error) {
-      if (this.#isRunning) this.#end(`the PLC's clock cannot be read: ${this.#reasonOf(error)}`);
+      if (this.#isRunning) this.#end(adsMessages.clockNotReadable(this.#reasonOf(error)));
     }
   }
 
@@ -256,9 +255,7 @@ export class AdsSession {
   #whyLost(): string {
     const system = this.#client.metaData.tcSystemState;
     const { host, netId } = this.settings.endpoint;
-    return system !== undefined && system.adsState !== RUN
-      ? `TwinCAT at ${netId} went to ${system.adsStateStr} mode`
-      : `the connection to ${host} ended`;
+    return system !== undefined && system.adsState !== RUN ? adsMessages.stopped(netId, String(system.adsStateStr)) : adsMessages.ended(host);
   }
 
   // Removes the notifications if the PLC still answers; does not wait for one that does not.
@@ -271,11 +268,10 @@ export class AdsSession {
 }
 
 const numberNeeded = (found: AdsSymbol): string | undefined => {
-  if (found.arrayDimension > 0) return `name one element, such as ${found.name}[${found.arrayInfo[0]?.startIndex ?? 0}]`;
-  return isNumber(found) ? undefined : 'a position must be a number: LREAL, REAL or a whole number';
+  if (found.arrayDimension > 0) return symbolMessages.array(`${found.name}[${found.arrayInfo[0]?.startIndex ?? 0}]`);
+  return isNumber(found) ? undefined : symbolMessages.notNumber;
 };
 
 const stateNeeded = (found: AdsSymbol): string | undefined => (isState(found) ? undefined : numberNeeded(found));
 
-const timeNeeded = (found: AdsSymbol): string | undefined =>
-  canHoldTime(found) ? undefined : 'a time must have 64 bits: LINT, ULINT, LREAL, LTIME or T_FILETIME';
+const timeNeeded = (found: AdsSymbol): string | undefined => (canHoldTime(found) ? undefined : symbolMessages.notTime);

@@ -1,9 +1,11 @@
 import { type Configuration, type OwnCheck, readNames } from '../configuration/configuration';
-import { shown } from '../configuration/problem';
 import type { Path } from '../configuration/yamlFile';
 import type { TimeUnit } from '../samples/timeUnit';
 import { type AdsEndpoint, isNetId, parseEndpoint } from './endpoint';
 import type { NamedSymbol } from './symbols';
+import { adsSettingMessages } from '../messages/ads';
+import { configurationMessages } from '../messages/configuration';
+import { summaryMessages } from '../messages/gateway';
 
 /** An AMS port of the range that TwinCAT's router assigns to clients. */
 const OWN_PORT = 32905;
@@ -39,22 +41,15 @@ const sectionOf = (configuration: Configuration): PlantSection => configuration.
 /** Checks what the schema cannot check. */
 export const check: OwnCheck = (file, configuration) => {
   const plant = sectionOf(configuration);
-  if (parseEndpoint(plant.endpoint) === undefined)
-    file.report(['plant', 'endpoint'], `value ${shown(plant.endpoint)}; the parts of an AMS Net Id are 0 to 255, ports 1 to 65535`);
+  if (parseEndpoint(plant.endpoint) === undefined) file.report(['plant', 'endpoint'], adsSettingMessages.endpoint(plant.endpoint));
   if (plant.local_net_id !== undefined && !isNetId(plant.local_net_id))
-    file.report(['plant', 'local_net_id'], `value ${shown(plant.local_net_id)}; the parts of an AMS Net Id are 0 to 255`);
-  if (plant.plain !== true)
-    file.report(
-      ['plant', 'plain'],
-      'missing; ADS is neither encrypted nor authenticated here: ' + 'if all machines in its network are trusted, set plain: true',
-    );
-  if (plant.timestamp === 'variable' && plant.time === undefined)
-    file.report(['plant', 'timestamp'], 'value "variable"; add time with the symbol of the time variable');
+    file.report(['plant', 'local_net_id'], adsSettingMessages.netId(plant.local_net_id));
+  if (plant.plain !== true) file.report(['plant', 'plain'], adsSettingMessages.notPlain);
+  if (plant.timestamp === 'variable' && plant.time === undefined) file.report(['plant', 'timestamp'], configurationMessages.noTimeVariable('symbol'));
   if (plant.timestamp === 'notification' && plant.time !== undefined)
-    file.report(['plant', 'time'], 'timestamp is notification; remove time, or set timestamp to variable');
+    file.report(['plant', 'time'], configurationMessages.unusedTime('notification'));
   const { samplingMs, publishingMs } = intervalsOf(plant);
-  if (publishingMs < samplingMs)
-    file.report(['plant', 'publishing_ms'], `value ${publishingMs}; allowed: a time from sampling_ms, ${samplingMs}, to 10000 ms`);
+  if (publishingMs < samplingMs) file.report(['plant', 'publishing_ms'], configurationMessages.publishingTooShort(publishingMs, samplingMs));
   const { joints = [], frames = [] } = file.value as Record<'joints' | 'frames', { silence?: unknown }[] | undefined>;
   const silent: [Path, { silence?: unknown }][] = [
     [['plant'], (file.value as { plant: object }).plant],
@@ -62,9 +57,7 @@ export const check: OwnCheck = (file, configuration) => {
     ...frames.map((frame, i): [Path, object] => [['frames', i], frame]),
   ];
   if (plant.on_change !== true)
-    for (const [path, { silence }] of silent)
-      if (silence === 'rest')
-        file.report([...path, 'silence'], 'value "rest"; without on_change: true values at rest are sent too, so missing values are always a fault');
+    for (const [path, { silence }] of silent) if (silence === 'rest') file.report([...path, 'silence'], adsSettingMessages.restWithoutOnChange);
 };
 
 const intervalsOf = (plant: PlantSection): { samplingMs: number; publishingMs: number } => {
@@ -86,10 +79,10 @@ export function settingsOf(configuration: Configuration): AdsSettings {
 
 export const summary = (configuration: Configuration): string => {
   const { time, samplingMs, publishingMs } = settingsOf(configuration);
-  const stamp = time === null ? 'the stamp of ADS' : `the variable ${time.symbol}`;
+  const stamp = time === null ? summaryMessages.adsStamp : summaryMessages.timeVariable(time.symbol);
   return [
     `ADS ${sectionOf(configuration).endpoint}, NO SECURITY`,
-    `t_k is ${stamp}, sampled every ${samplingMs} ms, published every ${publishingMs} ms`,
-    readNames(configuration, 'only its clock'),
+    summaryMessages.stamps(stamp, samplingMs, publishingMs),
+    readNames(configuration, summaryMessages.onlyClock),
   ].join('; ');
 };

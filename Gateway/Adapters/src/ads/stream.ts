@@ -1,3 +1,5 @@
+import { adsMessages } from '../messages/ads';
+
 /** The values of a device's variables at one time. */
 export interface StampedSamples {
   /** Time in 100 ns since 1601 UTC, as written by the device. */
@@ -19,7 +21,7 @@ export function parseStream(data: Buffer): StampedSamples[] {
     for (at += 12; count > 0; count--) {
       const handle = data.readUInt32LE(at);
       const length = data.readUInt32LE(at + 4);
-      if (at + 8 + length > data.length) throw new RangeError(`a sample has ${length} bytes, more than its frame of ${data.length}`);
+      if (at + 8 + length > data.length) throw new RangeError(adsMessages.sampleTooLarge(length, data.length));
       samples.push({ handle, data: data.subarray(at + 8, at + 8 + length) });
       at += 8 + length;
     }

@@ -2,6 +2,7 @@ import type { AdsSymbol } from 'ads-client';
 import { nearest } from '../configuration/nearest';
 import type { ReadOnlyClient } from './readOnlyClient';
 import { isSymbolNotFound } from './reasons';
+import { symbolMessages } from '../messages/ads';
 
 const MAX_TABLE = 8 * 1024 * 1024;
 
@@ -29,17 +30,17 @@ export async function findSymbol(
     found = await client.getSymbol(symbol);
   } catch (error) {
     if (!isSymbolNotFound(error)) throw error;
-    throw new SymbolError(`${file}, line ${line}: the PLC has no symbol ${symbol}${await near(client, symbol)}`);
+    throw new SymbolError(symbolMessages.unknown(`${file}, line ${line}`, symbol, await near(client, symbol)));
   }
   const objection = objectionTo(found);
-  if (objection !== undefined) throw new SymbolError(`${file}, line ${line}: ${symbol} is ${found.type}; ${objection}`);
+  if (objection !== undefined) throw new SymbolError(symbolMessages.unusable(`${file}, line ${line}`, symbol, found.type, objection));
   return found;
 }
 
-async function near(client: ReadOnlyClient, symbol: string): Promise<string> {
+/** Gets similar symbols of the PLC; undefined if its table is too long to be read. */
+async function near(client: ReadOnlyClient, symbol: string): Promise<string[] | undefined> {
   const { symbolLength } = await client.readPlcUploadInfo();
-  if (symbolLength > MAX_TABLE) return '';
+  if (symbolLength > MAX_TABLE) return undefined;
   const names = Object.values(await client.getSymbols()).map(s => s.name);
-  const close = nearest(symbol, names, 3);
-  return close.length === 0 ? '; look up its symbols in the PLC program' : `; similar symbols are ${close.join(', ')}`;
+  return nearest(symbol, names, 3);
 }

@@ -1,17 +1,15 @@
 import type { AdapterContext } from '../adapter';
+import { reportAddress } from '../mqtt/address';
 import { publish } from './publish';
 import { settingsOf } from './settings';
 import { subscribe } from './subscribe';
 
 /** Transfers a plant's messages between a gateway and a broker, in one direction, until it is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
-  const { configuration, status, log } = context;
+  const { configuration, status } = context;
   const settings = settingsOf(configuration);
-  status.detail('endpoint', settings.endpoint);
-  status.detail('security', settings.endpoint.startsWith('mqtts:') ? 'tls' : 'none');
+  reportAddress(settings.broker, context);
   status.detail('direction', settings.direction);
-  if (settings.isPlain)
-    log.line('this broker is neither encrypted nor authenticated (plain: true): anyone with access to its network can imitate the plant');
   status.enter('connecting');
   await (settings.direction === 'publish' ? publish : subscribe)(context, settings);
 }

@@ -1,13 +1,6 @@
-import { randomBytes } from 'node:crypto';
-import { connect, type IClientOptions, type MqttClient } from 'mqtt';
-import { Backoff, pause } from '../backoff';
 import { SendQueue } from '../gateway/sendQueue';
+import { MqttLink } from '../mqtt/link';
 import type { BrokerSettings } from './settings';
-
-const KEEP_ALIVE_S = 3;
-const CONNECT_MS = 5000;
-const STEADY_MS = 2000;
-const GOODBYE_MS = 500;
 
 /**
  * The topics below the plant's topic: those with ROS names, with the namespace of a robot before them, the joints that are not live, and the
@@ -25,9 +18,6 @@ export const below = (robot: string, topic: string): string => (robot === '' ? t
 /** Values of ALIVE: bridge and gateway are present, the bridge is present without its gateway, or the bridge is absent. */
 export type Presence = 'true' | 'no gateway' | 'false';
 
-/** Maximum packet size: a description of 1 MiB with a margin. */
-const MAX_PACKET = 1024 * 1024 + 64 * 1024;
-
 export interface BrokerEvents {
   opened(): void;
   away(reason: string): void;
@@ -36,20 +26,39 @@ export interface BrokerEvents {
   malformed(topic: string, problem: string): void;
 }
 
-/** The connection to an MQTT 5 broker. Reconnects by itself, and then repeats subscriptions and retained messages. */
+/** The connection of a bridge to the broker. Repeats retained messages after each reconnection. */
 export class BrokerLink {
   readonly #queue = new SendQueue<{ topic: string; payload: string }>();
   readonly #retained = new Map<string, string>();
-  #client: MqttClient | null = null;
+  readonly #link: MqttLink;
   #presence: Presence = 'no gateway';
 
   /** @param subscriptions Topics below the plant's topic. */
   constructor(
     readonly settings: BrokerSettings,
-    readonly name: string,
-    readonly subscriptions: string[],
+    name: string,
+    subscriptions: string[],
     readonly events: BrokerEvents,
-  ) {}
+  ) {
+    const bare = (topic: string): string => topic.slice(settings.topic.length + 1);
+    this.#link = new MqttLink(
+      settings.broker,
+      name,
+      subscriptions.map(topic => this.#at(topic)),
+      {
+        opened: () => this.#open(),
+        leaving: () => {
+          if (this.#isPublishing) this.#keep(ALIVE, 'false');
+        },
+        away: reason => events.away(reason),
+        refused: (_, reason) => events.away(reason),
+        heard: (topic, payload) => events.heard(bare(topic), payload),
+        malformed: (topic, problem) => events.malformed(bare(topic), problem),
+      },
+      // Published by the broker when this end disconnects without a close.
+      this.#isPublishing ? { will: { topic: this.#at(ALIVE), payload: Buffer.from('false'), qos: 1, retain: true } } : {},
+    );
+  }
 
   /** Number of messages dropped because the broker was disconnected or slow. */
   get dropped(): number {
@@ -68,7 +77,7 @@ export class BrokerLink {
   /** Publishes a retained message with acknowledgement, which the broker keeps for later subscribers. */
   publishRetained(topic: string, payload: string): void {
     this.#retained.set(topic, payload);
-    if (this.#client?.connected) this.#keep(topic, payload);
+    this.#keep(topic, payload);
   }
 
   /** Sets whether the gateway of a publishing bridge is connected. */
@@ -76,115 +85,42 @@ export class BrokerLink {
     const presence: Presence = value ? 'true' : 'no gateway';
     if (presence === this.#presence) return;
     this.#presence = presence;
-    if (this.#client?.connected) this.#keep(ALIVE, presence);
+    this.#keep(ALIVE, presence);
   }
 
-  async run(stop: AbortSignal): Promise<void> {
-    const backoff = new Backoff();
-    while (!stop.aborted) {
-      const began = performance.now();
-      const reason = await this.#connect(stop);
-      if (stop.aborted) return;
-      this.events.away(reason);
-      if (performance.now() - began > STEADY_MS) backoff.reset();
-      await pause(backoff.next(), stop);
-    }
+  run(stop: AbortSignal): Promise<void> {
+    return this.#link.run(stop);
   }
 
-  #connect(stop: AbortSignal): Promise<string> {
-    const client = connect(this.settings.endpoint, this.#options());
-    return new Promise(resolve => {
-      let reason = 'the broker closed the connection';
-      const leave = (): void => {
-        this.#sayAway(client);
-        client.end(false, {}, () => resolve('stopped'));
-        setTimeout(() => client.end(true), GOODBYE_MS).unref();
-      };
-      stop.addEventListener('abort', leave);
-      client.on('connect', () => this.#open(client));
-      client.on('message', (topic, payload) => this.#hear(topic.slice(this.settings.topic.length + 1), payload));
-      client.on('error', error => {
-        reason = inWords(error, this.settings.endpoint);
-      });
-      // The close event would report the end again, when the next client may already exist.
-      client.once('close', () => {
-        stop.removeEventListener('abort', leave);
-        this.#client = null;
-        client.end(true);
-        resolve(reason);
-      });
-    });
+  get #isPublishing(): boolean {
+    return this.settings.direction === 'publish';
   }
 
-  // An invalid message from any publisher must not end the process.
-  #hear(topic: string, payload: Buffer): void {
-    try {
-      this.events.heard(topic, payload);
-    } catch (error) {
-      this.events.malformed(topic, (error as Error).message);
-    }
+  #at(topic: string): string {
+    return `${this.settings.topic}/${topic}`;
   }
 
-  #options(): IClientOptions {
-    const { topic, user, authority, direction } = this.settings;
-    return {
-      protocolVersion: 5,
-      clientId: `nowpose-${this.name}-${randomBytes(4).toString('hex')}`,
-      clean: true,
-      keepalive: KEEP_ALIVE_S,
-      reschedulePings: false,
-      connectTimeout: CONNECT_MS,
-      reconnectPeriod: 0,
-      queueQoSZero: false,
-      properties: { maximumPacketSize: MAX_PACKET },
-      ...(user === null ? {} : { username: user.name, password: user.password }),
-      ...(authority === null ? {} : { ca: authority }),
-      // Published by the broker when this end disconnects without a close.
-      ...(direction === 'publish' ? { will: { topic: `${topic}/${ALIVE}`, payload: Buffer.from('false'), qos: 1 as const, retain: true } } : {}),
-    };
-  }
-
-  #open(client: MqttClient): void {
-    this.#client = client;
-    const { topic, direction } = this.settings;
-    for (const name of this.subscriptions)
-      client.subscribe(`${topic}/${name}`, { qos: 1 }, error => {
-        if (error) this.events.away(`the broker refuses the subscription of ${topic}/${name}: ${error.message}`);
-      });
-    if (direction === 'publish') this.#keep(ALIVE, this.#presence);
+  #open(): void {
+    if (this.#isPublishing) this.#keep(ALIVE, this.#presence);
     for (const [name, payload] of this.#retained) this.#keep(name, payload);
     this.events.opened();
     this.#pump();
   }
 
   #keep(name: string, payload: string): void {
-    this.#client!.publish(`${this.settings.topic}/${name}`, payload, { qos: 1, retain: true });
-  }
-
-  #sayAway(client: MqttClient): void {
-    const { topic, direction } = this.settings;
-    if (client.connected && direction === 'publish') client.publish(`${topic}/${ALIVE}`, 'false', { qos: 1, retain: true });
+    this.#link.client?.publish(this.#at(name), payload, { qos: 1, retain: true });
   }
 
   #pump(): void {
-    const client = this.#client;
-    if (!client?.connected) return;
+    const { client } = this.#link;
+    if (client === null) return;
     const socket = {
       get bufferedAmount() {
         return client.stream.writableLength;
       },
       send: ({ topic, payload }: { topic: string; payload: string }, done: () => void) =>
-        void client.publish(`${this.settings.topic}/${topic}`, payload, { qos: 0 }, done),
+        void client.publish(this.#at(topic), payload, { qos: 0 }, done),
     };
     this.#queue.pump(socket, () => this.#pump());
   }
-}
-
-function inWords(error: Error & { code?: unknown }, endpoint: string): string {
-  if (error.code === 'ECONNREFUSED') return `nothing listens at ${endpoint}; is the broker running?`;
-  if (error.code === 134 || error.code === 135 || error.code === 4 || error.code === 5)
-    return `${endpoint} refuses the login; check user and password_file, and the user's rights at the broker`;
-  if (String(error.code).includes('CERT') || String(error.code).includes('UNABLE_TO') || String(error.code).includes('SELF_SIGNED'))
-    return `the broker's certificate is not trusted (${String(error.code)}); set authority_file to the certificate that issued it`;
-  return error.message;
 }

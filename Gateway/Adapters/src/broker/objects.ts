@@ -7,6 +7,7 @@ import type { AdapterStatus } from '../gateway/status';
 import { ofRosTime } from '../times';
 import type { BrokerLink } from './brokerLink';
 import { reportsOf } from './reportedJoints';
+import { malformedMessages } from '../messages/broker';
 
 /**
  * Topics of the cell's objects and signals below the plant's topic. A stationary frame and a signal each have a retained topic of their own,
@@ -80,7 +81,7 @@ export class ReceivedObjects {
 
   #takeFrames(isStationary: boolean, message: Record<string, unknown>): void {
     const { transforms } = message as { transforms?: unknown };
-    if (!Array.isArray(transforms)) throw new Error('it has no list of transforms');
+    if (!Array.isArray(transforms)) throw new Error(malformedMessages.noTransforms);
     if (isStationary) {
       const [{ child_frame_id: child }] = transforms as [{ child_frame_id: string }];
       if (!this.#stationary.has(child) && this.#stationary.size >= MAX_NAMES) return this.status.count('too-many');
@@ -101,7 +102,7 @@ export class ReceivedObjects {
     const [one] = name as unknown[];
     const [number] = value as unknown[];
     const stamp = ofRosTime((header as { stamp?: unknown }).stamp);
-    if (typeof one !== 'string' || typeof number !== 'number' || stamp === null) throw new Error('it has no name, number or stamp');
+    if (typeof one !== 'string' || typeof number !== 'number' || stamp === null) throw new Error(malformedMessages.signal);
     if (!this.#signals.has(one) && this.#signals.size >= MAX_NAMES) return this.status.count('too-many');
     this.#signals.add(one);
     this.#sender.add(one, number, stamp);

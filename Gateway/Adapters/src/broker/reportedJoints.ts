@@ -3,6 +3,7 @@ import type { AdapterStatus } from '../gateway/status';
 import type { JointNames } from '../ros/jointNames';
 import type { Silence } from '../samples/silence';
 import { type Nanoseconds, ofRosTime, toMilliseconds } from '../times';
+import { brokerMessages, malformedMessages } from '../messages/broker';
 
 const MAX_JOINTS = 256;
 const MAX_NAME = 128;
@@ -12,6 +13,7 @@ const MAX_REASON = 300;
 const VALUE = /^(live|rest|stale|refused|fault|missing) (-?\d{1,12}(?:\.\d{1,9})?)(?: (.*))?$/;
 
 /** Start of the reason that a gateway gives for a joint whose rest is uncertain. */
+// eslint-disable-next-line nowpose/messages -- part of the protocol
 const UNCERTAIN = 'may not be at rest: ';
 
 /** Report of the plant's gateway about one joint that is not live there. */
@@ -76,13 +78,13 @@ export function reportsOf(message: Record<string, unknown>, now: number): Report
   const { header, status } = message as { header?: { stamp?: unknown }; status?: { values?: unknown }[] };
   const written = ofRosTime(header?.stamp);
   const values = Array.isArray(status) && status.length === 1 ? status[0]?.values : undefined;
-  if (written === null) return 'it has no time stamp';
-  if (!Array.isArray(values)) return 'it has no list of values';
-  if (values.length > MAX_JOINTS) return `it has ${values.length} joints; up to ${MAX_JOINTS} are allowed`;
+  if (written === null) return malformedMessages.noStamp;
+  if (!Array.isArray(values)) return malformedMessages.noValues;
+  if (values.length > MAX_JOINTS) return malformedMessages.tooManyJoints(values.length, MAX_JOINTS);
   const reports: Report[] = [];
   for (const value of values as ({ key?: unknown; value?: unknown } | null)[]) {
     const report = reportOf(value, written, now);
-    if (report === null) return `the entry ${JSON.stringify(value)?.slice(0, MAX_NAME)} is not a joint's name with STATE SINCE REASON`;
+    if (report === null) return malformedMessages.entry(String(JSON.stringify(value)?.slice(0, MAX_NAME)));
     if (report.state !== 'live') reports.push(report);
   }
   return reports;
@@ -98,6 +100,6 @@ function reportOf(entry: { key?: unknown; value?: unknown } | null, written: Nan
   const reason = text.slice(0, MAX_REASON);
   const isUncertain = word === 'rest' && reason.startsWith(UNCERTAIN);
   // "stale" describes the arrival at the receiving gateway, which an adapter does not report.
-  const [state, why] = word === 'stale' ? ['fault', `at the gateway that has the plant: ${reason}`] : [word, reason];
+  const [state, why] = word === 'stale' ? ['fault', brokerMessages.atOtherGateway(reason)] : [word, reason];
   return { joint, state: state as State, since, reason: why, uncertainty: isUncertain ? reason.slice(UNCERTAIN.length) : '' };
 }

@@ -1,12 +1,11 @@
 import type { Kind } from '../adapter';
-import { requireAddress } from '../configuration/address';
 import { type Configuration, isLoopback } from '../configuration/configuration';
-import { requirePlain } from '../configuration/plain';
-import { shown } from '../configuration/problem';
-import { secretIn, secretText } from '../configuration/secret';
-import { type User, userIn } from '../configuration/user';
+import { secretIn } from '../configuration/secret';
 import type { YamlFile } from '../configuration/yamlFile';
+import { type BrokerAddress, brokerOf, type BrokerSection } from '../mqtt/address';
 import { type Nanoseconds, ofMilliseconds } from '../times';
+import { brokerSettingMessages } from '../messages/broker';
+import { configurationMessages } from '../messages/configuration';
 
 const OLDEST_MS = 10_000;
 const SYNC_PORT = 47010;
@@ -23,27 +22,20 @@ export interface Upstream {
 /** The settings of kind broker, with the contents of their files. */
 export interface BrokerSettings {
   direction: 'publish' | 'subscribe';
-  endpoint: string;
+  broker: BrokerAddress;
   /** Prefix of all topics of this plant at the broker. */
   topic: string;
   /** Namespaces of the robots; the first is that of the robot without one. */
   namespaces: string[];
-  isPlain: boolean;
-  authority: string | null;
-  user: User | null;
   oldest: Nanoseconds;
   /** Source of the time; null for none, so that the gateway serves its own. */
   clock: Upstream | null;
 }
 
-interface Section {
+interface Section extends BrokerSection {
   direction: 'publish' | 'subscribe';
-  endpoint: string;
   topic: string;
   namespaces?: string[];
-  plain?: boolean;
-  authority_file?: string;
-  user?: { name: string; password_file?: string };
   oldest_ms?: number;
   clock?: { host: string; port?: number; tls?: boolean; pin?: string; token_file?: string };
 }
@@ -54,26 +46,17 @@ export const settingsOf = (configuration: Configuration): BrokerSettings => conf
 export const broker: Kind = {
   check(file, configuration, environment) {
     const section = configuration.plant as unknown as Section;
-    const { endpoint, direction, plain, user } = section;
-    const isOpen = endpoint.startsWith('mqtt:');
-    requireAddress(file, ['plant', 'endpoint'], endpoint);
-    requirePlain(file, section);
+    const { direction } = section;
     section.namespaces?.forEach((namespace, i, all) => {
-      if (all.indexOf(namespace) < i) file.report(['plant', 'namespaces', i], `value ${shown(namespace)} occurs twice; name each namespace once`);
+      if (all.indexOf(namespace) < i) file.report(['plant', 'namespaces', i], configurationMessages.valueTwice(namespace, 'namespace'));
     });
-    if (user !== undefined && isOpen && !isLoopback(endpoint)) file.report(['plant', 'user'], 'the password would be sent unencrypted; use mqtts://');
-    if (direction === 'publish' && section.clock !== undefined)
-      file.report(['plant', 'clock'], 'not used with direction: publish; the bridge on the receiving side asks for the time');
-    if (direction === 'subscribe' && section.clock === undefined)
-      file.report(['plant', 'clock'], 'missing; add host and sync port of the gateway that has the plant, because the time stamps use its clock');
+    if (direction === 'publish' && section.clock !== undefined) file.report(['plant', 'clock'], brokerSettingMessages.unusedClock);
+    if (direction === 'subscribe' && section.clock === undefined) file.report(['plant', 'clock'], brokerSettingMessages.noClock);
     const settings: BrokerSettings = {
       direction,
-      endpoint,
+      broker: brokerOf(file, section, configuration, environment),
       topic: section.topic,
       namespaces: ['', ...(section.namespaces ?? [])],
-      isPlain: isOpen && plain === true,
-      authority: section.authority_file === undefined ? null : secretText(file, ['plant', 'authority_file'], section.authority_file, false),
-      user: userIn(file, user, configuration, environment),
       oldest: ofMilliseconds(section.oldest_ms ?? OLDEST_MS),
       clock: clockOf(file, section, configuration),
     };
@@ -81,11 +64,15 @@ export const broker: Kind = {
   },
   passesUnlisted: configuration => settingsOf(configuration).direction === 'subscribe',
   summary(configuration) {
-    const { direction, endpoint, topic, clock } = settingsOf(configuration);
+    const {
+      direction,
+      topic,
+      clock,
+      broker: { endpoint },
+    } = settingsOf(configuration);
     const gateway = configuration.isSupervised ? 'this gateway' : `gateway ${configuration.gateway.url}`;
-    return direction === 'publish'
-      ? `${gateway} to broker ${endpoint}, topics ${topic}/…`
-      : `broker ${endpoint}, topics ${topic}/… to ${gateway}, time of ${clock?.host}:${clock?.port}`;
+    const { publishing, subscribing } = brokerSettingMessages;
+    return direction === 'publish' ? publishing(gateway, endpoint, topic) : subscribing(endpoint, topic, gateway, `${clock?.host}:${clock?.port}`);
   },
 };
 
@@ -94,8 +81,7 @@ function clockOf(file: YamlFile, { clock }: Section, configuration: Configuratio
   const isTls = clock.tls === true || clock.pin !== undefined;
   const at = ['plant', 'clock', 'token_file'] as const;
   const token = clock.token_file === undefined ? null : secretIn(file, at, clock.token_file);
-  if (token !== null && !isTls && !isLoopback(clock.host))
-    file.report(at, 'a token is sent only over TLS or within this machine; add the pin of the gateway that has the plant, or tls: true');
+  if (token !== null && !isTls && !isLoopback(clock.host)) file.report(at, brokerSettingMessages.tokenInClear);
   configuration.secrets.push(token ?? '');
   return { host: clock.host, port: clock.port ?? SYNC_PORT, isTls, pin: clock.pin ?? null, token };
 }

@@ -8,6 +8,7 @@ import { ReceivedObjects } from './objects';
 import { ReportedJoints } from './reportedJoints';
 import type { BrokerSettings } from './settings';
 import { runUpstreamClock } from './upstreamClock';
+import { brokerMessages, malformedMessages } from '../messages/broker';
 
 /** Interval at which signals that wait for the clock are sent. */
 const CHECK_MS = 250;
@@ -30,17 +31,17 @@ export async function subscribe(
     take.set(below(robot, STATES), message => states.pass(message));
     take.set(below(robot, TRAJECTORY), message => {
       const passed = passedTrajectory(message, names);
-      if (passed === null) return status.refuse('malformed', 'trajectory', 'it has no joints, or a value is not a number');
+      if (passed === null) return status.refuse('malformed', 'trajectory', malformedMessages.trajectory);
       gateway.publishKept(topicOf(robot, JOINT_TRAJECTORY), passed);
     });
     take.set(below(robot, DESCRIPTION), ({ data }) => {
-      if (typeof data !== 'string' || !data.includes('<robot')) return status.refuse('malformed', 'robot description', 'it has no <robot> element');
+      if (typeof data !== 'string' || !data.includes('<robot')) return status.refuse('malformed', 'robot description', malformedMessages.noRobot);
       if (robot !== '' || configuration.robot === null) gateway.publishKept(topicOf(robot, ROBOT_DESCRIPTION), description(data));
     });
   }
 
   const broker = new BrokerLink(settings, configuration.plant.name, [...take.keys(), ...objects.topics, ALIVE], {
-    opened: () => status.enter('waiting', `no client publishes ${settings.topic} at the broker yet`),
+    opened: () => status.enter('waiting', brokerMessages.noPublisher(settings.topic)),
     away: reason => {
       reported.leave();
       if (status.state === 'connected') status.reconnected();
@@ -49,7 +50,7 @@ export async function subscribe(
     heard: (name, payload) => {
       if (name === ALIVE) return enter(payload.toString());
       const message = parsed(name, payload);
-      if (message === null) return status.refuse('malformed', name, 'it is not a JSON object, or longer than allowed');
+      if (message === null) return status.refuse('malformed', name, malformedMessages.notObject);
       const known = take.get(name);
       if (known === undefined) objects.take(name, message);
       else known(message);
@@ -64,12 +65,7 @@ export async function subscribe(
       objects.enter();
     } else {
       reported.leave();
-      status.enter(
-        'waiting',
-        presence === ('no gateway' satisfies Presence)
-          ? 'the bridge has lost the gateway that has the plant'
-          : 'the bridge of the gateway that has the plant is disconnected',
-      );
+      status.enter('waiting', presence === ('no gateway' satisfies Presence) ? brokerMessages.gatewayAway : brokerMessages.bridgeAway);
     }
   }
 

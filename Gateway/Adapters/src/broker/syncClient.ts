@@ -5,6 +5,7 @@ import { pinProblem } from '../gateway/pin';
 import { monotonicTime } from '../times';
 import type { Upstream } from './settings';
 import { FRAME, isAccepted, parseReply, request, tokenRequest } from './syncFrame';
+import { syncMessages } from '../messages/broker';
 
 const ANSWER_MS = 2000;
 
@@ -27,7 +28,7 @@ export class SyncClient {
   static async open(upstream: Upstream): Promise<SyncClient> {
     const socket = await connected(upstream);
     socket.setNoDelay(true);
-    let reason = `${upstream.host}:${upstream.port} closed the connection`;
+    let reason = syncMessages.closed(`${upstream.host}:${upstream.port}`);
     socket.on('error', error => {
       reason = error.message;
     });
@@ -35,7 +36,7 @@ export class SyncClient {
     if (upstream.token === null) return client;
     if (isAccepted(await client.#ask(tokenRequest(upstream.token))) === true) return client;
     client.close();
-    throw new Error(`${upstream.host}:${upstream.port} refuses the token; give the bridge a token of that gateway`);
+    throw new Error(syncMessages.tokenRefused(`${upstream.host}:${upstream.port}`));
   }
 
   close(): void {
@@ -53,16 +54,16 @@ export class SyncClient {
       if (sent >= received && sent - received <= took + (resolution ?? 0n)) return reply.reading;
     }
     this.close();
-    throw new Error('its sync port sent an invalid reply');
+    throw new Error(syncMessages.invalidReply);
   }
 
   #ask(bytes: Buffer): Promise<Buffer> {
-    if (this.socket.destroyed) return Promise.reject(new Error('the sync connection is closed'));
-    if (this.#waiting !== null) return Promise.reject(new Error('an exchange is under way'));
+    if (this.socket.destroyed) return Promise.reject(new Error(syncMessages.connectionClosed));
+    if (this.#waiting !== null) return Promise.reject(new Error(syncMessages.busy));
     return new Promise<Buffer>((resolve, reject) => {
       const timer = setTimeout(() => {
         this.close();
-        reject(new Error(`its sync port did not answer within ${ANSWER_MS / 1000} s`));
+        reject(new Error(syncMessages.noAnswer(ANSWER_MS / 1000)));
       }, ANSWER_MS);
       const end = (): void => {
         clearTimeout(timer);
@@ -96,7 +97,7 @@ function connected({ host, port, isTls, pin }: Upstream): Promise<Socket> {
     const socket = isTls ? connectSecurely({ host, port, minVersion: 'TLSv1.2', rejectUnauthorized: pin === null }) : connect(port, host);
     const fail = (error: Error): void => {
       socket.destroy();
-      reject(new Error(`the sync port of ${host}:${port} cannot be reached: ${error.message}`));
+      reject(new Error(syncMessages.notReachable(`${host}:${port}`, error.message)));
     };
     socket.setTimeout(ANSWER_MS, () => fail(new Error('no answer')));
     socket.once('error', fail);

@@ -3,6 +3,7 @@ import type { PlantClock } from '../clock/plantClock';
 import type { Log } from '../log';
 import type { Upstream } from './settings';
 import { SyncClient } from './syncClient';
+import { syncMessages } from '../messages/broker';
 
 /**
  * The clock of the plant's gateway. Each reading is a sync exchange with it, which includes its error bound and its state. The network
@@ -14,7 +15,7 @@ export async function runUpstreamClock(upstream: Upstream, clock: PlantClock, lo
     const reason = await follow(upstream, clock, log, stop, () => backoff.reset());
     clock.detach();
     if (stop.aborted) return;
-    log.change('clock', `the time of ${upstream.host}:${upstream.port} is unknown: ${reason}`);
+    log.change('clock', syncMessages.timeUnknown(`${upstream.host}:${upstream.port}`, reason));
     await pause(backoff.next(), stop);
   }
 }
@@ -32,7 +33,7 @@ async function follow(upstream: Upstream, clock: PlantClock, log: Log, stop: Abo
   try {
     if (!(await clock.attach(() => client.read(), stop))) return 'stopped';
     opened();
-    log.change('clock', `the time is that of ${upstream.host}:${upstream.port}`);
+    log.change('clock', syncMessages.timeOf(`${upstream.host}:${upstream.port}`));
     return await client.closed;
   } catch (error) {
     return (error as Error).message;

@@ -10,6 +10,7 @@ import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
 import { ComponentTrack } from './component';
 import { MAX_TRANSFORMS, type Pose, TF, TF_STATIC, transform } from './messages';
 import { IDENTITY, ofAngles, ofVector, type Quaternion, unit } from './rotation';
+import { refusalMessages } from '../messages/values';
 
 /** Minimum silence of a frame at rest, and interval of its repeated poses. Headsets predict for about 300 ms. */
 const SILENCE: Nanoseconds = 60n * NS_PER_MS;
@@ -144,6 +145,11 @@ export class PoseOutput {
     this.silence.check();
   }
 
+  /** Reports why the frames of a value that has arrived are not published yet. */
+  explain(value: number, reason: string): void {
+    for (const { frame } of this.#tracksOf(value)) this.status.frames.explain(frame.frame, reason);
+  }
+
   /** Starts a new connection: objects at rest may have moved in between. */
   startAnew(): void {
     for (const component of this.#components) component.forget();
@@ -183,7 +189,7 @@ export class PoseOutput {
       this.#components[index].rest(number);
       return undefined;
     }
-    return stamp === null ? { reason: 'stamp-missing', text: 'the value has no time stamp; choose another timestamp in the configuration' } : number;
+    return stamp === null ? { reason: 'stamp-missing', text: refusalMessages.noStamp } : number;
   }
 
   /** Gets the newest known pose of a frame up to this time as a list; an empty one if it is incomplete, refused or published already. */
@@ -251,9 +257,9 @@ function poseOf(
   const [choice] = selector === null ? [0] : (found([selector], STEP) ?? [null]);
   if (place === null || parts === null || choice === null) return null;
   if (!Number.isInteger(choice) || choice < 0 || choice >= parents.length)
-    return { reason: 'parent', text: `its parent is number ${choice}; allowed: a whole number from 0 to ${parents.length - 1}` };
+    return { reason: 'parent', text: refusalMessages.parent(choice, parents.length - 1) };
   const turned = turnOf(rotation, parts);
-  if (turned === null) return { reason: 'not-unit', text: `the quaternion has the length ${Math.hypot(...parts).toFixed(3)}; allowed: 0.99 to 1.01` };
+  if (turned === null) return { reason: 'not-unit', text: refusalMessages.quaternion(Math.hypot(...parts)) };
   return { frame, parent: parents[choice], position: place.map(value => value * scale), rotation: turned };
 }
 

@@ -1,7 +1,9 @@
 import { pause } from '../backoff';
 import type { GatewayLink } from '../gateway/link';
 import { monotonicTime, type Nanoseconds, NS_PER_MS, toRosTime } from '../times';
+import { GatewayClock } from './gatewayClock';
 import { Resolution } from './resolution';
+import { clockMessages } from '../messages/gateway';
 
 /** A reading of the control clock between two messages of the gateway. */
 export interface ClockReading {
@@ -22,7 +24,7 @@ export class ClockStopped extends Error {
   override readonly name = 'ClockStopped';
 
   constructor() {
-    super('the clock does not advance');
+    super(clockMessages.stopped);
   }
 }
 
@@ -51,8 +53,11 @@ export class PlantClock {
   #detached = new AbortController();
   #measured: Nanoseconds | null = null;
   #measuring: Promise<void> | null = null;
-  #isOffered = false;
-  #isMissing = false;
+  readonly #gatewayClock: GatewayClock;
+  /** Aborted when the plant's clock is offered. */
+  readonly #offered = new AbortController();
+  /** Resolves when the gateway's clock is known; null if it is not needed. */
+  #without: Promise<void> | null = null;
 
   /**
    * @param fixedResolution The configured resolution; null to measure it.
@@ -60,21 +65,24 @@ export class PlantClock {
    * @param coarse Receives the resolution of the clock if it is too coarse for an accurate synchronisation, and null when it no longer is.
    */
   constructor(
-    readonly gateway: Pick<GatewayLink, 'offer'>,
+    readonly gateway: Pick<GatewayLink, 'offer' | 'call'>,
     readonly name: string,
     readonly fixedResolution: Nanoseconds | null = null,
     readonly counter = monotonicTime,
     readonly coarse: (resolution: Nanoseconds | null) => void = () => {},
-  ) {}
+  ) {
+    this.#gatewayClock = new GatewayClock(gateway, counter);
+  }
 
   /** Whether the clock of the stamps is known. Before that, the gateway would interpret them as stamps of its own clock. */
   get isSettled(): boolean {
-    return this.#isOffered || this.#isMissing;
+    return this.#offered.signal.aborted || this.#without !== null;
   }
 
-  /** The approximate control time now, from the newest reading; null if there is none. For checking stamps, not for creating them. */
+  /** The approximate control time now, from the newest readings; null if there is none. */
   get now(): Nanoseconds | null {
-    return this.#ahead === null ? null : this.counter() + this.#ahead;
+    if (this.#ahead !== null) return this.counter() + this.#ahead;
+    return this.#offered.signal.aborted ? null : this.#gatewayClock.now;
   }
 
   /** The resolution, ns; zero while unknown. */
@@ -103,9 +111,15 @@ export class PlantClock {
     return true;
   }
 
-  /** Reports that the plant has no clock at present. Until it has one, its stamps are on the gateway's clock. */
-  doWithout(): void {
-    this.#isMissing = true;
+  /**
+   * Reports that the plant has no clock at present. Until it has one, its stamps are on the gateway's clock, which is read from the gateway.
+   * Resolves when that clock is known, or at the stop.
+   */
+  doWithout(stop: AbortSignal): Promise<void> {
+    this.#without ??= new Promise(resolve => {
+      void this.#gatewayClock.run(AbortSignal.any([stop, this.#offered.signal]), resolve).then(resolve);
+    });
+    return this.#without;
   }
 
   /** Reports that the plant is disconnected, so its clock cannot be read. */
@@ -120,7 +134,7 @@ export class PlantClock {
    * @throws Error The plant is disconnected, or does not answer.
    */
   async read(): Promise<ClockReading> {
-    if (this.#read === null) throw new Error('the plant is not connected');
+    if (this.#read === null) throw new Error(clockMessages.notConnected);
     const read = this.#read;
     const reading = await this.#observed(read);
     if (this.#resolution.isStopped) throw new ClockStopped();
@@ -137,8 +151,8 @@ export class PlantClock {
   }
 
   #offer(): void {
-    if (this.#isOffered) return;
-    this.#isOffered = true;
+    if (this.#offered.signal.aborted) return;
+    this.#offered.abort();
     this.gateway.offer(`/nowpose/plant_time/${this.name}`, 'nowpose/PlantTime', async () => {
       const reading = await this.read();
       return {

@@ -1,7 +1,6 @@
 import { requireAddress } from './address';
 import { type Frame, type FrameEntry, framesOf } from './frames';
 import { nearest } from './nearest';
-import { shown } from './problem';
 import { type NamedJoint, namedIn, requireJoints, robotOf } from './robot';
 import { checkAgainstSchema, KINDS, knownEntries } from './schemaCheck';
 import { secretIn } from './secret';
@@ -10,6 +9,7 @@ import { type Signal, signalsOf } from './signals';
 import { type SilenceEntry, silenceMs } from './silenceEntry';
 import { ADDRESS, type Address, addressIn, type Value } from './values';
 import { type Path, pathText, YamlFile } from './yamlFile';
+import { configurationMessages } from '../messages/configuration';
 
 const UNITS: Record<string, number> = { rad: 1, deg: Math.PI / 180, m: 1, mm: 0.001 };
 
@@ -116,17 +116,16 @@ function kindOf(file: YamlFile): string {
   const root = file.value as { plant?: { kind?: unknown } } | null;
   const isSection = typeof root === 'object' && typeof root?.plant === 'object' && root.plant !== null;
   const kind = isSection ? root?.plant?.kind : undefined;
-  const allowed = `allowed: ${KINDS.join(', ')}`;
   if (kind === undefined) {
     const path = isSection ? ['plant'] : [];
     const missing = isSection ? 'kind' : 'plant';
     const meant = misspelt(missing, isSection ? root!.plant! : root, knownEntries(path));
-    if (meant === undefined) file.report([...path, missing], `missing; add the section plant with its kind, ${allowed}`);
-    else file.report([...path, meant], `not known here; did you mean ${missing}?`);
+    if (meant === undefined) file.report([...path, missing], configurationMessages.noKind(KINDS));
+    else file.report([...path, meant], configurationMessages.misspelt(missing));
     if (!isSection) reportUnknown(file, root, meant);
   } else if (!KINDS.includes(kind as string)) {
     const [guess] = nearest(String(kind), KINDS);
-    file.report(['plant', 'kind'], `value ${shown(kind)}; ${guess ? `did you mean ${guess}? ` : ''}${allowed}`);
+    file.report(['plant', 'kind'], configurationMessages.notAllowed(kind, guess, KINDS));
   }
   file.throwIfWrong();
   return kind as string;
@@ -136,7 +135,7 @@ function kindOf(file: YamlFile): string {
 function reportUnknown(file: YamlFile, root: object | null, reported: string | undefined): void {
   const known = [...new Set(knownEntries([]))];
   for (const key of Object.keys(root ?? {}))
-    if (key !== reported && !known.includes(key)) file.report([key], `not known here; allowed: ${known.join(', ')}`);
+    if (key !== reported && !known.includes(key)) file.report([key], configurationMessages.unknownEntry(undefined, known));
 }
 
 /** Gets the unknown entry that is probably a misspelling of a missing one. */
@@ -154,11 +153,7 @@ function gatewayOf(file: YamlFile, sections: Sections, environment: NodeJS.Proce
   const fromFile = section.token_file === undefined ? null : secretIn(file, ['gateway', 'token_file'], section.token_file);
   const token = environment.NOWPOSE_TOKEN ?? fromFile;
   requireAddress(file, ['gateway', 'url'], url);
-  if (token !== null && url.startsWith('ws:') && !isLoopback(url))
-    file.report(
-      ['gateway', 'url'],
-      `value ${shown(url)}; a token is sent only over wss:// or within this machine; use wss:// with the gateway's pin`,
-    );
+  if (token !== null && url.startsWith('ws:') && !isLoopback(url)) file.report(['gateway', 'url'], configurationMessages.tokenInClear(url));
   if (section.pin !== undefined && environment.NOWPOSE_GATEWAY === undefined) requireTls(file, ['gateway'], url);
   return { url, token, pin: environment.NOWPOSE_PIN ?? section.pin ?? null };
 }
@@ -167,11 +162,9 @@ function jointsOf(file: YamlFile, sections: Sections, silence: SilenceEntry): Jo
   const lines = new Map<string, number>();
   return (sections.joints ?? []).map((entry, i) => {
     const path: Path = ['joints', i];
-    if (lines.has(entry.joint))
-      file.report([...path, 'joint'], `value ${shown(entry.joint)}; line ${lines.get(entry.joint)} already has this joint; name each joint once`);
+    if (lines.has(entry.joint)) file.report([...path, 'joint'], configurationMessages.nameTwice(entry.joint, lines.get(entry.joint), 'joint'));
     lines.set(entry.joint, file.lineOf([...path, 'joint']));
-    if (entry.unit !== undefined && entry.scale !== undefined)
-      file.report([...path, 'scale'], 'the unit already determines the scale; remove one of the two');
+    if (entry.unit !== undefined && entry.scale !== undefined) file.report([...path, 'scale'], configurationMessages.unitAndScale);
     const namespace = sections.plant.namespace ?? '';
     return {
       ...entry,

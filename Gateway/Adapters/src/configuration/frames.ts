@@ -1,7 +1,7 @@
-import { shown } from './problem';
 import { type SilenceEntry, silenceMs } from './silenceEntry';
 import { ADDRESS, type Address, addressIn, type Value } from './values';
 import type { Path, YamlFile } from './yamlFile';
+import { configurationMessages, frameMessages } from '../messages/configuration';
 
 /** The anchored frame of the cell, the root of all frames. */
 export const WORLD = 'world';
@@ -57,12 +57,10 @@ export function framesOf(file: YamlFile, kind: string, entries: FrameEntry[], si
   const seen = new Map<string, number>();
   const frames = entries.map(ofField).map((entry, i): Frame => {
     const path: Path = ['frames', i];
-    if (entry.frame === WORLD) file.report([...path, 'frame'], `value "${WORLD}"; this is the anchored frame of the cell, which has no parent`);
-    if (seen.has(entry.frame))
-      file.report([...path, 'frame'], `value ${shown(entry.frame)}; line ${seen.get(entry.frame)} already has this frame; name each frame once`);
+    if (entry.frame === WORLD) file.report([...path, 'frame'], frameMessages.world(WORLD));
+    if (seen.has(entry.frame)) file.report([...path, 'frame'], configurationMessages.nameTwice(entry.frame, seen.get(entry.frame), 'frame'));
     seen.set(entry.frame, file.lineOf([...path, 'frame']));
-    if (entry.quaternion !== undefined && entry.angles !== undefined)
-      file.report([...path, 'angles'], 'the quaternion already determines the rotation; remove one of the two');
+    if (entry.quaternion !== undefined && entry.angles !== undefined) file.report([...path, 'angles'], frameMessages.quaternionAndAngles);
     const component = (at: Path, label: string, found: NumberEntry): Component =>
       typeof found === 'number' ? { constant: found } : read(file, kind, { label: `${entry.frame} ${label}`, path: at, address: found }, values);
     const { x, y, z, unit } = entry.position;
@@ -116,8 +114,8 @@ function rotationOf(
 function read(file: YamlFile, kind: string, { label, path, address }: Value, values: Value[]): Component {
   const allowed = ADDRESS[kind];
   for (const key of Object.keys(address))
-    if (!allowed.includes(key as keyof Address)) file.report([...path, key], `not known here; allowed: ${allowed.join(', ')}`);
-  if (address[allowed[0]] === undefined) file.report([...path, allowed[0]], `missing; add the ${allowed[0]} of the variable with this number`);
+    if (!allowed.includes(key as keyof Address)) file.report([...path, key], configurationMessages.unknownEntry(undefined, allowed));
+  if (address[allowed[0]] === undefined) file.report([...path, allowed[0]], frameMessages.noAddress(allowed[0]));
   values.push({ label, path, address: addressIn(address) });
   return { value: values.length - 1 };
 }
@@ -127,9 +125,7 @@ function reportCycle(file: YamlFile, frames: Frame[], { frame, parents: [parent,
   const chain = [frame];
   for (let next: string | undefined = parent; next !== undefined && chain.length <= frames.length;) {
     chain.push(next);
-    const text = chain.length === 2 ? 'a frame cannot be its own parent' : `its parents lead back to it: ${chain.join(', ')}`;
-    if (next === frame)
-      return file.report(['frames', i, 'parent'], `value ${shown(parent)}; ${text}; name ${WORLD}, a link of a robot, or another frame`);
+    if (next === frame) return file.report(['frames', i, 'parent'], frameMessages.cycle(parent, chain, WORLD));
     const above: Frame | undefined = others.length > 0 ? undefined : frames.find(f => f.frame === next);
     next = above?.parents.length === 1 ? above.parents[0] : undefined;
   }

@@ -1,18 +1,15 @@
 import { isLoopback } from './configuration';
 import type { Path, YamlFile } from './yamlFile';
+import { configurationMessages } from '../messages/configuration';
 
 /** Reports a pin for an address with ws://, where it would not be checked. */
 export function requireTls(file: YamlFile, section: Path, address: string): void {
-  if (address.startsWith('ws:')) file.report([...section, 'pin'], 'not used with ws://; write wss://, or remove the pin');
+  if (address.startsWith('ws:')) file.report([...section, 'pin'], configurationMessages.pinWithoutTls);
 }
 
 /** Reports an endpoint without TLS on another machine, unless the configuration allows it explicitly. */
 export function requirePlain(file: YamlFile, { endpoint, plain }: { endpoint: string; plain?: boolean }): void {
   const scheme = endpoint.slice(0, endpoint.indexOf(':'));
   if (['wss', 'mqtts'].includes(scheme) || isLoopback(endpoint) || plain === true) return;
-  file.report(
-    ['plant', 'plain'],
-    `missing; ${scheme}:// to another machine is neither encrypted nor authenticated: `
-      + `use ${scheme}s://, or set plain: true if all machines in its network are trusted`,
-  );
+  file.report(['plant', 'plain'], configurationMessages.notPlain(scheme));
 }

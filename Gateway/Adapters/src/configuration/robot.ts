@@ -1,7 +1,6 @@
 import { readFileSync, statSync } from 'node:fs';
 import { besides } from './besides';
 import { nearest } from './nearest';
-import { shown } from './problem';
 import type { Path, YamlFile } from './yamlFile';
 import ur10e from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur10e.urdf';
 import ur16e from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur16e.urdf';
@@ -9,6 +8,7 @@ import ur3e from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur3e.urdf
 import ur5 from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur5.urdf';
 import ur5e from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur5e.urdf';
 import youbot from '../../../../Packages/com.nowpose.mril/Runtime/Robots/youbot.urdf';
+import { robotMessages } from '../messages/configuration';
 
 const DESCRIPTION_BYTES = 1024 * 1024;
 
@@ -34,16 +34,15 @@ export function robotOf(file: YamlFile, at: Path, robot: string): string | null 
   if (Object.hasOwn(INCLUDED, robot)) return INCLUDED[robot];
   const path = besides(file.path, robot);
   const report = (text: string): null => {
-    file.report(at, `value ${shown(robot)}; ${text}`);
+    file.report(at, text);
     return null;
   };
   try {
-    if (statSync(path).size > DESCRIPTION_BYTES) return report('the file is larger than 1 MiB; put its meshes into separate files');
+    if (statSync(path).size > DESCRIPTION_BYTES) return report(robotMessages.tooLarge(robot));
     const text = readFileSync(path, 'utf8');
-    return text.includes('<robot') ? text : report('the file has no <robot> element; name a URDF file');
+    return text.includes('<robot') ? text : report(robotMessages.notUrdf(robot));
   } catch (error) {
-    const others = Object.keys(INCLUDED).join(', ');
-    return report(`the file cannot be read (${(error as NodeJS.ErrnoException).code}); name an existing URDF file or one of ${others}`);
+    return report(robotMessages.notReadable(robot, (error as NodeJS.ErrnoException).code, Object.keys(INCLUDED)));
   }
 }
 
@@ -53,7 +52,7 @@ export function requireJoints(file: YamlFile, joints: NamedJoint[], robot: strin
   joints.forEach(({ joint, robot: own, name }, i) => {
     if (own !== robot || known.has(name)) return;
     const [guess] = nearest(name, known);
-    file.report(['joints', i, 'joint'], `value ${shown(joint)}; the robot has no such joint${guess === undefined ? '' : `, did you mean ${guess}?`}`);
+    file.report(['joints', i, 'joint'], robotMessages.noJoint(joint, guess));
   });
 }
 

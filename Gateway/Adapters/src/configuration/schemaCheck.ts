@@ -4,6 +4,7 @@ import { nearest } from './nearest';
 import { shown } from './problem';
 import type { Path, YamlFile } from './yamlFile';
 import schema from '../../plant.schema.json';
+import { configurationMessages } from '../messages/configuration';
 
 type Described = { $ref?: string; description?: string; enum?: unknown[]; properties?: Record<string, Described>; required?: string[] };
 
@@ -44,13 +45,17 @@ function inWords(error: ErrorObject, root: unknown): { path: Path; text: string 
     case 'additionalProperties': {
       const name = error.params.additionalProperty as string;
       const known = Object.keys(parent.properties ?? {});
-      return { path: [...at, name], text: `not known here; ${meant(name, known)}allowed: ${known.join(', ')}` };
+      return { path: [...at, name], text: configurationMessages.unknownEntry(nearest(name, known)[0], known) };
+    }
+    case 'dependencies': {
+      const { property, missingProperty } = error.params as Record<'property' | 'missingProperty', string>;
+      return { path: [...at, missingProperty], text: `missing, but ${property} needs it${because(named(parent.properties?.[missingProperty]))}` };
     }
     case 'const':
     case 'enum': {
       const allowed = (parent.enum ?? [error.params.allowedValue]).map(String);
-      const guess = typeof error.data === 'string' ? meant(error.data, allowed) : '';
-      return { path: at, text: `value ${shown(error.data)}; ${guess}allowed: ${allowed.join(', ')}` };
+      const guess = typeof error.data === 'string' ? nearest(error.data, allowed)[0] : undefined;
+      return { path: at, text: configurationMessages.notAllowed(error.data, guess, allowed) };
     }
     default:
       return { path: at, text: `value ${shown(error.data)}; ${parent.description ? `allowed: ${parent.description}` : error.message}` };
@@ -63,11 +68,6 @@ const named = (property?: Described): Described | undefined =>
 
 const because = (property?: Described): string =>
   property?.enum ? `; allowed: ${property.enum.join(', ')}` : property?.description ? `; add ${property.description}` : '';
-
-function meant(name: string, known: string[]): string {
-  const [guess] = nearest(name, known);
-  return guess === undefined ? '' : `did you mean ${guess}? `;
-}
 
 // Ajv's JSON pointers do not distinguish an index from a numeric key.
 function pathOf(pointer: string, root: unknown): Path {

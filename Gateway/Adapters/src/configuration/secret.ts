@@ -1,7 +1,7 @@
 import { readFileSync, statSync } from 'node:fs';
 import { besides } from './besides';
-import { shown } from './problem';
 import type { Path, YamlFile } from './yamlFile';
+import { fileMessages } from '../messages/configuration';
 
 const MAX_LENGTH = 512;
 
@@ -10,7 +10,7 @@ export function secretIn(file: YamlFile, entry: Path, value: string): string | n
   const text = secretText(file, entry, value, true)?.trim();
   if (text === undefined) return null;
   if (text.length > 0 && text.length <= MAX_LENGTH && !/[\r\n]/.test(text)) return text;
-  file.report(entry, `value ${shown(value)}; the file must contain exactly one line of 1 to ${MAX_LENGTH} characters`);
+  file.report(entry, fileMessages.notOneLine(value, MAX_LENGTH));
   return null;
 }
 
@@ -20,9 +20,9 @@ export function secretText(file: YamlFile, entry: Path, value: string, isSecret:
   try {
     const isOpen = isSecret && process.platform !== 'win32' && (statSync(path).mode & 0o007) !== 0;
     if (!isOpen) return readFileSync(path, 'utf8');
-    file.report(entry, `value ${shown(value)}; every user of this machine may read the file; remove this right: chmod o= ${path}`);
+    file.report(entry, fileMessages.readableByAll(value, path));
   } catch (error) {
-    file.report(entry, `value ${shown(value)}; the file cannot be read (${(error as NodeJS.ErrnoException).code}); name an existing file`);
+    file.report(entry, fileMessages.notReadable(value, (error as NodeJS.ErrnoException).code));
   }
   return null;
 }

@@ -1,6 +1,6 @@
-import { shown } from './problem';
 import { type Address, addressIn, type Value } from './values';
 import type { YamlFile } from './yamlFile';
+import { configurationMessages } from '../messages/configuration';
 
 /** A state of an actuator or a sensor: a number, or a Boolean as 0 or 1. */
 export interface Signal extends Address {
@@ -12,8 +12,7 @@ export interface Signal extends Address {
 export function signalsOf(file: YamlFile, entries: Signal[], values: Value[]): Signal[] {
   const seen = new Map<string, number>();
   entries.forEach(({ signal, ...entry }, i) => {
-    if (seen.has(signal))
-      file.report(['signals', i, 'signal'], `value ${shown(signal)}; line ${seen.get(signal)} already has this signal; name each signal once`);
+    if (seen.has(signal)) file.report(['signals', i, 'signal'], configurationMessages.nameTwice(signal, seen.get(signal), 'signal'));
     seen.set(signal, file.lineOf(['signals', i, 'signal']));
     values.push({ label: signal, path: ['signals', i], address: addressIn(entry) });
   });

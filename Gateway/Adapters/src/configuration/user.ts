@@ -1,6 +1,7 @@
 import type { Configuration } from './configuration';
 import { secretIn } from './secret';
 import type { YamlFile } from './yamlFile';
+import { configurationMessages } from '../messages/configuration';
 
 /** The user for the login at a control system or a broker. */
 export interface User {
@@ -19,8 +20,7 @@ export function userIn(
   const at = ['plant', 'user', 'password_file'] as const;
   const fromFile = user.password_file === undefined ? null : secretIn(file, at, user.password_file);
   const password = environment.NOWPOSE_PLANT_PASSWORD ?? fromFile;
-  if (password === null && user.password_file === undefined)
-    file.report(at, 'missing; add the path of a file that contains only the password, or set NOWPOSE_PLANT_PASSWORD');
+  if (password === null && user.password_file === undefined) file.report(at, configurationMessages.noPassword);
   configuration.secrets.push(password ?? '');
   return { name: user.name, password: password ?? '' };
 }

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { isMap, isNode, isScalar, isSeq, LineCounter, parseDocument, type Document, type Node, type Pair } from 'yaml';
 import { ConfigurationError, type Problem } from './problem';
+import { fileMessages } from '../messages/configuration';
 
 export type Path = readonly (string | number)[];
 
@@ -31,7 +32,7 @@ export class YamlFile {
       // Throws for a circular structure.
       JSON.stringify(this.value);
     } catch (error) {
-      const text = error instanceof TypeError ? 'an alias (*) refers to an entry that contains it; write the entry out' : (error as Error).message;
+      const text = error instanceof TypeError ? fileMessages.circular : (error as Error).message;
       throw new ConfigurationError(path, [{ line: 1, text }]);
     }
   }
@@ -64,7 +65,7 @@ function read(path: string): string {
   try {
     return readFileSync(path, 'utf8').replace(/^\uFEFF/, '');
   } catch (error) {
-    throw new ConfigurationError(path, [{ line: 1, text: `cannot be read (${(error as NodeJS.ErrnoException).code}); name an existing file` }]);
+    throw new ConfigurationError(path, [{ line: 1, text: fileMessages.configurationNotReadable((error as NodeJS.ErrnoException).code) }]);
   }
 }
 
@@ -80,12 +81,12 @@ function child(node: unknown, step: string | number): { node: unknown; offset: n
 function inWords(code: string, message: string): string {
   switch (code) {
     case 'TAB_AS_INDENT':
-      return 'a tab precedes the entry; YAML allows spaces only, so replace the tab';
+      return fileMessages.tab;
     case 'DUPLICATE_KEY':
-      return 'this key occurs twice; remove one';
+      return fileMessages.keyTwice;
     case 'BAD_INDENT':
-      return `${message}; entries of one level must start in the same column`;
+      return fileMessages.indent(message);
     default:
-      return `not valid YAML: ${message}`;
+      return fileMessages.notYaml(message);
   }
 }

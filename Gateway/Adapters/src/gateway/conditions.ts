@@ -1,4 +1,5 @@
 import type { Log } from '../log';
+import { stateMessages } from '../messages/values';
 
 /** What a value belongs to; the prefix of its key in the diagnostics. */
 export type ConditionKind = 'joint' | 'frame' | 'signal';
@@ -41,8 +42,7 @@ export class Conditions {
 
   /** Expects a name, which is missing until its first usable value. */
   expect(name: string): void {
-    if (!this.#known.has(name))
-      this.#known.set(name, { state: 'missing', since: this.now(), reason: 'no value has arrived since the start', uncertainty: '' });
+    if (!this.#known.has(name)) this.#known.set(name, { state: 'missing', since: this.now(), reason: stateMessages.noValueYet, uncertainty: '' });
   }
 
   has(name: string): boolean {
@@ -51,6 +51,10 @@ export class Conditions {
 
   stateOf(name: string): State | undefined {
     return this.#known.get(name)?.state;
+  }
+
+  reasonOf(name: string): string | undefined {
+    return this.#known.get(name)?.reason;
   }
 
   /** The first one that is neither live nor at rest; null when there is none. */
@@ -67,7 +71,7 @@ export class Conditions {
   live(name: string): void {
     if (this.stateOf(name) === 'live') return;
     this.#enter(name, 'live', '', this.now());
-    this.log.resume(`${this.kind} ${name}`, `${name} is live again`);
+    this.log.resume(`${this.kind} ${name}`, stateMessages.liveAgain(name));
   }
 
   /**
@@ -77,10 +81,10 @@ export class Conditions {
    */
   rest(name: string, since: number, basis: string, uncertainty = ''): void {
     const known = this.#known.get(name);
-    const reason = `${basis}; the ${this.kind} is assumed at rest${uncertainty === '' ? '' : `; ${uncertainty}`}`;
+    const reason = stateMessages.assumedAtRest(basis, this.kind, uncertainty);
     if (known?.state === 'rest' && known.reason === reason) return;
     this.#enter(name, 'rest', reason, since, uncertainty);
-    this.log.resume(`${this.kind} ${name}`, `${name} is at rest without a fault`);
+    this.log.resume(`${this.kind} ${name}`, stateMessages.restWithoutFault(name));
   }
 
   fault(name: string, reason: string, since = this.now()): void {
@@ -89,6 +93,12 @@ export class Conditions {
 
   missing(name: string, reason: string): void {
     this.#trouble(name, 'missing', reason, this.now(), true);
+  }
+
+  /** Sets the reason of one that is neither live nor at rest: its value has arrived, but is not used yet. */
+  explain(name: string, reason: string): void {
+    const known = this.#known.get(name);
+    if (known !== undefined && !isGood(known)) this.#trouble(name, known.state, reason, known.since, true);
   }
 
   /** The caller logs the refusal. */
@@ -104,14 +114,14 @@ export class Conditions {
     if (isSame && Math.abs(known.since - since) < SAME_SINCE_MS) return;
     this.#enter(name, state, reason, since, uncertainty);
     if (state === 'rest' || state === 'live')
-      this.log.resume(`${this.kind} ${name}`, `${name} is ${state === 'rest' ? 'at rest, without fault' : 'live again'}`);
+      this.log.resume(`${this.kind} ${name}`, state === 'rest' ? stateMessages.restWithoutFault(name) : stateMessages.liveAgain(name));
     else this.log.change(`${this.kind} ${name}`, `${state} ${reason}`, `${name} ${state}: ${reason}`);
   }
 
   /** Removes a name that is no longer expected. */
   forget(name: string): void {
     if (!this.#known.delete(name)) return;
-    this.log.resume(`${this.kind} ${name}`, `${name} is no longer expected`);
+    this.log.resume(`${this.kind} ${name}`, stateMessages.notExpected(name));
     this.changed();
   }
 

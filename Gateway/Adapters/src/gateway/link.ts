@@ -7,6 +7,7 @@ import { parsed, typeOf } from './messages';
 import { PinnedAgent } from './pin';
 import { inWords } from './reasons';
 import { SendQueue } from './sendQueue';
+import { gatewayMessages } from '../messages/gateway';
 
 const HANDSHAKE_MS = 5000;
 const PING_MS = 2000;
@@ -46,7 +47,7 @@ export class GatewayLink {
   readonly #kept = new Map<string, string>();
   readonly #topics = new Set<string>();
   readonly #services = new Map<string, { type: string; answer: Service; heard: number }>();
-  readonly #subscriptions = new Map<string, { type: string; listen: (message: Record<string, unknown>) => void }>();
+  readonly #subscriptions = new Map<string, { type: string; listeners: ((message: Record<string, unknown>) => void)[] }>();
   readonly #calls = new Map<string, (answer: Record<string, unknown>) => void>();
   readonly #statuses = new Set<string>();
   readonly #watchers: LinkEvents[];
@@ -106,10 +107,11 @@ export class GatewayLink {
     this.#watchers.push(events);
   }
 
-  /** Subscribes to a topic of the other end. */
+  /** Subscribes to a topic of the other end. A topic may have several listeners. */
   subscribe(topic: string, listen: (message: Record<string, unknown>) => void, type = typeOf(topic)!): void {
-    this.#subscriptions.set(topic, { type, listen });
-    this.#send(subscription(topic, type));
+    const known = this.#subscriptions.get(topic);
+    this.#subscriptions.set(topic, { type, listeners: [...(known?.listeners ?? []), listen] });
+    if (known === undefined) this.#send(subscription(topic, type));
   }
 
   /**
@@ -117,7 +119,7 @@ export class GatewayLink {
    * @throws Error The other end is disconnected, does not answer in time, or refuses.
    */
   async call(service: string): Promise<Record<string, unknown>> {
-    if (!this.isOpen) throw new Error(`${this.name} is not connected`);
+    if (!this.isOpen) throw new Error(gatewayMessages.notConnected(this.name));
     const id = `${service} ${++this.#called}`;
     const answer = await new Promise<Record<string, unknown> | null>(resolve => {
       const timer = setTimeout(() => resolve(null), CALL_MS);
@@ -128,7 +130,7 @@ export class GatewayLink {
       this.#send(JSON.stringify({ op: 'call_service', id, service, args: {} }));
     });
     this.#calls.delete(id);
-    if (answer === null) throw new Error(`${service} was not answered within ${CALL_MS / 1000} s`);
+    if (answer === null) throw new Error(gatewayMessages.notAnswered(service, CALL_MS / 1000));
     if (answer.result === false) throw new Error(`${service}: ${text(answer.values)}`);
     return answer.values as Record<string, unknown>;
   }
@@ -164,7 +166,7 @@ export class GatewayLink {
       const leave = (): void => (socket.readyState === WebSocket.OPEN ? socket.close(1000) : socket.terminate());
       const beat = setInterval(() => {
         if (performance.now() - heard > SILENCE_MS) {
-          reason = `no message for ${SILENCE_MS / 1000} s`;
+          reason = gatewayMessages.silent(SILENCE_MS / 1000);
           socket.terminate();
         } else if (socket.readyState === WebSocket.OPEN) {
           socket.ping();
@@ -182,10 +184,7 @@ export class GatewayLink {
         this.#hear(data);
       });
       socket.on('unexpected-response', (request, response) => {
-        reason =
-          response.statusCode === 401
-            ? '401, the token is missing or unknown to the gateway; give the adapter a token of a source'
-            : `HTTP status ${response.statusCode}`;
+        reason = response.statusCode === 401 ? gatewayMessages.noToken : `HTTP status ${response.statusCode}`;
         request.destroy();
         socket.terminate();
       });
@@ -237,7 +236,7 @@ export class GatewayLink {
   // Invalid messages of the other end must not end the process.
   #pass({ topic, msg }: Record<string, unknown>): void {
     try {
-      this.#subscriptions.get(text(topic))?.listen(msg as Record<string, unknown>);
+      for (const listen of this.#subscriptions.get(text(topic))?.listeners ?? []) listen(msg as Record<string, unknown>);
     } catch (error) {
       for (const { malformed } of this.#watchers) malformed?.(text(topic), (error as Error).message);
     }
@@ -246,7 +245,7 @@ export class GatewayLink {
   // Repeated status texts are logged once.
   #tell(status: string): void {
     if (UNSYNCHRONISED.test(status) && performance.now() - this.#measured < MEASURING_MS)
-      return this.log.change(`${this.name} measures`, 'measuring', `${this.name} measures this clock; it forwards positions after the measurement`);
+      return this.log.change(`${this.name} measures`, 'measuring', gatewayMessages.measuring(this.name));
     if (this.#statuses.has(status)) return;
     if (this.#statuses.size >= MAX_STATUSES) this.#statuses.clear();
     this.#statuses.add(status);
@@ -266,7 +265,7 @@ export class GatewayLink {
   async #answer(service: string, id: unknown): Promise<void> {
     const offered = this.#services.get(service);
     try {
-      if (offered === undefined) throw new Error(`no service ${service} here`);
+      if (offered === undefined) throw new Error(gatewayMessages.noService(service));
       offered.heard = performance.now();
       this.#send(JSON.stringify({ op: 'service_response', id, service, values: await offered.answer(), result: true }));
     } catch (error) {

@@ -2,6 +2,7 @@ import { createHash, timingSafeEqual } from 'node:crypto';
 import { Agent } from 'node:https';
 import type { Duplex } from 'node:stream';
 import { connect, type ConnectionOptions, type TLSSocket } from 'node:tls';
+import { gatewayMessages } from '../messages/gateway';
 
 /** Gets the SHA-256 of a certificate's public key, in the form of RFC 7469. */
 export const pinOf = (publicKeyInfo: Buffer): string => `sha256/${createHash('sha256').update(publicKeyInfo).digest('base64')}`;
@@ -34,10 +35,8 @@ export class PinnedAgent extends Agent {
 /** Gets the reason why the other end does not have the pinned key; null if it has. */
 export function pinProblem(socket: TLSSocket, pin: string): string | null {
   const found = socket.getPeerX509Certificate()?.publicKey.export({ type: 'spki', format: 'der' });
-  if (found === undefined) return 'the gateway presented no certificate; start it with --tls or --certificate';
-  return isSame(pinOf(found), pin)
-    ? null
-    : `the gateway has the pin ${pinOf(found)} but the configuration has another; if the gateway's key was renewed, set the pin to it`;
+  if (found === undefined) return gatewayMessages.noCertificate;
+  return isSame(pinOf(found), pin) ? null : gatewayMessages.otherPin(pinOf(found));
 }
 
 const isSame = (a: string, b: string): boolean => a.length === b.length && timingSafeEqual(Buffer.from(a), Buffer.from(b));

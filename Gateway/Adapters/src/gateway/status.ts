@@ -1,5 +1,6 @@
 import { Log } from '../log';
 import { type Condition, Conditions } from './conditions';
+import { stateMessages } from '../messages/values';
 
 /** State of the connection to the plant. "waiting" is the time between two attempts. */
 export type PlantState = 'connecting' | 'connected' | 'refused' | 'waiting';
@@ -50,7 +51,7 @@ export class AdapterStatus {
     // Attempts are not logged, only their results.
     if (state !== 'connecting') this.log.change('plant', clean === '' ? state : `${state}: ${clean}`);
     if (state === 'waiting' || state === 'refused') {
-      this.#failure = clean === '' ? 'the plant is not connected' : clean;
+      this.#failure = clean === '' ? stateMessages.disconnected : clean;
       for (const each of this.#all) each.disconnected(this.#failure);
     } else if (state === 'connected') {
       this.#failure = '';
@@ -68,7 +69,7 @@ export class AdapterStatus {
   get level(): 0 | 1 | 2 {
     if (this.#state === 'connecting' && this.#failure === '') return 1;
     if (this.#state !== 'connected' || this.#trouble !== null) return 2;
-    return this.joints.uncertainty === null && this.#notice === null ? 0 : 1;
+    return this.#uncertainty === null && this.#notice === null ? 0 : 1;
   }
 
   /** The plant's state or, while it is connected, the first faulty joint, frame or signal. */
@@ -77,8 +78,8 @@ export class AdapterStatus {
     if (this.#state !== 'connected') return this.#reason === '' ? this.#state : `${this.#state}: ${this.#reason}`;
     const trouble = this.#trouble;
     if (trouble === null && this.#notice !== null) return `${this.#state}: ${this.#notice}`;
-    if (trouble === null)
-      return this.joints.uncertainty === null ? this.#state : `${this.joints.uncertainty[0]} may not be at rest: ${this.joints.uncertainty[1]}`;
+    const uncertainty = this.#uncertainty;
+    if (trouble === null) return uncertainty === null ? this.#state : stateMessages.uncertainRest(...uncertainty);
     const [name, { state, reason }] = trouble;
     return `${name} ${state}: ${reason}`;
   }
@@ -90,6 +91,11 @@ export class AdapterStatus {
   /** The first faulty joint, frame or signal; null when there is none. */
   get #trouble(): [string, Condition] | null {
     return this.joints.trouble ?? this.frames.trouble ?? this.signals.trouble;
+  }
+
+  /** The first joint or frame whose rest is uncertain, with the reason; null if there is none. */
+  get #uncertainty(): [string, string] | null {
+    return this.joints.uncertainty ?? this.frames.uncertainty;
   }
 
   /** Sets a value that rarely changes, such as security or sampling_ms; null removes it. */
@@ -138,7 +144,7 @@ export class AdapterStatus {
 
   /** Reports that the values of this subject are valid again. */
   accept(subject: string): void {
-    this.log.resume(`value of ${subject}`, `${subject} is valid again`);
+    this.log.resume(`value of ${subject}`, stateMessages.validAgain(subject));
   }
 
   refusals(reason: string): number {

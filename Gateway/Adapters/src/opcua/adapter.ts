@@ -14,6 +14,7 @@ import { type OpcUaSettings, settingsOf } from './settings';
 import { SilentNodes } from './silentNodes';
 import { Refused, refusalOf } from './troubles';
 import { Watch } from './watch';
+import { certificateMessages, nodeMessages, opcuaMessages } from '../messages/opcua';
 
 /** Delay of a server beyond its granted intervals. */
 const SLACK_MS = 100;
@@ -33,9 +34,8 @@ export async function run(context: AdapterContext): Promise<void> {
   const trust = new TrustList(settings.security);
   const own = await certificateOf(context, settings, trust);
   if (own === null) return;
-  if (settings.security.mode === 'none')
-    log.line('WARNING: plant.security.mode is none: the server is not authenticated, and anyone on the network can read and change its values');
-  else log.line(`own certificate ${own.file}, thumbprint ${thumbprints(own.getCertificate()).sha1}: the server must trust it`);
+  if (settings.security.mode === 'none') log.line(opcuaMessages.notSecure);
+  else log.line(certificateMessages.own(own.file, thumbprints(own.getCertificate()).sha1));
 
   const backoff = new Backoff();
   const reader = new NotificationReader(context, settings);
@@ -134,8 +134,8 @@ async function idsOf(session: ReadOnlySession, context: AdapterContext, { nodes 
   const namespaces = Array.isArray(value.value) ? (value.value as string[]) : [];
   const ids = nodes.map(node => byNumber(node, namespaces));
   const lost = nodes.filter((_, i) => ids[i] === undefined);
-  const wrong = lost.map(node => `${whereIs(context, node)}: value ${node}; the server has no such namespace`);
-  if (wrong.length > 0) throw new Refused(`${wrong.join('; ')}; it has ${namespaces.join(', ')}`);
+  const wrong = lost.map(node => nodeMessages.noNamespace(whereIs(context, node), node));
+  if (wrong.length > 0) throw new Refused(nodeMessages.namespaces(wrong.join('; '), namespaces));
   return ids as string[];
 }
 
@@ -147,14 +147,7 @@ function whereIs({ configuration }: AdapterContext, node: string): string {
 /** Reports the values of unknown nodes as missing and continues with the others. Fails if no value or no time variable is left. */
 function refuseUnknown(context: AdapterContext, { nodes, valueNodes }: NotificationReader, silent: SilentNodes, refusals: (string | null)[]): void {
   const wrong = refusals.flatMap((refusal, node) =>
-    refusal === null
-      ? []
-      : [
-          {
-            node,
-            text: `${whereIs(context, nodes[node])}: value ${nodes[node]}; the server answers ${refusal}; look up the node's id in an OPC UA browser`,
-          },
-        ],
+    refusal === null ? [] : [{ node, text: nodeMessages.unknown(whereIs(context, nodes[node]), nodes[node], refusal) }],
   );
   if (wrong.some(({ node }) => node >= valueNodes.length) || (wrong.length > 0 && wrong.length >= valueNodes.length))
     throw new Refused(wrong.map(({ text }) => text).join('; '));

@@ -5,6 +5,8 @@ import { isGood } from './nodeValues';
 import type { ReadOnlySession } from './readOnlySession';
 import type { OpcUaSettings } from './settings';
 import { ofDate, timeIn } from './stamps';
+import { clockMessages } from '../messages/gateway';
+import { nodeMessages, opcuaMessages } from '../messages/opcua';
 
 /** Server_ServerStatus_CurrentTime, which every OPC UA server has. */
 const CURRENT_TIME = 'ns=0;i=2258';
@@ -23,17 +25,17 @@ export async function clockOf(session: ReadOnlySession, settings: OpcUaSettings,
   const node = variable ?? CURRENT_TIME;
   const ofNode = async (): Promise<ClockReading> => {
     const value = await session.read(node);
-    if (!isGood(value.statusCode)) throw new Error(`${node} cannot be read: ${value.statusCode.name}`);
+    if (!isGood(value.statusCode)) throw new Error(nodeMessages.notReadable(node, value.statusCode.name));
     const time = timeIn(value.value, settings.time?.unit ?? null);
-    if (time === null) throw new Error(`${node} does not contain a valid time`);
+    if (time === null) throw new Error(clockMessages.noTime(node));
     return { received: time, sent: time };
   };
   if (node !== CURRENT_TIME || !(await stands(session, ofNode))) return ofNode;
-  log.change('server clock', 'seldom', 'the server rarely updates CurrentTime; its clock is read from the send time of its answers');
+  log.change('server clock', 'seldom', opcuaMessages.rareTime);
   return async (): Promise<ClockReading> => {
     await session.read(node);
     const sent = sentAt(session);
-    if (sent === null) throw new Error("the server's answer has no time stamp");
+    if (sent === null) throw new Error(opcuaMessages.noTimeOfAnswer);
     return { received: sent, sent };
   };
 }

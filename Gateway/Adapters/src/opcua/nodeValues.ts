@@ -1,6 +1,7 @@
 import { DataType, type DataValue, type StatusCode, VariantArrayType } from 'node-opcua-client';
 import type { Refusal } from '../samples/stampRule';
 import { numberIn } from './stamps';
+import { nodeMessages } from '../messages/opcua';
 
 /** The address of a value: a node and, for an array, the index in it. */
 export interface NodeAddress {
@@ -27,20 +28,20 @@ export const isOverflown = (status: StatusCode): boolean => (status.value & OVER
 export function statusRefusal(value: DataValue): Refusal | null {
   // A server may send a status without a value, and Null for a variable that has never been written.
   const isThere = value.value && value.value.dataType !== DataType.Null;
-  if (isGood(value.statusCode)) return isThere ? null : { reason: 'type', text: 'it has no value' };
+  if (isGood(value.statusCode)) return isThere ? null : { reason: 'type', text: nodeMessages.noValue };
   const kind = severity(value.statusCode) === 1 ? 'uncertain' : 'bad';
-  return { reason: `status-${kind}`, text: `the server answers ${value.statusCode.name}, ${value.statusCode.description}` };
+  return { reason: `status-${kind}`, text: nodeMessages.badStatus(value.statusCode.name, value.statusCode.description) };
 }
 
 /** Gets the number at an address from a node's value. The caller checks that it is a number. */
 export function valueOf(address: NodeAddress, value: DataValue): { value: unknown } | Refusal {
   const { value: variant } = value;
   const isArray = variant.arrayType !== VariantArrayType.Scalar;
-  if (address.index === undefined) return isArray ? { reason: 'type', text: `${address.node} is an array; add index` } : { value: numberIn(variant) };
-  if (!isArray) return { reason: 'type', text: `${address.node} is not an array; remove index` };
+  if (address.index === undefined) return isArray ? { reason: 'type', text: nodeMessages.array(address.node) } : { value: numberIn(variant) };
+  if (!isArray) return { reason: 'type', text: nodeMessages.notArray(address.node) };
   const elements = variant.value as ArrayLike<unknown> | null;
   const length = elements?.length ?? 0;
-  if (address.index >= length) return { reason: 'index', text: `${address.node} has ${length} elements; allowed: an index from 0 to ${length - 1}` };
+  if (address.index >= length) return { reason: 'index', text: nodeMessages.index(address.node, length) };
   const element = elements![address.index];
   return { value: numberIn({ dataType: variant.dataType, value: element } as typeof variant) };
 }

@@ -9,6 +9,7 @@ import type { NodeValue } from './readOnlySession';
 import type { OpcUaSettings } from './settings';
 import { serverStamp, sourceStamp, timeIn } from './stamps';
 import { TimeVariable } from './timeVariable';
+import { nodeMessages } from '../messages/opcua';
 
 const GROUP_MS = 0.5;
 
@@ -113,8 +114,7 @@ export class NotificationReader {
     const refusal = statusRefusal(value);
     const time = refusal === null ? timeIn(value.value, unit) : null;
     if (refusal !== null) status.refuse(refusal.reason, node, refusal.text);
-    else if (time === null || label === null)
-      status.refuse('time-type', node, 'the value is not a time; name a DateTime, or a 64-bit whole number or an LREAL with its unit');
+    else if (time === null || label === null) status.refuse('time-type', node, nodeMessages.notTime);
     else this.#time!.learn(label, time);
     return time;
   }
@@ -123,7 +123,7 @@ export class NotificationReader {
     const { status } = this.context;
     if (isOverflown(value.statusCode)) status.count('overflow');
     if (isGone(value.statusCode)) {
-      const refusal = { reason: 'node-gone', text: `the server has no node ${this.nodes[node]} (${value.statusCode.name})` };
+      const refusal = { reason: 'node-gone', text: nodeMessages.missing(this.nodes[node], value.statusCode.name) };
       return this.#readers[node].map(index => ({ index, value: null, stamp: null, refusal, isLost: true }));
     }
     const isFirst = !this.#received.has(node) && this.#hasStamp(value);
@@ -141,12 +141,7 @@ export class NotificationReader {
   get #unmatched(): Refusal {
     const { node } = this.settings.time!;
     const ms = this.context.configuration.plant.group_ms ?? GROUP_MS;
-    return {
-      reason: 'time-unmatched',
-      text:
-        `no value of ${node} has a time stamp within ${String(ms)} ms (group_ms) of this value; `
-        + 'if the server stamps the variables of a cycle one by one, increase group_ms',
-    };
+    return { reason: 'time-unmatched', text: nodeMessages.noTimeOfCycle(node, String(ms)) };
   }
 
   /** Whether a value has a stamp. One without a stamp could be of any age. */

@@ -16,6 +16,7 @@ import {
 import type { OpcUaSettings } from './settings';
 import { applicationUri, type OwnCertificate } from './security/ownCertificate';
 import type { TrustList } from './security/trustList';
+import { opcuaMessages } from '../messages/opcua';
 
 /** Initial number of nodes per read request; halved if a server accepts fewer. */
 const NODES_PER_READ = 64;
@@ -59,7 +60,7 @@ export interface Monitoring {
 
 /** Throws for a request that is not read-only, before it is encoded, so that it is never sent. */
 export function readsOnly(request: { schema: { name: string } }): void {
-  if (!ALLOWED.has(request.schema.name)) throw new Error(`${request.schema.name} is not allowed; the adapter only reads`);
+  if (!ALLOWED.has(request.schema.name)) throw new Error(opcuaMessages.notAllowed(request.schema.name));
 }
 
 /** A read-only session with an OPC UA server. It ends once; create another one for another connection. */
@@ -108,16 +109,16 @@ export class ReadOnlySession {
     this.#client.on('receive_response', response => {
       if ((response as { schema: { name: string } }).schema.name === 'ReadResponse') this.#answeredAt = response.responseHeader.timestamp;
     });
-    this.#client.on('connection_lost', () => this.#end('the connection was lost'));
-    this.#client.on('abort', () => this.#end('the server aborted the connection'));
-    this.#client.on('close', error => this.#end(error ? error.message : 'the connection was closed'));
+    this.#client.on('connection_lost', () => this.#end(opcuaMessages.lost));
+    this.#client.on('abort', () => this.#end(opcuaMessages.aborted));
+    this.#client.on('close', error => this.#end(error ? error.message : opcuaMessages.closed));
   }
 
   /** @throws Error The server is not reachable, is not trusted, or refuses us. */
   async open(user: UserIdentityInfo): Promise<void> {
     await this.#client.connect(this.settings.endpoint);
     this.#session = await this.#client.createSession(user);
-    this.#session.on('session_closed', () => this.#end('the server closed the session'));
+    this.#session.on('session_closed', () => this.#end(opcuaMessages.sessionClosed));
   }
 
   /** Time of the server's clock when it sent the newest answer to a read; null before the first. */
@@ -127,14 +128,14 @@ export class ReadOnlySession {
 
   async read(node: string): Promise<DataValue> {
     const session = this.#session;
-    if (session === null) throw new Error('not connected: the session with the server has ended');
+    if (session === null) throw new Error(opcuaMessages.notConnected);
     return session.read({ nodeId: node, attributeId: AttributeIds.Value }, 0);
   }
 
   /** Reads the values of nodes. */
   async readAll(nodes: string[]): Promise<DataValue[]> {
     const session = this.#session;
-    if (session === null) throw new Error('not connected: the session with the server has ended');
+    if (session === null) throw new Error(opcuaMessages.notConnected);
     const values: DataValue[] = [];
     while (values.length < nodes.length) {
       const part = nodes.slice(values.length, values.length + this.#nodesPerRead);
@@ -188,8 +189,8 @@ export class ReadOnlySession {
       publishingEnabled: true,
       priority: 100,
     });
-    subscription.on('terminated', () => this.#end('the server ended the subscription'));
-    subscription.on('status_changed', status => this.#end(`the server ended the subscription (${status.name})`));
+    subscription.on('terminated', () => this.#end(opcuaMessages.subscriptionEnded));
+    subscription.on('status_changed', status => this.#end(opcuaMessages.subscriptionStatus(status.name)));
     this.#heard = heard;
     subscription.on('raw_notification', message => {
       const data = message.notificationData ?? [];

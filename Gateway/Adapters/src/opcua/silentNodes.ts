@@ -6,6 +6,7 @@ import type { NodeValue, ReadOnlySession } from './readOnlySession';
 import type { SourceStop } from '../samples/jointOutput';
 import { Renewals } from './renewals';
 import { sourceStamp } from './stamps';
+import { nodeMessages } from '../messages/opcua';
 
 /** Time without a notification after which a node is read. */
 const SILENT_MS = 60;
@@ -85,8 +86,7 @@ export class SilentNodes {
   async #isUnchanged(node: number, value: DataValue): Promise<boolean> {
     const state = this.#nodes[node];
     if (isGone(value.statusCode)) {
-      if (!state.isGone)
-        this.refused(node, `${this.nameOf(node)}: value ${this.reader.nodes[node]}; the server no longer has this node (${value.statusCode.name})`);
+      if (!state.isGone) this.refused(node, nodeMessages.gone(this.nameOf(node), this.reader.nodes[node], value.statusCode.name));
       return false;
     }
     const isSame = isSameValue(state.value, value);
@@ -113,7 +113,7 @@ export class SilentNodes {
     this.#nodes[node] = { heardAt: this.now(), value: null, isGone: false, isBad: false, differsSince: null };
     this.reader.expectFirst(node);
     const refusal = await this.session.monitorAgain(node, this.ids[node]);
-    if (refusal !== null) this.refused(node, `${this.nameOf(node)}: the server answers ${refusal}`);
+    if (refusal !== null) this.refused(node, nodeMessages.notMonitored(this.nameOf(node), refusal));
   }
 }
 

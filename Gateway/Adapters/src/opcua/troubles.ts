@@ -1,6 +1,7 @@
 import { type OwnCertificate } from './security/ownCertificate';
 import { thumbprints, type TrustList } from './security/trustList';
 import type { OpcUaSettings } from './settings';
+import { opcuaMessages, opcuaRefusalMessages } from '../messages/opcua';
 
 /** The server refuses us, or we refuse the server. Waiting does not help; a user must act. */
 export class Refused extends Error {}
@@ -13,26 +14,15 @@ export interface Trouble {
 const CURES: [RegExp, (settings: OpcUaSettings, own: OwnCertificate) => string][] = [
   [
     /BadSecurityChecksFailed|BadCertificate|BadSecurityModeRejected/,
-    (_, own) =>
-      'the server does not trust this adapter; '
-      + `accept the certificate ${own.file}, thumbprint ${thumbprints(own.getCertificate()).sha1}, at the server`,
+    (_, own) => opcuaRefusalMessages.adapterNotTrusted(own.file, thumbprints(own.getCertificate()).sha1),
   ],
-  [
-    /BadIdentityTokenRejected|BadUserAccessDenied/,
-    settings =>
-      settings.user
-        ? `the server does not accept user ${settings.user.name}; see plant.user`
-        : 'the server does not accept this user; set plant.user to a user with read access',
-  ],
+  [/BadIdentityTokenRejected|BadUserAccessDenied/, ({ user }) => (user ? opcuaRefusalMessages.user(user.name) : opcuaRefusalMessages.anonymous)],
   [
     /cannot find an? endpoint|end point must exist/i,
-    ({ security }) =>
-      security.mode === 'none'
-        ? 'the server offers no connection without security; remove plant.security.mode'
-        : `the server offers no SignAndEncrypt with ${security.policy}; choose another plant.security.policy, or enable this policy at the server`,
+    ({ security }) => (security.mode === 'none' ? opcuaRefusalMessages.noOpenEndpoint : opcuaRefusalMessages.noPolicy(security.policy)),
   ],
-  [/BadIdentityTokenInvalid|cannot find .*token/i, () => 'the server does not support this login; change plant.user'],
-  [/BadTooManySessions|BadTcpNotEnoughResources/, () => 'the server has no free session; close a session of another client'],
+  [/BadIdentityTokenInvalid|cannot find .*token/i, () => opcuaRefusalMessages.login],
+  [/BadTooManySessions|BadTcpNotEnoughResources/, () => opcuaRefusalMessages.noFreeSession],
 ];
 
 /** Classifies the error of a connection attempt: whether to wait or to act. */
@@ -42,5 +32,5 @@ export function refusalOf(error: Error, trust: TrustList, settings: OpcUaSetting
   const cure = CURES.find(([pattern]) => pattern.test(error.message));
   if (cure !== undefined) return { isRefusal: true, text: cure[1](settings, own) };
   const isAway = /ECONNREFUSED|ENOTFOUND|EHOSTUNREACH|ETIMEDOUT|cannot be established|premature disconnection/i.test(error.message);
-  return { isRefusal: false, text: isAway ? `no OPC UA server answers at ${settings.endpoint}; check that it runs` : error.message };
+  return { isRefusal: false, text: isAway ? opcuaMessages.noServer(settings.endpoint) : error.message };
 }

@@ -1,5 +1,7 @@
 import { isClockStopped, type PlantClock } from '../clock/plantClock';
 import type { Nanoseconds } from '../times';
+import { clockMessages } from '../messages/gateway';
+import { opcuaMessages } from '../messages/opcua';
 
 /** Interval of the checks while values arrive, and after none has arrived for QUIET_MS. A headset shows a sample for 300 ms. */
 const LOOK_MS = 500;
@@ -37,7 +39,7 @@ export class Watch {
     });
     while (!isOver) {
       await new Promise(resolve => setTimeout(resolve, QUIET_LOOK_MS));
-      if (performance.now() - this.#heard > longest) return `nothing was published for ${longest / 1000} s`;
+      if (performance.now() - this.#heard > longest) return opcuaMessages.silent(longest / 1000);
       if (performance.now() - this.#valued < QUIET_MS && performance.now() - looked < LOOK_MS) continue;
       looked = performance.now();
       let time: Nanoseconds | null = null;
@@ -45,14 +47,14 @@ export class Watch {
         if (!isOver) time = (await clock.read()).received;
       } catch (error) {
         // A server with a stopped clock still answers. The reader of the time gets the error.
-        if (!isClockStopped(error)) return `its clock cannot be read: ${(error as Error).message}`;
+        if (!isClockStopped(error)) return clockMessages.notReadable((error as Error).message);
       }
       try {
         if (!isOver) await look(time);
       } catch (error) {
-        return `its nodes cannot be read: ${(error as Error).message}`;
+        return opcuaMessages.notReadable((error as Error).message);
       }
     }
-    return 'the connection ended';
+    return opcuaMessages.ended;
   }
 }

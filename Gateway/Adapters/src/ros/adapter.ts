@@ -2,13 +2,15 @@ import type { AdapterContext } from '../adapter';
 import { pause } from '../backoff';
 import { GatewayLink } from '../gateway/link';
 import { description, JOINT_TRAJECTORY, ROBOT_DESCRIPTION, topicOf } from '../gateway/messages';
+import { TopicValues } from '../samples/topicValues';
 import { ofRosTime } from '../times';
 import { RosFrames } from './frames';
 import { JointNames } from './jointNames';
 import { JointStates } from './jointStates';
 import { settingsOf } from './settings';
-import { RosSignals } from './signals';
 import { passedTrajectory } from './trajectory';
+import { malformedMessages } from '../messages/broker';
+import { rosMessages } from '../messages/ros';
 
 const CLOCK_RETRY_MS = 1000;
 
@@ -20,12 +22,15 @@ const TRAJECTORY = 'trajectory_msgs/JointTrajectory';
 const STRING = 'std_msgs/String';
 const TRANSFORMS = 'tf2_msgs/TFMessage';
 
+/** The field of the messages of std_msgs. */
+const DATA = 'data';
+
 /** Listens to a robot's rosbridge and forwards its messages until it is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
   const { configuration, gateway, clock, status, log, stopping } = context;
   const settings = settingsOf(configuration);
   let connection = new AbortController();
-  if (!settings.hasClock) clock.doWithout();
+  if (!settings.hasClock) void clock.doWithout(stopping);
   const robot = new GatewayLink({ url: settings.endpoint, token: null, pin: settings.pin }, log, 'rosbridge', {
     opened: () => {
       status.enter('connected');
@@ -45,11 +50,11 @@ export async function run(context: AdapterContext): Promise<void> {
   async function attach(ended: AbortSignal): Promise<void> {
     while (!ended.aborted) {
       try {
-        if (await clock.attach(readTime, ended)) return log.resume('clock', "the robot's clock is available");
+        if (await clock.attach(readTime, ended)) return log.resume('clock', rosMessages.clockAvailable);
       } catch (error) {
         if (ended.aborted) return;
-        clock.doWithout();
-        log.change('clock', `the robot's clock is not available: ${(error as Error).message}; start rosapi beside rosbridge, or set clock: false`);
+        void clock.doWithout(stopping);
+        log.change('clock', rosMessages.noClock((error as Error).message));
         await pause(CLOCK_RETRY_MS, ended);
       }
     }
@@ -58,7 +63,7 @@ export async function run(context: AdapterContext): Promise<void> {
   async function readTime() {
     const { time } = await robot.call(GET_TIME);
     const now = ofRosTime(time);
-    if (now === null || now <= 0n) throw new Error(`${GET_TIME} returns no time; with use_sim_time, start the simulation`);
+    if (now === null || now <= 0n) throw new Error(rosMessages.noTime(GET_TIME));
     return { received: now, sent: now };
   }
 
@@ -72,31 +77,39 @@ export async function run(context: AdapterContext): Promise<void> {
     robot.subscribe(settings.robotDescription, message => passDescription(message?.data), STRING);
   if (settings.jointTrajectory !== null) robot.subscribe(settings.jointTrajectory, passTrajectory, TRAJECTORY);
 
-  if (settings.frames.length > 0) {
-    const frames = new RosFrames(settings, settings.oldest, clock, gateway, status, output.frames.silence);
+  const frames = new RosFrames(settings, settings.oldest, clock, gateway, status, output.frames.silence);
+  if (settings.frames.some(({ topic }) => topic === null)) {
     robot.subscribe(settings.tf, message => frames.pass(message), TRANSFORMS);
     robot.subscribe(settings.tfStatic, message => frames.passStationary(message), TRANSFORMS);
   }
+  settings.frames.forEach(({ topic, type }, index) => {
+    if (topic !== null) robot.subscribe(topic, message => frames.passPose(index, message), type);
+  });
   output.signals.silence.unconfirmedMs = null;
-  const signals = new RosSignals(settings.signals, output.signals.offset, clock, output);
-  for (const [topic, type] of signals.topics) robot.subscribe(topic, message => signals.pass(topic, message), type);
+  const values = new TopicValues(configuration.values, DATA);
+  for (const topic of values.topics) robot.subscribe(topic, message => passValues(topic, message), settings.types.get(topic));
 
   function passDescription(text: unknown): void {
     if (typeof text === 'string' && text.includes('<robot')) gateway.publishKept(topicOf(namespace, ROBOT_DESCRIPTION), description(text));
-    else status.refuse('malformed', 'robot description', 'it has no <robot> element');
+    else status.refuse('malformed', 'robot description', malformedMessages.noRobot);
+  }
+
+  // A message without a header has no stamp. Its arrival is later than the change by the transmission time.
+  function passValues(topic: string, message: Record<string, unknown>): void {
+    const { stamp } = (message.header ?? {}) as { stamp?: unknown };
+    output.publish(values.in(topic, message, ofRosTime(stamp) ?? clock.now));
   }
 
   function passTrajectory(message: Record<string, unknown>): void {
     const passed = passedTrajectory(message, names);
-    if (passed === null) return status.refuse('malformed', 'trajectory', 'it has no forwarded joint, or a value is not a number');
+    if (passed === null) return status.refuse('malformed', 'trajectory', malformedMessages.forwardedTrajectory);
     status.accept('trajectory');
     gateway.publish(topicOf(namespace, JOINT_TRAJECTORY), passed);
   }
 
   status.detail('endpoint', settings.endpoint);
   status.detail('security', settings.endpoint.startsWith('wss:') ? 'tls' : 'none');
-  if (settings.isPlain)
-    log.line('this rosbridge is neither encrypted nor authenticated (plain: true): anyone with access to its network can imitate the robot');
+  if (settings.isPlain) log.line(rosMessages.notSecure);
   status.enter('connecting');
   await robot.run(stopping);
 }

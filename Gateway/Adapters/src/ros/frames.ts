@@ -6,11 +6,21 @@ import type { AdapterStatus } from '../gateway/status';
 import type { Silence } from '../samples/silence';
 import { StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
+import { malformedMessages } from '../messages/broker';
+import { rosMessages } from '../messages/ros';
 
 /** A frame of the cell and its name in ROS. */
 export interface RosFrame {
   frame: string;
   source: string;
+  /** The topic with its pose; null for /tf and /tf_static. */
+  topic: string | null;
+  type?: string;
+}
+
+interface RosTransform {
+  header?: { stamp?: unknown; frame_id?: unknown };
+  transform?: Record<string, Record<string, unknown> | undefined>;
 }
 
 interface Publisher {
@@ -50,7 +60,15 @@ export class RosFrames {
 
   /** Forwards tracked frames. */
   pass(message: Record<string, unknown>): void {
-    const found = this.#found(message);
+    this.#forward(this.#found(message));
+  }
+
+  /** Forwards the frame that has a topic of its own, with TransformStamped, PoseStamped or a message with a pose and its covariance. */
+  passPose(index: number, message: Record<string, unknown>): void {
+    this.#forward(this.#read(index, 'transform' in message ? message : ofPose(message)));
+  }
+
+  #forward(found: { index: number; pose: Pose; stamp: Nanoseconds | null }[]): void {
     if (found.length === 0) return;
     if (!this.clock.isSettled) return this.status.count('clock-unknown');
     const { now } = this.clock;
@@ -87,30 +105,28 @@ export class RosFrames {
 
   #found({ transforms }: Record<string, unknown>): { index: number; pose: Pose; stamp: Nanoseconds | null }[] {
     if (!Array.isArray(transforms)) {
-      this.status.refuse('malformed', 'transforms', 'the message has no list of transforms', this.status.frames);
+      this.status.refuse('malformed', 'transforms', rosMessages.noTransforms, this.status.frames);
       return [];
     }
     return transforms.flatMap((one: Record<string, unknown> | null) => {
       const source = bare(one?.child_frame_id);
-      const index = this.names.frames.findIndex(frame => frame.source === source);
-      if (index < 0) return [];
-      const { frame } = this.names.frames[index];
-      const { stamp, frame_id: parent } = (one!.header ?? {}) as { stamp?: unknown; frame_id?: unknown };
-      const { translation, rotation } = (one!.transform ?? {}) as Record<string, Record<string, unknown> | undefined>;
-      const position = numbers(translation, ['x', 'y', 'z']);
-      const turn = numbers(rotation, ['x', 'y', 'z', 'w']);
-      const quaternion = turn === null ? null : unit(turn);
-      if (position === null || quaternion === null || bare(parent) === '') {
-        this.status.refuse(
-          'malformed',
-          frame,
-          `its transform from ${source} has no parent, or no finite position, or no unit quaternion`,
-          this.status.frames,
-        );
-        return [];
-      }
-      return [{ index, pose: { frame, parent: this.#parentOf(bare(parent)), position, rotation: quaternion }, stamp: ofRosTime(stamp) }];
+      const index = this.names.frames.findIndex(frame => frame.topic === null && frame.source === source);
+      return index < 0 ? [] : this.#read(index, one!);
     });
+  }
+
+  /** Gets the pose of a frame as a list; an empty one if it is refused. */
+  #read(index: number, { header, transform: pose }: RosTransform): { index: number; pose: Pose; stamp: Nanoseconds | null }[] {
+    const { frame, source, topic } = this.names.frames[index];
+    const parent = bare(header?.frame_id);
+    const position = numbers(pose?.translation, ['x', 'y', 'z']);
+    const turn = numbers(pose?.rotation, ['x', 'y', 'z', 'w']);
+    const quaternion = turn === null ? null : unit(turn);
+    if (position === null || quaternion === null || parent === '') {
+      this.status.refuse('malformed', frame, malformedMessages.transform(topic ?? source), this.status.frames);
+      return [];
+    }
+    return [{ index, pose: { frame, parent: this.#parentOf(parent), position, rotation: quaternion }, stamp: ofRosTime(header?.stamp) }];
   }
 
   #parentOf(source: string): string {
@@ -118,6 +134,13 @@ export class RosFrames {
     if (source === world) return WORLD;
     return frames.find(frame => frame.source === source)?.frame ?? (namespace === '' ? source : `${namespace}/${source}`);
   }
+}
+
+/** Gets the transform of a message of geometry_msgs or nav_msgs with a header and a pose, or a pose with its covariance. */
+function ofPose({ header, pose }: Record<string, unknown>): RosTransform {
+  const inner = (pose as { pose?: unknown } | undefined)?.pose ?? pose;
+  const { position, orientation } = (inner ?? {}) as Record<string, Record<string, unknown> | undefined>;
+  return { header: header as RosTransform['header'], transform: { translation: position, rotation: orientation } };
 }
 
 /** Gets the members with these names; null if one is not a finite number. */

@@ -23,9 +23,11 @@ export class JointNames {
     joints: Joint[],
     readonly namespace = '',
   ) {
-    joints.forEach(({ joint, name, source, scale, offset, isLinear }, index) =>
-      this.#known.set((source as string | undefined) ?? name, { index, joint, name, scale, offset, isLinear: isLinear === true }),
-    );
+    joints.forEach(({ joint, name, source, topic, scale, offset, isLinear }, index) => {
+      // A joint with a topic of its own is not in the joint states.
+      if (topic === undefined)
+        this.#known.set((source as string | undefined) ?? name, { index, joint, name, scale, offset, isLinear: isLinear === true });
+    });
     this.isOpen = joints.length === 0;
   }
 

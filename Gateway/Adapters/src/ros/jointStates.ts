@@ -7,6 +7,8 @@ import type { Silence } from '../samples/silence';
 import { StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
 import type { JointNames, OutJoint } from './jointNames';
+import { malformedMessages } from '../messages/broker';
+import { refusalMessages, silenceMessages } from '../messages/values';
 
 const MAX_JOINTS = 256;
 
@@ -41,8 +43,8 @@ export class JointStates {
   ) {
     // A joint whose publisher is silent cannot be confirmed.
     silence.unconfirmedMs = null;
-    const others = silence.hasEnded;
-    silence.hasEnded = joint => others(joint) || this.#hasEnded(joint);
+    const others = silence.endOf;
+    silence.endOf = joint => others(joint) ?? (this.#hasEnded(joint) ? silenceMessages.ended : null);
     this.#rule = new StampRule(MAX_JOINTS, oldest);
   }
 
@@ -50,8 +52,7 @@ export class JointStates {
     const { name, position, velocity, acceleration } = message ?? {};
     if (!Array.isArray(name) || !Array.isArray(position) || position.length !== name.length) {
       // Joints with only efforts or velocities are published with empty positions.
-      if (!Array.isArray(position) || position.length > 0)
-        this.status.refuse('malformed', 'joint states', 'names and positions are not lists of the same length');
+      if (!Array.isArray(position) || position.length > 0) this.status.refuse('malformed', 'joint states', malformedMessages.jointStates);
       return;
     }
     if (!this.clock.isSettled) return this.status.count('clock-unknown');
@@ -80,7 +81,7 @@ export class JointStates {
     this.status.joints.expect(joint);
     // A NaN arrives as null.
     if (typeof position !== 'number' || !Number.isFinite(position * scale + offset)) {
-      this.status.refuse('not-finite', joint, `value ${shown(position)} is not a position`);
+      this.status.refuse('not-finite', joint, refusalMessages.notPosition(shown(position)));
       return false;
     }
     const refusal = this.#rule.judge(index, stamp, now);

@@ -1,12 +1,13 @@
 import type { Kind } from '../adapter';
 import { requireAddress } from '../configuration/address';
 import { type Configuration, readNames } from '../configuration/configuration';
-import { shown } from '../configuration/problem';
+import type { Path, YamlFile } from '../configuration/yamlFile';
 import { requirePlain, requireTls } from '../configuration/plain';
 import { WORLD } from '../configuration/frames';
 import type { RosFrame } from './frames';
-import type { RosSignal } from './signals';
 import { ofMilliseconds, type Nanoseconds } from '../times';
+import { configurationMessages } from '../messages/configuration';
+import { rosMessages } from '../messages/ros';
 
 const OLDEST_MS = 10_000;
 
@@ -21,7 +22,8 @@ export interface RosSettings {
   tf: string;
   tfStatic: string;
   frames: RosFrame[];
-  signals: RosSignal[];
+  /** The types of the topics of single values. */
+  types: Map<string, string>;
   /** The frame in ROS that is the anchored frame of the cell. */
   world: string;
   /** Namespace of the robot; empty for none. */
@@ -40,7 +42,14 @@ interface PlantSection {
   topics?: { joint_states?: string; robot_description?: string | false; joint_trajectory?: string; tf?: string; tf_static?: string };
   world?: string;
   namespace?: string;
-  frames?: { frame: string; source?: string }[];
+  frames?: FrameEntry[];
+}
+
+interface FrameEntry {
+  frame: string;
+  source?: string;
+  topic?: string;
+  type?: string;
 }
 
 const sectionOf = (configuration: Configuration): PlantSection => configuration.plant as unknown as PlantSection;
@@ -56,8 +65,8 @@ export function settingsOf(configuration: Configuration): RosSettings {
     jointTrajectory: topics?.joint_trajectory ?? null,
     tf: topics?.tf ?? '/tf',
     tfStatic: topics?.tf_static ?? '/tf_static',
-    frames: (frames ?? []).map(({ frame, source }) => ({ frame, source: source ?? frame })),
-    signals: configuration.signals as RosSignal[],
+    frames: (frames ?? []).map(({ frame, source, topic, type }) => ({ frame, source: source ?? frame, topic: topic ?? null, type })),
+    types: new Map(configuration.values.flatMap(({ address: { topic, type } }) => (topic === undefined ? [] : [[topic, type!]]))),
     world: world ?? WORLD,
     namespace: namespace ?? '',
     hasClock: clock,
@@ -71,19 +80,26 @@ export const ros: Kind = {
     requirePlain(file, sectionOf(configuration));
     if (sectionOf(configuration).pin !== undefined) requireTls(file, ['plant'], sectionOf(configuration).endpoint);
     const { joints } = configuration;
-    const { frames = [] } = file.value as { frames?: { frame: string; source?: string }[] };
+    const { frames = [] } = file.value as { frames?: FrameEntry[] };
     // Kept with the entries of the kind, because a frame of ROS arrives as a whole.
     (configuration.plant as { frames?: object[] }).frames = frames;
     for (const name of ['frame', 'source'] as const) {
       const names = frames.map(each => each[name] ?? each.frame);
       names.forEach((each, i) => {
-        if (names.indexOf(each) < i) file.report(['frames', i, name], `value ${shown(each)} occurs twice; name each frame once`);
+        if (names.indexOf(each) < i) file.report(['frames', i, name], configurationMessages.valueTwice(each, 'frame'));
       });
     }
     const sources = joints.map(joint => joint.source ?? joint.name);
     sources.forEach((source, i) => {
-      if (sources.indexOf(source) < i) file.report(['joints', i], `the robot's joint ${String(source)} occurs twice; name each joint once`);
+      if (sources.indexOf(source) < i) file.report(['joints', i], rosMessages.sourceTwice(String(source)));
     });
+    joints.forEach(({ source, topic }, i) => {
+      if (source !== undefined && topic !== undefined) file.report(['joints', i, 'source'], rosMessages.sourceAndTopic);
+    });
+    requireOneType(file, [
+      ...configuration.values.map(({ path, address: { topic, type } }) => ({ path, topic, type })),
+      ...frames.map(({ topic, type }, i) => ({ path: ['frames', i], topic, type })),
+    ]);
   },
   passesUnlisted: ({ joints }) => joints.length === 0,
   summary(configuration) {
@@ -91,3 +107,15 @@ export const ros: Kind = {
     return `rosbridge ${endpoint}, ${jointStates}, ${hasClock ? 'its time' : 'not its time'}, ${readNames(configuration, 'all joints')}${frames.length === 0 ? '' : `; frames ${frames.map(({ frame }) => frame).join(', ')}`}`;
   },
 };
+
+/** Reports a topic that is listed with two types. ROS 2 has names with msg between the package and the name. */
+function requireOneType(file: YamlFile, entries: { path: Path; topic?: string; type?: string }[]): void {
+  const seen = new Map<string, { path: Path; type: string }>();
+  for (const { path, topic, type } of entries) {
+    if (topic === undefined || type === undefined) continue;
+    const first = seen.get(topic);
+    if (first === undefined) seen.set(topic, { path, type });
+    else if (first.type.replace('/msg/', '/') !== type.replace('/msg/', '/'))
+      file.report([...path, 'type'], rosMessages.twoTypes(type, file.lineOf([...first.path, 'type']), first.type, topic));
+  }
+}

@@ -5,6 +5,7 @@ import { at, RefusalError } from './connection';
 import { fieldsOf, MissingFieldsError, RecipeError } from './recipe';
 import { RtdeSession } from './session';
 import { settingsOf } from './settings';
+import { fieldMessages, rtdeMessages } from '../messages/rtde';
 
 const STEADY_MS = 2000;
 
@@ -14,7 +15,7 @@ export async function run(context: AdapterContext): Promise<void> {
   const settings = settingsOf(configuration);
   const backoff = new Backoff();
   let fields = fieldsOf(settings.source, settings.addresses);
-  log.line("RTDE is neither encrypted nor authenticated: anyone with access to this network can read the robot's data and imitate the robot");
+  log.line(rtdeMessages.notSecure);
   status.detail('endpoint', at(settings));
   status.detail('security', 'none');
   if (settings.isCalibrated) void publishCalibrated(context, settings);
@@ -26,7 +27,7 @@ export async function run(context: AdapterContext): Promise<void> {
     } catch (error) {
       if (stopping.aborted) break;
       if (error instanceof MissingFieldsError) {
-        log.line(`${error.message}; reading continues without it`);
+        log.line(fieldMessages.readWithout(error.message));
         fields = fields.filter(field => !error.names.includes(field.name));
         continue;
       }

@@ -1,6 +1,7 @@
 import { connect, type Socket } from 'node:net';
 import { monotonicTime, type Nanoseconds } from '../times';
 import { NotRtdeError, PackageReader, type RtdePackage } from './packages';
+import { rtdeMessages } from '../messages/rtde';
 
 const CONNECT_MS = 3000;
 
@@ -34,7 +35,7 @@ export class RtdeConnection {
     socket.setNoDelay(true);
     socket.on('data', bytes => this.#hear(bytes));
     // One message for both events, because their order is random.
-    socket.on('error', () => {}).on('close', () => this.#end(new Error(`${at(peer)} ended the connection`)));
+    socket.on('error', () => {}).on('close', () => this.#end(new Error(rtdeMessages.ended(at(peer)))));
   }
 
   /** @throws Error The peer does not answer. The message has the remedy. */
@@ -82,11 +83,7 @@ export class RtdeConnection {
     try {
       for (const received of this.#reader.add(bytes)) this.onPackage(received, arrived);
     } catch (error) {
-      this.#end(
-        error instanceof NotRtdeError
-          ? new RefusalError(`${at(this.peer)} does not use RTDE; set host to the robot's address, and remove port unless RTDE is forwarded`)
-          : (error as Error),
-      );
+      this.#end(error instanceof NotRtdeError ? new RefusalError(rtdeMessages.notRtde(at(this.peer))) : (error as Error));
       this.close();
     }
   }
@@ -103,11 +100,11 @@ export function unreachable(peer: Peer, error: Error): string {
   const code = codeOf(error);
   switch (code) {
     case 'ECONNREFUSED':
-      return `${at(peer)} refuses the connection; start the robot's controller, and enable ${peer.service ?? 'RTDE'} in PolyScope under Settings > Security > Services`;
+      return rtdeMessages.refuses(at(peer), peer.service ?? 'RTDE');
     case 'ENOTFOUND':
     case 'EAI_AGAIN':
-      return `there is no machine with the name ${peer.host}; correct plant.host, or write the robot's IP address, which PolyScope shows under Settings > Network`;
+      return rtdeMessages.unknownHost(peer.host);
     default:
-      return `${at(peer)} does not answer (${code}); check plant.host, the robot's network and the firewalls on the way`;
+      return rtdeMessages.noAnswer(at(peer), code);
   }
 }

@@ -1,3 +1,5 @@
+import { rtdeMessages } from '../messages/rtde';
+
 /** Packages of RTDE by the character that UR's guide gives each of them. Packages that write to the robot (I, and U from a client) are not sent. */
 export const TYPE = {
   protocolVersion: 86,
@@ -88,7 +90,7 @@ export class PackageReader {
     while (all.length - at >= HEADER) {
       const size = all.readUInt16BE(at);
       const type = all[at + 2];
-      if (size < HEADER || !KNOWN.has(type)) throw new NotRtdeError(`a header with size ${size} and type ${type}`);
+      if (size < HEADER || !KNOWN.has(type)) throw new NotRtdeError(rtdeMessages.header(size, type));
       if (all.length - at < size) break;
       packages.push({ type, payload: all.subarray(at + HEADER, at + size) });
       at += size;

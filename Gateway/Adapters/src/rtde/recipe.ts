@@ -1,5 +1,6 @@
 import type { Address } from '../configuration/values';
 import { elementsOf, type FieldType, isFieldType } from './fieldTypes';
+import { fieldMessages } from '../messages/rtde';
 
 /** A requested field, with its type in UR's guide. */
 export interface Field {
@@ -40,7 +41,7 @@ export class RecipeError extends Error {}
 /** The controller does not have these optional fields, which are then omitted. */
 export class MissingFieldsError extends Error {
   constructor(readonly names: string[]) {
-    super(`the controller does not have ${names.join(', ')}`);
+    super(fieldMessages.missing(names));
   }
 }
 
@@ -77,19 +78,13 @@ export class Recipe {
   ) {
     const types = reply.toString('latin1', 1).replace(/\0+$/, '').split(',');
     if (reply.length < 2 || types.length !== fields.length)
-      throw new RecipeError(
-        `the controller answered the recipe of ${fields.length} fields with ${reply.length < 2 ? 0 : types.length} types; `
-          + 'check that it is an RTDE server of protocol version 2',
-      );
+      throw new RecipeError(fieldMessages.recipe(fields.length, reply.length < 2 ? 0 : types.length));
     const missing = fields.filter((_, i) => types[i] === 'NOT_FOUND');
     const needed = missing.find(field => field.isOptional !== true);
-    if (needed !== undefined) throw new RecipeError(`the controller has no field ${needed.name}; update the controller's software`);
+    if (needed !== undefined) throw new RecipeError(fieldMessages.needed(needed.name));
     const wrong = fields.findIndex(({ type }, i) => types[i] !== 'NOT_FOUND' && (type === undefined ? !isFieldType(types[i]) : types[i] !== type));
     if (wrong >= 0)
-      throw new RecipeError(
-        `the controller's field ${fields[wrong].name} is ${printable(types[wrong])}, not ${fields[wrong].type ?? 'a type of RTDE'}; `
-          + "the adapter supports the type in UR's guide only; update this adapter or the controller",
-      );
+      throw new RecipeError(fieldMessages.otherType(fields[wrong].name, printable(types[wrong]), fields[wrong].type ?? fieldMessages.notType));
     if (missing.length > 0) throw new MissingFieldsError(missing.map(field => field.name));
     this.#id = reply[0];
     let at = 1;
@@ -104,12 +99,12 @@ export class Recipe {
   /** Gets the reason why the number at an address cannot be read; null if it can. */
   objectionTo({ field, index, bit }: Address): string | null {
     const found = this.#fields.get(field!);
-    if (found === undefined) return `the controller has no field ${field}; correct the field, or update the controller's software`;
+    if (found === undefined) return fieldMessages.unknown(field!);
     const { count, size, isWhole } = elementsOf(found.type);
-    if (count === 1 && index !== undefined) return `${field} is one number; remove index`;
-    if (count > 1 && (index === undefined || index >= count)) return `${field} has ${count} numbers; index must be 0 to ${count - 1}`;
-    if (bit !== undefined && !isWhole) return `${field} has no bits; remove bit`;
-    return bit !== undefined && bit >= 8 * size ? `${field} has ${8 * size} bits; bit must be 0 to ${8 * size - 1}` : null;
+    if (count === 1 && index !== undefined) return fieldMessages.oneNumber(field!);
+    if (count > 1 && (index === undefined || index >= count)) return fieldMessages.index(field!, count);
+    if (bit !== undefined && !isWhole) return fieldMessages.noBits(field!);
+    return bit !== undefined && bit >= 8 * size ? fieldMessages.bit(field!, 8 * size) : null;
   }
 
   /** Gets the number at a valid address in a valid data package. */
@@ -122,13 +117,13 @@ export class Recipe {
 
   /** Decodes a data package; returns a description of the error if it is invalid. */
   decode(payload: Buffer): Cycle | string {
-    if (payload.length !== this.size) return `a data package of ${payload.length} bytes; the recipe has ${this.size}`;
-    if (payload[0] !== this.#id) return `a data package of recipe ${payload[0]}, not ${this.#id}`;
+    if (payload.length !== this.size) return fieldMessages.packageSize(payload.length, this.size);
+    if (payload[0] !== this.#id) return fieldMessages.packageRecipe(payload[0], this.#id);
     const number = (name: string): number | null => (this.#fields.has(name) ? this.read(payload, { field: name }) : null);
     const vector = (name: string): number[] | null =>
       this.#fields.has(name) ? Array.from({ length: 6 }, (_, index) => this.read(payload, { field: name, index })) : null;
     const timestamp = number('timestamp')!;
-    if (!Number.isFinite(timestamp) || timestamp < 0 || timestamp > MAX_S) return `a data package with timestamp ${timestamp} s`;
+    if (!Number.isFinite(timestamp) || timestamp < 0 || timestamp > MAX_S) return fieldMessages.packageTime(timestamp);
     const [actual, target] = [vector('actual_q'), vector('target_q')];
     return {
       timestamp,
@@ -146,4 +141,4 @@ export class Recipe {
 /** Maximum time since the start: a century. A larger number is not a valid time. */
 const MAX_S = 3.2e9;
 
-const printable = (type: string): string => (/^\w{1,20}$/.test(type) ? type : 'of an unknown type');
+const printable = (type: string): string => (/^\w{1,20}$/.test(type) ? type : fieldMessages.unknownType);

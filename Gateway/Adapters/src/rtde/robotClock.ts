@@ -1,5 +1,6 @@
 import type { ClockReading } from '../clock/plantClock';
 import { type Nanoseconds, NS_PER_MS, NS_PER_S } from '../times';
+import { rtdeMessages } from '../messages/rtde';
 
 /** Maximum rate difference between the controller's clock and this machine's; headsets use the same limit. */
 const MAX_SKEW_PPM = 700n;
@@ -92,10 +93,10 @@ export class RobotClock {
 
   /** @throws Error The robot is silent, or its time is not bounded yet. */
   at(now: Nanoseconds): ClockReading {
-    if (this.#newest === null || now - this.#newest > SILENCE) throw new Error('the robot sends no data');
+    if (this.#newest === null || now - this.#newest > SILENCE) throw new Error(rtdeMessages.noData);
     this.#age(now);
     const { width } = this;
-    if (width === null) throw new Error("the robot's clock is not measured yet");
+    if (width === null) throw new Error(rtdeMessages.clockNotMeasured);
     // The fastest package is closest to the true value; the bound includes everything that a later one could show.
     const time = now + this.#lower!;
     return { received: time, sent: time, resolution: 1n, errorBound: width };

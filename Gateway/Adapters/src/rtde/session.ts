@@ -11,6 +11,7 @@ import { type Cycle, type Field, Recipe } from './recipe';
 import { RobotClock } from './robotClock';
 import { isProgramRunning, Power, programOf, safetyStopOf } from './robotState';
 import type { RtdeSettings } from './settings';
+import { robotStateMessages, rtdeMessages } from '../messages/rtde';
 
 const VERSION = 2;
 const ANSWER_MS = 2000;
@@ -93,24 +94,17 @@ export class RtdeSession {
 
   // A controller accepts few clients, and test servers only one.
   #because(error: Error): Error {
-    if (error instanceof RefusalError)
-      return this.#isReading
-        ? new Error(`the stream of ${at(this.settings)} is damaged; reading starts again. If this repeats, check the robot's network`)
-        : error;
-    const then = this.#isReading
-      ? '; check whether the controller was switched off or restarted. Reading continues when it answers'
-      : ' before it answered; if other programs read this robot over RTDE, end one of them';
-    return new Error(error.message + then);
+    if (error instanceof RefusalError) return this.#isReading ? new Error(rtdeMessages.damaged(at(this.settings))) : error;
+    const { endedWhileReading, endedBeforeAnswer } = rtdeMessages;
+    return new Error(this.#isReading ? endedWhileReading(error.message) : endedBeforeAnswer(error.message));
   }
 
   async #setUp(): Promise<void> {
     const { settings } = this;
     const { status } = this.context;
     const version = await this.#ask(protocolVersion(VERSION), TYPE.protocolVersion, ANSWER_MS);
-    if (version === null)
-      throw new RefusalError(`${at(settings)} accepts the connection but does not answer with RTDE; check plant.host and plant.port`);
-    if (version[0] !== 1)
-      throw new RefusalError(`${at(settings)} supports RTDE protocol version 1 only; version 2 is needed, so update the controller's software`);
+    if (version === null) throw new RefusalError(rtdeMessages.noRtdeAnswer(at(settings)));
+    if (version[0] !== 1) throw new RefusalError(rtdeMessages.oldProtocol(at(settings)));
     const controller = (this.#controller = await this.#ask(controllerVersion(), TYPE.controllerVersion, VERSION_ANSWER_MS));
     const major = controller !== null && controller.length >= 16 ? controller.readUInt32BE(0) : null;
     if (major !== null) status.detail('controller', [0, 4, 8, 12].map(i => controller!.readUInt32BE(i)).join('.'));
@@ -120,13 +114,13 @@ export class RtdeSession {
     status.detail('rate_hz', rateHz);
     const names = this.fields.map(field => field.name);
     const types = await this.#ask(setUpOutputs(rateHz, names), TYPE.setUpOutputs, ANSWER_MS);
-    if (types === null) throw new Error(`${at(settings)} does not answer the output recipe; if this repeats, restart the controller`);
+    if (types === null) throw new Error(rtdeMessages.noRecipe(at(settings)));
     this.#recipe = new Recipe(this.fields, types, settings.source);
     this.#output = new CycleOutput(this.context.output, settings, this.#recipe);
     const started = await this.#ask(start(), TYPE.start, ANSWER_MS, asked => {
       this.#answered = asked;
     });
-    if (started?.[0] !== 1) throw new Error(`${at(settings)} does not start to send data; if this repeats, restart the controller`);
+    if (started?.[0] !== 1) throw new Error(rtdeMessages.notStarted(at(settings)));
   }
 
   /**
@@ -161,8 +155,8 @@ export class RtdeSession {
       await pause(CHECK_MS, this.#over.signal);
       if (this.#over.signal.aborted) return 'stopped';
     }
-    const half = this.#connection.hasHalfPackage ? 'only half a package has arrived from' : 'nothing has arrived from';
-    return `${half} ${at(this.settings)} for ${SILENT_MS / 1000} s; check the robot's network and whether its controller runs`;
+    const { halfPackage, silent } = rtdeMessages;
+    return (this.#connection.hasHalfPackage ? halfPackage : silent)(at(this.settings), SILENT_MS / 1000);
   }
 
   /** Requests the version repeatedly: the package after the answer bounds the controller's clock. */
@@ -200,7 +194,7 @@ export class RtdeSession {
     if (type === TYPE.data && this.#recipe !== undefined) return this.#hearData(payload, arrived);
     if (type === TYPE.textMessage) {
       const text = textOf(payload);
-      if (text !== null) this.context.log.change('message', text, `message of the controller: ${text}`);
+      if (text !== null) this.context.log.change('message', text, rtdeMessages.message(text));
     } else if (type === TYPE.controllerVersion && this.#question !== null) {
       this.#answered = this.#question.asked;
       this.#question = null;
@@ -209,19 +203,13 @@ export class RtdeSession {
 
   #hearData(payload: Buffer, arrived: Nanoseconds): void {
     const cycle = this.#recipe.decode(payload);
-    if (typeof cycle === 'string')
-      return this.#fail(new Error(`${at(this.settings)} sends ${cycle}; reading starts again. If this repeats, update the controller`));
+    if (typeof cycle === 'string') return this.#fail(new Error(rtdeMessages.invalidData(at(this.settings), cycle)));
     this.#lastMs = performance.now();
     const { status } = this.context;
     const before = this.#timestamp;
     if (before !== null && cycle.timestamp <= before) {
       if (before - cycle.timestamp <= RESTART_S) return status.count('stamp-not-newer');
-      return this.#fail(
-        new Error(
-          `the controller was restarted: its time went from ${before.toFixed(1)} s back to ${cycle.timestamp.toFixed(1)} s; `
-            + 'reading starts again',
-        ),
-      );
+      return this.#fail(new Error(rtdeMessages.restarted(before, cycle.timestamp)));
     }
     this.#timestamp = cycle.timestamp;
     const stamp = ofFraction(cycle.timestamp, 's');
@@ -249,9 +237,8 @@ export class RtdeSession {
     status.detail('program', program);
     status.detail('following_ms', this.#following.lagMs?.toFixed(1) ?? null);
     if (lack === null) {
-      if (program !== null && !isProgramRunning(cycle))
-        log.change('program', program, `the robot's program is ${program}; its positions are still sent`);
-      else log.resume('program', "the robot's program runs again");
+      if (program !== null && !isProgramRunning(cycle)) log.change('program', program, robotStateMessages.programStopped(program));
+      else log.resume('program', robotStateMessages.programRuns);
     }
     status.notice(stop);
     return lack === null;
@@ -270,19 +257,10 @@ export class RtdeSession {
     const { status, log } = this.context;
     if (lost === 0) return;
     for (let i = 0; i < Math.min(lost, 1000); i++) status.count('package-lost');
-    log.change(
-      'packages',
-      'lost',
-      "packages are missing in the controller's stream (counted as refused/package-lost); "
-        + 'lower rate_hz, or reduce the load of the controller and the network',
-    );
+    log.change('packages', 'lost', rtdeMessages.lostPackages);
   }
 
   #tellStep(by: Nanoseconds): void {
-    this.context.log.change(
-      'controller clock',
-      'stepped',
-      `the controller's clock contradicts its earlier times by ${(Number(by) / 1e6).toFixed(1)} ms; ` + 'it is measured again',
-    );
+    this.context.log.change('controller clock', 'stepped', rtdeMessages.clockStepped(Number(by) / 1e6));
   }
 }

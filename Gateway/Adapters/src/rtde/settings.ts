@@ -1,9 +1,10 @@
 import type { Kind } from '../adapter';
 import { type Configuration, readNames } from '../configuration/configuration';
-import { shown } from '../configuration/problem';
 import type { Address } from '../configuration/values';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import { fieldsOf, type PositionSource } from './recipe';
+import { summaryMessages } from '../messages/gateway';
+import { rtdeSettingMessages } from '../messages/rtde';
 
 /** The included robot descriptions that can be calibrated. */
 const ARMS = ['ur3e', 'ur5e', 'ur10e', 'ur16e', 'ur5'];
@@ -60,25 +61,20 @@ export const rtde: Kind = {
   check(file, configuration) {
     const { indices, source, addresses, isCalibrated } = settingsOf(configuration);
     const { robot = '' } = file.value as { robot?: string };
-    if (isCalibrated && !ARMS.includes(robot)) file.report(['robot'], `value ${shown(robot)}; calibration needs one of ${ARMS.join(', ')}`);
+    if (isCalibrated && !ARMS.includes(robot)) file.report(['robot'], rtdeSettingMessages.notCalibrated(robot, ARMS));
     const length = fieldsOf(source, addresses)
       .map(({ name }) => name)
       .join().length;
-    if (length > MAX_RECIPE)
-      file.report(['signals'], `their fields need a recipe of ${length} bytes; a controller accepts ${MAX_RECIPE}; remove signals`);
+    if (length > MAX_RECIPE) file.report(['signals'], rtdeSettingMessages.recipeTooLong(length, MAX_RECIPE));
     indices.forEach((index, i) => {
       const entry = ['joints', i, 'index'];
       const first = indices.indexOf(index);
-      if (index > 5) file.report(entry, `value ${shown(index)}; the arm has six joints; allowed: a whole number from 0 to 5`);
-      else if (first < i)
-        file.report(entry, `value ${shown(index)}; line ${file.lineOf(['joints', first])} already has this joint of the arm; use each index once`);
+      if (index > 5) file.report(entry, rtdeSettingMessages.index(index));
+      else if (first < i) file.report(entry, rtdeSettingMessages.indexTwice(index, file.lineOf(['joints', first])));
     });
   },
   summary(configuration) {
     const { host, port, rateHz, source } = settingsOf(configuration);
-    return (
-      `RTDE ${host}:${port}, NO SECURITY; t_k is the controller's timestamp; ${source} positions at ${rateHz} Hz; `
-      + readNames(configuration, 'only its clock')
-    );
+    return rtdeSettingMessages.summary(`${host}:${port}`, source, rateHz, readNames(configuration, summaryMessages.onlyClock));
   },
 };

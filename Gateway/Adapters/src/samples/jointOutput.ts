@@ -3,12 +3,13 @@ import type { Joint } from '../configuration/configuration';
 import { JOINT_STATES, jointState, topicOf } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
 import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
-import { decelerationFloor, EndOfData, type LimitBasis } from './endOfData';
+import { decelerationFloor, EndOfData } from './endOfData';
 import { grouped, type Sample } from './grouping';
 import { numberIn } from './number';
 import { Silence } from './silence';
 import { OF_LONG_AGO, type Refusal, StampRule } from './stampRule';
 import { Standing } from './standing';
+import { refusalMessages, silenceMessages } from '../messages/values';
 
 /** A value from the control system. */
 export interface JointValue {
@@ -37,16 +38,6 @@ export interface JointOutputOptions {
 
 /** When a source stopped writing a value: after its last change, or later at rest. */
 export type SourceStop = 'after-change' | 'at-rest';
-
-/** Description of the exceeded limit in a fault. */
-const LIMITS: Record<LimitBasis, string> = {
-  configured: 'of max_deceleration',
-  observed: 'observed in its samples; set max_deceleration if it can brake harder',
-  assumed: 'assumed for it; set max_deceleration if it can brake harder',
-};
-
-/** Reason for a joint whose source stopped. */
-const NOT_WRITTEN = "the server's source timestamps show that the value is no longer written, although it was written at rest before";
 
 /** Minimum silence of a joint at rest, and interval of its repeated samples. Headsets predict for about 300 ms. */
 const SILENCE: Nanoseconds = 60n * NS_PER_MS;
@@ -94,6 +85,7 @@ export class JointOutput {
     this.#ends = joints.map(joint => new EndOfData(decelerationFloor(joint.isLinear), joint.maxDeceleration ?? null));
     const limits = new Map(joints.map(joint => [joint.joint, joint.faultAfterMs ?? null]));
     this.silence = new Silence(status, joint => (limits.has(joint) ? limits.get(joint) : options.faultAfterMs) ?? null, counter);
+    this.silence.endOf = name => this.#endOf(joints.findIndex(({ joint }) => joint === name));
   }
 
   /** Publishes values that arrived together; for each joint, the oldest comes first. */
@@ -145,6 +137,11 @@ export class JointOutput {
     this.status.joints.fault(this.joints[joint].joint, reason);
   }
 
+  /** Reports why a joint whose value has arrived is not published yet. */
+  explain(joint: number, reason: string): void {
+    this.status.joints.explain(this.joints[joint].joint, reason);
+  }
+
   /** Starts a new connection: joints at rest may have moved in between. */
   startAnew(): void {
     for (let joint = 0; joint < this.joints.length; joint++) {
@@ -178,19 +175,21 @@ export class JointOutput {
     if (verdict !== null || isOthersKnown || unobserved === null) this.#judged.add(joint);
     if (unobserved !== null) this.#unobserved.set(joint, unobserved);
     if (verdict === null) return false;
-    const unit = this.#unitOf(joint);
-    this.#end(
-      joint,
-      `a stop there would need ${verdict.required.toFixed(1)} ${unit}, more than the ${verdict.limit.toFixed(1)} ${unit} ${LIMITS[verdict.basis]}`,
-    );
+    this.#end(joint, silenceMessages.stopTooHard(verdict.required, verdict.limit, this.#unitOf(joint), verdict.basis));
     return true;
+  }
+
+  /** Gets the reason why the data of a silent joint that nothing confirms ended while it moved; null if they did not. */
+  #endOf(joint: number): string | null {
+    if (joint < 0 || !this.#hasEnded(joint, this.clock.now ?? this.#ends[joint].newest ?? 0n)) return null;
+    return this.status.joints.reasonOf(this.joints[joint].joint) ?? null;
   }
 
   /** Determines whether the source stopped writing a joint whose stop was not observed. */
   #isAbandoned(joint: number): boolean {
     const required = this.#unobserved.get(joint);
     if (required === undefined || this.sourceStopOf(joint) !== 'after-change') return false;
-    this.#end(joint, `${this.#unobservedStop(joint, required)}, and ${NOT_WRITTEN}`);
+    this.#end(joint, `${silenceMessages.unobservedStop(required, this.#unitOf(joint))}, and ${silenceMessages.notWritten}`);
     return true;
   }
 
@@ -198,18 +197,14 @@ export class JointOutput {
     const { joint: name } = this.joints[joint];
     this.#standing.forget(joint);
     this.#ended.add(joint);
-    this.status.joints.fault(name, `its data ended in mid-motion: ${reason}`, this.silence.lastSample(name));
+    this.status.joints.fault(name, silenceMessages.endedBecause(reason), this.silence.lastSample(name));
   }
 
   /** Gets the reason why it is uncertain that the joint rests; empty if it is certain. */
   #uncertaintyOf(joint: number): string {
-    if (this.sourceStopOf(joint) !== null) return NOT_WRITTEN;
+    if (this.sourceStopOf(joint) !== null) return silenceMessages.notWritten;
     const required = this.#unobserved.get(joint);
-    return required === undefined ? '' : this.#unobservedStop(joint, required);
-  }
-
-  #unobservedStop(joint: number, required: number): string {
-    return `the stop itself was not observed; it would need ${required.toFixed(1)} ${this.#unitOf(joint)}`;
+    return required === undefined ? '' : silenceMessages.unobservedStop(required, this.#unitOf(joint));
   }
 
   #unitOf(joint: number): string {
@@ -246,7 +241,7 @@ export class JointOutput {
     }
     const position = raw * scale + offset;
     if (!Number.isFinite(position)) {
-      this.refuse(joint, 'not-finite', `value ${raw} with scale ${scale} is not a position`);
+      this.refuse(joint, 'not-finite', refusalMessages.scaledNotPosition(raw, scale));
       return null;
     }
     const refusal = this.#rule.judge(joint, stamp, now);

@@ -116,8 +116,14 @@ export class PlantOutput {
     this.joints.samplingS = this.frames.samplingS = seconds;
   }
 
-  /** Sets the limit for a value that is silent and not confirmed by the source, ms. */
-  set unconfirmedMs(ms: number) {
+  /** Reports why a joint or frame whose value has arrived is not published yet. A signal is published at once. */
+  explain(index: number, reason: string): void {
+    if (index < this.#firstOfFrames) this.joints.explain(index, reason);
+    else if (this.#isOfFrame(index)) this.frames.explain(index, reason);
+  }
+
+  /** Sets the limit for a value that is silent and not confirmed by the source, ms; null if the source cannot confirm. */
+  set unconfirmedMs(ms: number | null) {
     for (const { silence } of [this.joints, this.frames, this.signals]) silence.unconfirmedMs = ms;
   }
 

@@ -1,17 +1,9 @@
 import type { Conditions } from '../gateway/conditions';
 import type { AdapterStatus } from '../gateway/status';
+import { silenceMessages } from '../messages/values';
 
 /** Time without a sample after which a joint is at rest. With a shorter time, slow motion would change the state with each sample. */
 const REST_MS = 1000;
-
-/** What is known about a joint at rest. */
-const CONFIRMED = 'its source confirms the last value';
-const SILENT = 'no value arrives';
-
-/** Why rest is uncertain if the source cannot be asked for a joint's value. */
-const CURE = 'set silence: { fault_after_s: N } if the source sends each joint repeatedly, even at rest';
-const UNCONFIRMED = `nothing confirms its last value, so rest cannot be distinguished from an end of its data; ${CURE}`;
-const ALL_UNCONFIRMED = `no joint of its source sends anything, so rest cannot be distinguished from an end of the source; ${CURE}`;
 
 interface Heard {
   /** Times of the last sample, and of the last confirmation that the joint still has that value. */
@@ -23,8 +15,8 @@ interface Heard {
 export class Silence {
   /** Limit for a joint that is silent and not confirmed by the source; null if the source cannot confirm. */
   unconfirmedMs: number | null = 1500;
-  /** Whether the data of a joint ended while it moved; called for a silent joint that the source cannot confirm. */
-  hasEnded: (joint: string) => boolean = () => false;
+  /** Gets why the data of a joint ended while it moved, null if they did not; called for a silent joint that the source cannot confirm. */
+  endOf: (joint: string) => string | null = () => null;
   readonly #heard = new Map<string, Heard>();
   /** Joints whose state another gateway reports; their silence is not evaluated here. */
   readonly #reported = new Set<string>();
@@ -74,7 +66,8 @@ export class Silence {
     const heard = this.#heard.get(joint);
     if (heard === undefined) return;
     heard.confirmed = this.now();
-    if (this.conditions.stateOf(joint) !== 'live' || heard.confirmed - heard.sample >= REST_MS) this.#rest(joint, heard, CONFIRMED, uncertainty);
+    if (this.conditions.stateOf(joint) !== 'live' || heard.confirmed - heard.sample >= REST_MS)
+      this.#rest(joint, heard, silenceMessages.confirmed, uncertainty);
   }
 
   /** Wall clock time of the last sample in milliseconds. */
@@ -89,7 +82,9 @@ export class Silence {
     const areAllSilent = this.#heard.size > 1 && [...this.#heard.values()].every(({ sample }) => this.now() - sample >= REST_MS);
     return [...this.#heard].flatMap(([joint, heard]) => {
       const state = this.#reported.has(joint) ? undefined : this.conditions.stateOf(joint);
-      return state === 'live' || state === 'rest' ? this.#check(joint, heard, areAllSilent ? ALL_UNCONFIRMED : UNCONFIRMED) : [];
+      return state === 'live' || state === 'rest'
+        ? this.#check(joint, heard, areAllSilent ? silenceMessages.allUnconfirmed : silenceMessages.unconfirmed)
+        : [];
     });
   }
 
@@ -98,16 +93,15 @@ export class Silence {
     const limit = this.faultAfterMs(joint);
     const unconfirmed = this.now() - heard.confirmed;
     if (limit !== null && silent > limit) {
-      this.#fault(joint, `no new value for more than ${limit / 1000} s, which is a fault here (silence in plant.yaml)`);
+      this.#fault(joint, silenceMessages.tooLong(limit));
       return [joint];
     }
-    if (this.unconfirmedMs !== null && unconfirmed > this.unconfirmedMs)
-      this.#fault(joint, `no value for more than ${this.unconfirmedMs / 1000} s, and the source does not confirm the last one`);
+    if (this.unconfirmedMs !== null && unconfirmed > this.unconfirmedMs) this.#fault(joint, silenceMessages.notConfirmed(this.unconfirmedMs));
     else if (this.unconfirmedMs === null && silent >= REST_MS) {
       // With a limit for a fault, the source is known to be silent for up to that time.
-      if (limit !== null) this.#rest(joint, heard, SILENT);
-      else if (this.hasEnded(joint)) this.#fault(joint, 'its data ended in mid-motion: it cannot have stopped at its last position');
-      else this.#rest(joint, heard, SILENT, uncertainty);
+      const end = limit === null ? this.endOf(joint) : null;
+      if (end !== null) this.#fault(joint, end);
+      else this.#rest(joint, heard, silenceMessages.noValue, limit === null ? uncertainty : '');
     }
     return [];
   }
@@ -119,7 +113,6 @@ export class Silence {
   #rest(joint: string, heard: Heard, evidence: string, uncertainty = ''): void {
     const limit = this.faultAfterMs(joint);
     if (limit !== null && this.now() - heard.sample > limit) return;
-    const meaning = limit === null ? 'silence means rest' : `silence is a fault after ${limit / 1000} s`;
-    this.conditions.rest(joint, this.lastSample(joint), `${evidence}; ${meaning}`, uncertainty);
+    this.conditions.rest(joint, this.lastSample(joint), silenceMessages.basis(evidence, limit), uncertainty);
   }
 }

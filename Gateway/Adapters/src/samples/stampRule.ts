@@ -1,4 +1,5 @@
 import { type Nanoseconds, NS_PER_S, toMilliseconds } from '../times';
+import { refusalMessages } from '../messages/values';
 
 const FUTURE: Nanoseconds = NS_PER_S;
 
@@ -28,26 +29,23 @@ export class StampRule {
    * @param now Control time; null while it is unknown.
    */
   judge(joint: number, stamp: Nanoseconds | null, now: Nanoseconds | null): Refusal | null {
-    if (stamp === null) return { reason: 'stamp-missing', text: 'the value has no time stamp; choose another timestamp in the configuration' };
-    if (stamp <= 0n) return { reason: 'stamp-zero', text: 'the time stamp is before 1970; set the clock of the control system' };
+    if (stamp === null) return { reason: 'stamp-missing', text: refusalMessages.noStamp };
+    if (stamp <= 0n) return { reason: 'stamp-zero', text: refusalMessages.before1970 };
     const refusal = now === null ? null : this.#against(now, stamp);
     if (refusal !== null) return refusal;
     const newest = this.#newest[joint];
     // After the clock was set back, the previous newest stamp is in the future and must not block newer ones.
     const isStepped = newest !== null && now !== null && newest > now + FUTURE;
     if (newest !== null && stamp <= newest && !isStepped)
-      return { reason: 'stamp-not-newer', text: `its time stamp is not newer than that of the previous value (${ms(newest - stamp)} ms older)` };
+      return { reason: 'stamp-not-newer', text: refusalMessages.notNewer(toMilliseconds(newest - stamp)) };
     this.#newest[joint] = stamp;
     return null;
   }
 
   #against(now: Nanoseconds, stamp: Nanoseconds): Refusal | null {
-    const text = (apart: Nanoseconds, side: string, most: Nanoseconds): string =>
-      `its time stamp is ${ms(apart)} ms ${side} the control clock; up to ${ms(most)} ms is allowed`;
-    if (stamp > now + FUTURE) return { reason: 'stamp-future', text: text(stamp - now, 'ahead of', FUTURE) };
-    if (stamp < now - this.oldest) return { reason: 'stamp-old', text: text(now - stamp, 'behind', this.oldest) };
+    const { ahead, behind } = refusalMessages;
+    if (stamp > now + FUTURE) return { reason: 'stamp-future', text: ahead(toMilliseconds(stamp - now), toMilliseconds(FUTURE)) };
+    if (stamp < now - this.oldest) return { reason: 'stamp-old', text: behind(toMilliseconds(now - stamp), toMilliseconds(this.oldest)) };
     return null;
   }
 }
-
-const ms = (length: Nanoseconds): string => toMilliseconds(length).toFixed(1);

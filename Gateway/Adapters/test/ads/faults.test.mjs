@@ -11,6 +11,9 @@ import { assertTrue, cell, clockOf, configuration, jointIs, NET_ID, statesOf } f
 import { command, state } from './frames.mjs';
 import { AdsServer } from './server.mjs';
 import { variables, youBot } from './youbot.mjs';
+import { ANY, like, messages } from '../messages.mjs';
+
+const { adsMessages, symbolMessages } = messages;
 
 describe('faults over ADS', { concurrency: 4 }, () => {
   it('Adapter_SymbolMissingInNewProgram_IsFaultWhileOthersStayLive', async t => {
@@ -19,7 +22,7 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     await Promise.all(['arm_joint_1', 'axis'].map(name => jointIs(bridge, name, 'live')));
 
     plc.download(variables().filter(({ name }) => name !== 'MAIN.fAxis2'));
-    await until(() => bridge.joint('axis').reason.includes('has no symbol MAIN.fAxis2'), () => JSON.stringify(bridge.state));
+    await until(() => like(symbolMessages.unknown(ANY, 'MAIN.fAxis2', undefined)).test(bridge.joint('axis').reason), () => JSON.stringify(bridge.state));
     await jointIs(bridge, 'arm_joint_1', 'live');
 
     assert.equal(bridge.joint('axis').state, 'fault');
@@ -35,7 +38,7 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     await jointIs(bridge, 'arm_joint_1', 'live');
 
     assert.equal(bridge.joint('axis').state, 'missing');
-    assert.match(bridge.joint('axis').reason, /line 11: the PLC has no symbol MAIN\.fAxs2; similar symbols are MAIN\.fAxis2/);
+    assert.match(bridge.joint('axis').reason, like(symbolMessages.unknown('line 11', 'MAIN.fAxs2', ['MAIN.fAxis2'])));
   });
 
   it('Adapter_PlcStopped_ReportsItAndReadsAgainAfterTheStop', async t => {
@@ -43,7 +46,7 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     await statesOf(bridge);
 
     plc.plcState = state.stop;
-    await adapter.said('waiting: the PLC\'s program is in state Stop');
+    await adapter.said(`waiting: ${adsMessages.programState('Stop')}`);
     const count = bridge.jointStates.length;
     await until(() => Number(bridge.state?.['refused/plc-stopped']) > 0, 'refusals');
     assert.equal(bridge.jointStates.length, count);
@@ -72,13 +75,13 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     plc.systemState = state.config;
     const { bridge, adapter } = await cell(t, { plc });
 
-    await adapter.said(`waiting: TwinCAT at ${NET_ID} is in Config mode`);
+    await adapter.said(`waiting: ${adsMessages.notRunning(NET_ID, 'Config')}`);
     plc.systemState = state.run;
 
     await statesOf(bridge);
     await clockOf(bridge);
     plc.systemState = state.config;
-    await adapter.said(`TwinCAT at ${NET_ID} went to Config mode`);
+    await adapter.said(adsMessages.stopped(NET_ID, 'Config'));
   });
 
   it('Adapter_PlcClosedAndRestarted_IsReadAgain', async t => {
@@ -86,7 +89,7 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     await statesOf(bridge);
 
     await server.close();
-    await adapter.said('nothing answers at 127.0.0.1');
+    await adapter.said(like(adsMessages.noRouter('127.0.0.1', ANY, ANY)));
     const again = new AdsServer(plc);
     t.after(() => again.close());
     await again.listen(port);
@@ -141,19 +144,19 @@ describe('faults over ADS', { concurrency: 4 }, () => {
   it('Adapter_NoRoute_ExplainsHowToAddOne', async t => {
     const { adapter } = await cell(t, { server: { routes: ['10.0.0.1.1.1'] } });
 
-    await adapter.said('if it has never answered, add a route to this machine: in TwinCAT, SYSTEM > Routes > Add, AMS Net Id 192.168.0.10.1.1, transport TCP_IP');
+    await adapter.said(adsMessages.noAnswer('127.0.0.1', '192.168.0.10.1.1'));
   });
 
   for (const [name, joints, said] of [
-    ['UnknownSymbol', '  - joint: a\n    symbol: MAIN.fAxs1\n', /ads\.yaml, line 11: the PLC has no symbol MAIN\.fAxs1; similar symbols are MAIN\.fAxis1, MAIN\.fAxis2/],
-    ['WholeArray', '  - joint: a\n    symbol: GVL.aJoints\n', /line 11: GVL\.aJoints is ARRAY \[0\.\.4\] OF LREAL; name one element, such as GVL\.aJoints\[0\]/],
-    ['Text', '  - joint: a\n    symbol: MAIN.sName\n', /line 11: MAIN\.sName is STRING; a position must be a number/],
+    ['UnknownSymbol', '  - joint: a\n    symbol: MAIN.fAxs1\n', symbolMessages.unknown('line 11', 'MAIN.fAxs1', ['MAIN.fAxis1', 'MAIN.fAxis2'])],
+    ['WholeArray', '  - joint: a\n    symbol: GVL.aJoints\n', symbolMessages.unusable('line 11', 'GVL.aJoints', 'ARRAY [0..4] OF LREAL', symbolMessages.array('GVL.aJoints[0]'))],
+    ['Text', '  - joint: a\n    symbol: MAIN.sName\n', symbolMessages.unusable('line 11', 'MAIN.sName', 'STRING', symbolMessages.notNumber)],
   ])
     it(`Adapter_${name}_NamesTheLine`, async t => {
       const { adapter } = await cell(t, { joints });
 
       await adapter.said('line 11');
-      assert.match(adapter.err, said);
+      assert.ok(adapter.err.includes(said), adapter.err);
     });
 
   for (const [name, stampOf, reason] of [

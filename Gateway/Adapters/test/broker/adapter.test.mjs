@@ -9,6 +9,9 @@ import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile, temporaryFolder } from '../temporary.mjs';
 import { bridge, clockOf, halls, publish, state, TOPIC } from './halls.mjs';
 import { missing, Mosquitto } from './mosquitto.mjs';
+import { ANY, like, messages } from '../messages.mjs';
+
+const { brokerMessages } = messages;
 
 const { BrokerLink } = await parts('broker/brokerLink');
 
@@ -91,7 +94,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
 
   it('Message_ListenerThrows_IsCountedAndTheNextIsProcessed', async t => {
     const broker = await Mosquitto.start(t), heard = [], problems = [], ending = new AbortController();
-    const settings = { endpoint: broker.url, topic: TOPIC, user: null, authority: null, direction: 'subscribe' };
+    const settings = { broker: { endpoint: broker.url, user: null, authority: null }, topic: TOPIC, direction: 'subscribe' };
     const link = new BrokerLink(settings, 'hall', ['joint_states'], {
       opened: () => {}, away: () => {},
       heard: (topic, payload) => heard.push(JSON.parse(payload)),
@@ -119,7 +122,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     const right = bridge(t, 'publish', near, broker, `  user: { name: hall, password_file: "${temporaryFile('password', password)}" }\n`);
     await right.said('[plant/hall] connected');
     const wrong = bridge(t, 'publish', near, broker, '  user: { name: hall }\n', { NOWPOSE_PLANT_PASSWORD: 'not-that-one' });
-    await wrong.said('refuses the login; check user and password_file');
+    await wrong.said(like(brokerMessages.loginRefused(ANY)));
 
     assert.doesNotMatch(right.err + wrong.err, /4711|not-that-one/);
   });
@@ -134,6 +137,6 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     broker.url = broker.url.replace('mqtt:', 'mqtts:');
 
     await bridge(t, 'publish', near, broker, `  authority_file: ${certificate}\n`).said('[plant/hall] connected');
-    await bridge(t, 'publish', near, broker).said('certificate is not trusted');
+    await bridge(t, 'publish', near, broker).said(like(brokerMessages.notTrusted(ANY)));
   });
 });

@@ -9,6 +9,9 @@ import { start, until } from '../program.mjs';
 import { Robot } from '../ros/robot.mjs';
 import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
+import { messages } from '../messages.mjs';
+
+const { symbolMessages } = messages;
 
 /** Starts an adapter for the text of a configuration. */
 async function adapterFor(t, text) {
@@ -125,7 +128,7 @@ signals:
     position: { unit: m, x: { symbol: MAIN.bOpen }, y: 0, z: 0 }
 `);
 
-    await until(() => bridge.state?.['frame/part']?.includes('MAIN.bOpen is BOOL; a position must be a number'), () => JSON.stringify(bridge.state));
+    await until(() => bridge.state?.['frame/part']?.includes(`MAIN.bOpen is BOOL; ${symbolMessages.notNumber}`), () => JSON.stringify(bridge.state));
     assert.match(bridge.state['frame/part'], /line 22: /);
   });
 
@@ -165,6 +168,68 @@ signals:
     await until(() => bridge.published('/arm1/joint_states').length === 1, 'the joint state');
     assert.deepEqual(bridge.published('/arm1/joint_states')[0].name, ['elbow']);
     await until(() => bridge.joint('arm1/elbow')?.state === 'live', () => JSON.stringify(bridge.state));
+  });
+
+  it('Ros_PosesAndJointsOfTheirOwnTopics_AreForwarded', async t => {
+    const robot = await Robot.start(t);
+    const { bridge } = await adapterFor(t, url => `gateway: { url: "${url}" }
+plant: { kind: ros, name: arm, endpoint: "${robot.url}", world: map }
+joints:
+  - { joint: elbow }
+  - { joint: finger, topic: /gripper/width, type: std_msgs/Float64, scale: 0.5 }
+  - { joint: wheel, topic: /base/joint_states, type: sensor_msgs/JointState, field: position.1 }
+frames:
+  - { frame: posed, topic: /detection/pose, type: geometry_msgs/PoseStamped }
+  - { frame: sure, topic: /amcl_pose, type: geometry_msgs/PoseWithCovarianceStamped }
+  - { frame: transformed, topic: /tracker, type: geometry_msgs/TransformStamped }
+  - { frame: part }
+signals:
+  - { signal: speed, topic: /gripper/width, type: std_msgs/msg/Float64 }
+`);
+    await until(() => ['/gripper/width', '/base/joint_states', '/detection/pose', '/amcl_pose', '/tracker', '/tf'].every(topic => robot.isHeardBy(topic)), 'the subscriptions');
+    await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, 'the clock');
+    const stamp = robot.now(), header = { stamp: robot.time(stamp), frame_id: 'map' };
+    const pose = x => ({ position: { x, y: 0, z: 0 }, orientation: { x: 0, y: 0, z: 1, w: 0 } });
+
+    robot.publish('/detection/pose', { header, pose: pose(1) });
+    robot.publish('/amcl_pose', { header, pose: { pose: pose(2), covariance: [] } });
+    robot.publish('/tracker', { header, child_frame_id: 'anything', transform: { translation: { x: 3, y: 0, z: 0 }, rotation: { x: 0, y: 0, z: 1, w: 0 } } });
+    robot.publish('/gripper/width', { data: 0.08 });
+    robot.publish('/base/joint_states', { header, name: ['left', 'right'], position: [0.1, 0.2] });
+    robot.jointState(stamp, ['elbow', 'finger'], [0.5, 9]);
+
+    for (const [frame, x] of [['posed', 1], ['sure', 2], ['transformed', 3]]) {
+      const [seen] = await posesOf(bridge, frame, 1);
+      assert.deepEqual([seen.header.frame_id, nanoseconds(seen.header.stamp), seen.transform.translation.x, seen.transform.rotation.z], ['world', stamp, x, 1]);
+    }
+    const joints = await until(() => {
+      const found = Object.fromEntries(bridge.jointStates.flatMap(one => one.name.map((name, i) => [name, [one.position[i], nanoseconds(one.header.stamp)]])));
+      return Object.keys(found).length === 3 && found;
+    }, () => JSON.stringify(bridge.state));
+    assert.deepEqual([joints.elbow, joints.wheel], [[0.5, stamp], [0.2, stamp]]);
+    assert.equal(joints.finger[0], 0.04);
+    assert.ok(joints.finger[1] >= stamp && joints.finger[1] <= robot.now());
+    await until(() => bridge.published('/signals')[0]?.value[0] === 0.08, () => JSON.stringify(bridge.state));
+  });
+
+  it('Ros_BoolWithoutAClock_HasTheArrivalOnTheGatewaysClock', async t => {
+    const robot = await Robot.start(t, { now: null }), now = () => BigInt(Date.now()) * 1_000_000n + 60_000_000_000n;
+    const bridge = await RosbridgeDouble.start(t, { now }), before = now();
+    start(t, [temporaryFile('plant.yaml', `gateway: { url: "${bridge.url}" }
+plant: { kind: ros, name: arm, endpoint: "${robot.url}", clock: false }
+signals:
+  - { signal: closed, topic: /closed, type: std_msgs/Bool }
+`)]);
+    await until(() => robot.isHeardBy('/closed'), 'the subscription');
+
+    await until(() => {
+      robot.publish('/closed', { data: true });
+      return changes(bridge).length > 0;
+    }, () => JSON.stringify(bridge.state));
+
+    const [[stamp, value]] = changes(bridge), slack = 100_000_000n;
+    assert.equal(value, 1);
+    assert.ok(stamp > before - slack && stamp < now() + slack);
   });
 
   for (const [name, spoil, reason] of [

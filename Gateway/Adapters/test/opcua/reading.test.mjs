@@ -6,6 +6,9 @@ import { nanoseconds } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { adapterFor, configuration, OPEN, serverFor } from './plant.mjs';
 import { ControlClock, YoubotServer } from './server.mjs';
+import { messages } from '../messages.mjs';
+
+const { nodeMessages, summaryMessages } = messages;
 
 const HOUR_MS = 3_600_000;
 const READS = ['GetEndpointsRequest', 'CreateSessionRequest', 'ActivateSessionRequest', 'CloseSessionRequest', 'ReadRequest',
@@ -94,7 +97,7 @@ describe('reading over OPC UA', () => {
     const plant = [...OPEN, 'time: {node: "ns=1;s=time_ns"}'];
     const narrow = await adapterFor(t, server, plant, [JOINTS[0]]), wide = await adapterFor(t, server, [...plant, 'group_ms: 4'], [JOINTS[0]]);
 
-    await narrow.run.said('a refused (time-unmatched): no value of ns=1;s=time_ns has a time stamp within 0.5 ms (group_ms) of this value');
+    await narrow.run.said(`a refused (time-unmatched): ${nodeMessages.noTimeOfCycle('ns=1;s=time_ns', '0.5')}`);
 
     assert.ok(worst(await wide.states(5), 1) < 1e-12);
     assert.deepEqual(narrow.bridge.jointStates, []);
@@ -137,7 +140,7 @@ describe('reading over OPC UA', () => {
 
     const { reason } = await state(s => s.state === 'refused');
 
-    assert.ok(reason.includes(`${path}, line 10: joints[0].node: value ns=1;s=nowhere; the server answers BadNodeIdUnknown`), reason);
+    assert.ok(reason.includes(nodeMessages.unknown(`${path}, line 10: joints[0].node`, 'ns=1;s=nowhere', 'BadNodeIdUnknown')), reason);
   });
 
   it('Node_UnknownBesideAKnownOne_IsMissingWhileTheOtherIsLive', async t => {
@@ -148,7 +151,7 @@ describe('reading over OPC UA', () => {
 
     const { state: found, reason } = bridge.joint('z');
     assert.equal(found, 'missing');
-    assert.ok(reason.includes(`${path}, line 12: joints[1].node: value ns=1;s=nowhere; the server answers BadNodeIdUnknown`), reason);
+    assert.ok(reason.includes(nodeMessages.unknown(`${path}, line 12: joints[1].node`, 'ns=1;s=nowhere', 'BadNodeIdUnknown')), reason);
     assert.equal(bridge.status.level, 2);
   });
 
@@ -170,7 +173,8 @@ describe('reading over OPC UA', () => {
 
     const { reason } = await state(s => s.state === 'refused');
 
-    const expected = `${path}, line 10: joints[0].node: value nsu=urn:another:server;s=x; the server has no such namespace; it has ${server.namespaces().join(', ')}`;
+    const place = `${path}, line 10: joints[0].node`;
+    const expected = nodeMessages.namespaces(nodeMessages.noNamespace(place, 'nsu=urn:another:server;s=x'), server.namespaces());
     assert.ok(reason.includes(expected), reason);
   });
 
@@ -246,6 +250,6 @@ describe('check', () => {
 
     assert.equal(await run.ended, 0, run.err);
     assert.match(run.out, /OPC UA opc\.tcp:\/\/plc:4840, SignAndEncrypt, Basic256Sha256; /);
-    assert.match(run.out, /t_k is the source time stamp, sampled every 4 ms, published every 8 ms; joints a, b/);
+    assert.ok(run.out.includes(`${summaryMessages.stamps('the source time stamp', 4, 8)}; joints a, b`), run.out);
   });
 });

@@ -5,6 +5,9 @@ import { start, until } from '../program.mjs';
 import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { Robot } from './robot.mjs';
+import { messages } from '../messages.mjs';
+
+const { configurationMessages, rosMessages, silenceMessages } = messages;
 
 /** A robot, a gateway and an adapter between them that is already subscribed. */
 async function cell(t, options = {}, { plant = '', rest = '' } = {}) {
@@ -60,7 +63,7 @@ describe('ros', { concurrency: 4 }, () => {
   it('Clock_WithoutRosapi_IsUnavailableAndStatesAreForwarded', async t => {
     const { robot, bridge, adapter } = await cell(t, { now: null });
 
-    await adapter.said('the robot\'s clock is not available: /rosapi/get_time: Service /rosapi/get_time does not exist; start rosapi');
+    await adapter.said(rosMessages.noClock('/rosapi/get_time: Service /rosapi/get_time does not exist'));
     assert.deepEqual(bridge.heard.filter(m => m.op === 'advertise_service'), []);
     robot.jointState(1_700_000_000_000_000_000n, ['a'], [1]);
     await states(bridge);
@@ -141,7 +144,7 @@ describe('ros', { concurrency: 4 }, () => {
     silent.add('a');
     const { reason } = await state('a', 'fault');
 
-    assert.match(reason, /no new value for more than 1 s/);
+    assert.equal(reason, silenceMessages.tooLong(1000));
     assert.equal(bridge.joint('b').state, 'live');
     assert.deepEqual([bridge.status.level, bridge.status.message.startsWith('a fault: ')], [2, true]);
     silent.clear();
@@ -166,16 +169,16 @@ describe('ros', { concurrency: 4 }, () => {
   });
 
   for (const [name, text, expected] of [
-    ['PlainToAnother', 'plant:\n  kind: ros\n  endpoint: ws://192.168.0.30:9090\n', /line 1: plant\.plain: missing; ws:\/\/ to another machine/],
-    ['Endpoint', 'plant:\n  kind: ros\n  endpoint: http://192.168.0.30\n', /line 3: plant\.endpoint: value "http:\/\/192\.168\.0\.30"; allowed: the rosbridge's address/],
-    ['PinWithoutTls', `plant:\n  kind: ros\n  endpoint: ws://127.0.0.1\n  pin: sha256/${'A'.repeat(43)}=\n`, /line 4: plant\.pin: not used with ws:/],
-    ['Port', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:90900\n', /line 3: plant\.endpoint: .* a port from 1 to 65535/],
-    ['Topic', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\n  topics: { joint_states: joint states }\n', /line 4: plant\.topics\.joint_states: .*allowed: a topic's name/],
-    ['SourceTwice', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\njoints:\n  - joint: a\n  - joint: b\n    source: a\n', /line 6: joints\[1\]: the robot's joint a occurs twice/],
+    ['PlainToAnother', 'plant:\n  kind: ros\n  endpoint: ws://192.168.0.30:9090\n', `line 1: plant.plain: ${configurationMessages.notPlain('ws')}`],
+    ['Endpoint', 'plant:\n  kind: ros\n  endpoint: http://192.168.0.30\n', 'line 3: plant.endpoint: value "http://192.168.0.30"; '],
+    ['PinWithoutTls', `plant:\n  kind: ros\n  endpoint: ws://127.0.0.1\n  pin: sha256/${'A'.repeat(43)}=\n`, `line 4: plant.pin: ${configurationMessages.pinWithoutTls}`],
+    ['Port', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:90900\n', `line 3: plant.endpoint: ${configurationMessages.address('ws://127.0.0.1:90900')}`],
+    ['Topic', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\n  topics: { joint_states: joint states }\n', 'line 4: plant.topics.joint_states: value '],
+    ['SourceTwice', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\njoints:\n  - joint: a\n  - joint: b\n    source: a\n', `line 6: joints[1]: ${rosMessages.sourceTwice('a')}`],
   ])
     it(`Check_Invalid${name}_NamesItsLine`, () => {
       const lines = wrongIn(temporaryFile('ros.yaml', text));
 
-      assert.match(lines[0], expected);
+      assert.ok(lines[0].includes(`, ${expected}`), lines[0]);
     });
 });

@@ -9,7 +9,11 @@ import { seeded } from '../seeded.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { byte, packageOf } from './bytes.mjs';
 import { angle, LAG_S, RtdeRobot } from './robot.mjs';
+import { ANY, like, messages } from '../messages.mjs';
 
+const { configurationMessages, fieldMessages, robotMessages, robotStateMessages, rtdeMessages, rtdeSettingMessages, safetyStops } = messages;
+
+const ARMS = ['ur3e', 'ur5e', 'ur10e', 'ur16e', 'ur5'];
 const JOINTS = ['shoulder_pan_joint', 'shoulder_lift_joint', 'elbow_joint', 'wrist_1_joint', 'wrist_2_joint', 'wrist_3_joint'];
 
 const configuration = ({ url, port, host = '127.0.0.1', more = '', rest = '' }) =>
@@ -89,8 +93,9 @@ describe('rtde adapter', { concurrency: 4 }, () => {
 
     await until(() => bridge.published('/signals').length > 0 && bridge.status?.level === 2, 'a signal and an error');
 
-    assert.match(bridge.state['signal/none'], /^missing .* the controller has no field no_such_field; correct the field/);
-    assert.match(bridge.state['signal/wrong'], /^missing .* actual_q has 6 numbers; index must be 0 to 5/);
+    assert.ok(bridge.state['signal/none'].endsWith(fieldMessages.unknown('no_such_field')), bridge.state['signal/none']);
+    assert.ok(bridge.state['signal/wrong'].endsWith(fieldMessages.index('actual_q', 6)), bridge.state['signal/wrong']);
+    for (const name of ['none', 'wrong']) assert.match(bridge.state[`signal/${name}`], /^missing /);
     assert.match(bridge.state['signal/closed'], /^live/);
     assert.match(bridge.joint('elbow_joint').state, /live/);
     assert.equal(adapter.err.match(/none missing/g).length, 1, adapter.err);
@@ -167,7 +172,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
 
     assert.deepEqual(velocity, []);
     assert.deepEqual(robot.recipes.at(-1), ['timestamp', 'actual_q', 'target_q', 'target_qd', 'runtime_state', 'safety_status_bits']);
-    assert.match(adapter.err, /the controller does not have actual_qd, robot_mode, safety_mode; reading continues without it/);
+    assert.ok(adapter.err.includes(fieldMessages.readWithout(fieldMessages.missing(['actual_qd', 'robot_mode', 'safety_mode']))), adapter.err);
   });
 
   it('Controller_Restarted_IsReadWithItsNewTime', async t => {
@@ -176,7 +181,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
 
     robot.restart();
 
-    await adapter.said('the controller was restarted: its time went from 10');
+    await adapter.said(like(rtdeMessages.restarted(ANY, ANY)));
     await until(() => seconds(bridge.jointStates.at(-1).header.stamp) < 50, 'samples on the new time');
     const { header, position } = bridge.jointStates.at(-1);
     assert.ok(Math.abs(position[2] - angle(2, seconds(header.stamp))) < 1e-9);
@@ -192,15 +197,14 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     robot.state = { runtime: 1, mode: 7, safety: 3, bits: 1 << 2 };
 
     await until(() => bridge.status?.level === 1, 'a warning');
-    assert.match(bridge.status.message, /protective stop; find its cause, and release it/);
+    assert.ok(bridge.status.message.endsWith(safetyStops[3]), bridge.status.message);
     assert.equal(bridge.joint('elbow_joint').state, 'live');
     await statesOf(bridge, bridge.jointStates.length + 20);
     robot.state = { runtime: 2, mode: 7, safety: 1, bits: 1 };
     await until(() => bridge.status.level === 0, 'no warning');
     const lines = adapter.err.split('\n').filter(line => /protective|program/.test(line));
     assert.deepEqual(lines.map(line => line.slice(12)), [
-      'the robot\'s program is stopped; its positions are still sent', 'protective stop; find its cause, and release it on the teach pendant',
-      'the robot\'s program runs again', 'over: protective stop; find its cause, and release it on the teach pendant',
+      robotStateMessages.programStopped('stopped'), safetyStops[3], robotStateMessages.programRuns, `over: ${safetyStops[3]}`,
     ]);
   });
 
@@ -209,7 +213,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     Object.assign(robot.state, { mode: 3, runtime: 1 });
     const { bridge, adapter } = await cell(t, robot);
 
-    await adapter.said('waiting: the arm has no power (robot mode power off), so its joint angles are not measured; switch it on at the teach pendant');
+    await adapter.said(`waiting: ${robotStateMessages.noPower('power off')}`);
     await until(() => bridge.state?.program === 'stopped', 'the state of the program');
     assert.deepEqual(bridge.jointStates, []);
     assert.doesNotMatch(adapter.err, /program/);
@@ -217,7 +221,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
 
     await statesOf(bridge);
     assert.equal(told(adapter).length, 2, adapter.err);
-    assert.equal(adapter.err.match(/program is stopped; its positions are still sent/g)?.length, 1, adapter.err);
+    assert.equal(adapter.err.split(robotStateMessages.programStopped('stopped')).length, 2, adapter.err);
   });
 
   for (const [what, safety, bits] of [['Mode', 4, 0], ['Bit', null, 1 << 3]])
@@ -228,7 +232,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
 
       await until(() => bridge.status?.level === 1, 'a warning');
 
-      assert.match(bridge.status.message, /recovery mode; move the arm back within its safety limits/);
+      assert.ok(bridge.status.message.endsWith(safetyStops[4]), bridge.status.message);
       await statesOf(bridge);
     });
 
@@ -246,13 +250,13 @@ describe('rtde adapter', { concurrency: 4 }, () => {
 
     await until(() => Number(bridge.state?.['refused/package-lost']) > 5, 'lost packages');
 
-    assert.equal(adapter.err.match(/packages are missing in the controller's stream/g).length, 1);
+    assert.equal(adapter.err.split(rtdeMessages.lostPackages).length, 2, adapter.err);
     assert.equal(bridge.status.level, 0);
   });
 
   for (const [what, bytes, text] of [
-    ['WithBytesThatAreNone', Buffer.alloc(64), /waiting: the stream of .* is damaged; reading starts again/],
-    ['WithAPackageOfAnotherSize', packageOf('U', byte(1), 'short'), /sends a data package of 6 bytes; the recipe has \d+; reading starts again/],
+    ['WithBytesThatAreNone', Buffer.alloc(64), rtdeMessages.damaged(ANY)],
+    ['WithAPackageOfAnotherSize', packageOf('U', byte(1), 'short'), rtdeMessages.invalidData(ANY, fieldMessages.packageSize(6, ANY))],
   ])
     it(`Stream_${what}_IsReadAgain`, async t => {
       const { bridge, robot, adapter } = await cell(t);
@@ -261,7 +265,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
       robot.send(bytes);
 
       await until(() => told(adapter).length === 3, () => `three lines; ${adapter.err}`);
-      assert.match(told(adapter)[1], text);
+      assert.match(told(adapter)[1], like(`waiting: ${text}`));
       await statesOf(bridge, bridge.jointStates.length + 10);
     });
 
@@ -271,17 +275,17 @@ describe('rtde adapter', { concurrency: 4 }, () => {
 
     robot.send(packageOf('M', byte(4), 'tool', byte(2), 'UR', byte(1)));
 
-    await adapter.said('message of the controller: UR: tool');
+    await adapter.said(rtdeMessages.message('UR: tool'));
   });
 
   for (const [what, robot, text, state] of [
-    ['Version1Only', { accepts: 1 }, /supports RTDE protocol version 1 only; version 2 is needed, so update/, 'refused'],
-    ['WithoutAField', { missing: ['actual_q'] }, /has no field actual_q; update/, 'refused'],
-    ['OfAnotherType', { types: { actual_q: 'DOUBLE' } }, /field actual_q is DOUBLE, not VECTOR6D/, 'refused'],
-    ['ThatIsMute', { isMute: true }, /accepts the connection but does not answer with RTDE; check plant.host and plant.port/, 'refused'],
-    ['WithHalfPackages', { sendsHalf: true }, /only half a package has arrived from .* for 2 s; check/, 'waiting'],
-    ['ForOneClient', { onConnection: socket => socket.destroy() }, /before it answered; if other programs read this robot over RTDE, end one of them/, 'waiting'],
-    ['OfGarbage', { isMute: true, onConnection: pour }, /does not use RTDE; set host to the robot's address/, 'refused'],
+    ['Version1Only', { accepts: 1 }, rtdeMessages.oldProtocol(ANY), 'refused'],
+    ['WithoutAField', { missing: ['actual_q'] }, fieldMessages.needed('actual_q'), 'refused'],
+    ['OfAnotherType', { types: { actual_q: 'DOUBLE' } }, fieldMessages.otherType('actual_q', 'DOUBLE', 'VECTOR6D'), 'refused'],
+    ['ThatIsMute', { isMute: true }, rtdeMessages.noRtdeAnswer(ANY), 'refused'],
+    ['WithHalfPackages', { sendsHalf: true }, rtdeMessages.halfPackage(ANY, 2), 'waiting'],
+    ['ForOneClient', { onConnection: socket => socket.destroy() }, rtdeMessages.endedBeforeAnswer(rtdeMessages.ended(ANY)), 'waiting'],
+    ['OfGarbage', { isMute: true, onConnection: pour }, rtdeMessages.notRtde(ANY), 'refused'],
   ])
     it(`Controller_${what}_IsLoggedInOneLineAndRetried`, async t => {
       let connections = 0;
@@ -295,8 +299,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
 
       const lines = told(adapter);
       assert.equal(lines.length, 1, adapter.err);
-      assert.match(lines[0], text);
-      assert.match(lines[0], new RegExp(`\\] ${state}: `));
+      assert.match(lines[0], like(`] ${state}: ${text}`));
       await until(() => bridge.status?.level === 2, 'an error in the diagnostics');
       assert.deepEqual(bridge.jointStates, []);
     });
@@ -304,7 +307,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
   it('Host_DoesNotExist_IsLoggedInOneLine', async t => {
     const bridge = await RosbridgeDouble.start(t), adapter = start(t, [configuration({ url: bridge.url, host: 'no-such-robot.invalid', port: 30004 })]);
 
-    await adapter.said('there is no machine with the name no-such-robot.invalid; correct plant.host');
+    await adapter.said(rtdeMessages.unknownHost('no-such-robot.invalid'));
 
     assert.equal(told(adapter).length, 1);
   });
@@ -316,7 +319,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     await new Promise(resolve => free.close(resolve));
     const adapter = start(t, [configuration({ url: bridge.url, port })]);
 
-    await adapter.said(`127.0.0.1:${port} refuses the connection; start the robot's controller, and enable RTDE`);
+    await adapter.said(rtdeMessages.refuses(`127.0.0.1:${port}`, 'RTDE'));
     await new RtdeRobot().listen(t, port);
 
     await statesOf(bridge);
@@ -339,31 +342,31 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     const { status, out } = await check(t, configuration({ url: 'ws://127.0.0.1:1', port: 30004, rest: 'robot: ur5e\n' }));
 
     assert.equal(status, 0);
-    assert.match(out, /RTDE 127\.0\.0\.1:30004, NO SECURITY; t_k is the controller's timestamp; actual positions at 125 Hz; joints shoulder_pan_joint, .*, wrist_3_joint/);
+    assert.match(out, like(rtdeSettingMessages.summary('127.0.0.1:30004', 'actual', 125, `joints shoulder_pan_joint, ${ANY}, wrist_3_joint`)));
   });
 
   for (const [what, yaml, text] of [
-    ['NoHost', 'plant: { kind: rtde }', /line 1: plant\.host: missing; add the name or the address of the robot's controller/],
-    ['HostWithPort', 'plant: { kind: rtde, host: "10.0.0.1:30004" }', /value "10\.0\.0\.1:30004"; allowed: .* without a port, which stands under port/],
-    ['HostWithScheme', 'plant: { kind: rtde, host: "tcp://10.0.0.1" }', /value "tcp:\/\/10\.0\.0\.1"; allowed: the name or the address/],
-    ['TooFast', 'plant: { kind: rtde, host: ur, rate_hz: 1000 }', /value 1000; allowed: samples per second, 1 to 500/],
-    ['SeventhJoint', 'plant: { kind: rtde, host: ur }\njoints: [{ joint: a, index: 6 }]', /value 6; allowed: a whole number from 0 to 5/],
-    ['JointTwice', 'plant: { kind: rtde, host: ur }\njoints:\n  - { joint: a, index: 1 }\n  - { joint: b, index: 1 }', /line 4: joints\[1\]\.index: value 1; line 3 already has this joint of the arm/],
-    ['SignalWithoutField', 'plant: { kind: rtde, host: ur }\nsignals: [{ signal: a }]', /signals\[0\]\.field: missing; add the name of an output field/],
-    ['SignalTwice', 'plant: { kind: rtde, host: ur }\nsignals:\n  - { signal: a, field: b }\n  - { signal: a, field: c }', /line 4: signals\[1\]\.signal: value "a"; line 3 already has this signal/],
-    ['Bit64', 'plant: { kind: rtde, host: ur }\nsignals: [{ signal: a, field: b, bit: 64 }]', /value 64; allowed: a whole number from 0 to 63/],
+    ['NoHost', 'plant: { kind: rtde }', 'line 1: plant.host: missing; '],
+    ['HostWithPort', 'plant: { kind: rtde, host: "10.0.0.1:30004" }', 'plant.host: value "10.0.0.1:30004"; '],
+    ['HostWithScheme', 'plant: { kind: rtde, host: "tcp://10.0.0.1" }', 'plant.host: value "tcp://10.0.0.1"; '],
+    ['TooFast', 'plant: { kind: rtde, host: ur, rate_hz: 1000 }', 'plant.rate_hz: value 1000; '],
+    ['SeventhJoint', 'plant: { kind: rtde, host: ur }\njoints: [{ joint: a, index: 6 }]', 'joints[0].index: value 6; '],
+    ['JointTwice', 'plant: { kind: rtde, host: ur }\njoints:\n  - { joint: a, index: 1 }\n  - { joint: b, index: 1 }', `line 4: joints[1].index: ${rtdeSettingMessages.indexTwice(1, 3)}`],
+    ['SignalWithoutField', 'plant: { kind: rtde, host: ur }\nsignals: [{ signal: a }]', 'signals[0].field: missing; '],
+    ['SignalTwice', 'plant: { kind: rtde, host: ur }\nsignals:\n  - { signal: a, field: b }\n  - { signal: a, field: c }', `line 4: signals[1].signal: ${configurationMessages.nameTwice('a', 3, 'signal')}`],
+    ['Bit64', 'plant: { kind: rtde, host: ur }\nsignals: [{ signal: a, field: b, bit: 64 }]', 'signals[0].bit: value 64; '],
     ['TooManyFields', `plant: { kind: rtde, host: ur }\nsignals:\n${Array.from({ length: 100 }, (_, i) => `  - { signal: s${i}, field: output_double_register_${i} }\n`).join('')}`,
-      /line 2: signals: their fields need a recipe of \d+ bytes; a controller accepts 2048/],
-    ['CalibrationOfAnotherRobot', 'plant: { kind: rtde, host: ur, calibration: true }\nrobot: youbot\njoints: []', /line 2: robot: value "youbot"; calibration needs one of ur3e, ur5e, ur10e, ur16e, ur5/],
-    ['CalibrationWithoutRobot', 'plant: { kind: rtde, host: ur, calibration: true }', /robot: value ""; calibration needs one of ur3e/],
-    ['FrameOfAnotherField', 'plant: { kind: rtde, host: ur }\nframes: [{ frame: a, field: actual_q }]', /value "actual_q"; allowed: actual_TCP_pose, target_TCP_pose, tcp_offset/],
-    ['AnotherRobotsJoints', 'plant: { kind: rtde, host: ur }\nrobot: youbot', /the robot has no such joint/],
+      `line 2: signals: ${rtdeSettingMessages.recipeTooLong(ANY, 2048)}`],
+    ['CalibrationOfAnotherRobot', 'plant: { kind: rtde, host: ur, calibration: true }\nrobot: youbot\njoints: []', `line 2: robot: ${rtdeSettingMessages.notCalibrated('youbot', ARMS)}`],
+    ['CalibrationWithoutRobot', 'plant: { kind: rtde, host: ur, calibration: true }', `robot: ${rtdeSettingMessages.notCalibrated('', ARMS)}`],
+    ['FrameOfAnotherField', 'plant: { kind: rtde, host: ur }\nframes: [{ frame: a, field: actual_q }]', 'frames[0].field: value "actual_q"; '],
+    ['AnotherRobotsJoints', 'plant: { kind: rtde, host: ur }\nrobot: youbot', `line 1: joints[0].joint: ${robotMessages.noJoint('shoulder_pan_joint', 'gripper_palm_joint')}`],
   ])
     it(`Check_${what}_NamesTheEntry`, () => {
       const lines = wrongIn(temporaryFile('rtde.yaml', yaml));
 
       assert.ok(lines.length > 0);
-      assert.match(lines[0], text);
+      assert.match(lines[0], like(text));
     });
 });
 

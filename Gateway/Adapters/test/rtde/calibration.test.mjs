@@ -11,6 +11,9 @@ import { seeded } from '../seeded.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { byte, doubles, int } from './bytes.mjs';
 import { RtdeRobot } from './robot.mjs';
+import { ANY, like, messages } from '../messages.mjs';
+
+const { calibrationMessages } = messages;
 
 const { calibrated } = await parts('rtde/calibration/urdf');
 
@@ -105,10 +108,10 @@ describe('rtde calibration', () => {
   });
 
   it('Calibrated_AnotherRobot_IsRefused', () =>
-    assert.throws(() => calibrated(UR5E, published.map((joint, i) => (i === 1 ? { ...joint, a: -0.6127 } : joint))), /another robot; correct robot/));
+    assert.throws(() => calibrated(UR5E, published.map((joint, i) => (i === 1 ? { ...joint, a: -0.6127 } : joint))), like(calibrationMessages.otherRobot(ANY))));
 
   it('Calibrated_ParameterIsNotANumber_IsRefused', () =>
-    assert.throws(() => calibrated(UR5E, published.map((joint, i) => (i === 3 ? { ...joint, d: NaN } : joint))), /another robot; correct robot/));
+    assert.throws(() => calibrated(UR5E, published.map((joint, i) => (i === 3 ? { ...joint, d: NaN } : joint))), like(calibrationMessages.otherRobot(ANY))));
 
   it('Adapter_WithCalibration_PublishesTheDescriptionOfThisArm', async t => {
     const own = arm(7), state = stateWith(own);
@@ -118,7 +121,7 @@ describe('rtde calibration', () => {
       setTimeout(() => socket.write(state.subarray(61)), 50);
     });
 
-    await adapter.said("the controller's calibration is used; the tool differs by up to");
+    await adapter.said(like(calibrationMessages.used(ANY)));
     const { data } = await until(() => bridge.published('/robot_description').find(({ data }) => data !== UR5E), 'the description');
 
     const angles = [0.3, -1.2, 1.4, -0.8, 0.5, 2];
@@ -127,18 +130,18 @@ describe('rtde calibration', () => {
   });
 
   for (const [what, talk, text] of [
-    ['Garbage', socket => socket.on('error', () => {}).write(Buffer.alloc(64, 0xa5)), /does not use UR's primary client interface/],
-    ['Http', socket => socket.on('error', () => {}).write('HTTP/1.1 400 Bad Request\r\n\r\n'), /does not use UR's primary client interface/],
-    ['AnEnd', socket => socket.on('error', () => {}).end(), /ended the connection before it sent its kinematics/],
-    ['AnotherRobot', socket => socket.on('error', () => {}).write(stateWith(arm(1).map(joint => ({ ...joint, a: 1.5 * joint.a })))), /is another robot; correct robot/],
-    ['Silence', socket => socket.on('error', () => {}), /has not sent its kinematics within 5 s/],
+    ['Garbage', socket => socket.on('error', () => {}).write(Buffer.alloc(64, 0xa5)), calibrationMessages.notPrimary(ANY)],
+    ['Http', socket => socket.on('error', () => {}).write('HTTP/1.1 400 Bad Request\r\n\r\n'), calibrationMessages.notPrimary(ANY)],
+    ['AnEnd', socket => socket.on('error', () => {}).end(), calibrationMessages.ended(ANY)],
+    ['AnotherRobot', socket => socket.on('error', () => {}).write(stateWith(arm(1).map(joint => ({ ...joint, a: 1.5 * joint.a })))), calibrationMessages.otherRobot(ANY)],
+    ['Silence', socket => socket.on('error', () => {}), calibrationMessages.late(ANY, 5)],
   ])
     it(`Adapter_CalibrationIs${what}_IsLoggedInOneLineAndPositionsArrive`, async t => {
       const { bridge, adapter } = await cell(t, talk);
 
       await adapter.said('no calibration: ');
 
-      assert.match(adapter.err, text);
+      assert.match(adapter.err, like(text));
       assert.equal(adapter.err.match(/no calibration/g).length, 1);
       await until(() => bridge.jointStates.length > 10, 'positions');
       assert.deepEqual(new Set(bridge.published('/robot_description').map(({ data }) => data)), new Set([UR5E]));

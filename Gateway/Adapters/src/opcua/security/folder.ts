@@ -1,5 +1,6 @@
 import { accessSync, constants, existsSync, statSync } from 'node:fs';
 import { dirname, join } from 'node:path';
+import { certificateMessages } from '../../messages/opcua';
 
 /** Subfolders of the certificate folder. */
 export const PARTS = ['own', 'trusted', 'rejected'];
@@ -7,9 +8,7 @@ export const PARTS = ['own', 'trusted', 'rejected'];
 /** Gets the reason why the certificate folder cannot be used, with the remedy. */
 export function folderTrouble(folder: string, error: Error): string {
   const why = (error as NodeJS.ErrnoException).code;
-  return why === undefined
-    ? error.message
-    : `certificates cannot be stored in ${folder} (${why}); give this user write access, or set plant.security.folder to another`;
+  return why === undefined ? error.message : certificateMessages.notStored(folder, why);
 }
 
 /**
@@ -20,7 +19,7 @@ export function tryFolder(folder: string): void {
   for (const part of PARTS) {
     let there = join(folder, part);
     while (!existsSync(there)) there = dirname(there);
-    if (!statSync(there).isDirectory()) throw Object.assign(new Error(`${there} is not a folder`), { code: 'ENOTDIR' });
+    if (!statSync(there).isDirectory()) throw Object.assign(new Error(certificateMessages.notFolder(there)), { code: 'ENOTDIR' });
     accessSync(there, constants.W_OK | constants.X_OK);
   }
 }

@@ -3,6 +3,7 @@ import { chmodSync, existsSync, linkSync, mkdirSync, readFileSync, rmSync, write
 import { hostname } from 'node:os';
 import { join } from 'node:path';
 import { crypto_utils as pki } from 'node-opcua-client';
+import { certificateMessages } from '../../messages/opcua';
 
 const APPLICATION = 'Nowpose';
 const DAYS = 10 * 365;
@@ -52,10 +53,7 @@ async function certify(keyFile: string): Promise<Buffer> {
 function requirePair(file: string, keyFile: string): { certificate: Buffer; pem: string } {
   const certificate = readFileSync(file);
   const pem = readFileSync(keyFile, 'utf8');
-  if (!fits(certificate, pem))
-    throw new Error(
-      `${file} is not the certificate of the key ${keyFile}; delete both to create others, and let the server trust the new certificate`,
-    );
+  if (!fits(certificate, pem)) throw new Error(certificateMessages.otherKey(file, keyFile));
   return { certificate, pem };
 }
 

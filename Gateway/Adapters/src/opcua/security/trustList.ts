@@ -3,6 +3,7 @@ import { mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync }
 import { join } from 'node:path';
 import { type StatusCode, StatusCodes } from 'node-opcua-client';
 import type { SecuritySettings } from '../settings';
+import { certificateMessages } from '../../messages/opcua';
 
 /** Maximum number of stored rejected certificates, so that an attacker cannot fill the disk. */
 const MOST_REJECTED = 16;
@@ -42,16 +43,12 @@ export class TrustList {
     const prints = thumbprints(der);
     this.refusal = null;
     if (!this.#knows(prints)) {
-      this.refusal =
-        `the server's certificate is not trusted; its thumbprint is ${prints.sha1} (SHA-1), ${prints.sha256} (SHA-256). `
-        + this.#cure(der, prints.sha1);
+      this.refusal = certificateMessages.notTrusted(prints.sha1, prints.sha256, this.#cure(der, prints.sha1));
       return StatusCodes.BadCertificateUntrusted;
     }
     const { validFrom, validTo } = new X509Certificate(der);
     if (this.now() < new Date(validFrom) || this.now() > new Date(validTo)) {
-      this.refusal =
-        `the server's certificate ${prints.sha1} is valid only from ${validFrom} to ${validTo}; `
-        + 'renew it at the server, then trust the new certificate';
+      this.refusal = certificateMessages.outOfDate(prints.sha1, validFrom, validTo);
       return StatusCodes.BadCertificateTimeInvalid;
     }
     return StatusCodes.Good;
@@ -85,12 +82,9 @@ export class TrustList {
       writeFileSync(file, der);
       this.#forgetOldest();
     } catch (error) {
-      return (
-        `It could not be stored (${(error as Error).message}). If the thumbprint is that of your server, `
-        + 'add it to the configuration as plant.security.thumbprint'
-      );
+      return certificateMessages.addThumbprint((error as Error).message);
     }
-    return `If this is the certificate of your server, move ${file} to ${this.#trusted}, or add plant.security.thumbprint to the configuration`;
+    return certificateMessages.move(file, this.#trusted);
   }
 
   #forgetOldest(): void {

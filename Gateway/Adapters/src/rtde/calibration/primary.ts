@@ -1,5 +1,6 @@
 import { connect } from 'node:net';
 import { at, type Peer, unreachable } from '../connection';
+import { calibrationMessages } from '../../messages/rtde';
 
 /** Time for the connection and for the kinematics, which the controller sends with its state several times a second. */
 const TIMEOUT_MS = 5000;
@@ -34,11 +35,11 @@ export function readKinematics(peer: Peer, stop: AbortSignal): Promise<DhJoint[]
       socket.destroy();
       reject(error);
     };
-    const late = setTimeout(() => end(new Error(`${at(peer)} has not sent its kinematics within ${TIMEOUT_MS / 1000} s`)), TIMEOUT_MS);
+    const late = setTimeout(() => end(new Error(calibrationMessages.late(at(peer), TIMEOUT_MS / 1000))), TIMEOUT_MS);
     const stopped = (): void => end(new Error('stopped'));
     stop.addEventListener('abort', stopped);
     socket.on('error', error => end(new Error(unreachable(peer, error))));
-    socket.on('close', () => end(new Error(`${at(peer)} ended the connection before it sent its kinematics`)));
+    socket.on('close', () => end(new Error(calibrationMessages.ended(at(peer)))));
     socket.on('data', bytes => {
       const { parts, rest: incomplete } = partsOf(Buffer.concat([rest, bytes]));
       const packages = parts.filter(({ type }) => type === ROBOT_STATE).flatMap(({ payload }) => partsOf(payload).parts);
@@ -47,7 +48,7 @@ export function readKinematics(peer: Peer, stop: AbortSignal): Promise<DhJoint[]
         resolve(dhOf(found.payload));
         end(new Error('done'));
       } else if (incomplete === null) {
-        end(new Error(`${at(peer)} does not use UR's primary client interface`));
+        end(new Error(calibrationMessages.notPrimary(at(peer))));
       } else {
         rest = incomplete;
       }

@@ -1,5 +1,6 @@
 import type { DhJoint } from './primary';
 import { aboutX, aboutZ, cross, dot, inverse, ofRpy, ORIGIN, plus, type Rigid, rpyOf, shift, times, type Vector } from './rigid';
+import { calibrationMessages } from '../../messages/rtde';
 
 /** The joints of the included descriptions of UR's arms from the base to the flange. The last one is fixed. */
 const CHAIN = ['shoulder_pan_joint', 'shoulder_lift_joint', 'elbow_joint', 'wrist_1_joint', 'wrist_2_joint', 'wrist_3_joint', 'tool0_joint'];
@@ -19,10 +20,7 @@ export function calibrated(urdf: string, joints: DhJoint[]): { urdf: string; dif
   const own = chainOf(joints, nominal);
   const difference = Math.max(...POSITIONS.map(angles => distance(toolOf(nominal, angles), toolOf(own, angles))));
   // Not >, because a number from the network may be NaN.
-  if (!(difference <= MAX_DIFFERENCE))
-    throw new Error(
-      `its tool is up to ${(1000 * difference).toFixed(0)} mm from that of the robot description, so it is another robot; correct robot`,
-    );
+  if (!(difference <= MAX_DIFFERENCE)) throw new Error(calibrationMessages.otherRobot(1000 * difference));
   const text = CHAIN.reduce((before, joint, i) => {
     const numbers = (vector: Vector): string => vector.map(value => value.toFixed(12)).join(' ');
     return before.replace(originOf(joint), (_, start: string) => `${start} xyz="${numbers(own[i].at)}" rpy="${numbers(rpyOf(own[i]))}"`);

@@ -12,9 +12,6 @@ namespace Nowpose.Frames
         /// <summary>Maximum number of poses in a new parent that wait for the next display frame; further ones replace the newest.</summary>
         const int MaxWaiting = 8;
 
-        /// <summary>Differences up to these are rounding, not a movement, m and rad.</summary>
-        const double SamePosition = 1e-6, SameRotation = 1e-6;
-
         readonly Func<BodyPredictor> _newPredictor;
         readonly FrameTransform[] _waiting = new FrameTransform[MaxWaiting];
         BodyPredictor _predictor;
@@ -24,6 +21,7 @@ namespace Nowpose.Frames
         HandOver _handOver;
         string _parent;
         ReachPlace _reach, _nextReach;
+        SourceRest _sourceRest;
         double _displayed = double.NaN;
         int _waitingCount;
         bool _isStationary, _isNextStationary, _isReachWaiting, _hasPose;
@@ -91,6 +89,8 @@ namespace Nowpose.Frames
         /// <param name="place">Null: the object's own source places it again.</param>
         public void Put(ReachPlace place)
         {
+            if (Reach == null && place != null) (_sourceRest ??= new SourceRest()).Begin();
+            if (place?.IsReleased == true && Reach?.IsReleased != true) _sourceRest.Release(_given);
             _nextReach = place;
             _isReachWaiting = true;
         }
@@ -166,10 +166,10 @@ namespace Nowpose.Frames
         // A source without information about the gripper repeats the pose from before the grip.
         bool IsMovedBy(in FrameTransform pose)
         {
-            if (Reach?.IsReleased != true || !(pose.Stamp > Reach.Since)) return false;
-            var difference = _given.Inverse * pose.ToPose();
-            return new Vector3D(difference.X, difference.Y, difference.Z).Length > SamePosition
-                || UnitQuaternion.Of(difference).Log().Length > SameRotation;
+            if (Reach == null || pose.Stamp <= _newest) return false;
+            var source = pose.ToPose();
+            _sourceRest.Add(source);
+            return Reach.IsReleased && pose.Stamp > Reach.Since && _sourceRest.IsLeftBy(source);
         }
 
         void Begin(in FrameTransform pose, bool isStationary)
@@ -194,7 +194,10 @@ namespace Nowpose.Frames
             UnitQuaternion.TryNormalise(pose.Qx, pose.Qy, pose.Qz, pose.Qw, out var rotation);
             var outcome = _predictor.Add(new PoseSample(
                 ClockTicks.Seconds(pose.Stamp - epoch), new Vector3D(pose.X, pose.Y, pose.Z), rotation), _displayed);
-            if (!(pose.Stamp <= _newest) || outcome == SampleOutcome.StartedAnew) (_newest, _given) = (pose.Stamp, rotation.At(pose.X, pose.Y, pose.Z));
+            var hasRestarted = outcome == SampleOutcome.StartedAnew;
+            if (!(pose.Stamp <= _newest) || hasRestarted) (_newest, _given) = (pose.Stamp, rotation.At(pose.X, pose.Y, pose.Z));
+            // The times of the release are those of the source's earlier run.
+            if (hasRestarted && Reach?.IsReleased == true) Put(null);
             return outcome == SampleOutcome.Duplicate ? DropReason.DuplicateSample
                 : outcome == SampleOutcome.TooOld ? DropReason.LateSample : DropReason.None;
         }

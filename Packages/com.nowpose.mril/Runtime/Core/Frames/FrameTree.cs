@@ -79,6 +79,13 @@ namespace Nowpose.Frames
             _isHandedOver = true;
         }
 
+        /// <summary>Lets all objects that a gripper holds or has released be placed by their own sources.</summary>
+        public void TakeFrom(ReachGrip gripper)
+        {
+            for (var i = 0; i < _frames.Count; i++)
+                if (_frames[i].Reach?.Gripper == gripper) Put(i, null);
+        }
+
         /// <summary>Returns the pose of a frame in the world at a time other than the displayed one.</summary>
         /// <param name="reach">The place that a gripper has given the frame; null if its own source places it.</param>
         public RigidTransform PoseAt(int index, ReachPlace reach, ControlTime at, out PoseOrigin origin)

@@ -72,6 +72,22 @@ namespace Nowpose.Frames
         /// <summary>Decides a change with what is known, because the times of the control system become invalid.</summary>
         public void Settle() => Decide(isLast: true);
 
+        /// <summary>Handles a restart of its signal, in which the gripper may have opened and closed unnoticed.</summary>
+        /// <param name="isOfSource">
+        /// Whether the source of the signal has restarted: then all that the gripper held or released before is given back. Otherwise only the
+        /// times of the control system have become invalid, and objects stay where they are until the next change.
+        /// </param>
+        public void Restart(bool isOfSource)
+        {
+            Settle();
+            if (isOfSource)
+            {
+                _tree.TakeFrom(this);
+                _held = -1;
+            }
+            if (_isClosed == true) Fault = "its signal restarted while it was closed, so what it holds is unknown";
+        }
+
         /// <summary>Gives a held object back to its source.</summary>
         public void Leave()
         {

@@ -22,8 +22,12 @@ namespace Nowpose.Frames
         /// </summary>
         const double LeavesAbove = 4;
 
+        /// <summary>Share of a new window in <see cref="Noise"/>.</summary>
+        const double Smoothing = 1 / 16.0;
+
         readonly Vector3D[] _newestFirst = new Vector3D[Window];
         int _count;
+        int _sinceScatter;
         double _meanStep;
 
         /// <summary>Whether the newest samples only scatter; false for samples that do not differ.</summary>
@@ -31,6 +35,9 @@ namespace Nowpose.Frames
 
         /// <summary>Whether the newest sample has left the place about which those before it only scattered: a motion starts.</summary>
         public bool HasLeft { get; private set; }
+
+        /// <summary>Mean distance of consecutive samples that only scatter; 0 after a motion, and for samples that do not differ.</summary>
+        public double Noise { get; private set; }
 
         /// <summary>Adds a sample newer than all before.</summary>
         public void Add(in Vector3D position)
@@ -40,12 +47,16 @@ namespace Nowpose.Frames
             _newestFirst[0] = position;
             _count = Math.Min(_count + 1, Window);
             Scatters = _count >= MinSamples && IsScatter();
+            _sinceScatter = Scatters ? 0 : _sinceScatter + 1;
+            if (_sinceScatter >= Window) Noise = 0;
+            else if (Scatters) Noise += (_meanStep - Noise) * (Noise > 0 ? Smoothing : 1);
         }
 
         public void Clear()
         {
             _count = 0;
             Scatters = HasLeft = false;
+            Noise = 0;
         }
 
         Vector3D Mean()

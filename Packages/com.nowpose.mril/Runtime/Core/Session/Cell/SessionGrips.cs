@@ -16,6 +16,7 @@ namespace Nowpose.Session.Cell
         {
             _signals = signals;
             signals.Table.Changed += Take;
+            signals.Table.Restarted += Restart;
         }
 
         /// <summary>Makes a gripper follow a signal from now on. On the thread of <see cref="CompensationSession.Tick"/>.</summary>
@@ -51,6 +52,13 @@ namespace Nowpose.Session.Cell
         {
             foreach (var (grip, name) in _grips)
                 if (name == signal.Name) Change(grip, signal);
+        }
+
+        // After a restart of its source, the signal has new stamps.
+        void Restart(SignalTrack signal)
+        {
+            foreach (var (grip, name) in _grips)
+                if (name == signal.Name) grip.Restart(isOfSource: signal.Newest.HasValue);
         }
 
         static void Change(ReachGrip grip, SignalTrack signal) => grip.Change(signal.Value >= 0.5, signal.Since);

@@ -51,6 +51,20 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
+        public void Noise_AtRest_IsTheMeanDistanceOfConsecutiveSamplesUntilAMotion()
+        {
+            var rest = BodyMotions.WithNoise(BodyMotions.Rest, seed: 13);
+            var detector = new ScatterDetector();
+            for (var k = 0; k < 100; k++) detector.Add(rest(0.05 * k).Position);
+
+            // √2 · 1 mm in each of three components: the mean length of the difference is 2.26 mm.
+            Assert.That(detector.Noise, Is.EqualTo(2.26e-3).Within(0.6e-3));
+
+            for (var k = 100; k < 120; k++) detector.Add(rest(0.05 * k).Position + new Vector3D(0.02 * (k - 99), 0, 0));
+            Assert.That(detector.Noise, Is.Zero);
+        }
+
+        [Test]
         public void Scatters_EqualSamples_IsFalse() => Assert.That(Scatters(BodyMotions.Rest, 20, 0.05), Is.False);
     }
 }

@@ -32,6 +32,9 @@ namespace Nowpose.Tests.Core.Session.Cell
         /// <summary>Start of the next frame, s.</summary>
         public double Now { get; private set; } = 20;
 
+        /// <summary>Time by which the control clock has stepped, s.</summary>
+        public double ClockStep { get; set; }
+
         /// <summary>Sends samples with this stamp in s; null for none.</summary>
         public Action<double> Sampling { get; set; }
 
@@ -68,7 +71,7 @@ namespace Nowpose.Tests.Core.Session.Cell
 
         void Exchange(double at)
         {
-            var control = ControlTime.FromSeconds(at);
+            var control = ControlTime.FromSeconds(at + ClockStep);
             Session.Clock.Add(new SyncExchange(At(at) - Lengths.Ms(1), control, control, At(at) + Lengths.Ms(1)), out _);
         }
     }

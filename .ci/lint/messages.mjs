@@ -1,0 +1,35 @@
+// The rule nowpose/messages: a product's texts for users are in its message catalogue, the folder `messages` of its sources.
+// Justified exceptions are marked in the code with eslint-disable-next-line and their reason.
+
+const MAX_WORDS = 3;
+
+/** A word, with the punctuation around it. A name with an underscore, a path or a unit of one letter is none. */
+const WORD = /^[([{"“‘'<]*(?:\p{L}[\p{L}’'-]*\p{L}|[aAI])[)\]}"”’'>.,:;?!…]*$/u;
+
+export const wordsIn = text => text.split(/\s+/).filter(part => WORD.test(part)).length;
+
+const isSum = node => node?.type === 'BinaryExpression' && node.operator === '+';
+
+/** Gets the text of an expression with a digit in place of each inserted value. */
+function textOf(node) {
+  if (node.type === 'Literal' && typeof node.value === 'string') return node.value;
+  if (node.type === 'TemplateLiteral') return node.quasis.map(({ value }) => value.cooked).join('0');
+  return isSum(node) ? textOf(node.left) + textOf(node.right) : '0';
+}
+
+export const messages = {
+  meta: {
+    type: 'problem',
+    docs: { description: 'Texts of four words and more are in the message catalogue' },
+    messages: { text: 'This text has {{words}} words; up to {{most}} are allowed here. Move it to the message catalogue (a folder messages).' },
+    schema: [],
+  },
+  create(context) {
+    const check = node => {
+      if (isSum(node.parent)) return;
+      const words = wordsIn(textOf(node));
+      if (words > MAX_WORDS) context.report({ node, messageId: 'text', data: { words, most: MAX_WORDS } });
+    };
+    return { Literal: check, TemplateLiteral: check, BinaryExpression: node => isSum(node) && check(node) };
+  },
+};

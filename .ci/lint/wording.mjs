@@ -1,0 +1,45 @@
+// The wording of a product's message catalogue, for the tests of the products.
+
+/** Gets the names of a function's parameters. */
+const parametersOf = text => /^\(?([\w$,\s]*?)\)?\s*=>/.exec(text)?.[1].split(',').map(name => name.trim()).filter(Boolean);
+
+/**
+ * Gets the texts of a catalogue by their names.
+ * @param catalogue The exports of its files: objects of texts, and of functions that return texts.
+ * @param samples A value for each parameter of the functions, by its name.
+ */
+export function textsOf(catalogue, samples) {
+  const texts = {};
+  const add = (name, entry) => {
+    if (typeof entry === 'string') texts[name] = entry;
+    else if (typeof entry === 'object') for (const [key, value] of Object.entries(entry)) add(`${name}.${key}`, value);
+    else if (typeof entry === 'function') {
+      const parameters = parametersOf(String(entry));
+      const missing = parameters.filter(parameter => !(parameter in samples));
+      if (missing.length > 0) throw new Error(`${name} has the parameter ${missing.join(', ')}, for which the test has no sample`);
+      texts[name] = entry(...parameters.map(parameter => samples[parameter]));
+    }
+  };
+  for (const [name, entry] of Object.entries(catalogue)) if (typeof entry === 'object') add(name, entry);
+  return texts;
+}
+
+const FAULTS = [
+  [/undefined|\bnull\b|\bNaN\b|\[object|=>/, 'contains a value that is missing or not a text'],
+  [/^\s|\s$|[\n\t]| {2}/, 'has a space too many'],
+  [/ [,;:.?!](\s|$)/, 'has a space before a punctuation mark'],
+  [/[,;:.?!]{2}/, 'has two punctuation marks in a row'],
+  [/[.!] \p{Ll}/u, 'has a sentence that begins with a small letter'],
+  [/\b(\w{2,}) \1\b/, 'repeats a word'],
+];
+
+const count = (text, mark) => text.split(mark).length - 1;
+
+/** Gets the faults in the form of a text. @param isSentence Whether it consists of complete sentences; otherwise of a part of one. */
+export function faultsIn(text, isSentence) {
+  const faults = FAULTS.filter(([pattern]) => pattern.test(text)).map(([, fault]) => fault);
+  if (count(text, '(') !== count(text, ')') || count(text, '“') !== count(text, '”')) faults.push('has an unpaired bracket or quotation mark');
+  if (isSentence && !/[.?!]$/.test(text)) faults.push('is a sentence without an end');
+  if (!isSentence && /[.,;:!]$/.test(text)) faults.push('is part of a sentence but ends with a punctuation mark');
+  return faults;
+}

@@ -1,0 +1,68 @@
+import { pause } from '../backoff';
+import type { GatewayLink } from '../gateway/link';
+import { type Nanoseconds, NS_PER_S, ofRosTime } from '../times';
+
+const GET_TIME = '/rosapi/get_time';
+const EVERY_MS = 1000;
+const RETRY_MS = 200;
+
+/** Maximum rate difference between the control clock and this machine's counter; headsets use the same limit. */
+const MAX_SKEW_PPM = 700n;
+
+/**
+ * The gateway's control clock, read from the gateway. Each reading bounds the difference to this machine's counter by the times of its request
+ * and its answer; the bounds of several readings are intersected.
+ */
+export class GatewayClock {
+  /** Bounds of control time minus counter, and the counter at the newest reading. */
+  #bounds: { low: Nanoseconds; high: Nanoseconds; at: Nanoseconds } | null = null;
+
+  /** @param counter Monotonic time of this machine, ns. */
+  constructor(
+    readonly gateway: Pick<GatewayLink, 'call'>,
+    readonly counter: () => Nanoseconds,
+  ) {}
+
+  /** The control time now; null before the first reading. */
+  get now(): Nanoseconds | null {
+    return this.#bounds === null ? null : this.counter() + (this.#bounds.low + this.#bounds.high) / 2n;
+  }
+
+  /** Reads the clock once a second until it is stopped. */
+  async run(stop: AbortSignal, first: () => void): Promise<void> {
+    while (!stop.aborted) {
+      const isRead = await this.#read();
+      if (isRead) first();
+      await pause(isRead ? EVERY_MS : RETRY_MS, stop);
+    }
+  }
+
+  /**
+   * Takes a reading. If it contradicts the earlier ones, the control clock has stepped, or another clock is the control clock now.
+   * @param asked Counter before the request.
+   * @param heard Counter after the answer.
+   */
+  observe(time: Nanoseconds, asked: Nanoseconds, heard: Nanoseconds): void {
+    let [low, high] = [time - heard, time - asked];
+    if (this.#bounds !== null) {
+      const drift = ((heard - this.#bounds.at) * MAX_SKEW_PPM) / 1_000_000n;
+      const [oldLow, oldHigh] = [this.#bounds.low - drift, this.#bounds.high + drift];
+      if (low <= oldHigh && high >= oldLow) [low, high] = [low > oldLow ? low : oldLow, high < oldHigh ? high : oldHigh];
+    }
+    this.#bounds = { low, high, at: heard };
+  }
+
+  async #read(): Promise<boolean> {
+    try {
+      const asked = this.counter();
+      const { time } = await this.gateway.call(GET_TIME);
+      const now = ofRosTime(time);
+      if (now === null || now < NS_PER_S) return false;
+      this.observe(now, asked, this.counter());
+      return true;
+    } catch {
+      // The gateway is away, which its link reports.
+      return false;
+    }
+  }
+}

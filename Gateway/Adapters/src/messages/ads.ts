@@ -1,0 +1,60 @@
+import { wrongValue } from './configuration';
+
+const NET_ID = 'the parts of an AMS Net Id are 0 to 255';
+
+/** Errors of a configuration of kind ads. */
+export const adsSettingMessages = {
+  endpoint: (value: unknown) => wrongValue(value, `${NET_ID}, ports 1 to 65535`),
+  netId: (value: unknown) => wrongValue(value, NET_ID),
+  notPlain: 'missing; ADS is neither encrypted nor authenticated here: if all machines in its network are trusted, set plain: true',
+  restWithoutOnChange: wrongValue('rest', 'without on_change: true values at rest are sent too, so missing values are always a fault'),
+};
+
+/** Texts about a PLC. */
+export const adsMessages = {
+  notSecure:
+    "ADS is neither encrypted nor authenticated (plain: true): anyone with access to this network can read the PLC's data and imitate the PLC",
+  notRunning: (netId: string, state: string) => `TwinCAT at ${netId} is in ${state} mode; reading continues when TwinCAT runs`,
+  stopped: (netId: string, state: string) => `TwinCAT at ${netId} went to ${state} mode`,
+  noRouter: (host: string, port: number, code: string) =>
+    `nothing answers at ${host}:${port} (${code}); check that TwinCAT or its router runs there and that its firewall allows TCP ${port}`,
+  noRuntime: (port: number, netId: string) =>
+    `no PLC runtime at AMS port ${port} of ${netId}; the first runtime of TwinCAT 3 has port 851, that of TwinCAT 2 port 801`,
+  unknownNetId: (host: string, netId: string) =>
+    `${host} does not know the AMS Net Id ${netId}; check it, and that ${host} is that machine or has a route to it`,
+  /** @param localNetId Our address; null if the router of the host assigns one. */
+  noAnswer: (host: string, localNetId: string | null) =>
+    `${host} accepts the connection but does not answer${
+      localNetId === null
+        ? ''
+        : `; if it has never answered, add a route to this machine: `
+          + `in TwinCAT, SYSTEM > Routes > Add, AMS Net Id ${localNetId}, transport TCP_IP, the address of this machine`
+    }`,
+  ended: (host: string) => `the connection to ${host} ended`,
+  noTimeOfCycle: (symbol: string) => `the value arrived without ${symbol} of its cycle`,
+  newProgram: 'the PLC has a new program; its variables are looked up again',
+  moved: (symbol: string) => `${symbol} has moved in the PLC's memory; its variables are looked up again`,
+  notReadable: (symbol: string, reason: string) => `${symbol} cannot be read: ${reason}`,
+  valuesStopped: "the PLC's program does not run, so its variables do not change",
+  programState: (state: string) => `the PLC's program is in state ${state}; positions continue when it runs`,
+  programStopped: "the PLC's program does not run; start it",
+  clockNotReadable: (reason: string) => `the PLC's clock cannot be read: ${reason}`,
+  clockStopped: (symbol: string) => `${symbol} does not advance`,
+  noNotification: (maxMs: number) => `no first notification within ${maxMs} ms`,
+  frameTooLarge: 'the frame is larger than 16 MiB',
+  sampleTooLarge: (size: number, most: number) => `a sample has ${size} bytes, more than its frame of ${most}`,
+  wouldWrite: (command: number) => `command ${command} would write to the control system; adapters only read`,
+};
+
+/** Reasons why a symbol is not usable. */
+export const symbolMessages = {
+  /** @param similar Similar symbols; empty for none, undefined if the PLC's table is too long to be read. */
+  unknown: (place: string, symbol: string, similar: string[] | undefined) =>
+    `${place}: the PLC has no symbol ${symbol}${
+      similar === undefined ? '' : similar.length === 0 ? '; look up its symbols in the PLC program' : `; similar symbols are ${similar.join(', ')}`
+    }`,
+  unusable: (place: string, symbol: string, type: string, reason: string) => `${place}: ${symbol} is ${type}; ${reason}`,
+  array: (element: string) => `name one element, such as ${element}`,
+  notNumber: 'a position must be a number: LREAL, REAL or a whole number',
+  notTime: 'a time must have 64 bits: LINT, ULINT, LREAL, LTIME or T_FILETIME',
+};

@@ -1,0 +1,71 @@
+import { shown } from '../configuration/problem';
+
+/** Formats the error of a value: the value as in the file, then what is allowed or what to do. */
+export const wrongValue = (value: unknown, remedy: string): string => `value ${shown(value)}; ${remedy}`;
+
+/** Errors of entries that plants of several kinds have. */
+export const configurationMessages = {
+  address: (value: unknown) => wrongValue(value, 'allowed: a scheme with ://, a host and, after a colon, a port from 1 to 65535'),
+  noKind: (allowed: string[]) => `missing; add the section plant with its kind, allowed: ${allowed.join(', ')}`,
+  misspelt: (meant: string) => `not known here; did you mean ${meant}?`,
+  /** @param guess The probable meaning; undefined if there is none. */
+  unknownEntry: (guess: string | undefined, allowed: readonly string[]) => `not known here; ${question(guess)}allowed: ${allowed.join(', ')}`,
+  notAllowed: (value: unknown, guess: string | undefined, allowed: readonly string[]) =>
+    wrongValue(value, `${question(guess)}allowed: ${allowed.join(', ')}`),
+  tokenInClear: (value: unknown) => wrongValue(value, "a token is sent only over wss:// or within this machine; use wss:// with the gateway's pin"),
+  /** @param kind Kind of the named thing, such as joint. */
+  nameTwice: (value: unknown, line: number | undefined, kind: string) =>
+    wrongValue(value, `line ${line} already has this ${kind}; name each ${kind} once`),
+  valueTwice: (value: unknown, kind: string) => `value ${shown(value)} occurs twice; name each ${kind} once`,
+  unitAndScale: 'the unit already determines the scale; remove one of the two',
+  publishingTooShort: (publishingMs: number, samplingMs: number) =>
+    wrongValue(publishingMs, `allowed: a time from sampling_ms, ${samplingMs}, to 10000 ms`),
+  noTimeVariable: (entry: string) => wrongValue('variable', `add time with the ${entry} of the time variable`),
+  unusedTime: (timestamp: string) => `timestamp is ${timestamp}; remove time, or set timestamp to variable`,
+  notPlain: (scheme: string) =>
+    `missing; ${scheme}:// to another machine is neither encrypted nor authenticated: `
+    + `use ${scheme}s://, or set plain: true if all machines in its network are trusted`,
+  pinWithoutTls: 'not used with ws://; write wss://, or remove the pin',
+  passwordInClear: (remedy: string) => `the password would be sent unencrypted; use ${remedy}`,
+  noPassword: 'missing; add the path of a file that contains only the password, or set NOWPOSE_PLANT_PASSWORD',
+};
+
+/** Errors of frames. */
+export const frameMessages = {
+  world: (name: string) => wrongValue(name, 'this is the anchored frame of the cell, which has no parent'),
+  quaternionAndAngles: 'the quaternion already determines the rotation; remove one of the two',
+  noAddress: (entry: string) => `missing; add the ${entry} of the variable with this number`,
+  /** @param chain The frame, its parent, and so on up to the frame again. */
+  cycle: (value: unknown, chain: string[], world: string) =>
+    wrongValue(
+      value,
+      `${chain.length === 2 ? 'a frame cannot be its own parent' : `its parents lead back to it: ${chain.join(', ')}`}; `
+        + `name ${world}, a link of a robot, or another frame`,
+    ),
+};
+
+/** Errors of robots and their descriptions. */
+export const robotMessages = {
+  tooLarge: (value: unknown) => wrongValue(value, 'the file is larger than 1 MiB; put its meshes into separate files'),
+  notUrdf: (value: unknown) => wrongValue(value, 'the file has no <robot> element; name a URDF file'),
+  notReadable: (value: unknown, code: string | undefined, included: string[]) =>
+    wrongValue(value, `the file cannot be read (${code}); name an existing URDF file or one of ${included.join(', ')}`),
+  noJoint: (value: unknown, guess: string | undefined) =>
+    wrongValue(value, `the robot has no such joint${guess === undefined ? '' : `, did you mean ${guess}?`}`),
+};
+
+/** Errors of files that a configuration names, and of the configuration's own file. */
+export const fileMessages = {
+  notReadable: (value: unknown, code: string | undefined) => wrongValue(value, `the file cannot be read (${code}); name an existing file`),
+  notOneLine: (value: unknown, most: number) => wrongValue(value, `the file must contain exactly one line of 1 to ${most} characters`),
+  readableByAll: (value: unknown, path: string) =>
+    wrongValue(value, `every user of this machine may read the file; remove this right: chmod o= ${path}`),
+  configurationNotReadable: (code: string | undefined) => `cannot be read (${code}); name an existing file`,
+  circular: 'an alias (*) refers to an entry that contains it; write the entry out',
+  tab: 'a tab precedes the entry; YAML allows spaces only, so replace the tab',
+  keyTwice: 'this key occurs twice; remove one',
+  indent: (problem: string) => `${problem}; entries of one level must start in the same column`,
+  notYaml: (problem: string) => `not valid YAML: ${problem}`,
+};
+
+const question = (guess: string | undefined): string => (guess === undefined ? '' : `did you mean ${guess}? `);

@@ -1,0 +1,65 @@
+import { shown } from '../configuration/problem';
+
+/** Reasons why a value is refused. */
+export const refusalMessages = {
+  noStamp: 'the value has no time stamp; choose another timestamp in the configuration',
+  before1970: 'the time stamp is before 1970; set the clock of the control system',
+  notNewer: (apartMs: number) => `its time stamp is not newer than that of the previous value (${apartMs.toFixed(1)} ms older)`,
+  ahead: (apartMs: number, maxMs: number) =>
+    `its time stamp is ${apartMs.toFixed(1)} ms ahead of the control clock; up to ${maxMs.toFixed(1)} ms is allowed`,
+  behind: (apartMs: number, maxMs: number) =>
+    `its time stamp is ${apartMs.toFixed(1)} ms behind the control clock; up to ${maxMs.toFixed(1)} ms is allowed`,
+  notNumber: (value: unknown) => `value ${shown(value)} is not a number; name a numeric variable`,
+  notPosition: (text: string) => `value ${text} is not a position`,
+  scaledNotPosition: (number: number, scale: number) => `value ${number} with scale ${scale} is not a position`,
+  parent: (choice: number, last: number) => `its parent is number ${choice}; allowed: a whole number from 0 to ${last}`,
+  quaternion: (length: number) => `the quaternion has the length ${length.toFixed(3)}; allowed: 0.99 to 1.01`,
+};
+
+/** States of joints, frames and signals, and their reasons. */
+export const stateMessages = {
+  noValueYet: 'no value has arrived since the start',
+  disconnected: 'the plant is not connected',
+  /**
+   * @param knowledge What is known about the silence, and its meaning.
+   * @param uncertainty The reason why the rest is uncertain; empty for none.
+   */
+  assumedAtRest: (knowledge: string, kind: string, uncertainty: string) =>
+    `${knowledge}; the ${kind} is assumed at rest${uncertainty === '' ? '' : `; ${uncertainty}`}`,
+  liveAgain: (name: string) => `${name} is live again`,
+  restWithoutFault: (name: string) => `${name} is at rest without a fault`,
+  notExpected: (name: string) => `${name} is no longer expected`,
+  uncertainRest: (name: string, uncertainty: string) => `${name} may not be at rest: ${uncertainty}`,
+  validAgain: (name: string) => `${name} is valid again`,
+};
+
+const CURE = 'set silence: { fault_after_s: N } if the source sends its values repeatedly, even at rest';
+
+/** Reasons for a silent joint, and why its rest is uncertain. */
+export const silenceMessages = {
+  confirmed: 'its source confirms the last value',
+  noValue: 'no value arrives',
+  /**
+   * @param evidence What is known about a silent joint.
+   * @param maxMs Time after which its silence is a fault; null if it means rest.
+   */
+  basis: (evidence: string, maxMs: number | null) =>
+    `${evidence}; ${maxMs === null ? 'silence means rest' : `silence is a fault after ${maxMs / 1000} s`}`,
+  unconfirmed: `nothing confirms its last value, so rest cannot be distinguished from an end of its data; ${CURE}`,
+  allUnconfirmed: `nothing arrives from its source, so rest cannot be distinguished from an end of the source; ${CURE}`,
+  tooLong: (maxMs: number) => `no new value for more than ${maxMs / 1000} s, which is a fault here (silence in plant.yaml)`,
+  notConfirmed: (maxMs: number) => `no value for more than ${maxMs / 1000} s, and the source does not confirm the last one`,
+  ended: 'its data ended in mid-motion: it cannot have stopped at its last position',
+  endedBecause: (reason: string) => `its data ended in mid-motion: ${reason}`,
+  /** @param basis Origin of the limit. */
+  stopTooHard: (required: number, limit: number, unit: string, basis: keyof typeof LIMITS) =>
+    `a stop there would need ${required.toFixed(1)} ${unit}, more than the ${limit.toFixed(1)} ${unit} ${LIMITS[basis]}`,
+  unobservedStop: (required: number, unit: string) => `the stop itself was not observed; it would need ${required.toFixed(1)} ${unit}`,
+  notWritten: "the server's source timestamps show that the value is no longer written, although it was written at rest before",
+};
+
+const LIMITS = {
+  configured: 'of max_deceleration',
+  observed: 'observed in its samples; set max_deceleration if it can brake harder',
+  assumed: 'assumed for it; set max_deceleration if it can brake harder',
+};

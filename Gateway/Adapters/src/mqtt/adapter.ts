@@ -1,0 +1,67 @@
+import type { AdapterContext } from '../adapter';
+import type { PlantValue } from '../samples/plantOutput';
+import type { Refusal } from '../samples/stampRule';
+import { fieldIn, TopicValues } from '../samples/topicValues';
+import type { Nanoseconds } from '../times';
+import { reportAddress } from './address';
+import { MqttLink } from './link';
+import { settingsOf, type TimeField } from './settings';
+import { stampIn } from './stamps';
+import { mqttMessages } from '../messages/broker';
+
+/** Longest interval of messages whose values are interpolated if the components of a pose are on different topics, s; a fifth of it is set. */
+const SAMPLING_S = 0.1;
+
+/** Reads the topics of a broker until it is stopped. */
+export async function run(context: AdapterContext): Promise<void> {
+  const { configuration, clock, output, status, stopping } = context;
+  const { broker, time } = settingsOf(configuration);
+  reportAddress(broker, context);
+  // Nothing can be asked for its value.
+  output.unconfirmedMs = null;
+  output.samplingS = SAMPLING_S;
+  status.enter('connecting');
+  await clock.doWithout(stopping);
+  const values = new TopicValues(configuration.values);
+  const link = new MqttLink(broker, configuration.plant.name, values.topics, {
+    opened: () => {
+      output.startAnew();
+      status.enter('connected');
+    },
+    away: reason => {
+      if (status.state === 'connected') status.reconnected();
+      status.enter('waiting', reason);
+    },
+    refused: (topic, reason) => {
+      for (const index of values.indicesOf(topic)) output.lose(index, reason);
+    },
+    heard: (topic, payload, isRetained) => {
+      const found = valuesIn(values, topic, payload, isRetained ? null : clock.now, time);
+      output.publish(isRetained ? found.map(value => ({ ...value, isFirst: true })) : found);
+      if (isRetained) for (const { index, refusal } of found) if (refusal === undefined) output.explain(index, mqttMessages.retained);
+    },
+    malformed: (topic, problem) => status.refuse('malformed', topic, problem),
+  });
+  await link.run(stopping);
+}
+
+/** @param arrival Control time of the arrival; null if the value may be older. */
+function valuesIn(values: TopicValues, topic: string, payload: Buffer, arrival: Nanoseconds | null, time: TimeField | null): PlantValue[] {
+  const refused = (refusal: Refusal): PlantValue[] => values.indicesOf(topic).map(index => ({ index, value: null, stamp: null, refusal }));
+  const message = parsed(payload);
+  if (message === undefined) return refused({ reason: 'malformed', text: mqttMessages.notJson(topic) });
+  // A number or a Boolean has no fields.
+  if (time === null || typeof message !== 'object') return values.in(topic, message, arrival);
+  const stamp = stampIn(fieldIn(message, time.field.split('.')), time.unit);
+  if (stamp !== null) return values.in(topic, message, stamp);
+  return refused({ reason: 'stamp-missing', text: mqttMessages.noTime(topic, time.unit, time.field) });
+}
+
+/** Gets the value of a JSON text; undefined if it is not one. */
+function parsed(payload: Buffer): unknown {
+  try {
+    return JSON.parse(payload.toString());
+  } catch {
+    return undefined;
+  }
+}

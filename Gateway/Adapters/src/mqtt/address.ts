@@ -1,0 +1,49 @@
+import type { AdapterContext } from '../adapter';
+import { requireAddress } from '../configuration/address';
+import { type Configuration, isLoopback } from '../configuration/configuration';
+import { requirePlain } from '../configuration/plain';
+import { secretText } from '../configuration/secret';
+import { type User, userIn } from '../configuration/user';
+import type { YamlFile } from '../configuration/yamlFile';
+import { brokerMessages } from '../messages/broker';
+import { configurationMessages } from '../messages/configuration';
+
+/** The address of a broker and the access to it, with the contents of the files. */
+export interface BrokerAddress {
+  endpoint: string;
+  /** Whether the connection to another machine is neither encrypted nor authenticated. */
+  isPlain: boolean;
+  /** The certificate that issued the broker's; null for those that this machine trusts. */
+  authority: string | null;
+  user: User | null;
+}
+
+/** The entries of the plant section for the address. */
+export interface BrokerSection {
+  endpoint: string;
+  plain?: boolean;
+  authority_file?: string;
+  user?: { name: string; password_file?: string };
+}
+
+/** Checks the address of a broker, and reads the files for the access to it. */
+export function brokerOf(file: YamlFile, section: BrokerSection, configuration: Configuration, environment: NodeJS.ProcessEnv): BrokerAddress {
+  const { endpoint, plain, user, authority_file: authority } = section;
+  const isOpen = endpoint.startsWith('mqtt:');
+  requireAddress(file, ['plant', 'endpoint'], endpoint);
+  requirePlain(file, section);
+  if (user !== undefined && isOpen && !isLoopback(endpoint)) file.report(['plant', 'user'], configurationMessages.passwordInClear('mqtts://'));
+  return {
+    endpoint,
+    isPlain: isOpen && plain === true,
+    authority: authority === undefined ? null : secretText(file, ['plant', 'authority_file'], authority, false),
+    user: userIn(file, user, configuration, environment),
+  };
+}
+
+/** Shows the address in the diagnostics, and warns of a connection that is not protected. */
+export function reportAddress({ endpoint, isPlain }: BrokerAddress, { status, log }: Pick<AdapterContext, 'status' | 'log'>): void {
+  status.detail('endpoint', endpoint);
+  status.detail('security', endpoint.startsWith('mqtts:') ? 'tls' : 'none');
+  if (isPlain) log.line(brokerMessages.notSecure);
+}

@@ -1,0 +1,130 @@
+import { randomBytes } from 'node:crypto';
+import { connect, type IClientOptions, type MqttClient } from 'mqtt';
+import { Backoff, pause } from '../backoff';
+import type { BrokerAddress } from './address';
+import { brokerMessages } from '../messages/broker';
+
+const KEEP_ALIVE_S = 3;
+const CONNECT_MS = 5000;
+const STEADY_MS = 2000;
+const GOODBYE_MS = 500;
+
+/** Maximum packet size: a description of 1 MiB with a margin. */
+const MAX_PACKET = 1024 * 1024 + 64 * 1024;
+
+export interface MqttEvents {
+  /** Called after each connection, when the subscriptions have been sent. */
+  opened(): void;
+  /** Called before this end disconnects. */
+  leaving?(): void;
+  /** Called after each failed attempt, too. */
+  away(reason: string): void;
+  /** The broker does not allow the subscription of a topic. */
+  refused(topic: string, reason: string): void;
+  /** @param isRetained Whether the broker had the message before the subscription. */
+  heard(topic: string, payload: Buffer, isRetained: boolean): void;
+  /** A message on this topic caused an exception in `heard`. */
+  malformed(topic: string, problem: string): void;
+}
+
+/** A connection to an MQTT 5 broker. Reconnects by itself, and then subscribes again. */
+export class MqttLink {
+  #client: MqttClient | null = null;
+
+  /** @param name Name of the plant, a part of the client's identifier. */
+  constructor(
+    readonly broker: BrokerAddress,
+    readonly name: string,
+    readonly topics: string[],
+    readonly events: MqttEvents,
+    readonly options: IClientOptions = {},
+  ) {}
+
+  /** The client while it is connected; null otherwise. */
+  get client(): MqttClient | null {
+    return this.#client?.connected ? this.#client : null;
+  }
+
+  /** Connects and reconnects until it is stopped. */
+  async run(stop: AbortSignal): Promise<void> {
+    const backoff = new Backoff();
+    while (!stop.aborted) {
+      const began = performance.now();
+      const reason = await this.#connect(stop);
+      if (stop.aborted) return;
+      this.events.away(reason);
+      if (performance.now() - began > STEADY_MS) backoff.reset();
+      await pause(backoff.next(), stop);
+    }
+  }
+
+  #connect(stop: AbortSignal): Promise<string> {
+    const client = connect(this.broker.endpoint, this.#options());
+    return new Promise(resolve => {
+      let reason = brokerMessages.closed;
+      const leave = (): void => {
+        if (client.connected) this.events.leaving?.();
+        client.end(false, {}, () => resolve('stopped'));
+        setTimeout(() => client.end(true), GOODBYE_MS).unref();
+      };
+      stop.addEventListener('abort', leave);
+      client.on('connect', () => this.#open(client));
+      client.on('message', (topic, payload, { retain }) => this.#hear(topic, payload, retain));
+      client.on('error', error => {
+        reason = inWords(error, this.broker.endpoint);
+      });
+      // The close event would report the end again, when the next client may already exist.
+      client.once('close', () => {
+        stop.removeEventListener('abort', leave);
+        this.#client = null;
+        client.end(true);
+        resolve(reason);
+      });
+    });
+  }
+
+  // An invalid message from any publisher must not end the process.
+  #hear(topic: string, payload: Buffer, isRetained: boolean): void {
+    try {
+      this.events.heard(topic, payload, isRetained);
+    } catch (error) {
+      this.events.malformed(topic, (error as Error).message);
+    }
+  }
+
+  #options(): IClientOptions {
+    const { user, authority } = this.broker;
+    return {
+      protocolVersion: 5,
+      clientId: `nowpose-${this.name}-${randomBytes(4).toString('hex')}`,
+      clean: true,
+      keepalive: KEEP_ALIVE_S,
+      reschedulePings: false,
+      connectTimeout: CONNECT_MS,
+      reconnectPeriod: 0,
+      queueQoSZero: false,
+      properties: { maximumPacketSize: MAX_PACKET },
+      ...(user === null ? {} : { username: user.name, password: user.password }),
+      ...(authority === null ? {} : { ca: authority }),
+      ...this.options,
+    };
+  }
+
+  #open(client: MqttClient): void {
+    this.#client = client;
+    for (const topic of this.topics)
+      client.subscribe(topic, { qos: 1 }, error => {
+        // The end of the connection is an error of the subscription, too.
+        if (error && client.connected) this.events.refused(topic, brokerMessages.subscriptionRefused(topic, error.message));
+      });
+    this.events.opened();
+  }
+}
+
+function inWords(error: Error & { code?: unknown }, endpoint: string): string {
+  if (error.code === 'ECONNREFUSED') return brokerMessages.refuses(endpoint);
+  if (error.code === 134 || error.code === 135 || error.code === 4 || error.code === 5) return brokerMessages.loginRefused(endpoint);
+  if (String(error.code).includes('CERT') || String(error.code).includes('UNABLE_TO') || String(error.code).includes('SELF_SIGNED'))
+    return brokerMessages.notTrusted(String(error.code));
+  return error.message;
+}

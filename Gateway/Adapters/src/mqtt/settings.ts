@@ -1,0 +1,39 @@
+import type { Kind } from '../adapter';
+import { type Configuration, readNames } from '../configuration/configuration';
+import { type BrokerAddress, brokerOf, type BrokerSection } from './address';
+import type { MqttTimeUnit } from './stamps';
+import { mqttMessages } from '../messages/broker';
+
+/** The field of each message with its time, and the unit of that field. */
+export interface TimeField {
+  field: string;
+  unit: MqttTimeUnit;
+}
+
+/** The settings of kind mqtt, with the contents of their files. */
+export interface MqttSettings {
+  broker: BrokerAddress;
+  /** Null for the time of the arrival. */
+  time: TimeField | null;
+}
+
+interface Section extends BrokerSection {
+  time?: TimeField;
+}
+
+/** Set by the check of the configuration, which reads the files with secrets. */
+export const settingsOf = (configuration: Configuration): MqttSettings => configuration.plant.settings as MqttSettings;
+
+export const mqtt: Kind = {
+  check(file, configuration, environment) {
+    const section = configuration.plant as unknown as Section;
+    if (configuration.values.length === 0) file.report(['plant'], mqttMessages.nothingRead);
+    const settings: MqttSettings = { broker: brokerOf(file, section, configuration, environment), time: section.time ?? null };
+    configuration.plant.settings = settings;
+  },
+  summary(configuration) {
+    const { broker, time } = settingsOf(configuration);
+    const stamp = time === null ? mqttMessages.arrivalTime : `the field ${time.field} (${time.unit})`;
+    return `MQTT ${broker.endpoint}; t_k is ${stamp}; ${readNames(configuration, 'nothing')}`;
+  },
+};

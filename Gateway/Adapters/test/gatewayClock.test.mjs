@@ -1,0 +1,79 @@
+// The control clock as an adapter reads it from its gateway, in virtual time.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { parts } from './parts.mjs';
+import { seeded } from './seeded.mjs';
+
+const { GatewayClock, PlantClock } = await parts('clock/gatewayClock', 'clock/plantClock');
+const MS = 1_000_000n, S = 1000n * MS, T = 1_700_000_000n * S;
+
+const us = number => BigInt(Math.round(number)) * 1000n;
+
+/** A clock that is read once a second for a minute. The control clock is `ahead` of the counter and faster by `ppm`. */
+function read({ ppm = 0n, seed = 1, seconds = 60, trip = random => us(200 + 3000 * random() ** 2) } = {}) {
+  const random = seeded(seed), time = { now: 0n };
+  const clock = new GatewayClock({}, () => time.now), control = at => T + at + (at * ppm) / 1_000_000n;
+  for (let i = 0; i < seconds; i++) {
+    const asked = BigInt(i) * S, up = trip(random), down = trip(random);
+    clock.observe(control(asked + up), asked, asked + up + down);
+    time.now = asked + up + down;
+  }
+  return { clock, control, time };
+}
+
+const size = ns => (ns < 0n ? -ns : ns);
+
+describe('clock of the gateway', () => {
+  it('Now_BeforeTheFirstReading_IsUnknown', () => assert.equal(new GatewayClock({}, () => 0n).now, null));
+
+  for (const ppm of [0n, -200n, 200n])
+    for (const seed of [1, 2, 3])
+      it(`Now_Skew${ppm}ppm_Seed${seed}_ErrsByLessThanTheFastestRoundTrip`, () => {
+        const { clock, control, time } = read({ ppm, seed });
+
+        // The drift that is allowed for between two readings widens the bounds by 0.7 ms.
+        assert.ok(size(clock.now - control(time.now)) < MS, `${clock.now - control(time.now)} ns`);
+      });
+
+  it('Now_SlowPathOneWay_ErrsByAtMostHalfTheRoundTrip', () => {
+    const asked = 0n, heard = 10n * MS, clock = new GatewayClock({}, () => heard);
+
+    clock.observe(T, asked, heard);
+
+    assert.equal(clock.now - (T + heard), -5n * MS);
+  });
+
+  it('Now_ControlClockSteps_FollowsTheNextReading', () => {
+    const { clock, time } = read();
+
+    clock.observe(T + 3600n * S, time.now, time.now + MS);
+
+    assert.equal(clock.now, T + 3600n * S - MS / 2n);
+  });
+
+  it('PlantClock_WithoutAClockOfThePlant_ReadsThatOfTheGateway', async () => {
+    const time = { now: 5n * S }, stop = new AbortController();
+    const gateway = { offer: () => {}, call: async () => ({ time: { sec: Number(T / S), nanosec: 0 } }) };
+    const clock = new PlantClock(gateway, 'cell', MS, () => time.now);
+    assert.deepEqual([clock.isSettled, clock.now], [false, null]);
+
+    await clock.doWithout(stop.signal);
+
+    assert.deepEqual([clock.isSettled, clock.now], [true, T]);
+    await clock.attach(async () => ({ received: T + S, sent: T + S, resolution: 1n }), stop.signal);
+    assert.equal(clock.now, T + S);
+    clock.detach();
+    assert.equal(clock.now, null);
+    stop.abort();
+  });
+
+  it('PlantClock_GatewayAway_IsUnknownUntilTheStop', async () => {
+    const stop = new AbortController(), clock = new PlantClock({ offer: () => {}, call: async () => { throw new Error('away'); } }, 'cell');
+
+    const known = clock.doWithout(stop.signal);
+    stop.abort();
+    await known;
+
+    assert.equal(clock.now, null);
+  });
+});

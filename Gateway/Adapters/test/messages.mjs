@@ -1,0 +1,13 @@
+// The message catalogue of the adapters, for tests.
+import { readdirSync } from 'node:fs';
+import { parts } from './parts.mjs';
+
+const files = readdirSync(new URL('../src/messages', import.meta.url));
+
+export const messages = await parts(...files.map(file => `messages/${file}`));
+
+/** Stands for any value in a text of the catalogue. */
+export const ANY = Object.assign(Object('\u0000'), { toFixed: () => '\u0000' });
+
+/** Gets the pattern of a text of the catalogue that was made with ANY. */
+export const like = text => new RegExp(text.split('\u0000').map(part => part.replace(/[\\^$.*+?()[\]{}|]/g, '\\$&')).join('.*'));

@@ -1,0 +1,185 @@
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { once } from 'node:events';
+import { createServer } from 'node:net';
+import { join } from 'node:path';
+import { describe, it } from 'node:test';
+import { connectAsync } from 'mqtt';
+import { missing, Mosquitto } from '../broker/mosquitto.mjs';
+import { start, until } from '../program.mjs';
+import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
+import { temporaryFile, temporaryFolder } from '../temporary.mjs';
+import { cell, changes, clockAhead, configuration, poses } from './cell.mjs';
+import { ANY, like, messages } from '../messages.mjs';
+
+const { brokerMessages, mqttMessages, silenceMessages } = messages;
+
+const MS = 1_000_000n;
+const TIME = '  time: { field: t, unit: ms }\n';
+const REST = `robots: { arm1: ur5e }
+joints:
+  - { joint: axis, topic: cell/arm, field: position.1, unit: deg }
+  - { joint: arm1/elbow_joint, topic: cell/elbow }
+frames:
+  - frame: part
+    parent: { of: [world, arm1/tool0], topic: cell/part, field: parent }
+    position: { unit: mm, x: { topic: cell/part, field: pose.x }, y: { topic: cell/part, field: pose.y }, z: 0 }
+    angles: { order: zyx, axes: moving, unit: deg, values: [{ topic: cell/part, field: pose.a }, 0, 0] }
+  - frame: table
+    position: { unit: mm, x: 500, y: 0, z: 0 }
+signals:
+  - { signal: closed, topic: cell/closed }
+  - { signal: speed, topic: cell/belt, field: speed }
+`;
+
+const part = (more = {}) => ({ parent: 0, pose: { x: 100, y: 200, a: 90 }, ...more });
+
+describe('mqtt', { skip: missing, concurrency: 3 }, () => {
+  it('Fields_WithTheirTime_AreJointsFramesAndSignals', async t => {
+    const { bridge, send, now } = await cell(t, { plant: TIME, rest: REST });
+    const ms = now() / MS, stamp = ms * MS;
+
+    await send('cell/arm', { t: Number(ms), position: [1, 90] });
+    await send('cell/part', part({ t: Number(ms) }));
+    await send('cell/part', part({ t: Number(ms) + 50, parent: 1 }));
+    await send('cell/belt', { t: Number(ms), speed: 0.25 });
+    await send('cell/belt', { t: Number(ms) + 20, speed: 0.25 });
+    await send('cell/belt', { t: Number(ms) + 40, speed: 0.5 });
+
+    const [{ header, name, position }] = await until(() => bridge.jointStates.length > 0 && bridge.jointStates, () => JSON.stringify(bridge.state));
+    assert.deepEqual([nanoseconds(header.stamp), name], [stamp, ['axis']]);
+    assert.ok(Math.abs(position[0] - Math.PI / 2) < 1e-12);
+    const seen = await until(() => poses(bridge, 'part').length === 2 && poses(bridge, 'part'), () => JSON.stringify(bridge.state));
+    assert.deepEqual(seen.map(({ stamp: at, parent, position: place }) => [at, parent, place]),
+      [[stamp, 'world', [0.1, 0.2, 0]], [stamp + 50n * MS, 'arm1/tool0', [0.1, 0.2, 0]]]);
+    assert.ok(Math.hypot(seen[0].rotation[2] - Math.SQRT1_2, seen[0].rotation[3] - Math.SQRT1_2) < 1e-12);
+    await until(() => changes(bridge, 'speed').length === 2, () => JSON.stringify(bridge.state));
+    assert.deepEqual(changes(bridge, 'speed'), [[0.25, stamp], [0.5, stamp + 40n * MS]]);
+    assert.deepEqual(bridge.published('/tf_static').map(({ transforms }) => transforms[0].child_frame_id), ['table']);
+    assert.match(bridge.published('/arm1/robot_description')[0].data, /<robot/);
+    assert.deepEqual(bridge.heard.filter(({ op }) => op === 'advertise_service'), []);
+  });
+
+  it('Numbers_WithoutTime_HaveTheArrivalOnTheGatewaysClock', async t => {
+    const { bridge, send, now } = await cell(t, { plant: TIME, rest: REST });
+    const before = now();
+
+    await send('cell/elbow', '0.5');
+    await send('cell/closed', 'true');
+
+    const [{ header, name, position }] = await until(() => bridge.published('/arm1/joint_states').length > 0 && bridge.published('/arm1/joint_states'),
+      () => JSON.stringify(bridge.state));
+    await until(() => changes(bridge, 'closed').length === 1, () => JSON.stringify(bridge.state));
+    // The clock is known to within half of the round-trip time of a reading.
+    const [[value, changed]] = changes(bridge, 'closed'), slack = 100n * MS, stamp = nanoseconds(header.stamp);
+    assert.deepEqual([name, position, value], [['elbow_joint'], [0.5], 1]);
+    for (const arrived of [stamp, changed]) assert.ok(arrived > before - slack && arrived < now() + slack, `${arrived - before} ns after the message`);
+  });
+
+  it('Retained_OldValue_IsASignalButNoSampleOfAJointOrFrame', async t => {
+    const { bridge, send } = await cell(t, {
+      rest: REST,
+      prepare: async ({ send }) => {
+        for (const [topic, message] of [['cell/closed', 'true'], ['cell/elbow', '0.5'], ['cell/part', part()]]) await send(topic, message, { retain: true });
+      },
+    });
+
+    await until(() => changes(bridge, 'closed')[0]?.[0] === 1, () => JSON.stringify(bridge.state));
+    const waits = key => bridge.state?.[key]?.startsWith('missing') && bridge.state[key].endsWith(mqttMessages.retained);
+    await until(() => waits('joint/arm1/elbow_joint') && waits('frame/part'), () => JSON.stringify(bridge.state));
+    assert.deepEqual([bridge.published('/arm1/joint_states'), poses(bridge, 'part')], [[], []]);
+    await send('cell/elbow', '0.6');
+    await until(() => bridge.published('/arm1/joint_states')[0]?.position[0] === 0.6, () => JSON.stringify(bridge.state));
+  });
+
+  it('Retained_NewValueWithItsTime_IsASample', async t => {
+    const { bridge } = await cell(t, {
+      plant: TIME, rest: REST,
+      prepare: ({ send, now }) => send('cell/part', part({ t: Number(now() / MS) }), { retain: true }),
+    });
+
+    await until(() => poses(bridge, 'part').length === 1, () => JSON.stringify(bridge.state));
+  });
+
+  it('Adapter_UntilItsEnd_PublishesNothingToTheBroker', async t => {
+    const { bridge, client, send, adapter } = await cell(t, { rest: REST }), seen = [];
+    client.on('message', topic => seen.push(topic));
+    await client.subscribeAsync('#');
+
+    await send('cell/elbow', '0.5');
+    await until(() => bridge.published('/arm1/joint_states').length === 1, () => JSON.stringify(bridge.state));
+    adapter.child.kill('SIGTERM');
+    await adapter.ended;
+    await send('cell/end', '1');
+
+    await until(() => seen.includes('cell/end'), 'the last message');
+    assert.deepEqual(seen, ['cell/elbow', 'cell/end']);
+  });
+
+  it('Broker_Restarted_AdapterReconnectsAndSubscribes', async t => {
+    const { bridge, broker, adapter } = await cell(t, { rest: REST });
+
+    await broker.stop();
+    await adapter.said('waiting: ');
+    await broker.run();
+    await until(() => bridge.state?.state === 'connected', () => adapter.err);
+    const client = await connectAsync(broker.url, { protocolVersion: 5 });
+    t.after(() => client.endAsync(true));
+    await until(async () => {
+      await client.publishAsync('cell/elbow', '0.5');
+      return bridge.published('/arm1/joint_states').length > 0;
+    }, () => JSON.stringify(bridge.state));
+    assert.equal(bridge.state.reconnects, '1');
+  });
+
+  for (const [name, plant, state, reasons] of [
+    ['Rest', '', 'rest', [silenceMessages.unconfirmed, silenceMessages.allUnconfirmed]],
+    ['Fault', '  silence: { fault_after_s: 0.5 }\n', 'fault', [silenceMessages.tooLong(500)]],
+  ])
+    it(`Silence_${name}_IsReported`, async t => {
+      const { bridge, send } = await cell(t, { plant, rest: 'joints:\n  - { joint: a, topic: a }\n' });
+
+      await send('a', '1');
+
+      const { reason: found } = await until(() => bridge.joint('a')?.state === state && bridge.joint('a'), () => JSON.stringify(bridge.state));
+      assert.ok(reasons.some(reason => found.endsWith(reason)), found);
+      assert.equal(bridge.status.level, state === 'rest' ? 1 : 2);
+    });
+
+  it('Subscription_RefusedByTheBroker_IsTheFaultOfItsValues', async t => {
+    // Accepts the connection, and answers each subscription with "not authorised".
+    const server = createServer(socket => socket.on('data', ([kind, , high, low]) => {
+      if (kind === 0x10) socket.write(Buffer.from([0x20, 3, 0, 0, 0]));
+      if (kind === 0x82) socket.write(Buffer.from([0x90, 4, high, low, 0, 0x87]));
+    }).on('error', () => {})).listen(0, '127.0.0.1');
+    await once(server, 'listening');
+    t.after(() => server.close());
+    const bridge = await RosbridgeDouble.start(t, { now: clockAhead(0) });
+    const rest = 'joints:\n  - { joint: a, topic: secret }\n';
+
+    start(t, [temporaryFile('mqtt.yaml', configuration(bridge.url, `mqtt://127.0.0.1:${server.address().port}`, { rest }))]);
+
+    await until(() => bridge.joint('a')?.reason.startsWith('the broker refuses the subscription of secret'), () => JSON.stringify(bridge.state));
+    assert.deepEqual([bridge.joint('a').state, bridge.state.state], ['missing', 'connected']);
+  });
+
+  it('Adapter_PasswordAndTls_AreUsedAndNotLogged', async t => {
+    const folder = temporaryFolder(), key = join(folder, 'key.pem'), certificate = join(folder, 'certificate.pem'), passwords = join(folder, 'passwords');
+    const made = spawnSync('openssl', ['req', '-x509', '-newkey', 'ec', '-pkeyopt', 'ec_paramgen_curve:prime256v1', '-nodes', '-days', '2',
+      '-subj', '/CN=127.0.0.1', '-addext', 'subjectAltName=IP:127.0.0.1', '-keyout', key, '-out', certificate]);
+    assert.equal(made.status, 0, String(made.stderr));
+    assert.equal(spawnSync('mosquitto_passwd', ['-b', '-c', passwords, 'hall', 'of-the-hall-4711']).status, 0);
+    const broker = await Mosquitto.start(t, ['allow_anonymous false', `password_file ${passwords}`, `certfile ${certificate}`, `keyfile ${key}`]);
+    const bridge = await RosbridgeDouble.start(t, { now: clockAhead(0) }), endpoint = broker.url.replace('mqtt:', 'mqtts:');
+    const adapter = (plant, env) => start(t, [temporaryFile('mqtt.yaml', configuration(bridge.url, endpoint, { plant, rest: REST }))], { env });
+    const user = `  user: { name: hall, password_file: "${temporaryFile('password', 'of-the-hall-4711')}" }\n`;
+
+    const right = adapter(`  authority_file: ${certificate}\n${user}`);
+    await right.said('[plant/twin] connected');
+    const wrong = adapter(`  authority_file: ${certificate}\n  user: { name: hall }\n`, { NOWPOSE_PLANT_PASSWORD: 'not-that-one' });
+    await wrong.said(brokerMessages.loginRefused(endpoint));
+    await adapter(user).said(like(brokerMessages.notTrusted(ANY)));
+
+    assert.doesNotMatch(right.err + wrong.err, /4711|not-that-one/);
+  });
+});

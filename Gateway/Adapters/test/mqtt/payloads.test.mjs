@@ -1,0 +1,111 @@
+// Messages that are no numbers: each entry of the configuration has one line in the log and one state, and the process continues.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { missing } from '../broker/mosquitto.mjs';
+import { parts } from '../parts.mjs';
+import { until } from '../program.mjs';
+import { cell, changes, poses } from './cell.mjs';
+
+const { stampIn, TopicValues } = await parts('mqtt/stamps', 'samples/topicValues');
+
+const REST = `joints:
+  - { joint: axis, topic: cell, field: joints.0 }
+frames:
+  - frame: part
+    position: { unit: m, x: { topic: cell, field: x }, y: { topic: cell, field: y }, z: 0 }
+    quaternion: { x: 0, y: 0, z: { topic: cell, field: qz }, w: { topic: cell, field: qw } }
+signals:
+  - { signal: closed, topic: cell, field: closed }
+`;
+const good = { joints: [1], x: 1, y: 2, qz: 0, qw: 1, closed: true };
+
+describe('mqtt payloads', { skip: missing, concurrency: 3 }, () => {
+  for (const [name, payload, reason] of [
+    ['Empty', '', 'malformed'],
+    ['NoJson', '{"joints": [', 'malformed'],
+    ['Bytes', '\u0000\u0001\ufffd', 'malformed'],
+    ['Text', '"far"', 'field'],
+    ['Null', 'null', 'field'],
+    ['Number', '7', 'field'],
+    ['List', '[1, 2]', 'field'],
+    ['Prototype', '{"__proto__": {"x": 1}}', 'field'],
+    ['TextsInFields', JSON.stringify({ joints: ['1'], x: '1', y: '2', qz: '0', qw: '1', closed: 'true' }), 'type'],
+    ['ObjectsInFields', JSON.stringify({ joints: [{}], x: {}, y: [], qz: null, qw: {}, closed: {} }), 'type'],
+  ])
+    it(`Payload_${name}_IsOneLineForEachEntry`, async t => {
+      const { bridge, adapter, send } = await cell(t, { rest: REST });
+
+      for (let i = 0; i < 3; i++) await send('cell', payload);
+      await until(() => Number(bridge.state?.[`refused/${reason}`]) >= 18, () => JSON.stringify(bridge.state));
+      await send('cell', good);
+
+      await until(() => changes(bridge, 'closed').length === 1 && poses(bridge, 'part').length === 1 && bridge.jointStates.length === 1,
+        () => JSON.stringify(bridge.state));
+      for (const entry of ['axis', 'part', 'closed'])
+        assert.equal(adapter.err.split('\n').filter(line => line.includes(`${entry} refused (${reason})`)).length, 1, adapter.err);
+    });
+
+  it('Quaternion_NotUnit_IsRefusedAndTheOthersAreRead', async t => {
+    const { bridge, send } = await cell(t, { rest: REST });
+
+    await send('cell', { ...good, qw: 0.5 });
+
+    await until(() => bridge.state?.['refused/not-unit'] === '1' && bridge.jointStates.length === 1, () => JSON.stringify(bridge.state));
+    assert.deepEqual(poses(bridge, 'part'), []);
+  });
+
+  for (const [name, time] of [['Missing', {}], ['Text', { t: 'now' }], ['OtherUnit', { t: '2026-11-24T12:00:00Z' }], ['Null', { t: null }]])
+    it(`Time_${name}_IsRefused`, async t => {
+      const { bridge, send } = await cell(t, { plant: '  time: { field: t, unit: ms }\n', rest: REST });
+
+      await send('cell', { ...good, ...time });
+
+      await until(() => Number(bridge.state?.['refused/stamp-missing']) === 6, () => JSON.stringify(bridge.state));
+      assert.deepEqual([bridge.jointStates, poses(bridge, 'part'), bridge.published('/signals')], [[], [], []]);
+    });
+
+  it('Time_InSecondsInsteadOfMilliseconds_IsRefusedAsOld', async t => {
+    const { bridge, send, now } = await cell(t, { plant: '  time: { field: t, unit: ms }\n', rest: REST });
+
+    await send('cell', { ...good, t: Number(now() / 1_000_000_000n) });
+
+    await until(() => Number(bridge.state?.['refused/stamp-old']) > 0, () => JSON.stringify(bridge.state));
+    assert.deepEqual([bridge.jointStates, poses(bridge, 'part')], [[], []]);
+  });
+});
+
+describe('mqtt stamps', () => {
+  const T = 1_795_478_400_000_000_000n;
+  for (const [value, unit, expected] of [
+    [1_795_478_400.125, 's', T + 125_000_000n],
+    [1_795_478_400_125, 'ms', T + 125_000_000n],
+    [1_795_478_400_125_500, 'us', T + 125_500_000n],
+    ['1795478400125500123', 'ns', T + 125_500_123n],
+    ['2026-11-24T00:00:00Z', 'iso', T],
+    ['2026-11-24T00:00:00.125500123Z', 'iso', T + 125_500_123n],
+    ['2026-11-24T01:30:00.5+01:30', 'iso', T + 500_000_000n],
+    ['2026-11-24T00:00:00', 'iso', null],
+    ['2026-11-24', 'iso', null],
+    ['2026-13-24T00:00:00Z', 'iso', null],
+    [1_795_478_400, 'iso', null],
+    ['-5', 'ms', null],
+    ['1e3', 'ms', null],
+    [true, 'ms', null],
+    [{}, 's', null],
+    [undefined, 's', null],
+  ])
+    it(`Stamp_${String(value)}_${unit}_IsItsTime`, () => assert.equal(stampIn(value, unit), expected));
+});
+
+describe('values of topics', () => {
+  const values = new TopicValues([{ address: { topic: 'a', field: 'x.1' } }, { address: { node: 'i=1' } }, { address: { topic: 'a' } }, { address: { topic: 'b' } }]);
+
+  it('Values_OfATopic_HaveTheirIndices', () =>
+    assert.deepEqual([values.topics, values.indicesOf('a'), values.indicesOf('c')], [['a', 'b'], [0, 2], []]));
+
+  it('Values_InAMessage_AreAtTheirPaths', () =>
+    assert.deepEqual(values.in('a', { x: [1, 2] }, 5n).map(({ index, value, stamp }) => [index, value, stamp]), [[0, 2, 5n], [2, { x: [1, 2] }, 5n]]));
+
+  for (const message of [null, 5, 'text', [], { x: null }, { x: [1] }, { x: 'ab' }])
+    it(`Values_NotIn${JSON.stringify(message)}_AreRefused`, () => assert.equal(values.in('a', message, 5n)[0].refusal.reason, 'field'));
+});

@@ -1,0 +1,24 @@
+/** Texts of the page with the control clock's code. */
+export const clockCodeMessages = {
+  measuring: 'Measuring the refresh rate.',
+  errorBound: (boundMs: number) => `Error bound: ± ${boundMs.toFixed(1)} ms.`,
+  monitor: (rateHz: number, meanMs: number, maxErrorMs: number) =>
+    `Monitor: ${rateHz.toFixed(1)} Hz, L_monitor ≈ ${meanMs.toFixed(0)} ± ${maxErrorMs.toFixed(0)} ms plus the panel’s own delay.`,
+};
+
+/** Reasons why the page shows no code. */
+export const clockCodeReasons = {
+  waiting: 'waiting for the gateway',
+  noExchange: 'no exchange with the gateway yet',
+  exchanges: (count: number, needed: number) => `${count} of ${needed} exchanges`,
+  controlClock: 'the control clock itself is not synchronised',
+  boundTooLarge: (boundMs: number, maxMs: number) =>
+    `the error bound is ± ${boundMs.toFixed(1)} ms; it must be at most ± ${maxMs} ms; use a wired network or another browser`,
+};
+
+/** Captions of the codes for pairing. */
+export const pairingLabels = {
+  validFor: (time: string) => `valid for ${time}, or until a headset has used it`,
+  marker: (name: string, size: string, offset: string, modules: number, text: string) =>
+    `${name} · edge of the code ${size} mm · in the base frame ${offset} (m, °) · ${modules} modules · ${text}`,
+};

@@ -1,0 +1,7 @@
+/** Reasons why a page has no data of its gateway. */
+export const gatewayReasons = {
+  noAnswer: 'the gateway does not answer',
+  tokenRequired: 'the gateway requires a token',
+  tokenRefused: 'the gateway refuses this token',
+  refused: (reason: string) => `the gateway refuses: ${reason}`,
+};

@@ -1,0 +1,59 @@
+/** Texts of the operations page where there is nothing to show. */
+export const emptyMessages = {
+  adapters: 'No adapter runs: joint positions come from the gateway itself, or from other rosbridge clients.',
+  joints: 'No joint is configured, and no joint positions have arrived.',
+  sources: 'No joint positions arrive.',
+  clocks: 'No plant offers its clock: the gateway serves its own.',
+  frames: 'No source publishes objects.',
+  signals: 'No source publishes signals.',
+  headsets: 'No headset is connected.',
+  latencies: 'No headset has reported its latency yet.',
+  events: 'No fault has occurred since the gateway was started.',
+  recordings: 'There are no recordings in the folder.',
+};
+
+/** Texts of the operations page. */
+export const operationsMessages = {
+  loggedOut: 'Log in to see the state of the gateway.',
+  stateNotReported: 'Not known: the gateway does not report its state.',
+  noState: 'Not known: the gateway sends no state to this page.',
+  /** @param shownAt Time of the data that are still shown; empty for none. */
+  noNewState: (reason: string, shownAt: string) => (shownAt === '' ? ended(reason) : `${ended(reason)} The data shown are from ${shownAt}.`),
+  beyondLimits: (joints: string[]) =>
+    `Outside the limits of the robot description, and drawn at the limit: ${joints.join(', ')}. `
+    + 'Check that the description is that of this robot, and that the source sends rad and m, not degrees and mm.',
+  noFolder: 'This gateway has no folder for recordings: start it with --recordings FOLDER.',
+  recordAsOperator: 'To start or stop it, log in with a token of the role operator.',
+  listAsOperator: 'To see and download recordings, log in with a token of the role operator.',
+  notListed: (reason: string) => `The recordings cannot be listed: ${ended(reason)}`,
+};
+
+/** Parts of the texts on the operations page. */
+export const operationsLabels = {
+  downloadEvents: 'Download all events as',
+  moreEvents: (count: number) => `and ${count} more, in the list of events`,
+  profileMismatch: (reason: string) => `the latency profile does not match this headset: ${reason}`,
+  uncertainRest: 'may not be at rest',
+  measuredClock: 'measured against the control clock',
+  recordingDeleted: 'the file was deleted',
+};
+
+/** Meaning of the hops of the latency. */
+export const hopMeanings = {
+  plant: 'from the sample to its arrival at the gateway',
+  gateway: 'within the gateway',
+  network: 'half the round trip',
+  queue: 'time in queues',
+  render: 'the render job',
+  display: 'from the rendered frame until its light reaches the eye',
+};
+
+/** Descriptions of the plots for screen readers. */
+export const livePlotDescriptions = {
+  latency: 'Latencies of the shown headset over the last two minutes.',
+  clock: 'Error bounds of the clocks over the last two minutes.',
+  error: 'Tool error of the shown headset over the last two minutes, as measured by the headset.',
+  rate: 'Joint position messages per second over the last two minutes, from the fastest and the slowest source.',
+};
+
+const ended = (text: string) => (/[.?!]$/.test(text) ? text : `${text}.`);

@@ -1,0 +1,26 @@
+import { format } from '../numbers';
+
+/** Texts of the plots and the tables of all pages. */
+export const plotMessages = {
+  howToUse:
+    'Drag across a plot to zoom, double-click to reset, point at it to read values; '
+    + 'with the keyboard: arrow keys, plus, minus and 0. Names in a legend switch signals on and off.',
+  keys: 'Arrow keys move the cursor, plus and minus zoom, 0 resets.',
+  notMeasured: 'Not measured in this run.',
+  partNotMeasured: (part: string) => `${part}: not measured in this run.`,
+};
+
+/** Captions of plots and tables. */
+export const plotLabels = { numbers: 'Numbers of this plot', toolError: 'Tool error over time' };
+
+/** Descriptions of the report's plots for screen readers. Each ends with the values, as complete sentences. */
+export const plotDescriptions = {
+  error: (values: string) => `Distance between the drawn and the true tool over time. ${values}`,
+  joint: (joint: string, values: string) => `Position of joint ${joint} over control time. ${values}`,
+  field: (values: string) => `Operating points by latency and speed with curves of equal error. ${values}`,
+  clockOffset: (values: string) => `Clock offset relative to the first estimate, over time. ${values}`,
+  clockError: (values: string) => `Error of the clock offset with its bound, over time. ${values}`,
+  ofEachFrame: (quantity: string, values: string) => `${quantity} of each frame over time. ${values}`,
+  latency: (count: number, fromMs: number, toMs: number, mostMs: number) =>
+    `Histogram of the application latency of ${format(count)} samples from ${format(fromMs)} to ${format(toMs, 'ms')}, most at ${format(mostMs, 'ms')}.`,
+};
