@@ -123,14 +123,16 @@ sealed class GatewayStatus : IDisposable
         var beyond = _limits.Joints;
         var joints = _joints.Read();
         var conditions = ConditionsOf(joints);
+        var (frames, signals) = (_cell.Frames(_clock.Now), _cell.Signals(_clock.Now));
         return new StatusSnapshot(
-            _options.Cell, Environment.MachineName, Version, OverallStatus.Of(conditions, joints, said), _started.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture),
+            _options.Cell, Environment.MachineName, Version,
+            OverallStatus.Of(conditions, joints, frames, signals, IsRobotDescribed, said.Count(one => !IsAdapter(one))), _started.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture),
             Math.Round(Stopwatch.GetElapsedTime(_startCount).TotalSeconds, 1), Math.Round(_clock.Now.SinceEpoch.TotalSeconds, 6), OfClock(),
             [.. _clock.Status().Select(Of)],
             [.. said.Where(IsAdapter).Select(StatusObjects.Adapter)],
             [.. sources.Select(source => Of(source, beyond))],
             [.. joints.Select(Of)],
-            _cell.Frames(_clock.Now), _cell.Signals(_clock.Now),
+            frames, signals,
             [.. said.Where(one => !IsAdapter(one)).Select(one => StatusObjects.Headset(one, hops))],
             OfForwarding(),
             _connections.ToDictionary(server => server.Name, server => Of(server.Counters)),
@@ -139,6 +141,9 @@ sealed class GatewayStatus : IDisposable
             _recorder.Status, _options.Headsets != null, !conditions.Any(condition => condition.Blocks),
             [.. Events.Read(EventsInState).Select(one => one.View)], CertificateExpiresUtc: _options.CertificateExpires);
     }
+
+    bool IsRobotDescribed => Enumerable.Range(0, Counted.Length).Any(
+        topic => Counted[topic].EndsWith(RosTopics.RobotDescription, StringComparison.Ordinal) && Interlocked.Read(ref _messages[topic]) > 0);
 
     IReadOnlyList<Condition> ConditionsOf(IReadOnlyList<JointStatus> joints) => Events.Date(_conditions.Read(joints));
 
