@@ -29,7 +29,8 @@ static class AdapterProgram
             var content = PlantContent.Read(file, lines.Length == 2 ? lines[1] : "");
             return new PlantFile(file, content.Name, lines[0].Trim())
             {
-                Joints = content.Joints, PassesUnlisted = content.PassesUnlisted, Robot = content.Robot, Robots = content.Robots ?? [],
+                Joints = content.Joints, PassesUnlisted = content.PassesUnlisted, HasObjects = content.HasObjects, Robot = content.Robot,
+                Robots = content.Robots ?? [],
             };
         }
         catch (OperationCanceledException) when (!stop.IsCancellationRequested)
@@ -55,7 +56,8 @@ static class AdapterProgram
         });
     }
 
-    internal sealed record PlantContent(string Name, string[] Joints, bool PassesUnlisted, string Robot, Dictionary<string, string> Robots = null)
+    internal sealed record PlantContent(
+        string Name, string[] Joints, bool PassesUnlisted, string Robot, Dictionary<string, string> Robots = null, bool HasObjects = false)
     {
         static readonly JsonSerializerOptions Names = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
 

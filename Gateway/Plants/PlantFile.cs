@@ -16,11 +16,20 @@ sealed record PlantFile(string Path, string Name, string Summary)
     /// <summary>Whether the adapter also publishes joints that the file does not list.</summary>
     public bool PassesUnlisted { get; init; }
 
+    /// <summary>Whether the file has objects or signals.</summary>
+    public bool HasObjects { get; init; }
+
     /// <summary>The URDF of the robot without a namespace that the adapter publishes; null for none.</summary>
     public string Robot { get; init; }
 
     /// <summary>The URDFs of robots in namespaces that the adapter publishes.</summary>
     public IReadOnlyDictionary<string, string> Robots { get; init; } = new Dictionary<string, string>();
+
+    /// <summary>Gets whether joint positions have to arrive from a gateway's plants. A cell without a robot may have objects and signals alone.</summary>
+    /// <param name="robot">The URDF that the gateway itself publishes; null for none.</param>
+    public static bool ExpectsJoints(IReadOnlyCollection<PlantFile> plants, string robot) => plants.Count > 0
+        && (robot != null || !plants.Any(plant => plant.HasObjects)
+            || plants.Any(plant => plant.Joints.Count > 0 || plant.PassesUnlisted || plant.Robot != null || plant.Robots.Count > 0));
 
     /// <summary>Gets the joints of a robot's arm that no plant publishes, without which headsets cannot show a current pose; those of robots in namespaces as NAMESPACE/JOINT.</summary>
     /// <param name="plants">All plants of a gateway.</param>

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Gateway.Status.Cell;
 using Nowpose.Gateway.Status.Events;
 using Nowpose.Gateway.Status.Joints;
 using Nowpose.Protocol;
@@ -10,25 +11,36 @@ namespace Nowpose.Gateway.Status;
 sealed record OverallStatus(string Level, string Text)
 {
     /// <param name="conditions">Present conditions, the worst first.</param>
-    /// <param name="hasRobot">Whether a robot is described, whose joints then need a source.</param>
+    /// <param name="hasRobot">Whether a robot is described, whose joints must arrive.</param>
+    /// <param name="headsets">Number of headsets that report.</param>
     public static OverallStatus Of(
-        IReadOnlyList<Condition> conditions, IReadOnlyList<JointStatus> joints, int frames, int signals, bool hasRobot,
-        IReadOnlyList<(string Name, TimeSpan, IReadOnlyList<KeyValuePair<string, string>>)> reports)
+        IReadOnlyList<Condition> conditions, IReadOnlyList<JointStatus> joints, IReadOnlyList<FrameView> frames, IReadOnlyList<SignalView> signals,
+        bool hasRobot, int headsets)
     {
-        if (conditions.Count == 0 && joints.Count == 0 && (hasRobot || frames + signals == 0)) return new("warning", "no source publishes joint positions yet");
-        if (conditions.Count == 0) return new("ok", Summary(joints, frames, signals, reports.Count(one => !StatusObjects.IsAdapter(one.Name))));
+        if (conditions.Count == 0) return WithoutConditions(joints, frames, signals, hasRobot, $", {Count(headsets, "headset")}");
         var more = conditions.Count == 1 ? "" : $" (and {conditions.Count - 1} more)";
         return new(conditions[0].Level.ToString().ToLowerInvariant(), conditions[0].TextWithSince + more);
     }
 
-    static string Summary(IReadOnlyList<JointStatus> joints, int frames, int signals, int headsets)
+    // A cell without a robot has objects or signals instead. Stationary objects show nothing of the plant's state.
+    static OverallStatus WithoutConditions(
+        IReadOnlyList<JointStatus> joints, IReadOnlyList<FrameView> frames, IReadOnlyList<SignalView> signals, bool hasRobot, string headsets)
     {
-        // A cell may have objects and signals only.
-        if (joints.Count == 0) return $"{Count(frames, "object")}, {Count(signals, "signal")}, {Count(headsets, "headset")}";
-        var resting = joints.Count(joint => joint.State == JointDataState.Rest);
-        var live = resting == 0 ? $"{Count(joints.Count, "joint")} live" : $"{Count(joints.Count - resting, "joint")} live, {resting} assumed at rest";
-        return $"{live}, {Count(headsets, "headset")}";
+        if (joints.Count > 0) return new("ok", Summary(joints) + headsets);
+        var states = frames.Select(frame => frame.State).Where(state => state != CellBoard.Stationary).ToArray();
+        var all = states.Length + signals.Count;
+        if (hasRobot || all == 0) return new("warning", "no source publishes joint positions yet");
+        var others = states.Concat(signals.Select(signal => signal.State)).Count(state => state != CellBoard.Live);
+        return others > 0 ? new("warning", $"{others} of {Count(all, "object or signal", "objects and signals")} {(others == 1 ? "is" : "are")} not current")
+            : new("ok", $"{Count(states.Length, "object")}, {Count(signals.Count, "signal")}{headsets}");
     }
 
-    static string Count(int number, string noun) => string.Create(CultureInfo.InvariantCulture, $"{number} {noun}{(number == 1 ? "" : "s")}");
+    static string Summary(IReadOnlyList<JointStatus> joints)
+    {
+        var resting = joints.Count(joint => joint.State == JointDataState.Rest);
+        return resting == 0 ? $"{Count(joints.Count, "joint")} live" : $"{Count(joints.Count - resting, "joint")} live, {resting} assumed at rest";
+    }
+
+    static string Count(int number, string noun, string plural = null) =>
+        string.Create(CultureInfo.InvariantCulture, $"{number} {(number == 1 ? noun : plural ?? noun + "s")}");
 }

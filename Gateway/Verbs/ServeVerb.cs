@@ -65,9 +65,9 @@ static class ServeVerb
             var options = server.Options(parsed) with
             {
                 ControlClock = parsed.GetValue(controlClock),
-                ExpectsSources = files.Length > 0,
             };
             var read = await AdapterProcesses.CheckAsync(files, options, stop);
+            options = options with { ExpectsSources = PlantFile.ExpectsJoints(read, description) };
             foreach (var one in read) Announcement.Log(one.Summary);
             if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) Announcement.Log($"missing joints: {Missing(missing)}");
             await using var gateway = await GatewayServer.StartAsync(options, clock, Announcement.Log, stop);

@@ -45,6 +45,7 @@ function contentOf(kind: Kind, configuration: Configuration): object {
     name: configuration.plant.name,
     joints: configuration.joints.map(({ joint }) => joint),
     passes_unlisted: kind.passesUnlisted?.(configuration) ?? false,
+    has_objects: configuration.hasObjects,
     robot: configuration.robot,
     robots: configuration.robots,
   };

@@ -9,6 +9,9 @@ namespace Nowpose.Gateway.Status.Cell;
 /// <param name="reports">The reports of the adapters, which explain missing data.</param>
 sealed class CellBoard(TimeProvider time, CellReports reports)
 {
+    /// <summary>State of a frame on /tf_static, and state of a frame or signal whose data are current.</summary>
+    internal const string Stationary = "stationary", Live = "live";
+
     /// <summary>Time without a pose after which a tracked frame is stale.</summary>
     static readonly TimeSpan MaxSilence = TimeSpan.FromSeconds(1);
 
@@ -55,7 +58,7 @@ sealed class CellBoard(TimeProvider time, CellReports reports)
         {
             var troubled = reports.Troubled(AdapterReport.FramePrefix).DistinctBy(one => one.Name).ToDictionary(one => one.Name, StringComparer.Ordinal);
             var published = _frames.Select(one => Explained(new FrameView(
-                one.Key, one.Value.Parent, one.Value.Source.Title, one.Value.IsStationary ? "stationary" : IsSilent(one.Value) ? "stale" : "live",
+                one.Key, one.Value.Parent, one.Value.Source.Title, one.Value.IsStationary ? Stationary : IsSilent(one.Value) ? "stale" : Live,
                 one.Value.IsStationary ? null : Seconds(now - one.Value.Stamp)), troubled.GetValueOrDefault(one.Key)));
             var missing = troubled.Values.Where(one => !_frames.ContainsKey(one.Name)).Select(one => new FrameView(
                 one.Name, null, one.Adapter, JointDataStates.Of(one.Report.State), null, one.Report.Reason));
@@ -70,7 +73,7 @@ sealed class CellBoard(TimeProvider time, CellReports reports)
         {
             var troubled = reports.Troubled(AdapterReport.SignalPrefix).DistinctBy(one => one.Name).ToDictionary(one => one.Name, StringComparer.Ordinal);
             var published = _signals.Select(one => Explained(new SignalView(
-                one.Key, one.Value.Value, one.Value.Source.Title, one.Value.IsEnded ? "ended" : "live", Seconds(now - one.Value.Since)),
+                one.Key, one.Value.Value, one.Value.Source.Title, one.Value.IsEnded ? "ended" : Live, Seconds(now - one.Value.Since)),
                 troubled.GetValueOrDefault(one.Key)));
             var missing = troubled.Values.Where(one => !_signals.ContainsKey(one.Name)).Select(one => new SignalView(
                 one.Name, null, one.Adapter, JointDataStates.Of(one.Report.State), null, one.Report.Reason));
@@ -83,7 +86,7 @@ sealed class CellBoard(TimeProvider time, CellReports reports)
         report == null || frame.State != "stale" ? frame : frame with { State = JointDataStates.Of(report.Report.State), Reason = report.Report.Reason };
 
     // The last value of a signal stays, so only the report of its own source shows that it is not current.
-    static SignalView Explained(SignalView signal, CellReport report) => report == null || signal.Source != report.Adapter && signal.State == "live"
+    static SignalView Explained(SignalView signal, CellReport report) => report == null || signal.Source != report.Adapter && signal.State == Live
         ? signal : signal with { State = JointDataStates.Of(report.Report.State), Reason = report.Report.Reason };
 
     bool IsSilent(Frame frame) => !frame.IsStationary && time.GetElapsedTime(frame.SeenAt) > MaxSilence;

@@ -1,3 +1,4 @@
+using System;
 using Nowpose.Unity;
 using Nowpose.Unity.Session;
 using UnityEditor;
@@ -6,13 +7,23 @@ using UnityEngine;
 
 namespace Nowpose.Editor
 {
-    /// <summary>The menu GameObject > Nowpose, which puts the package's prefabs, and objects with its components, into the scene.</summary>
+    /// <summary>
+    /// The menu GameObject > Nowpose, which puts the package's prefabs, and objects with its components, into the scene. The set-up window
+    /// offers the same entries.
+    /// </summary>
     static class CellMenu
     {
         const string Folder = "GameObject/Nowpose/";
 
         // Places the entries between Create Empty and the first of Unity's own groups.
         const int Priority = 10;
+
+        /// <summary>The entries of the menu with their names.</summary>
+        internal static readonly (string Name, Action<MenuCommand> Create)[] Entries =
+        {
+            ("Robot Cell", RobotCell), ("Robot Cell UR5", RobotCellUr5), ("Virtual Gripper", VirtualGripper), ("Another Robot", AnotherRobot),
+            ("Tracked Object", TrackedObject), ("Stationary Object", StationaryObject), ("Signal", Signal), ("Actuated Part", ActuatedPart),
+        };
 
         [MenuItem(Folder + "Robot Cell", false, Priority)]
         static void RobotCell(MenuCommand command) => PlaceOnce(PackageAsset.RobotCell, command);

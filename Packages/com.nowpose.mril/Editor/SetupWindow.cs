@@ -5,10 +5,16 @@ using UnityEngine;
 
 namespace Nowpose.Editor
 {
-    /// <summary>Lists what a project for a headset needs, what is missing and why it matters, and fixes it at a click.</summary>
+    /// <summary>
+    /// Lists what a project for a headset needs, what is missing and why it matters, and fixes it at a click. Puts the parts of a cell into the
+    /// scene.
+    /// </summary>
     public sealed class SetupWindow : EditorWindow
     {
         const float ButtonWidth = 260;
+
+        /// <summary>Number of buttons in a row of the parts of a cell.</summary>
+        const int PartsInRow = 4;
 
         static readonly HeadsetPlatform[] Platforms = { HeadsetPlatform.HoloLens2, HeadsetPlatform.AndroidHeadset };
         static readonly string[] PlatformNames = { "HoloLens 2", "Android headset (Quest, Magic Leap 2)" };
@@ -57,11 +63,32 @@ namespace Nowpose.Editor
                     if (Draw(i)) clicked = i;
             }
             var again = GUILayout.Button("Check again");
+            var part = DrawParts();
 
             // Delayed, because the controls must stay the same between a layout and its event, and a fix may recompile all scripts.
             if (chosen != shown) EditorApplication.delayCall += () => Choose(Platforms[chosen]);
             else if (clicked >= 0) EditorApplication.delayCall += () => Fix(clicked);
             else if (again) EditorApplication.delayCall += Refresh;
+            else if (part >= 0) EditorApplication.delayCall += () => CellMenu.Entries[part].Create(new MenuCommand(SelectedInScene()));
+        }
+
+        // Assets are selectable, too, but are no parents.
+        static GameObject SelectedInScene()
+        {
+            var selected = Selection.activeObject as GameObject;
+            return selected != null && !EditorUtility.IsPersistent(selected) ? selected : null;
+        }
+
+        /// <returns>Index of the clicked entry of the menu; −1 for none.</returns>
+        static int DrawParts()
+        {
+            var clicked = -1;
+            EditorGUILayout.LabelField("Add to the scene, below the selected object", EditorStyles.boldLabel);
+            for (var first = 0; first < CellMenu.Entries.Length; first += PartsInRow)
+                using (new EditorGUILayout.HorizontalScope())
+                    for (var i = first; i < Math.Min(first + PartsInRow, CellMenu.Entries.Length); i++)
+                        if (GUILayout.Button(CellMenu.Entries[i].Name)) clicked = i;
+            return clicked;
         }
 
         void Choose(HeadsetPlatform platform)

@@ -207,6 +207,19 @@ public class AdapterProcessTests
         Assert.That(plants.Single().Robot, Has.Length.EqualTo(urdf.Length));
     }
 
+    [TestCase("frames: [{ frame: part, position: { unit: m, x: { topic: part }, y: 0, z: 0 } }]", false)]
+    [TestCase("signals: [{ signal: closed, topic: gripper }]", false)]
+    [TestCase("joints: [{ joint: a, topic: a }]\nsignals: [{ signal: closed, topic: gripper }]", true)]
+    public async Task Check_PlantOfObjectsOrSignals_ExpectsNoJoints(string entries, bool expectsJoints)
+    {
+        var path = Write($"plant: {{ kind: mqtt, endpoint: mqtt://127.0.0.1 }}\n{entries}\n");
+
+        var plants = await AdapterProcesses.CheckAsync([path], Gateways.Options(), default);
+
+        Assert.That(plants.Single().HasObjects);
+        Assert.That(PlantFile.ExpectsJoints(plants, null), Is.EqualTo(expectsJoints));
+    }
+
     [TestCase("")]
     [TestCase("name cell")]
     [TestCase("{}")]

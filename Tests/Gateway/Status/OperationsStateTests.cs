@@ -6,6 +6,7 @@ using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status;
 using Nowpose.Headless.Tests.Gateway.Clock;
 using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Gateway.Status.StatusRequests;
 
@@ -35,6 +36,22 @@ public class OperationsStateTests
 
         Assert.That(isNamed, "within 400 samples, for its description is read meanwhile");
         Assert.That((await GetAsync(gateway, "/metrics")).Text, Does.Match("(?m)^nowpose_source_beyond_limits{.*} 1$"));
+    }
+
+    [Test]
+    public async Task State_SignalsWithoutARobot_IsOkUntilARobotIsDescribed()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var source = gateway.Hub.OpenSource();
+        async Task<string> LevelAsync() => (await StateAsync(gateway)).GetProperty("status").GetProperty("level").GetString();
+        Assert.That(await LevelAsync(), Is.EqualTo("warning"));
+
+        source.Publish(new SignalsMessage(Gateways.Start, new SignalValue("closed", 1)), []);
+        Assert.That(await LevelAsync(), Is.EqualTo("ok"));
+
+        using var robot = gateway.Hub.OpenSource();
+        robot.TryDescribe(RobotFiles.LoadText("ur5"));
+        await Soon.BecomesAsync(() => LevelAsync().Result == "warning", "its joints are missing");
     }
 
     [Test]

@@ -44,6 +44,15 @@ public sealed class CellMenuTests : EditorFixture
     }
 
     [Test]
+    public void Entries_OfTheSetupWindow_AreThoseOfTheMenu()
+    {
+        var items = typeof(CellMenu).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
+            .Select(method => (method.GetCustomAttribute<MenuItem>()?.menuItem, method)).Where(item => item.menuItem != null);
+
+        Assert.That(CellMenu.Entries.Select(entry => ("GameObject/Nowpose/" + entry.Name, entry.Create.Method)), Is.EquivalentTo(items));
+    }
+
+    [Test]
     public void Place_WithAContext_IsBelowTheContext()
     {
         Put(PackageAsset.VirtualGripper);

@@ -136,6 +136,40 @@ public sealed class SetupWindowTests : EditorFixture
         Assert.That(_window.Repaints, Is.EqualTo(1));
     }
 
+    [TestCase("Tracked Object", typeof(TrackedObject))]
+    [TestCase("Stationary Object", typeof(StationaryObject))]
+    [TestCase("Signal", typeof(CellSignal))]
+    [TestCase("Actuated Part", typeof(ActuatedPart))]
+    [TestCase("Another Robot", typeof(RobotRig))]
+    public void Click_OnAPart_CreatesItBelowTheSelectedObject(string part, Type component)
+    {
+        var parent = Keep(new GameObject("base"));
+        Selection.activeObject = parent;
+        GuiRecorder.Click = part;
+
+        Send("OnGUI");
+        Assert.That(parent.transform.childCount, Is.Zero, "done while the window is drawn");
+        EditorApplication.RunDelayed();
+
+        var made = Keep((GameObject)Selection.activeObject);
+        Assert.That(made.GetComponent(component), Is.Not.Null);
+        Assert.That(made.transform.parent, Is.SameAs(parent.transform));
+        Assert.That(Undo.Created, Is.EqualTo(new[] { made }));
+    }
+
+    [Test]
+    public void Click_OnAPartWithAnAssetSelected_CreatesItInTheScene()
+    {
+        Selection.activeObject = PackageAsset.VirtualGripper.Load<GameObject>();
+        Assert.That(EditorUtility.IsPersistent(Selection.activeObject));
+        GuiRecorder.Click = "Signal";
+
+        Send("OnGUI");
+        EditorApplication.RunDelayed();
+
+        Assert.That(Keep((GameObject)Selection.activeObject).transform.parent, Is.Null);
+    }
+
     [Test]
     public void Menu_Clicked_OpensTheWindow()
     {

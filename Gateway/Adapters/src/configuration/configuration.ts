@@ -43,6 +43,8 @@ export interface Configuration {
   joints: Joint[];
   frames: Frame[];
   signals: Signal[];
+  /** Whether the file has frames or signals. */
+  hasObjects: boolean;
   /** The numbers to read, in the order of joints, frames and signals. */
   values: Value[];
   /** The text of the URDF of the robot without a namespace; null if the adapter does not publish it. */
@@ -96,6 +98,7 @@ export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, 
     joints,
     frames: kind in ADDRESS ? framesOf(file, kind, sections.frames ?? [], silence, values) : [],
     signals: signalsOf(file, sections.signals ?? [], values),
+    hasObjects: (sections.frames ?? []).length + (sections.signals ?? []).length > 0,
     values,
     robot: namespace === '' ? described : null,
     robots: { ...robotsOf(file, sections), ...(namespace === '' || described === null ? {} : { [namespace]: described }) },
