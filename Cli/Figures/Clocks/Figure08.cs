@@ -51,11 +51,11 @@ static class Figure08
             .. ClockMethod.All.SelectMany(m => new[] { new FigureColumn($"{m.Name} offset error", "µs"), new FigureColumn($"{m.Name} skew", "ppm") })]);
         var log = runs.Logs[0];
         var steps = SyncSteps.Of(log.All, ClockMethod.All[0].Name);
-        for (var e = 0; e < steps.Count; e++)
+        foreach (var step in steps)
         {
-            var s = (log.All[e].T4 - HeadsetTime.FromSeconds(0)).TotalSeconds;
+            var s = (step.At - HeadsetTime.FromSeconds(0)).TotalSeconds;
             var i = Math.Min((int)Math.Ceiling(s * ClockRun.InstantsPerSecond), runs.First(0).Count - 1);
-            table.Add([.. SyncFigure.ValuesOf(steps[e]), log.SkewPpmAt(s),
+            table.Add([.. SyncFigure.ValuesOf(step), log.SkewPpmAt(s),
                 .. ClockMethod.All.SelectMany((_, m) => new[] { runs.First(m)[i].OffsetErrorUs, runs.First(m)[i].SkewPpm })]);
         }
         return table;

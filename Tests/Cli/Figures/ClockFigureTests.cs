@@ -2,6 +2,7 @@ using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Clocks;
 using Nowpose.Cli.Figures.Field;
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Sync;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
@@ -61,6 +62,19 @@ public class ClockFigureTests
         }
         Assert.That(steps[^1].SkewPpm, Is.EqualTo(log.SkewPpmAt(50)).Within(15), $"seed {Settings.Seed}");
         Assert.That(steps.Min(step => step.RoundTripMs), Is.GreaterThan(3), "two ways of 1.5 ms");
+    }
+
+    // Replies before their requests have negative round-trip times, the shortest of all; the others are exchanges that are logged twice.
+    [Test]
+    public void SyncSteps_InvalidExchanges_ChangeNothing()
+    {
+        var log = new SimulatedExchanges(Settings.Seed, 60);
+        IEnumerable<SyncExchange> WithInvalid(SyncExchange each, int i) => i % 25 == 0
+            ? [new(each.T1, each.T2, each.T3, each.T1 - TimeSpan.FromMilliseconds(3)), each, each] : [each];
+
+        var steps = SyncSteps.Of(log.All.SelectMany(WithInvalid), "ransac");
+
+        Assert.That(steps, Is.EqualTo(SyncSteps.Of(log.All, "ransac")));
     }
 
     [TestCase(0, false)]
