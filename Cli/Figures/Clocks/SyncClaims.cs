@@ -22,7 +22,7 @@ static class SyncClaims
         var settled = known.Where(step => step.Seconds >= ClockErrors.SettledAfter).ToArray();
         return settled.Length >= MinExchanges ? [FitErrorOf(settled), SkewOf(known), RoundTripOf(settled)]
             : [.. new[] { FitError, Skew, RoundTrip }.Select(statement =>
-                new Criterion(statement, false, $"{settled.Length} usable exchanges after 10 s; {MinExchanges} are needed"))];
+                new Criterion(statement, null, $"{settled.Length} usable exchanges after 10 s; {MinExchanges} are needed"))];
     }
 
     static Criterion FitErrorOf(SyncStep[] settled)
@@ -38,8 +38,8 @@ static class SyncClaims
         var end = known[^1].Seconds;
         double[] Between(double from, double to) => [.. known.Where(step => step.Seconds >= from && step.Seconds < to).Select(step => step.SkewPpm.Value)];
         var (early, third, last) = (Between(ClockErrors.FirstSkew, ClockErrors.SettledAfter), Between(end / 2, 0.75 * end), Between(0.75 * end, double.MaxValue));
-        if (early.Length == 0) return new(Skew, false, "the skew was first estimated after 10 s");
-        if (third.Length == 0) return new(Skew, false, "no usable exchange in the third quarter");
+        if (early.Length == 0) return new(Skew, null, "the skew was first estimated after 10 s");
+        if (third.Length == 0) return new(Skew, null, "no usable exchange in the third quarter");
         var mean = last.Average();
         double Rms(double[] skews) => Math.Sqrt(skews.Average(skew => (skew - mean) * (skew - mean)));
         var change = Math.Abs(mean - third.Average());

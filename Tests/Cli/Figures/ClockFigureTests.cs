@@ -149,19 +149,19 @@ public class ClockFigureTests
 
     [TestCase(30, 45)]
     [TestCase(0, 10)]
-    public void SyncClaims_SkewUnknownForAWhile_IsNotReportedAsConverged(double from, double to)
+    public void SyncClaims_SkewUnknownForAWhile_IsNotMeasured(double from, double to)
     {
         var steps = Steps(0.05, 0.8, 3, 0.5).Select(step => step.Seconds >= from && step.Seconds < to ? step with { FitMs = null, SkewPpm = null } : step);
 
-        Assert.That(SyncClaims.Of([.. steps])[1].IsMet, Is.False);
+        Assert.That(SyncClaims.Of([.. steps])[1].IsMet, Is.Null);
     }
 
     [Test]
-    public void SyncClaims_ShortLog_AreNotMet()
+    public void SyncClaims_ShortLog_AreNotMeasured()
     {
         var claims = SyncClaims.Of(Steps(0.05, 0.8, 3, 0.5)[..60]);
 
-        Assert.That(claims.Select(claim => claim.IsMet), Is.All.False);
+        Assert.That(claims.Select(claim => claim.IsMet), Is.All.Null);
         Assert.That(claims.Select(claim => claim.Measured), Is.All.Contain("10 usable exchanges after 10 s"));
     }
 }

@@ -87,14 +87,41 @@ public class PaperRunTests
     }
 
     [Test]
-    public void Paper_RunTooShort_MeasuresNoSwingAndDoesNotHold()
+    public void Paper_RunTooShort_HasNoSwingAndNoVerdictOnIt()
     {
-        var run = PaperScene.Play(1, seconds: 11);
+        var run = PaperScene.Play(1, seconds: 9);
         var claims = PaperScene.Claims(run);
 
         Assert.That(run.Swings, Is.Null);
-        Assert.That(claims.Where(claim => claim.Figure is "16" or "17").Select(claim => claim.Holds), Is.All.False);
-        Assert.That(PaperFigures.Of([run], claims).Select(figure => figure.Number), Is.EqualTo(new[] { "8" }));
+        Assert.That(claims.Select(claim => (claim.Holds, claim.MeasuredText)), Is.All.EqualTo((false, "not measured: the run was too short")));
+        var figures = PaperFigures.Of([run], claims);
+        Assert.That(figures.Select(figure => (figure.Number, figure.Verdict)), Is.EqualTo(new[] { ("8", Verdict.NotMeasured) }));
+    }
+
+    [Test]
+    public void Paper_ClockKnownLate_IsTheReason()
+    {
+        var run = PaperScene.Play(1, seconds: 14);
+        for (var i = 0; run.Run.Frames.Rows[i].Elapsed.TotalSeconds < 12; i++) run.Run.Frames.Rows[i] = run.Run.Frames.Rows[i] with { Clock = default };
+
+        var claims = PaperScene.Claims(run);
+
+        Assert.That(Claim(claims, "8", "The skew").MeasuredText, Is.EqualTo("not measured: the clock was known only from 12.0 s on"));
+    }
+
+    // For example when this machine paused for a moment in the first repeat.
+    [Test]
+    public void Paper_FirstRepeatWithoutASwing_HasAllFiguresOfTheOthers()
+    {
+        PaperRun[] repeats = [PaperScene.Play(1, seconds: 11), PaperScene.Play(2)];
+        var claims = PaperClaims.Of([.. repeats.Select(PaperMeasures.Of)]);
+
+        var figures = PaperFigures.Of(repeats, claims);
+
+        Assert.That(repeats[0].Swings, Is.Null);
+        Assert.That(figures.Select(figure => figure.Number), Is.EqualTo(new[] { "8", "16", "17", "18" }));
+        Assert.That(figures[1].Verdict, Is.EqualTo(Verdict.Holds));
+        Assert.That(figures[1].Criteria[0].Measured, Does.Contain("measured in 1 of 2 repeats: no swing after 10 s"));
     }
 
     [Test]
