@@ -31,7 +31,7 @@ static class SyncFigure
             Criteria = criteria,
             Conditions = conditions,
             Table = table,
-            Plots = [.. PlotsOf(table)],
+            Plots = steps.Count == 0 ? [] : [.. PlotsOf(table)],
         };
     }
 

@@ -124,6 +124,20 @@ public class PaperRunTests
         Assert.That(figures[1].Criteria[0].Measured, Does.Contain("measured in 1 of 2 repeats: no swing after 10 s"));
     }
 
+    // As after Ctrl-C before the first exchange, or with a server that does not answer.
+    [Test]
+    public void Paper_NoExchange_WritesWhatWasMeasured()
+    {
+        var run = PaperScene.Play(1, seconds: 0.01);
+        var claims = PaperScene.Claims(run);
+
+        var figures = PaperFigures.Of([run], claims);
+
+        Assert.That(run.Run.Exchanges, Is.Empty);
+        Assert.That(figures.Select(figure => (figure.Number, figure.Plots.Count, figure.Table.Rows.Count)), Is.EqualTo(new[] { ("8", 0, 0) }));
+        Assert.That(claims.Select(claim => claim.Verdict), Is.All.EqualTo("not measured"));
+    }
+
     [Test]
     public void Paper_Figures_HaveTheClaimsAsCriteria()
     {
