@@ -39,7 +39,7 @@ public class ClockFigureTests
 
         var figures = study.Figures().ToDictionary(f => f.Number);
 
-        Assert.That(figures["8"].Criteria[0].IsMet, $"{figures["8"].Criteria[0].Measured}, seed {Settings.Seed}");
+        Assert.That(figures["8"].Criteria[1].IsMet, Is.True, $"{figures["8"].Criteria[1].Measured}, seed {Settings.Seed}");
         var (paper, ours) = (P95(figures["8"], "ransac"), P95(figures["8"], "default"));
         Assert.That(ours, Is.LessThan(0.5 * paper), $"the default beside the paper's on the same exchanges, seed {Settings.Seed}");
         Assert.That(figures["8"].Table.Rows, Has.Count.EqualTo(300), "an exchange each");
@@ -94,12 +94,14 @@ public class ClockFigureTests
     static double P95(Figure figure, string estimator) => double.Parse(
         figure.Summary.Rows.Single(row => row[0] == estimator)[2], System.Globalization.CultureInfo.InvariantCulture);
 
-    [TestCase(312, 88, 7, 280, 12_300, "holds")]
-    [TestCase(1312, 88, 7, 280, 12_300, "holds partly")]
-    [TestCase(1312, 88, 50, 280, 400, "does not hold")]
-    public void Figure8_Numbers_ChangeTheVerdict(double maxUs, double early, double late, double shortUs, double longUs, string verdict)
+    [TestCase(0.96, 312, 88, 7, 280, 12_300, "holds")]
+    [TestCase(0.94, 312, 88, 7, 280, 12_300, "holds partly")]
+    [TestCase(0.96, 1312, 88, 7, 280, 12_300, "holds partly")]
+    [TestCase(0.94, 1312, 88, 50, 280, 400, "does not hold")]
+    public void Figure8_Numbers_ChangeTheVerdict(
+        double fitShare, double maxUs, double early, double late, double shortUs, double longUs, string verdict)
     {
-        var criteria = Figure08.Criteria(new ClockErrors(50, 200, maxUs, early, late), new RoundTrips(shortUs, longUs));
+        var criteria = Figure08.Criteria(fitShare, new ClockErrors(50, 200, maxUs, early, late), new RoundTrips(shortUs, longUs));
 
         Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
     }
@@ -120,6 +122,7 @@ public class ClockFigureTests
     })];
 
     [TestCase(0.05, 0.8, 3, 0.5, new[] { true, true, true })]
+    [TestCase(0.05, 1.2, 3, 0.5, new[] { false, true, true }, TestName = "SyncClaims_HalfOfTheExchangesFitTheClock_IsNotMet")]
     [TestCase(1.2, 3, 3, 0.5, new[] { false, true, true })]
     [TestCase(0.05, 0.8, 3, 2, new[] { true, false, true })]
     [TestCase(0.5, 0.8, 3, 0.5, new[] { true, true, false })]

@@ -7,12 +7,12 @@ namespace Nowpose.Unity.Tests.Demo.Paper;
 public class PaperClaimsTests
 {
     static readonly PaperMeasures Good = new(
-        new PaperClock(0.3, 0.2, 0.2, 0.1), new PaperSwings(0.2, 0.4, [0.2, 0.2, 0.3], 0.8, 0.2), 1.5, "the clock came late", "no whole swing");
+        new PaperClock(0.96, 0.2, 0.2, 0.1), new PaperSwings(0.2, 0.4, [0.2, 0.2, 0.3], 0.8, 0.2), 1.5, "the clock came late", "no whole swing");
 
     static IEnumerable<PaperMeasures> Bad()
     {
         var (clock, swings) = (Good.Clock, Good.Swings);
-        yield return Good with { Clock = clock with { FitErrorMs = 1.1 } };
+        yield return Good with { Clock = clock with { FitShare = 0.94 } };
         yield return Good with { Clock = clock with { OffsetErrorMs = 8 } };
         yield return Good with { Clock = clock with { SkewRatio = 0.6 } };
         yield return Good with { Clock = clock with { RoundTripRatio = 0.7 } };

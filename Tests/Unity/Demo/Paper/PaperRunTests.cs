@@ -40,7 +40,9 @@ public class PaperRunTests
 
         TestContext.Out.WriteLine($"{measured.Visualisation.Length.TotalMilliseconds:0.00} ms ± {errorMs:0.00} ms\n{Text(claims)}");
         Assert.That(measured.Visualisation.Length.TotalMilliseconds, Is.EqualTo(PaperScene.VisuMs).Within(errorMs));
-        Assert.That(claims.Select(claim => claim.Holds), Is.All.True, Text(claims));
+        var fit = Claim(claims, "8", "From 10 s on, the fitting error");
+        Assert.That(claims.Where(claim => claim != fit).Select(claim => claim.Holds), Is.All.True, Text(claims));
+        Assert.That(fit.Measured, Is.InRange(0.88, 0.95), "4 % of the exchanges of this WiFi are delayed by 5 to 30 ms, and others by 2 ms or more");
         Assert.That(repeats.Max(each => each.Clock.OffsetErrorMs), Is.LessThan(1), "each seed");
         Assert.That(repeats.Max(each => each.LightErrorMs), Is.LessThan(4), "each seed");
     }
@@ -55,6 +57,15 @@ public class PaperRunTests
         Assert.That(intervals.Count(ms => Math.Abs(ms - 200) < 20), Is.GreaterThan(0.9 * intervals.Count), "200 ms but for late replies");
         Assert.That(run.Run.Settings.Estimator, Is.EqualTo("ransac"));
         Assert.That(run.Swings.Phases, Has.Count.InRange(3, 5), "whole swings from 10 s on");
+    }
+
+    [TestCase("lan", true)]
+    [TestCase("busy-wifi", false)]
+    public void Paper_FittingError_IsJudgedForAllExchanges(string network, bool holds)
+    {
+        var claims = PaperScene.Claims(PaperScene.Play(1, network: NetworkProfile.Named(network)));
+
+        Assert.That(Claim(claims, "8", "From 10 s on, the fitting error").Holds, Is.EqualTo(holds), Text(claims));
     }
 
     [Test]
