@@ -1,3 +1,5 @@
+using Nowpose.Session.Hindcast;
+
 namespace Nowpose.Cli.Demo;
 
 /// <summary>Compares the displayed values with the truth, frame by frame, and computes the results defined in cli.md.</summary>
@@ -121,7 +123,7 @@ sealed class DemoScore
         var error = _run.Statistics.ToolErrorOfRun;
         return new DemoResult.Hindcasts(
             error?.Reduction, error?.ReductionUncertainty, error?.Rms, error?.HoldRms,
-            _run.Statistics.IsRunPartlyOutsideRange ? "the render time was beyond the calibrated range" : null);
+            WithheldErrors.WordsOf(_run.Statistics.ErrorOfRunWithheld));
     }
 
     static double? Reduction(IEnumerable<DemoError> errors)

@@ -47,8 +47,14 @@ static class DemoStage
     {
         var session = new SessionSettings(
             connection, VisualisationLatency.FromMilliseconds(settings.GivenVisualisationMs), new PredictionSettings(settings.Predictor, blendMs: settings.BlendMs),
-            clockEstimator: settings.Estimator, profile: settings.Profile ?? (settings.Load == null ? null : DemoCalibration.Of(settings)));
+            clockEstimator: settings.Estimator, profile: ProfileOf(settings));
         return settings.HasConstantSyncInterval ? session.WithConstantSyncInterval() : session;
+    }
+
+    static LatencyProfile ProfileOf(DemoSettings settings)
+    {
+        if (!settings.IsRendered) return settings.Profile?.WithoutRange();
+        return settings.Profile ?? (settings.Load == null ? null : DemoCalibration.Of(settings));
     }
 
     static DemoRun Play(

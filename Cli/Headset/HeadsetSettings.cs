@@ -19,9 +19,10 @@ sealed record HeadsetSettings
     public LatencyProfile Profile { get; init; }
 
     public VisualisationLatency Visualisation { get; init; }
-    /// <summary>Settings of the session.</summary>
+
+    /// <summary>Settings of the session. Nothing is rendered, so that the profile's range does not apply.</summary>
     public SessionSettings Session =>
-        new(Connection, Visualisation, new PredictionSettings(Predictor), clockEstimator: Estimator, profile: Profile);
+        new(Connection, Visualisation, new PredictionSettings(Predictor), clockEstimator: Estimator, profile: Profile?.WithoutRange());
 
     public double Seconds { get; init; }
     public double FramesPerSecond { get; init; }

@@ -20,14 +20,13 @@ static class SyncPage
             throw new InputException($"--page: {path}: the page or its data, {data}, would overwrite the log; use another name");
         if (path == data) throw new InputException($"--page: {path}: the page's data would overwrite it; use a name that ends in .html");
         var steps = SyncSteps.Of(exchanges, estimator);
-        var figure = SyncFigure.Of(steps, SyncClaims.Of(steps), "t and the offsets count from the first exchange. Θ₂ is the offset at t = 0. "
-            + "The true offset is unknown, so errors are relative to the fit. RTT includes the time at the server, as in the paper.")
+        var figure = SyncFigure.Of(steps, SyncClaims.Of(steps), Conditions(exchanges.Count, steps.Count))
             with
         { FileName = Path.GetFileName(data) };
         string[][] conditions =
         [
             ["Log", Path.GetFileName(log)],
-            ["Exchanges", FormattableString.Invariant($"{exchanges.Count} in {steps[^1].Seconds:0.0} s")],
+            ["Exchanges", FormattableString.Invariant($"{steps.Count} in {(steps.Count == 0 ? 0 : steps[^1].Seconds):0.0} s")],
             ["Estimator", estimator == ClockEstimators.Ransac ? "RANSAC, as in the paper" : estimator],
         ];
         OutputPath.File("--page", path, () =>
@@ -38,4 +37,8 @@ static class SyncPage
             figure.Table.WriteCsv(file);
         });
     }
+
+    static string Conditions(int logged, int used) => "t and the offsets count from the first exchange. Θ₂ is the offset at t = 0. "
+        + "The true offset is unknown, so errors are relative to the fit. RTT includes the time at the server, as in the paper."
+        + (used == logged ? "" : FormattableString.Invariant($" {logged - used} of {logged} exchanges are invalid and left out."));
 }

@@ -176,6 +176,30 @@ public class SyncVerbTests
         Assert.That(double.Parse(data[^1].Split(',')[3], CultureInfo.InvariantCulture), Is.EqualTo(50).Within(0.1), "skew, ppm");
     }
 
+    [Test]
+    public async Task Sync_PageOfALogWithInvalidExchanges_LeavesThemOutAndCountsThem()
+    {
+        // Four exchanges whose reply comes before the request, and four that are logged twice.
+        IEnumerable<string> Rows(string line, int i) => i == 0 || i % 25 != 0 ? [line] : i % 50 == 0 ? [line, line] : [line, Reversed(line)];
+        using var file = new TemporaryFile(string.Join('\n', Log(200).TrimEnd().Split('\n').SelectMany(Rows)) + "\n", ".csv");
+        using var folder = new TemporaryFolder();
+        var page = Path.Combine(folder.Path, "clock.html");
+
+        var run = await CliRun.OfAsync("sync", file.Path, "--estimator", "ransac", "--page", page);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        Assert.That(run.Errors.Split('\n').Count(line => line.Contains("dropped 4 of 208 exchanges", StringComparison.Ordinal)), Is.EqualTo(2), run.Errors);
+        Assert.That(File.ReadAllText(page), Does.Contain("8 of 208 exchanges are invalid"));
+        Assert.That(File.ReadAllLines(Path.Combine(folder.Path, "clock.csv")), Has.Length.EqualTo(201));
+    }
+
+    // Between an exchange and the next one.
+    static string Reversed(string line)
+    {
+        var t4 = long.Parse(line.Split(',')[3], CultureInfo.InvariantCulture);
+        return FormattableString.Invariant($"{t4 + 20_000_000},{ControlEpoch},{ControlEpoch},{t4 + 10_000_000}");
+    }
+
     [TestCase("log.html", "would overwrite the log")]
     [TestCase("log.csv", "would overwrite the log")]
     [TestCase("other.csv", "use a name that ends in .html")]

@@ -55,7 +55,8 @@ function facts(report: Report): HTMLElement {
 /** Returns the paper's figures of this run, or the demo's own sections in their place. */
 function ofPaper(report: Report, playhead?: Playhead): HTMLElement[] {
   if (!hasPoints(report.figures)) return [jointSection(report.joint, playhead), fieldSection(report.field), clockSection(report.clock, playhead)];
-  return [...(hasPoints(report.claims) ? [claimsSection(report.claims!)] : []), ...report.figures!.map(figureSection)];
+  const numbers = report.figures!.map(figure => figure.number);
+  return [...(hasPoints(report.claims) ? [claimsSection(report.claims!, numbers)] : []), ...report.figures!.map(figureSection)];
 }
 
 function page(report: Report): Node[] {

@@ -276,4 +276,29 @@ describe('a report of the paper’s scenario', () => {
     await page.locator('#claims a').first().click();
     assert.match(page.url(), /#fig-8$/);
   });
+
+  it('links only claims whose figure is on the page', async () => {
+    const data = ofPaper();
+    data.figures = data.figures.filter(f => f.number === '8');
+
+    const page = await browser.open(data);
+
+    assert.deepEqual(page.complaints, []);
+    assert.deepEqual(plain(await text(page, '#claims tbody th')), ['Fig. 8', 'Fig. 16']);
+    assert.deepEqual(plain(await text(page, '#claims a')), ['Fig. 8']);
+  });
+
+  it('shows a figure without data and without a verdict', async () => {
+    const data = ofPaper();
+    const [clock] = data.figures;
+    Object.assign(clock, { verdict: 'not measured', plots: [], table: { columns: ['time (s)'], rows: [] } });
+    for (const criterion of clock.criteria) Object.assign(criterion, { is_met: null, measured: 'not measured: the run was too short' });
+
+    const page = await browser.open(data);
+
+    assert.deepEqual(page.complaints, []);
+    const signs = await page.locator('#fig-8 .sign').evaluateAll(all => all.map(s => s.getAttribute('aria-label')));
+    assert.deepEqual(signs, ['not measured:', 'not measured:']);
+    assert.match((await text(page, '#fig-8 .criteria')).join(), /below 50 ms\.\snot measured: the run was too short\./);
+  });
 });

@@ -21,7 +21,7 @@ sealed class SimulatedSweep
     /// <summary>Number of frames before the first and after the last picture, so that each picture has neighbours.</summary>
     const int Margin = 12;
 
-    const int OrdinaryVertices = 300_000, MaxVertices = SweepPlan.MaxVertices;
+    const int OrdinaryVertices = 300_000;
 
     /// <summary>The real rate of displays sold as 60 Hz. Frames then begin at any fraction of a millisecond.</summary>
     public const double RefreshMs = 1000 / 59.94;
@@ -74,6 +74,15 @@ sealed class SimulatedSweep
     /// <summary>Gets L_visu by Eq. (7) from the true times, ms.</summary>
     public double VisuMsOf(SimulatedMoment moment) => (moment.Middle - StartOf(moment.Frame)).TotalMilliseconds;
 
+    /// <summary>Gets the picture as a camera measures it that reads both codes without error. The headset's code has whole milliseconds.</summary>
+    public MeasuredPicture Measured(SimulatedMoment moment)
+    {
+        var row = Rows[moment.Frame];
+        var fraction = row.FrameStart.SinceEpoch.Ticks % TimeSpan.TicksPerMillisecond / (double)TimeSpan.TicksPerMillisecond;
+        // From the middle of the code's millisecond, as the reading of the control's code.
+        return new MeasuredPicture(null, row.Vertices, row.RenderMs, VisuMsOf(moment) + fraction - 0.5);
+    }
+
     /// <summary>Gets the share of each frame's light that a picture receives, relative to the maximum that a frame can give.</summary>
     /// <param name="middle">Middle of the exposure of the requested row.</param>
     public IEnumerable<(int Frame, double Share)> LightOf(SimulatedMoment moment, ControlTime middle)
@@ -103,7 +112,7 @@ sealed class SimulatedSweep
     {
         if (_settings.LoadSteps == 0) return OrdinaryVertices;
         var step = (int)((long)frame * (_settings.LoadSteps + 1) / frames);
-        return (int)((long)MaxVertices * step / _settings.LoadSteps);
+        return (int)((long)_settings.MaxVertices * step / _settings.LoadSteps);
     }
 
     static ControlTime Earlier(ControlTime a, ControlTime b) => a < b ? a : b;

@@ -1,3 +1,4 @@
+using Nowpose.Latency.Sweep;
 using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Calibrate.Simulate;
@@ -18,6 +19,9 @@ sealed record SimulationSettings
 
     /// <summary>Number of load steps from none to the maximum; 0 keeps a third of a million vertices.</summary>
     public int LoadSteps { get; init; } = 10;
+
+    /// <summary>Number of vertices of the largest load.</summary>
+    public int MaxVertices { get; init; } = SweepPlan.MaxVertices;
 
     /// <summary>Time for which a frame is lit, of the display's 16.7 ms interval.</summary>
     public double LitMs { get; init; } = 4;

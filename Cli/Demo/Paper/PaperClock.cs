@@ -4,24 +4,23 @@ using Nowpose.Sync;
 namespace Nowpose.Cli.Demo.Paper;
 
 /// <summary>The numbers of Fig. 8.</summary>
-/// <param name="FitErrorMs">Median of |ε_i| from 10 s on, ms.</param>
+/// <param name="FitShare">Share of the exchanges from 10 s on with |ε_i| below 1 ms.</param>
 /// <param name="OffsetErrorMs">P95 of the magnitude of the offset's true error over the frames from 10 s on, ms.</param>
 /// <param name="SkewRatio">RMS error of the skew over the last quarter divided by that from 2 to 10 s.</param>
 /// <param name="RoundTripRatio">P95 error of the exchanges with the shortest round-trip times divided by that of the longest, quarters.</param>
-sealed record PaperClock(double FitErrorMs, double OffsetErrorMs, double SkewRatio, double RoundTripRatio)
+sealed record PaperClock(double FitShare, double OffsetErrorMs, double SkewRatio, double RoundTripRatio)
 {
     const int MinExchanges = 4;
 
     /// <summary>Gets the numbers; null if the run was too short.</summary>
     public static PaperClock Of(PaperRun run)
     {
-        var settled = run.Steps.Where(step => step.Seconds >= ClockErrors.SettledAfter && step.FitErrorMs.HasValue);
-        double[] errors = [.. settled.Select(step => Math.Abs(step.FitErrorMs.Value))];
+        var errors = FitErrors.Of(run.Steps);
         if (errors.Length < MinExchanges || run.Scored.Count == 0) return null;
         var known = run.Run.Frames.Rows.Where(row => row.Clock.IsKnown).ToList();
         var end = known[^1].Elapsed.TotalSeconds;
         return new PaperClock(
-            Quantile.Of(errors, 0.5), Quantile.Of(run.Scored.Select(row => Math.Abs(row.OffsetErrorUs) / 1000), 0.95),
+            FitErrors.ShareBelow(errors), Quantile.Of(run.Scored.Select(row => Math.Abs(row.OffsetErrorUs) / 1000), 0.95),
             SkewRms(run, known, 0.75 * end, end) / SkewRms(run, known, ClockErrors.FirstSkew, ClockErrors.SettledAfter), RoundTripRatioOf(run));
     }
 

@@ -5,24 +5,24 @@ using Nowpose.Cli.Figures.Swing;
 
 namespace Nowpose.Cli.Demo.Paper;
 
-/// <summary>The paper's Figs 8, 16, 17 and 18 with the data of the first repeat. The claims include all repeats.</summary>
+/// <summary>The paper's Figs 8, 16, 17 and 18 with the data of the first repeat that has them. The claims include all repeats.</summary>
 static class PaperFigures
 {
     const string FirstSwing = "The plots show the first whole swing after 10 s; the numbers include all whole swings of all repeats.";
 
     public static IReadOnlyList<Figure> Of(IReadOnlyList<PaperRun> repeats, IReadOnlyList<PaperClaim> claims)
     {
-        var first = repeats[0];
         Criterion[] Criteria(string figure) => [.. claims.Where(claim => claim.Figure == figure).Select(CriterionOf)];
-        var clock = SyncFigure.Of(first.Steps, Criteria("8"), ClockConditions(first));
-        SwingFrames[] swings = [.. repeats.Select(repeat => repeat.Swings).Where(each => each != null)];
-        if (first.Swings == null) return [clock];
-        var set = new SwingSet([first.Swings], swings);
+        var synchronised = repeats.FirstOrDefault(repeat => repeat.Steps.Count > 0) ?? repeats[0];
+        var clock = SyncFigure.Of(synchronised.Steps, Criteria("8"), ClockConditions(synchronised));
+        PaperRun[] swung = [.. repeats.Where(repeat => repeat.Swings != null)];
+        if (swung.Length == 0) return [clock];
+        var set = new SwingSet([swung[0].Swings], [.. swung.Select(repeat => repeat.Swings)]);
         Figure Shown(Figure figure, string conditions) => figure with { Criteria = Criteria(figure.Number), Conditions = conditions };
         return
         [
             clock,
-            Shown(Figure16.Of(set), MotionConditions(first) + FirstSwing),
+            Shown(Figure16.Of(set), MotionConditions(swung[0]) + FirstSwing),
             Shown(Figure17.Of(set), "The moments are those marked in Fig. 16: A where the robot reaches its full speed, B half-way, C where half of "
                 + "the speed is left. The drawings show the first whole swing; the criteria include all swings."),
             Shown(Figure18.Of(set), "The first 1500 ms of each swing. A point lies at the latency e/v that its error e and its velocity v stand for; "
@@ -31,7 +31,7 @@ static class PaperFigures
     }
 
     static Criterion CriterionOf(PaperClaim claim) => new(
-        claim.Claim, claim.Holds, claim.MeasuredText + (claim.Paper == null ? "" : $"; the paper: {claim.PaperText}"));
+        claim.Claim, claim.Measured == null ? null : claim.Holds, claim.MeasuredText + (claim.Paper == null ? "" : $"; the paper: {claim.PaperText}"));
 
     static string ClockConditions(PaperRun run) => $"{run.Run.Settings.Network.Name}, an exchange every 200 ms, {run.Steps.Count} exchanges. "
         + "RANSAC over 100 exchanges with 20 hypotheses, moving average of 20. t and the offsets count from the first exchange, "

@@ -1,12 +1,13 @@
 namespace Nowpose.Cli.Demo.Paper;
 
-/// <summary>The measured numbers of one repeat. Null where the run was too short.</summary>
+/// <summary>The measured numbers of one repeat; null where they could not be measured.</summary>
 /// <param name="LightErrorMs">P95 of |ε_L|, ms.</param>
-/// <param name="Problem">Why numbers are missing; null if none is.</param>
-sealed record PaperMeasures(PaperClock Clock, PaperSwings Swings, double? LightErrorMs, string Problem = null)
+/// <param name="ClockProblem">Why numbers other than those of the swings are missing, if any are.</param>
+/// <param name="SwingProblem">Why numbers of the swings are missing, if any are.</param>
+sealed record PaperMeasures(PaperClock Clock, PaperSwings Swings, double? LightErrorMs, string ClockProblem, string SwingProblem)
 {
     public static PaperMeasures Of(PaperRun run) => new(
         PaperClock.Of(run), PaperSwings.Of(run.Swings),
         run.Scored.Count == 0 ? null : Quantile.Of(run.Scored.Select(row => Math.Abs(PaperRun.LightErrorMs(row))), 0.95),
-        run.Problem);
+        run.ClockProblem, run.SwingProblem);
 }

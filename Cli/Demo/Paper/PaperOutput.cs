@@ -51,9 +51,9 @@ static class PaperOutput
     {
         writer.Write("repeat,time_s,offset_ms,true_offset_ms,fitted_offset_ms,skew_ppm,theta2_ms,fit_error_ms,round_trip_ms\n");
         foreach (var repeat in repeats)
-            foreach (var (step, exchange) in repeat.Steps.Zip(repeat.Run.Exchanges))
+            foreach (var step in repeat.Steps)
                 writer.Write(string.Create(CultureInfo.InvariantCulture, $"{repeat.Repeat},")
-                    + Text(step, (repeat.Run.Truth.OffsetAt(exchange.T4) - repeat.Run.Exchanges[0].Offset).TotalMilliseconds) + "\n");
+                    + Text(step, (repeat.Run.Truth.OffsetAt(step.At) - repeat.Run.Exchanges[0].Offset).TotalMilliseconds) + "\n");
     }
 
     static string Text(SyncStep s, double trueOffsetMs) => string.Create(

@@ -60,8 +60,20 @@ sealed class PaperRun
     /// <summary>Gets the true position of the tool when a frame is seen.</summary>
     public ToolPosition TruthOf(in DemoFrames.Row row) => _kinematics.TrueAt(Run.Truth, row.TrueLight);
 
-    /// <summary>Why the run has no whole swing; null if it has one.</summary>
-    public string Problem => Swings != null ? null : FormattableString.Invariant(
+    /// <summary>Why numbers of the clock are missing, if any are.</summary>
+    public string ClockProblem
+    {
+        get
+        {
+            var known = Run.Frames.Rows.FindIndex(row => row.Clock.IsKnown);
+            if (known < 0) return "the clock was never known";
+            var since = Run.Frames.Rows[known].Elapsed;
+            return since < SettledAfter ? "the run was too short" : FormattableString.Invariant($"the clock was known only from {since.TotalSeconds:0.0} s on");
+        }
+    }
+
+    /// <summary>Why numbers of the swings are missing, if any are.</summary>
+    public string SwingProblem => Scored.Count == 0 ? ClockProblem : FormattableString.Invariant(
         $"no swing after {SettledAfter.TotalSeconds:0} s has all its frames; the longest pause between frames was {LongestPause():0.00} s ({MaxStall} s are allowed)");
 
     double LongestPause() => Scored.Zip(Scored.Skip(1)).Select(pair => (pair.Second.Elapsed - pair.First.Elapsed).TotalSeconds).DefaultIfEmpty(0).Max();

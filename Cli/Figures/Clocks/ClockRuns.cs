@@ -18,6 +18,9 @@ sealed class ClockRuns
             select (Action)(() => _runs[m, l] = ClockRun.Of(ClockMethod.All[m], Logs[l], Seconds))];
     }
 
+    /// <summary>Gets |ε_i| of Eq. (6) of the paper's estimator over all logs, ms.</summary>
+    public double[] FitErrorsMs => [.. Logs.SelectMany(log => FitErrors.Of(SyncSteps.Of(log.All, ClockMethod.All[0].Name)))];
+
     /// <summary>Length of each log, s.</summary>
     public double Seconds { get; }
 

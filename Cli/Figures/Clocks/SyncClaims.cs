@@ -6,12 +6,9 @@ namespace Nowpose.Cli.Figures.Clocks;
 /// <summary>The claims of Fig. 8 for exchanges whose true offset is unknown: errors are relative to the fit.</summary>
 static class SyncClaims
 {
-    const double MaxFitErrorMs = 1;
-
     /// <summary>Minimum number of exchanges after the clock has settled.</summary>
     const int MinExchanges = 20;
 
-    const string FitError = "From 10 s on, the fitting error |ε| of at least half of the exchanges is below 1 ms (median).";
     const string Skew = "The skew converges: in the last quarter it varies less than half as much as from 2 to 10 s (RMS about the mean of the last "
         + "quarter), and from the third quarter to the last its mean changes by less than a quarter of that.";
     const string RoundTrip = "|ε| of the quarter with the shortest round trips is less than half of that of the quarter with the longest (P95).";
@@ -21,14 +18,15 @@ static class SyncClaims
         var known = steps.Where(step => step.FitErrorMs.HasValue).ToArray();
         var settled = known.Where(step => step.Seconds >= ClockErrors.SettledAfter).ToArray();
         return settled.Length >= MinExchanges ? [FitErrorOf(settled), SkewOf(known), RoundTripOf(settled)]
-            : [.. new[] { FitError, Skew, RoundTrip }.Select(statement =>
-                new Criterion(statement, false, $"{settled.Length} usable exchanges after 10 s; {MinExchanges} are needed"))];
+            : [.. new[] { FitErrors.Claim, Skew, RoundTrip }.Select(statement =>
+                new Criterion(statement, null, $"{settled.Length} usable exchanges after 10 s; {MinExchanges} are needed"))];
     }
 
     static Criterion FitErrorOf(SyncStep[] settled)
     {
-        var median = Quantile.Of(settled.Select(step => Math.Abs(step.FitErrorMs.Value)), 0.5);
-        return new(FitError, median < MaxFitErrorMs, $"{Text(1000 * median)} µs");
+        var errors = FitErrors.Of(settled);
+        var share = FitErrors.ShareBelow(errors);
+        return new(FitErrors.Claim, share >= FitErrors.MinShare, $"{Percent(share)}; median {Text(1000 * Quantile.Of(errors, 0.5))} µs");
     }
 
     // A skew that keeps changing at the same rate varies little in the last quarter, compared with its distance from the first values.
@@ -38,8 +36,8 @@ static class SyncClaims
         var end = known[^1].Seconds;
         double[] Between(double from, double to) => [.. known.Where(step => step.Seconds >= from && step.Seconds < to).Select(step => step.SkewPpm.Value)];
         var (early, third, last) = (Between(ClockErrors.FirstSkew, ClockErrors.SettledAfter), Between(end / 2, 0.75 * end), Between(0.75 * end, double.MaxValue));
-        if (early.Length == 0) return new(Skew, false, "the skew was first estimated after 10 s");
-        if (third.Length == 0) return new(Skew, false, "no usable exchange in the third quarter");
+        if (early.Length == 0) return new(Skew, null, "the skew was first estimated after 10 s");
+        if (third.Length == 0) return new(Skew, null, "no usable exchange in the third quarter");
         var mean = last.Average();
         double Rms(double[] skews) => Math.Sqrt(skews.Average(skew => (skew - mean) * (skew - mean)));
         var change = Math.Abs(mean - third.Average());

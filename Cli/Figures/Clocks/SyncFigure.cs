@@ -9,6 +9,9 @@ static class SyncFigure
     const int MinSettled = 10;
     const double Tail = 0.02;
 
+    public const string Claim = "As exchanges come in, offset and skew converge and the fitting error becomes less than 1 ms; "
+        + "the round-trip time shows how accurate an exchange was.";
+
     /// <summary>Columns of the paper's quantities, time first.</summary>
     public static readonly IReadOnlyList<FigureColumn> Columns =
     [
@@ -26,12 +29,11 @@ static class SyncFigure
         foreach (var step in steps) table.Add([.. ValuesOf(step)]);
         return new Figure("8", "Clock synchronisation")
         {
-            Claim = "As exchanges come in, offset and skew converge and the fitting error becomes less than 1 ms; "
-                + "the round-trip time shows how accurate an exchange was.",
+            Claim = Claim,
             Criteria = criteria,
             Conditions = conditions,
             Table = table,
-            Plots = [.. PlotsOf(table)],
+            Plots = steps.Count == 0 ? [] : [.. PlotsOf(table)],
         };
     }
 

@@ -9,6 +9,9 @@ namespace Nowpose.Cli.Figures.Clocks;
 /// <param name="RoundTripMs">RTT as in the paper, from sending the request to receiving the reply.</param>
 readonly record struct SyncStep(double Seconds, double OffsetMs, double? FitMs, double? SkewPpm, double? InterceptMs, double RoundTripMs)
 {
+    /// <summary>Headset time of the exchange's end.</summary>
+    public HeadsetTime At { get; init; }
+
     /// <summary>ε of Eq. (6), Φ* minus the estimate, ms; null before the first estimate.</summary>
     public double? FitErrorMs => OffsetMs - FitMs;
 }

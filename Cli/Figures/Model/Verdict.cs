@@ -6,4 +6,5 @@ enum Verdict
     Holds,
     HoldsPartly,
     DoesNotHold,
+    NotMeasured,
 }

@@ -7,6 +7,7 @@ static class VerdictWords
     {
         Verdict.Holds => "holds",
         Verdict.HoldsPartly => "holds partly",
+        Verdict.NotMeasured => "not measured",
         _ => "does not hold",
     };
 }

@@ -5,14 +5,18 @@ namespace Nowpose.Headless.Tests.Cli.Figures;
 
 public class CriterionTests
 {
-    [TestCase(new[] { true }, "holds")]
-    [TestCase(new[] { true, true, true }, "holds")]
-    [TestCase(new[] { true, false, true }, "holds partly")]
-    [TestCase(new[] { false, true }, "holds partly")]
-    [TestCase(new[] { false, false }, "does not hold")]
-    public void Judge_Criteria_DependsOnHowManyAreMet(bool[] met, string verdict)
+    // "+" is met, "-" is not, "?" was not measured.
+    [TestCase("+", "holds")]
+    [TestCase("+++", "holds")]
+    [TestCase("+-+", "holds partly")]
+    [TestCase("-+", "holds partly")]
+    [TestCase("+?", "holds partly")]
+    [TestCase("--", "does not hold")]
+    [TestCase("-?", "does not hold")]
+    [TestCase("??", "not measured")]
+    public void Judge_Criteria_DependsOnHowManyAreMet(string each, string verdict)
     {
-        var criteria = met.Select(isMet => new Criterion("it is so", isMet, "1")).ToArray();
+        var criteria = each.Select(sign => new Criterion("it is so", sign == '?' ? null : sign == '+', "1")).ToArray();
 
         Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
     }

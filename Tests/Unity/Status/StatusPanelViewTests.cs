@@ -4,6 +4,7 @@ using Nowpose.Latency.Profile;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Session.Hindcast;
 using Nowpose.Sync;
 using Nowpose.Unity;
 using Nowpose.Unity.Cell;
@@ -135,6 +136,7 @@ public sealed class StatusPanelViewTests(string scene)
         foreach (var source in Enum.GetValues<RenderTimeSourceKind>()) yield return State($"{source}", new SessionStatistics { RenderTimeSource = source });
         foreach (var range in Enum.GetValues<RangeState>()) yield return State($"{range}", new SessionStatistics { Range = range });
         foreach (var reason in Enum.GetValues<RangeUnknownReason>()) yield return State($"{reason}", new SessionStatistics { RangeUnknownReason = reason });
+        foreach (var reason in Enum.GetValues<ErrorWithheldReason>()) yield return State($"{reason}", new SessionStatistics { ErrorWithheld = reason });
         foreach (var security in Enum.GetValues<TransportSecurity>()) yield return State($"{security}", new SessionStatistics { Security = security });
         foreach (var link in new[] { LinkStatus.Idle, LinkStatus.Connecting, LinkStatus.Connected, LinkStatus.Waiting(new string('W', 700)) })
             yield return State($"{link.State}", new SessionStatistics { SyncLink = link, SampleLink = link });

@@ -6,14 +6,21 @@ import { anchorOf } from './section';
 import { text } from './text';
 import { badge } from './verdict';
 
-/** Lists the paper's claims with its numbers, this run's numbers and the verdicts. */
-export function claimsSection(claims: ClaimData[]): HTMLElement {
+/**
+ * Lists the paper's claims with its numbers, this run's numbers and the verdicts.
+ * @param figures Numbers of the figures on the page; claims of others have no link.
+ */
+export function claimsSection(claims: ClaimData[], figures: string[]): HTMLElement {
   const caption = figuresLabels.claimsAndRun;
+  const name = (figure: string) => {
+    const words = `Fig. ${figure}`;
+    return figures.includes(figure) ? el('a', { href: `#${anchorOf(figure)}` }, words) : words;
+  };
   const rows = claims.map(c =>
     el(
       'tr',
       {},
-      el('th', { scope: 'row' }, el('a', { href: `#${anchorOf(c.figure)}` }, `Fig. ${c.figure}`)),
+      el('th', { scope: 'row' }, name(c.figure)),
       el('td', {}, ...text(c.claim)),
       el('td', {}, c.paper || '–'),
       el('td', {}, c.measured),

@@ -33,7 +33,8 @@ export interface FigureData {
 
 export interface CriterionData {
   statement: string;
-  is_met: boolean;
+  /** Null if the numbers were not measured. */
+  is_met: boolean | null;
   measured: string;
 }
 

@@ -9,17 +9,24 @@ export function badge(verdict: Verdict): HTMLElement {
   return el('span', { class: `badge ${CLASSES[verdict]}` }, verdict);
 }
 
+function signOf(isMet: boolean | null): { css: string; sign: string; words: string } {
+  if (isMet == null) return { css: 'unmeasured', sign: '–', words: 'not measured:' };
+  return isMet ? { css: 'met', sign: '✓', words: 'met:' } : { css: 'unmet', sign: '✗', words: 'not met:' };
+}
+
 export function criteria(list: CriterionData[]): HTMLElement {
   return el(
     'ul',
     { class: 'criteria' },
-    ...list.map(c =>
-      el(
+    ...list.map(c => {
+      const { css, sign, words } = signOf(c.is_met);
+      const measured = c.is_met == null ? c.measured : `Measured: ${c.measured}`;
+      return el(
         'li',
-        { class: c.is_met ? 'met' : 'unmet' },
-        el('span', { class: 'sign', role: 'img', 'aria-label': c.is_met ? 'met:' : 'not met:' }, c.is_met ? '✓' : '✗'),
-        el('span', {}, ...text(c.statement), ' ', el('span', { class: 'measured' }, ...text(`Measured: ${c.measured}.`))),
-      ),
-    ),
+        { class: css },
+        el('span', { class: 'sign', role: 'img', 'aria-label': words }, sign),
+        el('span', {}, ...text(c.statement), ' ', el('span', { class: 'measured' }, ...text(`${measured}.`))),
+      );
+    }),
   );
 }

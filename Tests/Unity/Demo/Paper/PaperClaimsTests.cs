@@ -6,12 +6,13 @@ namespace Nowpose.Unity.Tests.Demo.Paper;
 /// <summary>Every verdict of <c>demo --paper</c>, with numbers that make it hold and numbers that do not.</summary>
 public class PaperClaimsTests
 {
-    static readonly PaperMeasures Good = new(new PaperClock(0.3, 0.2, 0.2, 0.1), new PaperSwings(0.2, 0.4, [0.2, 0.2, 0.3], 0.8, 0.2), 1.5);
+    static readonly PaperMeasures Good = new(
+        new PaperClock(0.96, 0.2, 0.2, 0.1), new PaperSwings(0.2, 0.4, [0.2, 0.2, 0.3], 0.8, 0.2), 1.5, "the clock came late", "no whole swing");
 
     static IEnumerable<PaperMeasures> Bad()
     {
         var (clock, swings) = (Good.Clock, Good.Swings);
-        yield return Good with { Clock = clock with { FitErrorMs = 1.1 } };
+        yield return Good with { Clock = clock with { FitShare = 0.94 } };
         yield return Good with { Clock = clock with { OffsetErrorMs = 8 } };
         yield return Good with { Clock = clock with { SkewRatio = 0.6 } };
         yield return Good with { Clock = clock with { RoundTripRatio = 0.7 } };
@@ -51,18 +52,21 @@ public class PaperClaimsTests
     [Test]
     public void Claims_NotMeasured_HaveNoVerdict()
     {
-        var claims = PaperClaims.Of([new PaperMeasures(null, null, null, "no whole swing")]);
+        var claims = PaperClaims.Of([Good with { Clock = null, Swings = null, LightErrorMs = null }]);
 
         Assert.That(claims.Select(claim => claim.Holds), Is.All.False);
         Assert.That(claims.Select(claim => claim.Measured), Is.All.Null);
         Assert.That(claims.Select(claim => claim.Verdict), Is.All.EqualTo("not measured"));
-        Assert.That(claims[0].MeasuredText, Is.EqualTo("not measured: no whole swing"));
+        Assert.That(
+            claims.Select(claim => claim.MeasuredText == "not measured: no whole swing"),
+            Is.EqualTo(new[] { false, false, false, false, true, true, true, true, true, false, true, true }), "the clock's claims have its reason");
+        Assert.That(claims[0].MeasuredText, Is.EqualTo("not measured: the clock came late"));
     }
 
     [Test]
     public void Claims_MeasuredInSomeRepeats_AreJudgedByThoseAndStateIt()
     {
-        var claims = PaperClaims.Of([Good, Good with { Swings = null, Problem = "no whole swing" }]);
+        var claims = PaperClaims.Of([Good, Good with { Swings = null }]);
 
         Assert.That(claims.Select(claim => claim.Holds), Is.All.True);
         Assert.That(claims.Single(claim => claim.Paper == 0.8).MeasuredText, Is.EqualTo("80 % (measured in 1 of 2 repeats: no whole swing)"));

@@ -16,22 +16,30 @@ static class PaperScene
 
     static readonly YoubotSwing Swing = new(isCold: true);
 
-    /// <param name="profileMs">L_visu of the profile.</param>
+    /// <summary>Creates a profile with any L_visu.</summary>
+    public static LatencyProfile ProfileOf(double visuMs) => new(
+        visuMs, 1.2, "simulated headset", 60, DateTime.UnixEpoch, CalibrationMethod.VisibleLight, 120, 15, RenderTimeSourceKind.DisplayGpuTime);
+
+    /// <summary>Measures the profile in pictures of the display, as <c>demo --paper</c> does.</summary>
+    public static LatencyProfile Calibrate(int seed) =>
+        PaperCalibration.Of(PaperScenario.Of(Given(seed), Swing), PaperSession.PicturesPerLoad, CancellationToken.None).Profile;
+
+    /// <param name="profile">The profile of the runtime; null for one with the true L_visu.</param>
     /// <param name="clockErrorMs">Error of the clock that the exchanges read.</param>
     /// <param name="stampErrorMs">Maximum error of the samples' stamps.</param>
-    public static PaperRun Play(int seed, double profileMs = VisuMs, double clockErrorMs = 0, double stampErrorMs = 0, double seconds = 32)
+    public static PaperRun Play(int seed, LatencyProfile profile = null, double clockErrorMs = 0, double stampErrorMs = 0, double seconds = 32,
+        NetworkProfile network = null)
     {
-        var given = new DemoSettings
-        {
-            Seconds = seconds, Network = NetworkProfile.Wifi, Acquisition = new(55, 105), VisualisationMs = VisuMs, Seed = seed,
-            Profile = new LatencyProfile(
-                profileMs, 1.2, "simulated headset", 60, DateTime.UnixEpoch, CalibrationMethod.VisibleLight, 120, 15,
-                RenderTimeSourceKind.DisplayGpuTime),
-        };
+        var given = Given(seed) with { Seconds = seconds, Profile = profile ?? ProfileOf(VisuMs), Network = network ?? NetworkProfile.Wifi };
         var settings = PaperScenario.Of(given, Swing);
         var sampled = stampErrorMs == 0 ? null : new LateSampling(settings.Motion, stampErrorMs / 1000);
         return new PaperRun(1, VirtualStage.Play(settings, hasScene: true, sampled, TimeSpan.FromMilliseconds(clockErrorMs)), Swing);
     }
+
+    static DemoSettings Given(int seed) => new()
+    {
+        Network = NetworkProfile.Wifi, Acquisition = new(55, 105), VisualisationMs = VisuMs, Seed = seed,
+    };
 
     public static IReadOnlyList<PaperClaim> Claims(PaperRun run) => PaperClaims.Of([PaperMeasures.Of(run)]);
 

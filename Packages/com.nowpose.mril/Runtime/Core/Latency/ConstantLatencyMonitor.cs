@@ -82,9 +82,6 @@ namespace Nowpose.Latency
             }
         }
 
-        /// <summary>Whether L_visu is unknown: the render time is beyond the range's end, be it a limit or the longest measured time.</summary>
-        public bool IsBeyond => _isBeyond == true;
-
         /// <summary>Reason why <see cref="State"/> is unknown.</summary>
         public RangeUnknownReason UnknownReason
         {

@@ -105,6 +105,10 @@ namespace Nowpose.Latency
         /// <summary>Range for a monitor: the constant-latency range, else the range with observed L_visu; null when neither is known.</summary>
         internal ConstantLatencyRange WatchedRange { get; }
 
+        /// <summary>Returns the profile without the range, for a headset that renders nothing and therefore has no render times.</summary>
+        internal LatencyProfile WithoutRange() => new LatencyProfile(
+            Visualisation.Length.TotalMilliseconds, Spread.TotalMilliseconds, Conditions, MeasuredUtc, Method, Measurements, headMotion: HeadMotion);
+
         /// <summary>Returns the conditions that are known on both sides and differ.</summary>
         /// <param name="actual">Conditions of the device that uses the profile.</param>
         /// <returns>Empty when nothing differs.</returns>

@@ -1,10 +1,14 @@
 using System;
 using Nowpose.Session;
+using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Recording
 {
     /// <summary>The statistics of a session as the numbers of one line, and their names.</summary>
-    /// <remarks>In this order: numbers of the session, the tool's error over the newest seconds and over the run, and each joint's error.</remarks>
+    /// <remarks>
+    /// In this order: numbers of the session, why the errors are withheld, the tool's error over the newest seconds and over the run, and
+    /// each joint's error.
+    /// </remarks>
     sealed class StatisticsLine
     {
         static readonly string[] Names =
@@ -12,11 +16,14 @@ namespace Nowpose.Recording
             "rtt_ms", "l_app_ms", "l_app_p95_ms", "l_visu_ms", "horizon_ms", "render_ms", "samples", "dropped", "current_share",
         };
 
+        /// <summary>Number of values before the first error: those with a name, and the reason.</summary>
+        static readonly int BeforeErrors = Names.Length + 1;
+
         string[] _joints = Array.Empty<string>();
 
         /// <summary>Returns the required number of values.</summary>
         /// <param name="joints">Maximum number of joints with an error.</param>
-        public static int CountFor(int joints) => Names.Length + (2 + joints) * ErrorNumbers.Count;
+        public static int CountFor(int joints) => BeforeErrors + (2 + joints) * ErrorNumbers.Count;
 
         /// <param name="numbers">Array to fill; unknown values become NaN.</param>
         public void Fill(SessionStatistics statistics, Span<double> numbers)
@@ -30,6 +37,7 @@ namespace Nowpose.Recording
             numbers[6] = statistics.Samples;
             numbers[7] = statistics.Dropped;
             numbers[8] = statistics.CurrentShare ?? double.NaN;
+            numbers[9] = (double)statistics.ErrorWithheld;
             ErrorNumbers.Fill(statistics.ToolError, Block(numbers, 0));
             ErrorNumbers.Fill(statistics.ToolErrorOfRun, Block(numbers, 1));
             // The joints do not change: their names are read in the first second, before the first line is written.
@@ -40,6 +48,7 @@ namespace Nowpose.Recording
         public void Write(JsonLine line, Span<double> numbers)
         {
             for (var i = 0; i < Names.Length; i++) line.AddKnown(Names[i], numbers[i]);
+            if (WithheldErrors.WordsOf((ErrorWithheldReason)numbers[9]) is { } withheld) line.Add("error_withheld", withheld);
             Write(line, "tool_mm", Block(numbers, 0));
             Write(line, "tool_of_run_mm", Block(numbers, 1));
             line.Open("joint_errors", '[');
@@ -62,7 +71,7 @@ namespace Nowpose.Recording
             line.Close('}');
         }
 
-        static Span<double> Block(Span<double> numbers, int index) => numbers.Slice(Names.Length + index * ErrorNumbers.Count, ErrorNumbers.Count);
+        static Span<double> Block(Span<double> numbers, int index) => numbers.Slice(BeforeErrors + index * ErrorNumbers.Count, ErrorNumbers.Count);
 
         static string[] NamesOf(SessionStatistics statistics)
         {

@@ -4,6 +4,7 @@ using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Latency.DisplayTime;
 using Nowpose.Prediction;
+using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Session
 {
@@ -58,8 +59,8 @@ namespace Nowpose.Session
         /// <summary>Whether the render time of the previous frames is in the range in which the display time is known.</summary>
         public RangeState Range { get; private set; }
 
-        /// <summary>Whether the render time is beyond the calibrated range, with a limit or without, so that the display time is unknown.</summary>
-        internal bool IsBeyondCalibration { get; private set; }
+        /// <summary>Why the error of this frame cannot be measured: it may appear at another time than <see cref="DisplayTime"/>.</summary>
+        internal ErrorWithheldReason ErrorWithheld { get; private set; }
 
         /// <summary>Display of the robot while <see cref="State"/> is <see cref="PoseState.OutsideRange"/>.</summary>
         public OutsideRangeResponse OutsideRange { get; }
@@ -95,7 +96,7 @@ namespace Nowpose.Session
             ClockError = moment.Clock.EstimatedError;
             IsDisplayTimeInconsistent = moment.IsInconsistent;
             IsDisplayTimeImplausible = moment.IsImplausible;
-            IsBeyondCalibration = moment.IsBeyondCalibration;
+            ErrorWithheld = moment.ErrorWithheld;
             Start = moment.Start;
             IsTimeTrusted = moment.IsTrusted;
             Range = moment.Range;

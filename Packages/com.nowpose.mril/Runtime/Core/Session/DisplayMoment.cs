@@ -1,5 +1,6 @@
 using Nowpose.Latency;
 using Nowpose.Latency.DisplayTime;
+using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Session
 {
@@ -21,7 +22,7 @@ namespace Nowpose.Session
             IsInconsistent = light.IsInconsistent;
             IsImplausible = light.IsImplausible;
             Range = renderTimes.State;
-            IsBeyondCalibration = renderTimes.IsBeyond;
+            ErrorWithheld = WithheldErrors.ReasonOf(renderTimes, light.IsPredicted);
         }
 
         /// <summary>Start of the frame on the headset clock.</summary>
@@ -38,8 +39,8 @@ namespace Nowpose.Session
         /// <summary>Whether the render time of the previous frames is in the range in which the display time is known.</summary>
         public RangeState Range { get; }
 
-        /// <summary>See <see cref="DisplayFrame.IsBeyondCalibration"/>.</summary>
-        public bool IsBeyondCalibration { get; }
+        /// <summary>See <see cref="DisplayFrame.ErrorWithheld"/>.</summary>
+        public ErrorWithheldReason ErrorWithheld { get; }
 
         /// <summary>See <see cref="DisplayFrame.IsDisplayTimeInconsistent"/>.</summary>
         public bool IsInconsistent { get; }

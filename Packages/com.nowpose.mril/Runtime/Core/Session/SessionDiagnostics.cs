@@ -5,6 +5,7 @@ using System.Linq;
 using Nowpose.Latency;
 using Nowpose.Latency.Reprojection;
 using Nowpose.Protocol;
+using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Session
 {
@@ -51,6 +52,7 @@ namespace Nowpose.Session
             AddMs("render_ms", statistics.RenderTime);
             if (statistics.Range != RangeState.Unknown) Add("range", statistics.Range.ToString().ToLowerInvariant());
             if (statistics.BeyondLimits != null) Add("beyond_limits", statistics.BeyondLimits.Joint.Name);
+            if (WithheldErrors.WordsOf(statistics.ErrorWithheld) is { } withheld) Add("error_withheld", withheld);
             AddNumber("error_mm_hold", statistics.HoldErrorMm);
             AddNumber("error_mm", statistics.ErrorMm);
             AddNumber("reduction", statistics.ErrorReduction);

@@ -87,7 +87,8 @@ namespace Nowpose.Session
         {
             into.ToolError = _hindcast.Tool?.Times(MillimetresPerMetre);
             into.ToolErrorOfRun = _hindcast.ToolOfRun?.Times(MillimetresPerMetre);
-            into.IsRunPartlyOutsideRange = _hindcast.IsRunPartlyOutside;
+            into.ErrorWithheld = _hindcast.Withheld;
+            into.ErrorOfRunWithheld = _hindcast.WithheldOfRun;
             var joints = into.PlacesForJointErrors(_hindcast.JointCount);
             for (var i = 0; i < joints.Length; i++) joints[i] = _hindcast.JointAt(i);
         }

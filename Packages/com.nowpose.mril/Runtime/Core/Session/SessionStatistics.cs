@@ -4,6 +4,7 @@ using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Latency.DisplayTime;
 using Nowpose.Network;
+using Nowpose.Session.Hindcast;
 using Nowpose.Sync;
 
 namespace Nowpose.Session
@@ -94,19 +95,22 @@ namespace Nowpose.Session
 
         /// <summary>
         /// Error of the displayed tool relative to its true position from later samples, over the newest ten seconds, mm. Excludes errors
-        /// that these samples cannot show: those of the clock's offset and of L_visu. Null while <see cref="Range"/> is outside, where
-        /// L_visu is unknown.
+        /// that these samples cannot show: those of the clock's offset and of L_visu. Null while L_visu may differ from the calibrated one:
+        /// <see cref="Range"/> is outside, or a limit is known but cannot be monitored.
         /// </summary>
         public DisplayedError? ToolError { get; internal set; }
 
         /// <summary>
         /// The same error since the session began, or since <see cref="CompensationSession.RestartErrorRun"/>; mm. Null as well if
-        /// <see cref="Range"/> has been outside since then.
+        /// L_visu may have differed from the calibrated one since then.
         /// </summary>
         public DisplayedError? ToolErrorOfRun { get; internal set; }
 
-        /// <summary>Whether <see cref="ToolErrorOfRun"/> is withheld, because the render time has been beyond the calibrated range.</summary>
-        internal bool IsRunPartlyOutsideRange { get; set; }
+        /// <summary>Why <see cref="ToolError"/> and <see cref="JointErrors"/> are withheld.</summary>
+        internal ErrorWithheldReason ErrorWithheld { get; set; }
+
+        /// <summary>Why <see cref="ToolErrorOfRun"/> is withheld.</summary>
+        internal ErrorWithheldReason ErrorOfRunWithheld { get; set; }
 
         /// <summary>Errors of the joints between base and tool, from the base, over the newest ten seconds; rad or m.</summary>
         public IReadOnlyList<JointError> JointErrors => _jointErrors;

@@ -2,6 +2,7 @@ using System;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Session;
+using Nowpose.Session.Hindcast;
 using Nowpose.Sync;
 using Nowpose.Unity.Cell;
 using Nowpose.Unity.Rendering;
@@ -129,17 +130,15 @@ namespace Nowpose.Unity.Status
             Set(StatusRow.VisualisationLatency, visualisation.Of(statistics.VisualisationLatency), _origin.Of(statistics));
             Set(StatusRow.RenderTime, Milliseconds.Of(statistics.RenderTime), RenderTimeWords.NameOf(statistics.RenderTimeSource));
             Set(StatusRow.Range, RangeOf(statistics.Range), ReasonOf(statistics.RangeUnknownReason));
-            UpdateError(statistics.ToolError, statistics.Range == RangeState.Outside);
+            UpdateError(statistics.ToolError, WithheldErrors.WordsOf(statistics.ErrorWithheld) ?? "");
         }
 
-        // A predicted display time does not depend on the profile.
-
-        void UpdateError(DisplayedError? error, bool isOutside)
+        /// <param name="withheld">Why there is no error; empty unless it is withheld.</param>
+        void UpdateError(DisplayedError? error, string withheld)
         {
-            const string outside = "outside range";
             var uncertainty = error?.ReductionUncertainty;
-            Set(StatusRow.Reduction, Percents.Of(error?.Reduction * 100), uncertainty.HasValue ? PercentBounds.Of(uncertainty * 100) : isOutside ? outside : "");
-            Set(StatusRow.Error, Millimetres.Of(error?.Rms), error.HasValue ? MillimetrePercentiles.Of(error.Value.P95) : isOutside ? outside : "");
+            Set(StatusRow.Reduction, Percents.Of(error?.Reduction * 100), uncertainty.HasValue ? PercentBounds.Of(uncertainty * 100) : withheld);
+            Set(StatusRow.Error, Millimetres.Of(error?.Rms), error.HasValue ? MillimetrePercentiles.Of(error.Value.P95) : withheld);
         }
 
         // A name may be of any length.

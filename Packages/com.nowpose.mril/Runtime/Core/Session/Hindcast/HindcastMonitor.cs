@@ -1,6 +1,5 @@
 using System;
 using Nowpose.Kinematics;
-using Nowpose.Latency;
 using Nowpose.Protocol;
 
 namespace Nowpose.Session.Hindcast
@@ -28,8 +27,9 @@ namespace Nowpose.Session.Hindcast
         readonly ShownFrames.JointValues[] _values;
         readonly TrueSpeeds _speeds;
         ControlTime? _now;
-        bool _isOutside;
         ControlTime? _runSince;
+        bool _hasRunBegun;
+        ErrorWithheldReason _withheldOfRun;
 
         /// <param name="maximumGap">Maximum interval between samples; the motion within a longer one is unknown.</param>
         public HindcastMonitor(RobotModel robot, TimeSpan maximumGap)
@@ -54,31 +54,35 @@ namespace Nowpose.Session.Hindcast
         /// <summary>Number of joints between base and tool with samples of their own.</summary>
         public int JointCount => _joints.Length;
 
-        /// <summary>
-        /// Errors of the tool over the newest ten seconds, m; null while unknown. They are withheld while the render time is outside the
-        /// constant-latency range, or beyond the calibrated one without a limit, because the display time is then unknown.
-        /// </summary>
-        public DisplayedError? Tool => _now.HasValue && !_isOutside ? _tool.Now(_now.Value) : null;
+        /// <summary>Errors of the tool over the newest ten seconds, m; null while unknown, and while <see cref="Withheld"/> has a reason.</summary>
+        public DisplayedError? Tool => IsKnown ? _tool.Now(_now.Value) : null;
 
-        /// <summary>Errors of the tool since <see cref="RestartRun"/>, m; null while unknown, and from the first frame outside the range on.</summary>
-        public DisplayedError? ToolOfRun => IsRunPartlyOutside ? null : _tool.OfRun;
+        /// <summary>Errors of the tool since <see cref="RestartRun"/>, m; null while unknown, and if <see cref="WithheldOfRun"/> has a reason.</summary>
+        public DisplayedError? ToolOfRun => WithheldOfRun == ErrorWithheldReason.None ? _tool.OfRun : null;
 
-        /// <summary>Whether the render time has been outside the constant-latency range since <see cref="RestartRun"/>.</summary>
-        public bool IsRunPartlyOutside { get; private set; }
+        /// <summary>Why the current errors are withheld.</summary>
+        public ErrorWithheldReason Withheld { get; private set; }
+
+        /// <summary>Why the errors of the run are withheld: the reason of its first frame that cannot be judged.</summary>
+        public ErrorWithheldReason WithheldOfRun => _hasRunBegun ? _withheldOfRun : Withheld;
+
+        bool IsKnown => _now.HasValue && Withheld == ErrorWithheldReason.None;
 
         /// <summary>Returns the errors of one joint over the newest ten seconds, rad or m; joints are in the order from the base.</summary>
         public JointError JointAt(int index) => new JointError(
-            _robot.MovingJoints[_joints[index]].Name, _now.HasValue && !_isOutside ? _ofJoint[index].Now(_now.Value) : null);
+            _robot.MovingJoints[_joints[index]].Name, IsKnown ? _ofJoint[index].Now(_now.Value) : null);
 
         /// <summary>Adds a displayed frame. A frame without a trusted display time cannot be scored and makes the current errors unknown.</summary>
         /// <param name="clockError">Error bound of the clock.</param>
         public void Shown(DisplayFrame frame, TimeSpan clockError)
         {
             _now = frame.IsTimeTrusted ? frame.DisplayTime : null;
-            // Then the frame appears at a time other than its display time.
-            _isOutside = frame.Range == RangeState.Outside || frame.IsBeyondCalibration;
-            IsRunPartlyOutside |= _isOutside;
-            if (_now == null || frame.State == PoseState.Incomplete || _isOutside) return;
+            Withheld = frame.ErrorWithheld;
+            if (_now == null || frame.State == PoseState.Incomplete) return;
+            // The first frames of a session have no render time: its source is not yet found.
+            _hasRunBegun |= Withheld != ErrorWithheldReason.OtherSource && Withheld != ErrorWithheldReason.NoRenderTime;
+            if (_hasRunBegun && _withheldOfRun == ErrorWithheldReason.None) _withheldOfRun = Withheld;
+            if (Withheld != ErrorWithheldReason.None) return;
             foreach (ref readonly var track in _tracks.AsSpan())
                 if (!(track.CompleteUntil < _now.Value)) return;
             var values = _frames.Add(_now.Value, frame.State, frame.ToolPose, _kinematics.ToolOf(frame.HeldJoints), ClockTicks.Seconds(clockError));
@@ -117,7 +121,8 @@ namespace Nowpose.Session.Hindcast
         public void RestartRun()
         {
             _runSince = _now;
-            IsRunPartlyOutside = _isOutside;
+            _hasRunBegun = false;
+            _withheldOfRun = ErrorWithheldReason.None;
             _tool.RestartRun();
         }
 

@@ -118,6 +118,22 @@ namespace Nowpose.Tests.Core.Recording
             Assert.That((string)run.Last["reason"], Is.EqualTo("closed"));
         }
 
+        [TestCase(true)]
+        [TestCase(false)]
+        public void Statistics_LimitWithoutRenderTimes_HaveTheReasonInsteadOfAnError(bool hasLimit)
+        {
+            var simulated = new SimulatedSession(
+                NetworkProfile.Lan, seed: 7, range: hasLimit ? new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime) : null);
+            var run = new RecordedRun(simulated.Session);
+
+            simulated.Run(5);
+            run.Close();
+
+            var last = run.Of("statistics").Last();
+            Assert.That((string)last["error_withheld"], Is.EqualTo(hasLimit ? "render time not measured" : null));
+            Assert.That((last["tool_mm"] == null, last["tool_of_run_mm"] == null), Is.EqualTo((hasLimit, hasLimit)));
+        }
+
         [Test]
         public void Frame_EstimatedError_EqualsTheClocksOnceKnown()
         {

@@ -4,6 +4,7 @@ using System.Linq;
 using Nowpose.Latency;
 using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Session.Hindcast;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
@@ -84,33 +85,135 @@ namespace Nowpose.Tests.Core.Session
         [Test]
         public void Statistics_RenderTimeOutsideTheRange_HaveNoErrorUntilItIsInsideAgain()
         {
-            var range = new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime);
-            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed, range: range);
-            void Render(double seconds)
-            {
-                for (var i = 0; i < 100; i++) simulated.Session.Rendered(ClockTicks.Span(seconds), RenderTimeSourceKind.DisplayGpuTime);
-            }
-            simulated.Run(8);
+            var simulated = InsideTheRange(isLimitReached: true);
             var before = Statistics(simulated);
 
-            Render(0.030);
+            Render(simulated, 30);
             simulated.Run(0.1);
             var outside = Statistics(simulated);
-            Render(0.005);
+            Render(simulated, 5);
             simulated.Run(2);
             var after = Statistics(simulated);
             simulated.Session.RestartErrorRun();
             simulated.Run(2);
             var restarted = Statistics(simulated);
 
-            Assert.That((before.ErrorMm, before.ToolErrorOfRun), Is.Not.EqualTo(((double?)null, (DisplayedError?)null)));
+            AssertStated(before);
             Assert.That(outside.Range, Is.EqualTo(RangeState.Outside));
-            Assert.That((outside.ErrorMm, outside.ErrorReduction, outside.ToolErrorOfRun), Is.EqualTo(((double?)null, (double?)null, (DisplayedError?)null)));
-            Assert.That(outside.JointErrors.Select(joint => joint.Error), Is.All.Null);
-            Assert.That(after.ErrorMm, Is.Not.Null, "of the frames inside");
-            Assert.That((after.ToolErrorOfRun, after.IsRunPartlyOutsideRange), Is.EqualTo(((DisplayedError?)null, true)), "part of this run cannot be judged");
-            Assert.That(restarted.ToolErrorOfRun, Is.Not.Null);
-            Assert.That(restarted.IsRunPartlyOutsideRange, Is.False);
+            AssertWithheld(outside, ErrorWithheldReason.OutsideRange);
+            Assert.That((after.ErrorMm.HasValue, after.ErrorWithheld), Is.EqualTo((true, ErrorWithheldReason.None)), "of the frames inside");
+            Assert.That(
+                (after.ToolErrorOfRun, after.ErrorOfRunWithheld), Is.EqualTo(((DisplayedError?)null, ErrorWithheldReason.OutsideRange)),
+                "part of this run cannot be judged");
+            AssertStated(restarted);
+        }
+
+        [Test]
+        public void Statistics_RenderTimeBeyondARangeWithoutLimit_HaveTheReasonInsteadOfAnError()
+        {
+            var simulated = InsideTheRange(isLimitReached: false);
+
+            Render(simulated, 30);
+            simulated.Run(0.1);
+
+            Assert.That(Statistics(simulated).Range, Is.EqualTo(RangeState.Unknown));
+            AssertWithheld(Statistics(simulated), ErrorWithheldReason.BeyondMeasured);
+        }
+
+        // Nothing detects late frames then, even if the new source reports short times.
+        [TestCase(RenderTimeSourceKind.CameraCpu, ErrorWithheldReason.OtherSource)]
+        [TestCase(RenderTimeSourceKind.None, ErrorWithheldReason.NoRenderTime)]
+        public void Statistics_LimitIsNoLongerMonitored_HaveTheReasonInsteadOfAnError(RenderTimeSourceKind source, object reason)
+        {
+            var simulated = InsideTheRange(isLimitReached: true);
+
+            Render(simulated, 5, source);
+            simulated.Run(0.1);
+            var unmonitored = Statistics(simulated);
+            Render(simulated, 5);
+            simulated.Run(2);
+
+            AssertWithheld(unmonitored, (ErrorWithheldReason)reason);
+            Assert.That(Statistics(simulated).ErrorMm, Is.Not.Null);
+            Assert.That(Statistics(simulated).ErrorOfRunWithheld, Is.EqualTo(reason), "part of this run cannot be judged");
+        }
+
+        [Test]
+        public void Statistics_FirstRenderTimeComesLate_RunBeginsWithIt()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed, range: Range(isLimitReached: true));
+            simulated.Run(8);
+            var before = Statistics(simulated);
+
+            Render(simulated, 5);
+            simulated.Run(4);
+
+            AssertWithheld(before, ErrorWithheldReason.NoRenderTime);
+            AssertStated(Statistics(simulated));
+        }
+
+        [Test]
+        public void Statistics_DisplayTimesArePredicted_NeedNoRenderTime()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed, range: Range(isLimitReached: true));
+            simulated.Session.DisplayTimeSource = new Runtime();
+
+            simulated.Run(8);
+
+            Assert.That(Statistics(simulated).IsLightPredicted, Is.True);
+            AssertStated(Statistics(simulated));
+        }
+
+        [TestCase(true, "outside range")]
+        [TestCase(false, "beyond measured range")]
+        public void Diagnostics_ErrorIsWithheld_ContainTheReason(bool isLimitReached, string reason)
+        {
+            var simulated = InsideTheRange(isLimitReached);
+            Dictionary<string, string> Diagnostics() => SessionDiagnostics.Of(Statistics(simulated), "headset", default).Values
+                .ToDictionary(each => each.Key, each => each.Value);
+            var before = Diagnostics();
+
+            Render(simulated, 30);
+            simulated.Run(0.1);
+            var outside = Diagnostics();
+
+            Assert.That(before.Keys, Has.Member("error_mm").And.No.Member("error_withheld"));
+            Assert.That(outside.Keys, Has.No.Member("error_mm").And.No.Member("reduction"));
+            Assert.That(outside["error_withheld"], Is.EqualTo(reason));
+        }
+
+        sealed class Runtime : IDisplayTimeSource
+        {
+            public HeadsetTime? LightOf(HeadsetTime frameStart) => frameStart + Lengths.Ms(40);
+        }
+
+        static ConstantLatencyRange Range(bool isLimitReached) => new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime, isLimitReached);
+
+        static SimulatedSession InsideTheRange(bool isLimitReached)
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed, range: Range(isLimitReached));
+            Render(simulated, 5);
+            simulated.Run(8);
+            return simulated;
+        }
+
+        static void Render(SimulatedSession simulated, double ms, RenderTimeSourceKind source = RenderTimeSourceKind.DisplayGpuTime)
+        {
+            for (var i = 0; i < 100; i++) simulated.Session.Rendered(Lengths.Ms(ms), source);
+        }
+
+        static void AssertStated(SessionStatistics statistics)
+        {
+            Assert.That((statistics.ErrorMm.HasValue, statistics.ErrorReduction.HasValue, statistics.ToolErrorOfRun.HasValue), Is.EqualTo((true, true, true)));
+            Assert.That(statistics.JointErrors.Select(joint => joint.Error), Is.All.Not.Null);
+            Assert.That((statistics.ErrorWithheld, statistics.ErrorOfRunWithheld), Is.EqualTo((ErrorWithheldReason.None, ErrorWithheldReason.None)));
+        }
+
+        static void AssertWithheld(SessionStatistics statistics, ErrorWithheldReason reason)
+        {
+            Assert.That((statistics.ErrorMm.HasValue, statistics.ErrorReduction.HasValue, statistics.ToolErrorOfRun.HasValue), Is.EqualTo((false, false, false)));
+            Assert.That(statistics.JointErrors.Select(joint => joint.Error), Is.All.Null);
+            Assert.That((statistics.ErrorWithheld, statistics.ErrorOfRunWithheld), Is.EqualTo((reason, reason)));
         }
 
         [Test]

@@ -1,6 +1,6 @@
 using System;
-using Nowpose.Latency;
 using Nowpose.Session;
+using Nowpose.Session.Hindcast;
 using Nowpose.Unity.Status;
 using NUnit.Framework;
 using static Nowpose.Tests.Unity.Status.StatusRows;
@@ -21,11 +21,16 @@ namespace Nowpose.Tests.Unity.Status
             Assert.That(Row(StatusRow.Reduction, new SessionStatistics { ToolError = Error(3, 8, reduction, uncertainty) }), Is.EqualTo(expected));
         }
 
-        [TestCase("Reduction")]
-        [TestCase("Error")]
-        public void Update_RangeOutside_NamesItBesideTheMissingError(string row)
+        [TestCase(ErrorWithheldReason.None, "–|")]
+        [TestCase(ErrorWithheldReason.OutsideRange, "–|outside range")]
+        [TestCase(ErrorWithheldReason.BeyondMeasured, "–|beyond measured range")]
+        [TestCase(ErrorWithheldReason.OtherSource, "–|limit of another source")]
+        [TestCase(ErrorWithheldReason.NoRenderTime, "–|render time not measured")]
+        public void Update_ErrorIsWithheld_ShowsTheReasonBesideTheMissingError(object reason, string expected)
         {
-            Assert.That(Row(Enum.Parse<StatusRow>(row), new SessionStatistics { Range = RangeState.Outside }), Is.EqualTo("–|outside range"));
+            var statistics = new SessionStatistics { ErrorWithheld = (ErrorWithheldReason)reason };
+
+            Assert.That((Row(StatusRow.Reduction, statistics), Row(StatusRow.Error, statistics)), Is.EqualTo((expected, expected)));
         }
 
         [Test]

@@ -1,0 +1,53 @@
+using Nowpose.Latency;
+
+namespace Nowpose.Session.Hindcast
+{
+    /// <summary>Reason why a session withholds the errors that it measures: its frames may appear at other times than their display times.</summary>
+    enum ErrorWithheldReason
+    {
+        /// <summary>The errors are not withheld.</summary>
+        None,
+
+        /// <summary>The render time is outside the constant-latency range.</summary>
+        OutsideRange,
+
+        /// <summary>The render time is beyond the calibrated range, and the calibration found no limit in it.</summary>
+        BeyondMeasured,
+
+        /// <summary>The limit was found with another source of the render time, so that nothing detects late frames.</summary>
+        OtherSource,
+
+        /// <summary>A limit is known, but the render time is not measured, so that nothing detects late frames.</summary>
+        NoRenderTime,
+    }
+
+    /// <summary>Determines the reason, and describes it.</summary>
+    static class WithheldErrors
+    {
+        /// <param name="isPredicted">Whether the runtime predicts the display times. They then do not depend on the profile.</param>
+        public static ErrorWithheldReason ReasonOf(ConstantLatencyMonitor renderTimes, bool isPredicted)
+        {
+            if (renderTimes.State == RangeState.Outside) return ErrorWithheldReason.OutsideRange;
+            switch (renderTimes.UnknownReason)
+            {
+                case RangeUnknownReason.BeyondMeasured: return ErrorWithheldReason.BeyondMeasured;
+                case RangeUnknownReason.OtherSource when !isPredicted: return ErrorWithheldReason.OtherSource;
+                case RangeUnknownReason.NoRenderTime when !isPredicted: return ErrorWithheldReason.NoRenderTime;
+                default: return ErrorWithheldReason.None;
+            }
+        }
+
+        /// <summary>Returns the reason as text; null for none.</summary>
+        public static string WordsOf(ErrorWithheldReason reason)
+        {
+            switch (reason)
+            {
+                case ErrorWithheldReason.OutsideRange: return "outside range";
+                case ErrorWithheldReason.BeyondMeasured: return "beyond measured range";
+                case ErrorWithheldReason.OtherSource: return "limit of another source";
+                case ErrorWithheldReason.NoRenderTime: return "render time not measured";
+                default: return null;
+            }
+        }
+    }
+}
