@@ -47,6 +47,19 @@ public sealed class PictureReaderTests
         Assert.That(result.Fault, Is.EqualTo(fault));
     }
 
+    [TestCase(CodeKind.Control)]
+    [TestCase(CodeKind.Headset)]
+    public void Picture_WithAWeakSecondCode_IsRejectedIfThatCodeCanBeRead(object kind)
+    {
+        FoundCode[] codes = [CodeLevels.Run(10_040, 1), CodeLevels.Of(CodeKind.Headset, 10_000)];
+        var second = codes.Single(code => code.Kind == (CodeKind)kind) with { IsWeak = true };
+        // A part of another object: its pairs agree with no code.
+        var other = CodeLevels.Of((CodeKind)kind, pair => pair % 2 == 0 ? 1 : 0.4) with { IsWeak = true };
+
+        Assert.That(Read(new PictureReader(0, 0), [.. codes, second]).Fault, Does.StartWith("two "));
+        Assert.That(Read(new PictureReader(0, 0), [.. codes, other]).Fault, Is.Null);
+    }
+
     [TestCase(-4, null)]
     [TestCase(-20, "headset code partly outside the picture")]
     [TestCase(Height - 76, null)]
