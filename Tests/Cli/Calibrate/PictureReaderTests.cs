@@ -82,6 +82,17 @@ public sealed class PictureReaderTests
         Assert.That(Read(new PictureReader(0, 0), CodeLevels.Run(10_040, 1), headset with { Levels = levels }).Fault, Is.EqualTo(fault));
     }
 
+    [TestCase(0, 3, "partly dark: covered, or only a part was lit during the exposure")]
+    [TestCase(4, 2, "partly dark: covered, or only a part was lit during the exposure")]
+    [TestCase(1, 2, "partly covered")]
+    public void Picture_OfACodeWithDarkRows_NamesAScanAsACauseIfTheyAreAtAnEdge(int first, int count, string fault)
+    {
+        var headset = CodeLevels.Of(CodeKind.Headset, 10_000);
+        double[] levels = [.. headset.Levels.Select((level, cell) => cell / TimestampCode.Side - 1 is var row && row >= first && row < first + count ? 0 : level)];
+
+        Assert.That(Read(new PictureReader(0, 0), CodeLevels.Run(10_040, 1), headset with { Levels = levels }).Fault, Is.EqualTo("headset code " + fault));
+    }
+
     [Test]
     public void Picture_OfARollingShutter_IsCorrectedByTheDifferenceInHeight()
     {
