@@ -10,6 +10,9 @@ sealed record FoundCode(CodeKind Kind, IReadOnlyList<double> Levels, IReadOnlyLi
     /// <summary>Share of the cells that are white in their middle, 0 to 1.</summary>
     public double WhiteShare { get; init; }
 
+    /// <summary>Whether there is a clearer code of this kind, and this one may be another object.</summary>
+    public bool IsWeak { get; init; }
+
     /// <summary>Intersection of the diagonals, px: the centre of the code, even in perspective.</summary>
     public (double X, double Y) Center
     {

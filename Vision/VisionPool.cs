@@ -122,6 +122,7 @@ public sealed class VisionPool : IDisposable
         [.. code.GetProperty("corners").EnumerateArray().Select(corner => (corner[0].GetDouble(), corner[1].GetDouble()))])
     {
         WhiteShare = code.GetProperty("white").GetDouble(),
+        IsWeak = code.GetProperty("isWeak").GetBoolean(),
     };
 
     public void Dispose()

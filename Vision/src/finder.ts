@@ -16,6 +16,8 @@ export interface Found {
   corners: Quad;
   /** Share of the steps of light between cells that are as expected, at most 1. */
   share: number;
+  /** Whether there is a clearer code of this kind, and this one may be another object: it counts only if it can be read. */
+  isWeak: boolean;
   /** Share of the cells that are white in their middle. */
   white: number;
   /** Light of each cell without the scene behind it, row by row; linear, 1 is white. */
@@ -29,8 +31,8 @@ const minLight = 0.02;
 const minShare = 0.6;
 /** Share of agreeing steps from which nothing better is searched at a position. A code that is taken for another kind reaches up to 0.85. */
 const minShareOfCertain = 0.88;
-/** Minimum share of agreeing steps of a second code of one kind. A part of another object may resemble a code up to this share. */
-const minShareOfSecond = 0.8;
+/** Share of agreeing steps up to which a second code of one kind is weak. Other objects reach up to 0.74. */
+const minShareOfSecond = 0.77;
 /** The same threshold if no code of the other kind is found: a bright scene may have made that code similar to the first kind. */
 const minShareOfOnlyKind = 0.9;
 /** Minimum agreement of a candidate before any refinement. */
@@ -54,9 +56,8 @@ export class Finder {
     const light = lightOf(grey);
     const picture = searched(brightened(light));
     try {
-      return this.#search(picture, layersOf(picture, picture.cols / grey.width, this.#matcher, this.#isFilled), light).map(fit =>
-        this.#foundAs(fit, light),
-      );
+      const fits = this.#search(picture, layersOf(picture, picture.cols / grey.width, this.#matcher, this.#isFilled), light);
+      return fits.map(fit => this.#foundAs(fit, isWeak(fit, fits), light));
     } finally {
       picture.delete();
     }
@@ -65,27 +66,42 @@ export class Finder {
   /** Refines all candidates, the most probable one first. */
   #search(picture: Mat, layers: Layer[], light: Light): Fit[] {
     if (layers.length === 0) return [];
-    const quads = distinct(candidatesIn(picture), this.#pattern.side).map(quad => scaled(quad, 1 / layers[0].factor));
-    const candidates = quads.map(quad => {
+    const { quads, clearCount } = this.#quadsIn(picture, layers[0]);
+    const candidates = quads.map((quad, index) => {
       const layer = layerFor(quad, layers);
-      return { layer, starts: layer.refiner.startsAt(scaled(quad, layer.factor)) };
+      return { isClear: index < clearCount, layer, starts: layer.refiner.startsAt(scaled(quad, layer.factor)) };
     });
     const fits: Fit[] = [];
     const placed: Placed[] = [];
     const isKnown = (quad: Quad, { factor }: Layer) => fits.some(fit => isCertain(fit) && isWithin(scaled(quad, 1 / factor), fit.quad));
-    for (const { layer, starts } of candidates.sort((a, b) => b.starts[0].share - a.starts[0].share)) {
+    for (const { isClear, layer, starts } of candidates.sort((a, b) => b.starts[0].share - a.starts[0].share)) {
       if (isKnown(starts[0].quad, layer)) continue;
       for (const guess of layer.refiner.guesses(starts)) {
         if (guess.light < minLight / 2 || guess.share <= minShareOfGuess || isKnown(guess.quad, layer)) continue;
         const fit = layer.refiner.refine(guess);
-        placed.push({ fit, layer });
+        if (isClear) placed.push({ fit, layer });
         if (isCode(fit, layer)) fits.push(inPicture(fit, layer));
       }
     }
-    const codes = withoutResemblances(bestOfEach(fits));
-    const isComplete = this.#isFilled.every((_, kind) => codes.filter(code => code.kind === kind).length === 1);
-    const part = isComplete ? clearestPart(quads, placed, codes, layers, fit => this.#deviationOf(fit, light)) : undefined;
+    const codes = bestOfEach(fits);
+    const clear = codes.filter(code => !isWeak(code, codes));
+    const isComplete = this.#isFilled.every((_, kind) => clear.filter(code => code.kind === kind).length === 1);
+    const part = isComplete ? clearestPart(quads.slice(0, clearCount), placed, clear, layers, fit => this.#deviationOf(fit, light)) : undefined;
     return part ? [...codes, part] : codes;
+  }
+
+  /**
+   * Returns candidates in px of the picture: first those whose steps of light are clear, then those of the square root of the light. The
+   * root raises the steps of a weak code beside a bright one. It raises those of dark structures, too, so parts of codes are not searched there.
+   */
+  #quadsIn(picture: Mat, { factor }: Layer): { quads: Quad[]; clearCount: number } {
+    const { side } = this.#pattern;
+    const clear = distinct(candidatesIn(picture), side);
+    const root = new cv.Mat();
+    cv.sqrt(picture, root);
+    const quads = distinct([...clear, ...candidatesIn(root)], side).map(quad => scaled(quad, 1 / factor));
+    root.delete();
+    return { quads, clearCount: clear.length };
   }
 
   #deviationOf({ kind, quad, hidden }: Fit, light: Light): number {
@@ -93,12 +109,13 @@ export class Finder {
     return pairDeviation(cellLight(light, quad, this.#pattern, seen), this.#pattern, seen, hidden!);
   }
 
-  #foundAs({ kind, quad, share }: Fit, light: Light): Found {
+  #foundAs({ kind, quad, share }: Fit, isWeak: boolean, light: Light): Found {
     const name = this.#matcher.kinds[kind];
     return {
       kind: name,
       corners: quad,
       share,
+      isWeak,
       white: whiteShare(light, quad, this.#pattern.side),
       levels: cellLight(light, quad, this.#pattern, this.#pattern.kinds[name]),
     };
@@ -121,13 +138,10 @@ const isCode = (fit: Fit, layer: Layer) => fit.light >= minLight && fit.share >=
 
 const isCertain = ({ share }: Fit) => share >= minShareOfCertain;
 
-/** Leaves out weak fits if there is a stronger one of their kind: they are other objects, or codes of the other kind. Expects the best fit first. */
-function withoutResemblances(codes: Fit[]): Fit[] {
-  const isOnlyKind = codes.every(code => code.kind === codes[0].kind);
-  return codes.filter(fit => {
-    const best = codes.find(code => code.kind === fit.kind)!;
-    return fit === best || (isOnlyKind ? fit.share >= minShareOfOnlyKind : fit.share >= minShareOfSecond || best.share < minShareOfSecond);
-  });
+/** Whether a fit may be another object, or a code of the other kind, because a fit of its kind is stronger. Expects the best fit first. */
+function isWeak(fit: Fit, codes: Fit[]): boolean {
+  const isOnlyKind = codes.every(({ kind }) => kind === fit.kind);
+  return fit !== codes.find(({ kind }) => kind === fit.kind) && fit.share < (isOnlyKind ? minShareOfOnlyKind : minShareOfSecond);
 }
 
 /** Keeps the best fit at each position. A fit to a part of a code agrees less than the fit to the whole code. */

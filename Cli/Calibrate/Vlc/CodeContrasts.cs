@@ -19,18 +19,20 @@ sealed class CodeContrasts
     {
         Light = Enumerable.Range(0, TimestampCode.CellCount).Where(cell => TimestampCode.IsRing(cell) && TimestampCode.IsLitRing(cell, code.Kind))
             .Average(cell => code.Levels[cell]);
-        int covered = 0, brighter = 0;
+        var dark = new List<int>();
+        var brighter = 0;
         for (var pair = 0; pair < TimestampCode.PairCount; pair++)
         {
             var cell = TimestampCode.CellOf(pair);
             double left = code.Levels[cell], right = code.Levels[cell + 1];
             _contrasts[pair] = (left - right) / Light;
             var deviation = (left + right - Light) / 2;
-            if (deviation < -MaxDeviation * Light) covered++;
+            if (deviation < -MaxDeviation * Light) dark.Add(pair);
             if (deviation > MaxDeviation * Light) brighter++;
         }
-        if (covered + brighter > 0)
-            Fault = covered >= brighter ? "partly covered"
+        if (dark.Count + brighter > 0)
+            Fault = dark.Count >= brighter
+                ? AreRowsFromAnEdge(dark) ? "partly dark: covered, or only a part was lit during the exposure" : "partly covered"
                 : code.WhiteShare >= MinWhiteShare ? "overexposed, or with a reflection on it"
                 : "disturbed by a bright background or a reflection";
     }
@@ -42,6 +44,10 @@ sealed class CodeContrasts
     public string Fault { get; }
 
     public double this[int pair] => _contrasts[pair];
+
+    /// <summary>Whether the pairs are all those of the code's first or last rows. A display that scans lights one row after another.</summary>
+    static bool AreRowsFromAnEdge(List<int> pairs) =>
+        pairs.Count % TimestampCode.PairsPerRow == 0 && (pairs[^1] == pairs.Count - 1 || pairs[0] == TimestampCode.PairCount - pairs.Count);
 
     /// <summary>Gets the word of the brighter cells of all pairs.</summary>
     public int Word()

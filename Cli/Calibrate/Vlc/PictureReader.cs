@@ -17,11 +17,12 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
     public PictureResult Read(string file, SeenPicture seen)
     {
         if (seen.Fault != null) return PictureResult.Not(file, $"unreadable: {seen.Fault}");
+        seen = seen with { Codes = [.. seen.Codes.Where(code => !code.IsWeak || ReadingOf(code, seen).Fault == null)] };
         if (CodeFaults.Of(seen) is string fault) return PictureResult.Not(file, fault);
         var (control, headset) = (seen.CodesOf(CodeKind.Control)[0], seen.CodesOf(CodeKind.Headset)[0]);
-        var shown = HeadsetCode.Read(new CodeContrasts(headset));
+        var shown = ReadingOf(headset, seen);
         if (shown.Fault != null) return PictureResult.Not(file, $"headset code {shown.Fault}");
-        var lit = ReadControl(new CodeContrasts(control), DelaysOf(control, seen.Height));
+        var lit = ReadingOf(control, seen);
         if (lit.Fault != null) return PictureResult.Not(file, $"control code {lit.Fault}");
         // The control code's time, at the moment at which the rows with the headset's code were exposed.
         var later = ReadoutMs * (MiddleOf(headset) - MiddleOf(control)) / seen.Height;
@@ -34,6 +35,10 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
                 : FormattableString.Invariant($"headset code more than {-MinVisuMs} ms ahead of the control code: ")
                     + "if the control code is displayed late, state the delay with --control-delay-ms");
     }
+
+    Reading ReadingOf(FoundCode code, SeenPicture seen) => code.Kind == CodeKind.Headset
+        ? HeadsetCode.Read(new CodeContrasts(code))
+        : ReadControl(new CodeContrasts(code), DelaysOf(code, seen.Height));
 
     /// <summary>
     /// Reads the code of the control clock. LEDs show a run of codes. A monitor shows one code per frame, and any code can come next.

@@ -13,9 +13,11 @@ static class VideoFrames
     /// <summary>The ffmpeg option that outputs each frame once, independent of its time: the current name, then the name before ffmpeg 5.1.</summary>
     static readonly string[] EachFrameOnce = ["-fps_mode", "-vsync"];
 
+    const int Colours = 3;
+
     public static IEnumerable<PictureRequest> Of(string path) => Read(path).Select(frame => PictureRequest.Grey(frame.Width, frame.Height, frame.Bytes));
 
-    /// <summary>Reads frame after frame in grey. The bytes are overwritten by the next frame.</summary>
+    /// <summary>Reads frame after frame in grey: the brightest colour of each pixel, as in pictures. The bytes are overwritten by the next frame.</summary>
     /// <exception cref="InputException">ffmpeg is missing or cannot read the file.</exception>
     public static IEnumerable<(int Width, int Height, byte[] Bytes)> Read(string path)
     {
@@ -24,14 +26,18 @@ static class VideoFrames
         {
             using var ffmpeg = Start(
                 "ffmpeg",
-                ["-v", "error", "-nostdin", "-noautorotate", "-i", path, "-f", "rawvideo", "-pix_fmt", "gray", option, "passthrough", "-"]);
+                ["-v", "error", "-nostdin", "-noautorotate", "-i", path, "-f", "rawvideo", "-pix_fmt", "rgb24", option, "passthrough", "-"]);
             try
             {
                 var errors = ffmpeg.StandardError.ReadToEndAsync();
-                var frame = new byte[width * height];
+                var frame = new byte[Colours * width * height];
+                var grey = new byte[width * height];
                 var count = 0;
                 for (; ffmpeg.StandardOutput.BaseStream.ReadAtLeast(frame, frame.Length, throwOnEndOfStream: false) == frame.Length; count++)
-                    yield return (width, height, frame);
+                {
+                    SetBrightest(frame, grey);
+                    yield return (width, height, grey);
+                }
                 if (count > 0)
                 {
                     Tell(path, count, errors.Result);
@@ -44,6 +50,16 @@ static class VideoFrames
             {
                 if (!ffmpeg.HasExited) ffmpeg.Kill();
             }
+        }
+    }
+
+    // The luma of a red or blue LED would be a small part of its light.
+    static void SetBrightest(ReadOnlySpan<byte> colours, Span<byte> grey)
+    {
+        for (var i = 0; i < grey.Length; i++)
+        {
+            var pixel = colours.Slice(Colours * i, Colours);
+            grey[i] = Math.Max(pixel[0], Math.Max(pixel[1], pixel[2]));
         }
     }
 

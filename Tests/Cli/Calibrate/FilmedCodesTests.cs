@@ -17,12 +17,13 @@ public class FilmedCodesTests : VideoFolder
 
     string _video, _sweep;
     List<double> _truth;
+    List<byte[]> _pictures;
 
     [SetUp]
     public void Film()
     {
         var pipeline = new DisplayPipeline(4, new DisplayPipelineSettings(plateauMs: TrueMs));
-        var pictures = new List<byte[]>();
+        _pictures = [];
         _truth = [];
         _sweep = Path.Combine(Folder, "sweep.csv");
         using (var log = File.CreateText(_sweep))
@@ -37,11 +38,14 @@ public class FilmedCodesTests : VideoFolder
                     start, vertices, frame.RenderTime.TotalMilliseconds, RenderTimeSourceKind.EngineGpuTime, "HoloLens 2", 60));
                 if (i % FramesPerPicture != 0) continue;
                 _truth.Add(frame.Visualisation.TotalMilliseconds);
-                pictures.Add(Drawn(TimestampCode.ValueOf(start + frame.Visualisation), TimestampCode.ValueOf(start)));
+                _pictures.Add(Drawn(TimestampCode.ValueOf(start + frame.Visualisation), TimestampCode.ValueOf(start)));
             }
         }
-        _video = Video("sweep.mp4", Width, Height, pictures, pictures.Select((_, i) => i / 15.0));
+        _video = Filmed(_pictures, [1, 1, 1]);
     }
+
+    string Filmed(IReadOnlyList<byte[]> pictures, double[] colour) =>
+        Video("sweep.mp4", Width, Height, pictures, pictures.Select((_, i) => i / 15.0), colour);
 
     static byte[] Drawn(int control, int headset)
     {
@@ -87,6 +91,19 @@ public class FilmedCodesTests : VideoFolder
         Assert.That((profile.Device, profile.Range.Source), Is.EqualTo(("HoloLens 2", RenderTimeSourceKind.EngineGpuTime)));
     }
 
+    [TestCase(1, 0, 0)]
+    [TestCase(0, 1, 0)]
+    [TestCase(0, 0, 1)]
+    public async Task Vlc_VideoOfColouredLight_ReadsTheBrightestColour(double red, double green, double blue)
+    {
+        const int Count = 4;
+        var video = Filmed([.. _pictures.Take(Count)], [red, green, blue]);
+
+        var run = await CliRun.OfAsync("calibrate", "vlc", video, "--json", "--out", Out);
+
+        Assert.That(JsonDocument.Parse(run.Output).RootElement.GetProperty("decoded").GetInt32(), Is.EqualTo(Count), run.Errors);
+    }
+
     [Test]
     public async Task Vlc_VideoWithoutFfmpeg_NamesTheRemedyAndKeepsTheFormerProfile()
     {
@@ -110,7 +127,7 @@ public class FilmedCodesTests : VideoFolder
     public async Task Vlc_TruncatedVideo_ReadsTheWholePicturesAndReportsIt()
     {
         const int Whole = 10;
-        Script("ffmpeg", $"head -c {Whole * Width * Height + 1000} '{FramesPath}'; echo 'partial file' >&2; exit 1");
+        Script("ffmpeg", $"head -c {Whole * 3 * Width * Height + 1000} '{FramesPath}'; echo 'partial file' >&2; exit 1");
 
         var run = await CliRun.OfAsync("calibrate", "vlc", _video, "--json", "--out", Out);
 

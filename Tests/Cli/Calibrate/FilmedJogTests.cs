@@ -90,8 +90,9 @@ public class FilmedJogTests : VideoFolder
         using (var raw = File.OpenWrite(FramesPath))
         {
             // Replaces everything from the hundredth picture on with noise.
-            raw.Position = 100L * Width * Height;
-            var noise = new byte[Width * Height];
+            const int Bytes = 3 * Width * Height;
+            raw.Position = 100L * Bytes;
+            var noise = new byte[Bytes];
             new Random(1).NextBytes(noise);
             raw.Write(noise);
         }

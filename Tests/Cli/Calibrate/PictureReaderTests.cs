@@ -47,6 +47,19 @@ public sealed class PictureReaderTests
         Assert.That(result.Fault, Is.EqualTo(fault));
     }
 
+    [TestCase(CodeKind.Control)]
+    [TestCase(CodeKind.Headset)]
+    public void Picture_WithAWeakSecondCode_IsRejectedIfThatCodeCanBeRead(object kind)
+    {
+        FoundCode[] codes = [CodeLevels.Run(10_040, 1), CodeLevels.Of(CodeKind.Headset, 10_000)];
+        var second = codes.Single(code => code.Kind == (CodeKind)kind) with { IsWeak = true };
+        // A part of another object: its pairs agree with no code.
+        var other = CodeLevels.Of((CodeKind)kind, pair => pair % 2 == 0 ? 1 : 0.4) with { IsWeak = true };
+
+        Assert.That(Read(new PictureReader(0, 0), [.. codes, second]).Fault, Does.StartWith("two "));
+        Assert.That(Read(new PictureReader(0, 0), [.. codes, other]).Fault, Is.Null);
+    }
+
     [TestCase(-4, null)]
     [TestCase(-20, "headset code partly outside the picture")]
     [TestCase(Height - 76, null)]
@@ -67,6 +80,17 @@ public sealed class PictureReaderTests
         levels[cell] = levels[cell + 1] = light;
 
         Assert.That(Read(new PictureReader(0, 0), CodeLevels.Run(10_040, 1), headset with { Levels = levels }).Fault, Is.EqualTo(fault));
+    }
+
+    [TestCase(0, 3, "partly dark: covered, or only a part was lit during the exposure")]
+    [TestCase(4, 2, "partly dark: covered, or only a part was lit during the exposure")]
+    [TestCase(1, 2, "partly covered")]
+    public void Picture_OfACodeWithDarkRows_NamesAScanAsACauseIfTheyAreAtAnEdge(int first, int count, string fault)
+    {
+        var headset = CodeLevels.Of(CodeKind.Headset, 10_000);
+        double[] levels = [.. headset.Levels.Select((level, cell) => cell / TimestampCode.Side - 1 is var row && row >= first && row < first + count ? 0 : level)];
+
+        Assert.That(Read(new PictureReader(0, 0), CodeLevels.Run(10_040, 1), headset with { Levels = levels }).Fault, Is.EqualTo("headset code " + fault));
     }
 
     [Test]

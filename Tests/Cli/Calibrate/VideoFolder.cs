@@ -19,20 +19,29 @@ public abstract class VideoFolder : CalibrationFolder
     [TearDown]
     public void RestorePath() => Environment.SetEnvironmentVariable("PATH", _path);
 
-    /// <summary>Path of the raw pictures as ffmpeg outputs them, one after the other.</summary>
-    protected string FramesPath => Path.Combine(Folder, "frames.gray");
+    /// <summary>Path of the raw pictures as ffmpeg outputs them, one after the other: red, green and blue of each pixel.</summary>
+    protected string FramesPath => Path.Combine(Folder, "frames.rgb");
 
     /// <returns>The path of the video.</returns>
+    /// <param name="frames">Grey, row by row.</param>
     /// <param name="times">Time of each picture, s.</param>
-    protected string Video(string name, int width, int height, IEnumerable<byte[]> frames, IEnumerable<double> times)
+    /// <param name="colour">Share of red, green and blue in the light.</param>
+    protected string Video(string name, int width, int height, IEnumerable<byte[]> frames, IEnumerable<double> times, double[] colour = null)
     {
         using (var raw = File.Create(FramesPath))
-            foreach (var frame in frames) raw.Write(frame);
+            foreach (var frame in frames) raw.Write(InColour(frame, colour ?? [1, 1, 1]));
         File.WriteAllLines(Path.Combine(Folder, "times"), times.Select(time => time.ToString("0.000000", CultureInfo.InvariantCulture)));
         Script("ffmpeg", $"cat '{FramesPath}'");
         Script("ffprobe", $"case \"$*\" in *stream=*) echo {width},{height};; *) cat '{Path.Combine(Folder, "times")}';; esac");
         Environment.SetEnvironmentVariable("PATH", Path.Combine(Folder, "bin") + Path.PathSeparator + _path);
         return Write(name, ["a stand-in reads it"]);
+    }
+
+    static byte[] InColour(byte[] grey, double[] colour)
+    {
+        var pixels = new byte[colour.Length * grey.Length];
+        for (var i = 0; i < pixels.Length; i++) pixels[i] = (byte)(colour[i % colour.Length] * grey[i / colour.Length]);
+        return pixels;
     }
 
     /// <summary>Replaces a program with a short shell script.</summary>

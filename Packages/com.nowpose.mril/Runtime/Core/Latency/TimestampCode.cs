@@ -40,7 +40,9 @@ namespace Nowpose.Latency
         /// <summary>Period after which the codes repeat, in ms.</summary>
         public const int PeriodMs = 1 << ValueBits;
 
-        const int PairsPerRow = 3;
+        /// <summary>Number of pairs in one row; rows follow each other in reading order.</summary>
+        public const int PairsPerRow = 3;
+
         const int EvenBits = 0x5555, OddBits = 0xAAAA;
 
         /// <summary>Returns the value to encode: whole milliseconds, rounded down, modulo <see cref="PeriodMs"/>.</summary>
