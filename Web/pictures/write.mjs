@@ -32,11 +32,13 @@ function record() {
   }
 }
 
-/** Keeps the report's data small: every tenth instant of the playback and every fifth of the clock. */
+/** Keeps the report's data small: every tenth instant of the playback, with its objects, and every fifth of the clock. */
 function thinned({ playback, clock, ...rest }) {
-  const every = (step, object) => Object.fromEntries(Object.entries(object).map(([key, value]) =>
-    [key, Array.isArray(value) && key !== 'names' ? value.filter((_, i) => i % step === 0) : value]));
-  return { ...rest, clock: every(5, clock), playback: every(10, playback) };
+  const every = (step, length, object) => Object.fromEntries(Object.entries(object).map(([key, value]) => {
+    if (Array.isArray(value)) return [key, value.length === length ? value.filter((_, i) => i % step === 0) : value];
+    return [key, typeof value === 'object' && value !== null ? every(step, length, value) : value];
+  }));
+  return { ...rest, clock: every(5, clock.t.length, clock), playback: every(10, playback.t.length, playback) };
 }
 
 /** Returns a drawn instant of fast motion whose error with compensation is closest to the RMS of the run. */
