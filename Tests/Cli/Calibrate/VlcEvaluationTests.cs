@@ -14,21 +14,23 @@ public sealed class VlcEvaluationTests
     const double TrueMs = 40;
 
     /// <summary>A sweep across the limit: every frame is logged, one in four is photographed.</summary>
-    static (List<SweepRow> Rows, VlcResult Result) Sweep(Func<double, double> renderMs, string device = "HoloLens 2 (Microsoft Corporation)", double displayHz = 60)
+    static (List<SweepRow> Rows, VlcResult Result) Sweep(
+        Func<double, double> renderMs, string device = "HoloLens 2 (Microsoft Corporation)", double displayHz = 60, int framesPerLoad = 120)
     {
         var random = new Random(3);
         var pipeline = new DisplayPipeline(3, new DisplayPipelineSettings(plateauMs: TrueMs));
         var rows = new List<SweepRow>();
         var pictures = new List<PictureResult>();
-        for (var i = 0; i < 21 * 120; i++)
+        for (var i = 0; i < 21 * framesPerLoad; i++)
         {
-            var vertices = i / 120 * 100_000;
+            var vertices = i / framesPerLoad * 100_000;
             var frame = pipeline.Next(vertices);
             var start = ControlTime.FromSeconds(1000) + frame.Start;
             rows.Add(new SweepRow(start, vertices, renderMs(frame.RenderTime.TotalMilliseconds), RenderTimeSourceKind.EngineGpuTime, device, displayHz));
             if (i % 4 != 0) continue;
             var visu = frame.Visualisation.TotalMilliseconds + random.NextDouble() - 0.5;
-            pictures.Add(new PictureResult("p" + i, 0, TimestampCode.ValueOf(start), visu, null));
+            var headset = TimestampCode.ValueOf(start);
+            pictures.Add(new PictureResult("p" + i, (headset + visu) % TimestampCode.PeriodMs, headset, visu, null));
         }
         return (rows, new VlcResult(pictures));
     }
@@ -119,6 +121,19 @@ public sealed class VlcEvaluationTests
 
         Assert.That(() => Evaluate(result, other),
             Throws.TypeOf<InputException>().With.Message.Contains("--sweep: the log has the frames of only").And.Message.Contains("the log of the sweep that the pictures show"));
+    }
+
+    /// <summary>With the default settings of a load sweep, 126 s.</summary>
+    [Test]
+    public void Sweep_LongerThanThePeriodOfTheCodes_NeedsTheOrderOfThePictures()
+    {
+        var (rows, result) = Sweep(ms => ms, framesPerLoad: 360);
+        PictureResult[] shuffled = [.. result.Pictures];
+        new Random(1).Shuffle(shuffled);
+
+        foreach (var ordered in new[] { result, new VlcResult([.. result.Pictures.Reverse()]) })
+            Assert.That(Evaluate(ordered, rows).Profile.Range.Limit.TotalMilliseconds, Is.EqualTo(15.17).Within(0.3));
+        Assert.That(() => Evaluate(new VlcResult(shuffled), rows), Throws.TypeOf<InputException>().With.Message.Contains("not in the order"));
     }
 
     [Test]
