@@ -17,17 +17,21 @@ sealed record Plateau(double VisuMs, double SpreadMs, int Count)
 
     const double MinToleranceMs = 3, Deviations = 3.5, PerMedianDeviation = 1.4826;
 
-    /// <summary>Averages pictures at one load. Uses only those near their median, which excludes frames that waited behind a slow one.</summary>
+    /// <summary>Averages pictures at one load. Uses only those near their median.</summary>
     /// <returns>Null for fewer than two pictures, or if L_visu scatters too much to be constant.</returns>
-    public static Plateau OfOneLoad(IReadOnlyList<double> visuMs)
+    public static Plateau OfOneLoad(IReadOnlyList<double> visuMs) =>
+        visuMs.Count >= MinCount && NearMedian(visuMs) is { SpreadMs: <= MaxSpreadMs } plateau ? plateau : null;
+
+    /// <summary>Averages the pictures near their median, which excludes frames that waited behind a slow one.</summary>
+    /// <param name="visuMs">One picture or more.</param>
+    public static Plateau NearMedian(IReadOnlyList<double> visuMs)
     {
-        if (visuMs.Count < MinCount) return null;
         var median = Quantile.Of(visuMs, 0.5);
         var tolerance = Math.Max(MinToleranceMs, Deviations * PerMedianDeviation * Quantile.Of(visuMs.Select(each => Math.Abs(each - median)), 0.5));
         double[] near = [.. visuMs.Where(each => Math.Abs(each - median) <= tolerance)];
         var mean = near.Average();
         var spread = Math.Sqrt(near.Sum(each => (each - mean) * (each - mean)) / Math.Max(1, near.Length - 1));
-        return spread <= MaxSpreadMs ? new(mean, spread, near.Length) : null;
+        return new(mean, spread, near.Length);
     }
 
     /// <summary>

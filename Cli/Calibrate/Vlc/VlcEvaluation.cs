@@ -12,6 +12,9 @@ sealed class VlcEvaluation
     /// <summary>Minimum share of pictures found in the sweep. By chance, some codes match the log of another recording.</summary>
     const double MinShareJoined = 0.2;
 
+    /// <summary>The same if the order of the pictures is unknown but needed. Without the right order, most pictures of a period do not match.</summary>
+    const double MinShareJoinedInUnknownOrder = 0.9;
+
     /// <summary>Minimum share of pictures near the median. At one load, only a few frames wait behind a slow one.</summary>
     const double MinShareNear = 0.9;
 
@@ -50,8 +53,9 @@ sealed class VlcEvaluation
     {
         var join = new SweepJoin(sweep, source);
         var joined = join.Join(_result.Pictures);
-        if (joined.Count < MinShareJoined * _result.Read.Count)
-            throw new InputException($"--sweep: the log has the frames of only {joined.Count} of {_result.Read.Count} pictures; {ReasonOf(join)}");
+        var isOrderUnknown = join.NeedsOrder && !TimeOrder.Of(_result.Pictures).IsGivenOrder;
+        if (joined.Count < (isOrderUnknown ? MinShareJoinedInUnknownOrder : MinShareJoined) * _result.Read.Count)
+            throw new InputException($"--sweep: the log has the frames of only {joined.Count} of {_result.Read.Count} pictures; {ReasonOf(isOrderUnknown)}");
         if (joined.Count < _result.Read.Count)
             _warnings.Add($"{_result.Read.Count - joined.Count} of {_result.Read.Count} pictures show a frame that is not in the sweep log");
         var (measured, others) = (sweep.Count(row => row.RenderMs.HasValue), sweep.Count(row => row.RenderMs.HasValue && row.Source != source));
@@ -61,7 +65,7 @@ sealed class VlcEvaluation
         return joined;
     }
 
-    string ReasonOf(SweepJoin join) => join.NeedsOrder && !TimeOrder.Of(_result.Pictures).IsGivenOrder
+    static string ReasonOf(bool isOrderUnknown) => isOrderUnknown
         ? FormattableString.Invariant($"codes repeat after {TimestampCode.PeriodMs / 1000.0:0.0} s, the sweep is longer, and the pictures are not in the order in which ")
             + "they were taken: name the files so that they sort in that order"
         : "use the log of the sweep that the pictures show";

@@ -6,7 +6,7 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// <summary>The result of the pictures as JSON.</summary>
 static class VlcJson
 {
-    /// <param name="profile">Its mean and deviation leave out late pictures; null to use all.</param>
+    /// <param name="profile">Its mean and deviation are written; if it is null, those of the pictures near the median.</param>
     public static string Of(VlcResult result, LatencyProfile profile) => JsonText.Of(isIndented: true, json =>
     {
         json.WriteStartObject();

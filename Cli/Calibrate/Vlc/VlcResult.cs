@@ -1,5 +1,3 @@
-using MathNet.Numerics.Statistics;
-
 namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>All pictures, in their order.</summary>
@@ -14,11 +12,13 @@ sealed class VlcResult(IReadOnlyList<PictureResult> pictures)
 
     public int Rejected => Pictures.Count - Read.Count;
 
-    /// <summary>Mean L_visu, ms; null when no picture was read.</summary>
-    public double? Mean => Read.Count == 0 ? null : Read.Average(picture => picture.VisuMs);
+    /// <summary>Mean L_visu without late pictures, ms; null when no picture was read.</summary>
+    public double? Mean => Near?.VisuMs;
 
-    /// <summary>Standard deviation of L_visu, ms; null for fewer than two pictures.</summary>
-    public double? Deviation => Read.Count < 2 ? null : Read.Select(picture => picture.VisuMs).StandardDeviation();
+    /// <summary>Standard deviation of L_visu without late pictures, ms; null for fewer than two pictures.</summary>
+    public double? Deviation => Near is { Count: > 1 } near ? near.SpreadMs : null;
+
+    Plateau Near => Read.Count == 0 ? null : Plateau.NearMedian([.. Read.Select(picture => picture.VisuMs)]);
 
     /// <summary>Gets the reasons for rejections with their pictures, the most frequent first.</summary>
     public IEnumerable<(string Fault, IReadOnlyList<string> Files)> Faults() => Pictures.Where(picture => !picture.IsRead)

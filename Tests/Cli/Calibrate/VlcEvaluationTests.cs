@@ -1,3 +1,4 @@
+using System.Text.Json;
 using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Latency;
@@ -14,21 +15,23 @@ public sealed class VlcEvaluationTests
     const double TrueMs = 40;
 
     /// <summary>A sweep across the limit: every frame is logged, one in four is photographed.</summary>
-    static (List<SweepRow> Rows, VlcResult Result) Sweep(Func<double, double> renderMs, string device = "HoloLens 2 (Microsoft Corporation)", double displayHz = 60)
+    static (List<SweepRow> Rows, VlcResult Result) Sweep(
+        Func<double, double> renderMs, string device = "HoloLens 2 (Microsoft Corporation)", double displayHz = 60, int framesPerLoad = 120)
     {
         var random = new Random(3);
         var pipeline = new DisplayPipeline(3, new DisplayPipelineSettings(plateauMs: TrueMs));
         var rows = new List<SweepRow>();
         var pictures = new List<PictureResult>();
-        for (var i = 0; i < 21 * 120; i++)
+        for (var i = 0; i < 21 * framesPerLoad; i++)
         {
-            var vertices = i / 120 * 100_000;
+            var vertices = i / framesPerLoad * 100_000;
             var frame = pipeline.Next(vertices);
             var start = ControlTime.FromSeconds(1000) + frame.Start;
             rows.Add(new SweepRow(start, vertices, renderMs(frame.RenderTime.TotalMilliseconds), RenderTimeSourceKind.EngineGpuTime, device, displayHz));
             if (i % 4 != 0) continue;
             var visu = frame.Visualisation.TotalMilliseconds + random.NextDouble() - 0.5;
-            pictures.Add(new PictureResult("p" + i, 0, TimestampCode.ValueOf(start), visu, null));
+            var headset = TimestampCode.ValueOf(start);
+            pictures.Add(new PictureResult("p" + i, (headset + visu) % TimestampCode.PeriodMs, headset, visu, null));
         }
         return (rows, new VlcResult(pictures));
     }
@@ -59,7 +62,7 @@ public sealed class VlcEvaluationTests
 
         var evaluation = Evaluate(result, rows);
 
-        Assert.That(result.Mean, Is.GreaterThan(TrueMs + 5), "pictures at high loads are late");
+        Assert.That(result.Read.Average(picture => picture.VisuMs), Is.GreaterThan(TrueMs + 5), "pictures at high loads are late");
         Assert.That(evaluation.Profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(TrueMs).Within(0.3));
         Assert.That(evaluation.Profile.Spread.TotalMilliseconds, Is.LessThan(2));
         Assert.That(evaluation.Profile.Range, Is.Null);
@@ -121,6 +124,19 @@ public sealed class VlcEvaluationTests
             Throws.TypeOf<InputException>().With.Message.Contains("--sweep: the log has the frames of only").And.Message.Contains("the log of the sweep that the pictures show"));
     }
 
+    /// <summary>With the default settings of a load sweep, 126 s.</summary>
+    [Test]
+    public void Sweep_LongerThanThePeriodOfTheCodes_NeedsTheOrderOfThePictures()
+    {
+        var (rows, result) = Sweep(ms => ms, framesPerLoad: 360);
+        PictureResult[] shuffled = [.. result.Pictures];
+        new Random(1).Shuffle(shuffled);
+
+        foreach (var ordered in new[] { result, new VlcResult([.. result.Pictures.Reverse()]) })
+            Assert.That(Evaluate(ordered, rows).Profile.Range.Limit.TotalMilliseconds, Is.EqualTo(15.17).Within(0.3));
+        Assert.That(() => Evaluate(new VlcResult(shuffled), rows), Throws.TypeOf<InputException>().With.Message.Contains("not in the order"));
+    }
+
     [Test]
     public void Pictures_OfSeveralLoadsWithoutSweep_CauseAWarning()
     {
@@ -142,6 +158,20 @@ public sealed class VlcEvaluationTests
 
         Assert.That(evaluation.Profile, Is.Null);
         Assert.That(evaluation.Page.Warnings, Has.Some.Contains("too much for a constant"));
+    }
+
+    /// <summary>L_visu scatters too much for a profile, and a quarter of the pictures is late.</summary>
+    [Test]
+    public void Json_WithoutAProfile_HasTheMeanWithoutLatePictures()
+    {
+        PictureResult[] pictures = [.. Enumerable.Range(0, 40).Select(i => new PictureResult("p" + i, 0, i, i < 10 ? 400 : 30 + 2 * i, null))];
+        var result = new VlcResult(pictures);
+
+        var evaluation = Evaluate(result, null);
+
+        Assert.That(evaluation.Profile, Is.Null);
+        using var json = JsonDocument.Parse(VlcJson.Of(result, evaluation.Profile));
+        Assert.That(json.RootElement.GetProperty("visu_ms_mean").GetDouble(), Is.EqualTo(pictures.Skip(10).Average(picture => picture.VisuMs)).Within(1e-9));
     }
 
     [Test]
