@@ -45,7 +45,8 @@ namespace Nowpose.Frames
                 return SampleOutcome.Accepted;
             }
             _hasChanged = true;
-            for (var age = _count - 1; age >= 0; age--) _predictor.Add(_newestFirst[age], displayed);
+            // Each kept sample gets the display time of its own, or it would count as one that was predicted far ahead.
+            for (var age = _count - 1; age >= 0; age--) _predictor.Add(_newestFirst[age], displayed - (sample.Time - _newestFirst[age].Time));
             return _predictor.Add(sample, displayed);
         }
 

@@ -17,8 +17,9 @@ namespace Nowpose.Frames
         const double MaxProgress = 0.7, MinRoughness = 1.0;
 
         /// <summary>
-        /// Minimum distance from the mean of scattering samples at which a sample does not belong to them, relative to their mean first
-        /// difference. Noise in one component exceeds it once in 40 000 samples, noise in three practically never.
+        /// Minimum distance from the mean of scattering samples, and from the last of them, at which a sample does not belong to them, relative
+        /// to their mean first difference. Noise in one component exceeds it once in 40 000 samples, noise in three practically never.
+        /// A shorter last step would have a direction of noise.
         /// </summary>
         const double LeavesAbove = 4;
 
@@ -42,7 +43,7 @@ namespace Nowpose.Frames
         /// <summary>Adds a sample newer than all before.</summary>
         public void Add(in Vector3D position)
         {
-            HasLeft = Scatters && (position - Mean()).Length > LeavesAbove * _meanStep;
+            HasLeft = Scatters && Math.Min((position - Mean()).Length, (position - _newestFirst[0]).Length) > LeavesAbove * _meanStep;
             for (var i = Window - 1; i > 0; i--) _newestFirst[i] = _newestFirst[i - 1];
             _newestFirst[0] = position;
             _count = Math.Min(_count + 1, Window);

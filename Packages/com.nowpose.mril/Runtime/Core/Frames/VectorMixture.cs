@@ -58,6 +58,7 @@ namespace Nowpose.Frames
         readonly double[] _prior;
         readonly double[] _errors;
         readonly ScatterDetector _scatter = new ScatterDetector();
+        readonly DistanceLimit _distance = new DistanceLimit(Memory);
 
         // Forecasts that wait for their time: a queue of times, and for each of them one vector per forecast.
         readonly double[] _due = new double[Capacity];
@@ -115,6 +116,7 @@ namespace Nowpose.Frames
             var sum = default(Vector3D);
             for (var i = 0; i < _prior.Length; i++)
                 if (_weights.Values[i] != 0) sum += Forecast(i, time) * _weights.Values[i];
+            if (_distance.Share < 1) sum = Forecast(Line, time) * (1 - _distance.Share) + sum * _distance.Share;
             if (!double.IsFinite(sum.X + sum.Y + sum.Z)) return Main.Hold;
             return _scatter.Scatters ? Bounded(sum) : sum;
         }
@@ -144,19 +146,21 @@ namespace Nowpose.Frames
             _scatter.Clear();
             _recent.Clear();
             _blend.Clear();
+            _distance.Clear();
             _first = _count = 0;
             _newestTime = _newestOrder = _lineUntil = double.NegativeInfinity;
         }
 
         void Learn(double time, in Vector3D position, double order)
         {
+            var interval = time - _newestTime;
             Score(time, position);
             _scatter.Add(position);
-            if (_scatter.HasLeft && IsFirstMove(time - _newestTime, position)) _lineUntil = time + Main.Horizon + (time - _newestTime);
+            if (_scatter.HasLeft && IsFirstMove(interval, position)) _lineUntil = time + Main.Horizon + interval;
             (_newestTime, _newestOrder, _newest) = (time, order, position);
             _recent.Add(time, position);
             foreach (var polynomial in _polynomials) polynomial.Solve(_recent);
-            Expect(time + Main.Horizon);
+            Expect(time + Main.Horizon, interval);
         }
 
         // The weights learned from noise at rest do not suit a first motion; after a horizon, they have learned from it.
@@ -166,12 +170,18 @@ namespace Nowpose.Frames
             return displacement * displacement > FirstMoveRatio * Components * _weights.MeanSquare(Hold);
         }
 
-        void Expect(double due)
+        void Expect(double due, double interval)
         {
             if (_count == Capacity) DropFirst();
             var place = (_first + _count++) % Capacity;
             _due[place] = due;
-            for (var i = 0; i < _prior.Length; i++) _expected[place * _prior.Length + i] = Forecast(i, due);
+            var (first, sum) = (place * _prior.Length, default(Vector3D));
+            for (var i = 0; i < _prior.Length; i++)
+            {
+                _expected[first + i] = Forecast(i, due);
+                sum += _expected[first + i] * _weights.Values[i];
+            }
+            _distance.Add(interval, (sum - _expected[first + Line]).Length);
         }
 
         // The truth at the time of a forecast is interpolated between the two newest samples.

@@ -6,43 +6,184 @@ namespace Nowpose.Tests.Core.Frames
 {
     public class AxisPredictorTests
     {
-        static AxisPredictor New(bool waitsForChange = true) =>
-            new AxisPredictor(Predictors.Create("linear", PredictionLimits.Unlimited), waitsForChange);
+        const double Interval = 0.05;
+
+        static AxisPredictor New(bool waitsForChange = true, string predictor = "linear") =>
+            new AxisPredictor(Predictors.Create(predictor, PredictionLimits.Unlimited), waitsForChange);
+
+        static SampleOutcome Add(AxisPredictor axis, int k, double value) =>
+            axis.Add(new JointSample(k * Interval, value), k * Interval + 0.1);
+
+        static AxisPredictor AtRest(int samples, string predictor = "linear")
+        {
+            var axis = New(predictor: predictor);
+            for (var k = 0; k < samples; k++) Add(axis, k, 0.7);
+            return axis;
+        }
+
+        // Rests for a number of samples, then moves.
+        static double Motion(int k, int rest) => k < rest ? 0.7 : 0.7 + 0.02 * (k - rest + 1) * (k - rest + 1);
+
+        [TestCase(true)]
+        [TestCase(false)]
+        public void Hold_BeforeTheFirstSample_IsZero(bool waitsForChange)
+        {
+            var axis = New(waitsForChange);
+
+            Assert.That((axis.Hold, axis.At(3)), Is.EqualTo((0.0, 0.0)));
+        }
+
+        [TestCase(1)]
+        [TestCase(2)]
+        [TestCase(20)]
+        public void At_ConstantValue_IsThatValueAtAnyTime(int samples)
+        {
+            var axis = AtRest(samples);
+
+            foreach (var time in new[] { -1, 0, 0.01, 0.5, 3, 1e6 }) Assert.That(axis.At(time), Is.EqualTo(0.7));
+            Assert.That(axis.Hold, Is.EqualTo(0.7));
+        }
 
         [Test]
-        public void At_ConstantValue_IsThatValue()
+        public void At_DifferencesByRounding_IsTheFirstValue()
         {
             var axis = New();
-            for (var k = 0; k < 20; k++) axis.Add(new JointSample(0.05 * k, 0.7 + 1e-12 * k), 0.05 * k);
+            for (var k = 0; k < 20; k++) Add(axis, k, 0.7 + 4e-11 * k);
 
-            Assert.That(axis.At(3), Is.EqualTo(0.7));
-            Assert.That(axis.Hold, Is.EqualTo(0.7));
+            Assert.That((axis.At(3), axis.Hold), Is.EqualTo((0.7, 0.7)));
+        }
+
+        /// <summary>No step of a slow motion is larger than rounding, but together they are a motion.</summary>
+        [Test]
+        public void At_SlowMotion_IsPredicted()
+        {
+            var axis = New();
+            for (var k = 0; k <= 100; k++) Add(axis, k, 4e-11 * k);
+
+            Assert.That(axis.At(110 * Interval), Is.EqualTo(4e-11 * 110).Within(1e-15));
         }
 
         [Test]
         public void At_FromTheFirstChangeOn_IsPredicted()
         {
-            var axis = New();
-            for (var k = 0; k < 20; k++) axis.Add(new JointSample(0.05 * k, 0.7), 0.05 * k);
+            var axis = AtRest(20);
 
-            axis.Add(new JointSample(1, 0.8), 1);
+            Add(axis, 20, 0.8);
 
-            Assert.That(axis.At(1.1), Is.EqualTo(1).Within(1e-12));
+            Assert.That(axis.At(22 * Interval), Is.EqualTo(1).Within(1e-12));
             Assert.That(axis.Hold, Is.EqualTo(0.8));
+        }
+
+        /// <summary>Samples that were skipped at rest are not missing: up to the kept number, nothing can differ.</summary>
+        [Test]
+        public void At_AfterARest_IsThatOfAPredictorThatGotAllSamples(
+            [Values("hold", "linear", "quadratic", "quadratic-h4", "linear-h9", "gp", "adaptive")] string predictor, [Values(1, 2, 5, 8)] int rest)
+        {
+            AxisPredictor waits = New(predictor: predictor), all = New(waitsForChange: false, predictor);
+            for (var k = 0; k < 40; k++)
+            {
+                var outcome = Add(all, k, Motion(k, rest));
+                Assert.That(Add(waits, k, Motion(k, rest)), Is.EqualTo(outcome));
+                foreach (var ahead in new[] { 0, 0.06, 0.15 })
+                    Assert.That(waits.At(k * Interval + ahead), Is.EqualTo(k < rest ? 0.7 : all.At(k * Interval + ahead)).Within(1e-9), "sample " + k);
+                Assert.That(waits.Hold, Is.EqualTo(Motion(k, rest)));
+            }
+        }
+
+        /// <summary>More samples of a rest than those kept are no longer in the window of any polynomial.</summary>
+        [TestCase("linear")]
+        [TestCase("quadratic")]
+        [TestCase("quadratic-h4")]
+        [TestCase("cubic")]
+        public void At_AfterALongRest_IsThatOfAPredictorThatGotAllSamples(string predictor)
+        {
+            AxisPredictor waits = New(predictor: predictor), all = New(waitsForChange: false, predictor);
+            for (var k = 0; k < 120; k++)
+            {
+                Add(all, k, Motion(k, 100));
+                Add(waits, k, Motion(k, 100));
+                Assert.That(waits.At(k * Interval + 0.1), Is.EqualTo(all.At(k * Interval + 0.1)).Within(1e-12), "sample " + k);
+            }
+        }
+
+        [TestCase("linear")]
+        [TestCase("adaptive")]
+        public void At_ConstantsAreNotSkipped_IsThatOfTheJointPredictor(string predictor)
+        {
+            var axis = New(waitsForChange: false, predictor);
+            var joint = Predictors.Create(predictor, PredictionLimits.Unlimited);
+            for (var k = 0; k < 40; k++)
+            {
+                Assert.That(Add(axis, k, Motion(k, 20)), Is.EqualTo(joint.Add(new JointSample(k * Interval, Motion(k, 20)), k * Interval + 0.1)));
+                Assert.That(axis.At(k * Interval + 0.1), Is.EqualTo(joint.At(k * Interval + 0.1).Position));
+            }
+        }
+
+        [Test]
+        public void Add_LateSampleAtRest_ChangesNothing()
+        {
+            AxisPredictor inOrder = AtRest(10), late = AtRest(9);
+
+            // The last sample of the rest is overtaken by one of the same value, and arrives again.
+            foreach (var k in new[] { 9, 8, 9 }) Assert.That(Add(late, k, 0.7), Is.EqualTo(SampleOutcome.Accepted));
+
+            Assert.That(late.At(1), Is.EqualTo(0.7));
+            Add(inOrder, 10, 0.8);
+            Add(late, 10, 0.8);
+            Assert.That(late.At(11 * Interval), Is.EqualTo(inOrder.At(11 * Interval)));
+        }
+
+        [Test]
+        public void Add_TheFirstChangeIsLate_IsInsertedAsInOrder()
+        {
+            AxisPredictor inOrder = AtRest(10, "quadratic"), late = AtRest(10, "quadratic");
+            for (var k = 10; k < 13; k++) Add(inOrder, k, k == 11 ? 0.7 : Motion(k, 10));
+
+            // Sample 11 has the value of the rest, and overtakes the change before it.
+            Assert.That(Add(late, 11, 0.7), Is.EqualTo(SampleOutcome.Accepted));
+            Assert.That(Add(late, 10, Motion(10, 10)), Is.EqualTo(SampleOutcome.Late));
+            Assert.That(late.Hold, Is.EqualTo(0.7), "the newest sample");
+            Assert.That(Add(late, 12, Motion(12, 10)), Is.EqualTo(SampleOutcome.Accepted));
+
+            Assert.That(late.At(14 * Interval), Is.EqualTo(inOrder.At(14 * Interval)).Within(1e-12));
+        }
+
+        [Test]
+        public void Add_AfterAChange_ReportsTheOutcomesOfTheJointPredictor()
+        {
+            var axis = AtRest(10);
+            Add(axis, 10, 0.8);
+
+            Assert.That(Add(axis, 10, 0.8), Is.EqualTo(SampleOutcome.Duplicate));
+            Assert.That(Add(axis, 11, 0.9), Is.EqualTo(SampleOutcome.Accepted));
+            Assert.That(Add(axis, 1, 0.7), Is.EqualTo(SampleOutcome.TooOld), "before the kept samples");
+        }
+
+        [Test]
+        public void Add_ValueReturns_IsPredictedFurther()
+        {
+            var axis = AtRest(10);
+            Add(axis, 10, 0.8);
+
+            Add(axis, 11, 0.7);
+
+            Assert.That(axis.At(12 * Interval), Is.EqualTo(0.6).Within(1e-12), "the line through the two newest samples");
         }
 
         [Test]
         public void Reset_AfterAChange_WaitsForTheNextOne()
         {
-            var axis = New();
-            axis.Add(new JointSample(0, 1), 0);
-            axis.Add(new JointSample(0.05, 2), 0.05);
+            var axis = AtRest(3);
+            Add(axis, 3, 2);
 
             axis.Reset();
-            axis.Add(new JointSample(0.1, 5), 0.1);
-            axis.Add(new JointSample(0.15, 5), 0.15);
+            Assert.That((axis.Hold, axis.At(1)), Is.EqualTo((0.0, 0.0)));
+            Add(axis, 4, 5);
+            Add(axis, 5, 5);
+            Assert.That(axis.At(7 * Interval), Is.EqualTo(5));
+            Add(axis, 6, 6);
 
-            Assert.That(axis.At(0.3), Is.EqualTo(5));
+            Assert.That(axis.At(7 * Interval), Is.EqualTo(7).Within(1e-12), "no sample from before the reset");
         }
     }
 }

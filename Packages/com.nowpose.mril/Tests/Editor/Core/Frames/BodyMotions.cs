@@ -44,6 +44,16 @@ namespace Nowpose.Tests.Core.Frames
             return new PoseSample(t, new Vector3D(x, 0.2, 0.9), UnitQuaternion.Exp(new Vector3D(0, 0, 0.4)));
         }
 
+        /// <summary>An object on a turntable whose rate jumps to zero or back within one sample, every 3.3 s.</summary>
+        public static PoseSample JumpingRate(double t)
+        {
+            const double period = 6.6;
+            double Turned(double s) => 0.5 * s + 0.25 * Math.Sin(0.9 * s);
+            var (rounds, rest) = (Math.Floor(t / period), t % period);
+            var angle = Turned(rounds * period / 2 + Math.Min(rest, period / 2));
+            return new PoseSample(t, new Vector3D(0.5 * Math.Cos(angle), 0.5 * Math.Sin(angle), 0.9), UnitQuaternion.Exp(new Vector3D(0, 0, angle)));
+        }
+
         /// <summary>An object at rest.</summary>
         public static PoseSample Rest(double t) =>
             new PoseSample(t, new Vector3D(0.1, 0.2, 0.3), UnitQuaternion.Exp(new Vector3D(0.2, 0.3, 1.2)));

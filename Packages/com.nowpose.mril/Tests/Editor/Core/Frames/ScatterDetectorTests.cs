@@ -40,14 +40,27 @@ namespace Nowpose.Tests.Core.Frames
             }
             Assert.That(left, Is.Zero, "at rest");
 
-            // 0.25 m/s, noise 1 mm.
+            // 0.4 m/s, noise 1 mm.
             for (var k = 0; k < 3; k++)
             {
-                detector.Add(rest(40 + 0.05 * k).Position + new Vector3D(0.0125 * (k + 1), 0, 0));
+                detector.Add(rest(40 + 0.05 * k).Position + new Vector3D(0.02 * (k + 1), 0, 0));
                 if (detector.HasLeft) left++;
             }
 
             Assert.That(left, Is.Positive, "in motion");
+        }
+
+        /// <summary>Outside the noise, but by a step as long as those of the noise, whose direction is not that of a motion.</summary>
+        [TestCase(2.5, false)]
+        [TestCase(40, true)]
+        public void HasLeft_DependsOnTheLastStep(double position, bool expected)
+        {
+            var detector = new ScatterDetector();
+            foreach (var x in new[] { 0, 0.3, 0, -0.3, 0, 0.3, 0, 1.2 }) detector.Add(new Vector3D(x, 0, 0));
+
+            detector.Add(new Vector3D(position, 0, 0));
+
+            Assert.That(detector.HasLeft, Is.EqualTo(expected));
         }
 
         [Test]
