@@ -192,11 +192,11 @@ namespace Nowpose.Frames
                 return DropReason.None;
             }
             UnitQuaternion.TryNormalise(pose.Qx, pose.Qy, pose.Qz, pose.Qw, out var rotation);
-            var outcome = _predictor.Add(new PoseSample(
+            var restarts = _predictor.Restarts;
+            var reason = _predictor.Add(new PoseSample(
                 ClockTicks.Seconds(pose.Stamp - epoch), new Vector3D(pose.X, pose.Y, pose.Z), rotation), _displayed);
-            if (!(pose.Stamp <= _newest) || outcome == SampleOutcome.StartedAnew) (_newest, _given) = (pose.Stamp, rotation.At(pose.X, pose.Y, pose.Z));
-            return outcome == SampleOutcome.Duplicate ? DropReason.DuplicateSample
-                : outcome == SampleOutcome.TooOld ? DropReason.LateSample : DropReason.None;
+            if (!(pose.Stamp <= _newest) || _predictor.Restarts != restarts) (_newest, _given) = (pose.Stamp, rotation.At(pose.X, pose.Y, pose.Z));
+            return reason;
         }
     }
 }

@@ -91,16 +91,16 @@ namespace Nowpose.Frames
         public AxisPredictors Main { get; }
 
         /// <summary>Adds a sample in any order; the parameters are those of <see cref="JointPredictor.Add"/>.</summary>
-        /// <returns>The outcome, or <see cref="SampleOutcome.StartedAnew"/> if it is that of any component.</returns>
-        public SampleOutcome Add(double time, in Vector3D position, double order, double displayed)
+        public DropReason Add(double time, in Vector3D position, double order, double displayed)
         {
             var isBlended = _blend.IsNeededAt(displayed) && _recent.Count > 0;
             var (shown, before) = (isBlended ? At(displayed) : default, Main.NewestTime);
-            var outcome = Main.Add(time, position, order, displayed);
+            var reason = Main.Add(time, position, order, displayed);
             // Late samples improve the prior; the polynomials are valid without them.
-            if (outcome == SampleOutcome.Accepted && _polynomials.Length > 0 && order > _newestOrder) Learn(time, position, order);
-            if (isBlended && outcome == SampleOutcome.Accepted) _blend.Start(displayed, shown, PredictedAt(displayed), before, _recent);
-            return outcome;
+            if (reason != DropReason.None || _polynomials.Length == 0 || !(order > _newestOrder)) return reason;
+            Learn(time, position, order);
+            if (isBlended) _blend.Start(displayed, shown, PredictedAt(displayed), before, _recent);
+            return reason;
         }
 
         /// <summary>Returns the vector at a time. Does not change the state.</summary>

@@ -27,29 +27,33 @@ namespace Nowpose.Prediction.Samples
         /// </summary>
         public ReadOnlySpan<JointSample> Ready => _ready.AsSpan(0, _count);
 
+        /// <summary>Number of times that the samples showed that time went back; all earlier samples are void then.</summary>
+        public int Restarts { get; private set; }
+
         /// <param name="oldest">
         /// Order below which samples are too old for the prediction, in s; they are still evidence of a clock that went back.
         /// </param>
-        public SampleOutcome Add(in JointSample sample, double oldest)
+        public DropReason Add(in JointSample sample, double oldest)
         {
             _count = 0;
-            if (RecentSamples.IsSameTime(_newest, sample)) return SampleOutcome.Duplicate;
+            if (RecentSamples.IsSameTime(_newest, sample)) return DropReason.DuplicateSample;
             if (sample.Order > _newest)
             {
                 ReleaseLate(alsoDropped: false);
                 Release(sample);
-                return SampleOutcome.Accepted;
+                return DropReason.None;
             }
-            if (_recent.Contains(sample) || _late.Contains(sample)) return SampleOutcome.Duplicate;
-            var outcome = sample.Order < oldest ? SampleOutcome.TooOld
-                : _recent.ContainsTimeOf(sample) ? SampleOutcome.Duplicate : SampleOutcome.Late;
+            if (_recent.Contains(sample) || _late.Contains(sample)) return DropReason.DuplicateSample;
+            var reason = sample.Order < oldest ? DropReason.LateSample
+                : _recent.ContainsTimeOf(sample) ? DropReason.DuplicateSample : DropReason.None;
             if (!_late.IsContinuedBy(sample)) ReleaseLate(alsoDropped: false);
-            _late.Add(sample, outcome != SampleOutcome.Late, _recent.Contradict(sample));
-            if (!_late.HasTimeGoneBack(_newest)) return outcome;
+            _late.Add(sample, reason != DropReason.None, _recent.Contradict(sample));
+            if (!_late.HasTimeGoneBack(_newest)) return reason;
+            Restarts++;
             _recent.Clear();
             _newest = double.NegativeInfinity;
             ReleaseLate(alsoDropped: true);
-            return SampleOutcome.StartedAnew;
+            return DropReason.None;
         }
 
         public void Clear()
