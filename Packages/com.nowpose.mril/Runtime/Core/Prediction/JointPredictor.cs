@@ -33,9 +33,6 @@ namespace Nowpose.Prediction
         /// </summary>
         const double SeamTimeConstant = 0.005;
 
-        /// <summary>The square of a larger displacement overflows, and would remain in every running mean.</summary>
-        const double MaxDisplacement = 1e50;
-
         readonly PredictionLimits _limits;
         readonly double _timeConstant;
         readonly ArrivalOrder _arrivals;
@@ -168,7 +165,7 @@ namespace Nowpose.Prediction
         void Take(in JointSample sample, double displayed)
         {
             var isNewest = _buffer.IsNewer(sample);
-            if (!(Math.Abs(sample.Position - Hold) < MaxDisplacement))
+            if (!(Math.Abs(sample.Position - Hold) < JointSample.MaxMagnitude))
             {
                 if (!isNewest) return;
                 Forget();
