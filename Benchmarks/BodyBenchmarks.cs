@@ -24,7 +24,7 @@ public class BodyBenchmarks
     }
 
     [Benchmark(Description = "Sample: one tracked frame, adaptive, every 20 ms")]
-    public SampleOutcome Add()
+    public DropReason Add()
     {
         var t = ++_samples * Interval;
         var rotation = UnitQuaternion.Exp(new Vector3D(0.3 * Math.Sin(1.3 * t), 0.2 * Math.Cos(2.1 * t), 0.5 * Math.Sin(0.7 * t)));

@@ -29,7 +29,7 @@ public class PredictorBenchmarks
     }
 
     [Benchmark(Description = "Predictor: a sample of one joint")]
-    public SampleOutcome Add() => _joint.Add();
+    public DropReason Add() => _joint.Add();
 
     [Benchmark(Description = "Predictor: a frame of one joint")]
     public double At()

@@ -51,25 +51,25 @@ public class SampleBenchmarks
     public DisplayFrame Receive() => _virtual.Session.Tick(_virtual.ReceiveSample());
 
     [Benchmark(Description = "Sample: fit of 7 quadratic predictors")]
-    public SampleOutcome Solve()
+    public DropReason Solve()
     {
-        var outcome = SampleOutcome.Accepted;
+        var reason = DropReason.None;
         var time = ++_samples * VirtualSession.SampleSeconds;
         var positions = _positions[_samples % Positions];
-        for (var i = 0; i < _predictors.Length; i++) outcome = _predictors[i].Add(new JointSample(time, positions[i]));
-        return outcome;
+        for (var i = 0; i < _predictors.Length; i++) reason = _predictors[i].Add(new JointSample(time, positions[i]));
+        return reason;
     }
 
     [Benchmark(Description = "Sample: fit of 7 adaptive predictors, every 50 ms")]
-    public SampleOutcome SolveDefault()
+    public DropReason SolveDefault()
     {
-        var outcome = SampleOutcome.Accepted;
-        for (var i = 0; i < _joints.Length; i++) outcome = _joints[i].Add();
-        return outcome;
+        var reason = DropReason.None;
+        for (var i = 0; i < _joints.Length; i++) reason = _joints[i].Add();
+        return reason;
     }
 
     [Benchmark(Description = "Sample: fit of 7 adaptive predictors, every 10 ms")]
-    public SampleOutcome SolveDefaultAt100Hz() => SolveDefault();
+    public DropReason SolveDefaultAt100Hz() => SolveDefault();
 
     /// <summary>Includes the message object itself, 48 bytes, which parsing has already created.</summary>
     [Benchmark(Description = "Frame that uses a sample, 7 quadratic predictors")]

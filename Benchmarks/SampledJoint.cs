@@ -33,7 +33,7 @@ sealed class SampledJoint
     }
 
     /// <summary>The next sample.</summary>
-    public SampleOutcome Add() => _predictor.Add(
+    public DropReason Add() => _predictor.Add(
         new JointSample(++_samples * _interval, _positions[_samples % _positions.Length]), _displayed);
 
     /// <param name="ahead">Time after the newest sample, s.</param>

@@ -34,15 +34,18 @@ namespace Nowpose.Frames
         /// <summary>Value of the newest sample; 0 before the first.</summary>
         public double Hold => _hasChanged ? _predictor.Hold : _value;
 
+        /// <inheritdoc cref="JointPredictor.Restarts"/>
+        public int Restarts => _predictor.Restarts;
+
         /// <inheritdoc cref="JointPredictor.Add"/>
-        public SampleOutcome Add(in JointSample sample, double displayed)
+        public DropReason Add(in JointSample sample, double displayed)
         {
             if (_hasChanged) return _predictor.Add(sample, displayed);
             if (_count == 0) _value = sample.Position;
             if (Math.Abs(sample.Position - _value) <= Rounding)
             {
                 if (_count == 0 || sample.Order > _newestFirst[0].Order) Keep(sample);
-                return SampleOutcome.Accepted;
+                return DropReason.None;
             }
             _hasChanged = true;
             // Each kept sample gets the display time of its own, or it would count as one that was predicted far ahead.

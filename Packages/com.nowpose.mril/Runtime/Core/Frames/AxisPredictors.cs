@@ -6,7 +6,7 @@ namespace Nowpose.Frames
     /// <summary>Three predictors of one kind, for the components of a vector.</summary>
     sealed class AxisPredictors
     {
-        // The first component always predicts: its outcomes, time and horizon are those of the vector.
+        // The first component always predicts: its verdicts, time and horizon are those of the vector.
         readonly JointPredictor _x;
         readonly AxisPredictor _y, _z;
 
@@ -25,17 +25,20 @@ namespace Nowpose.Frames
         /// <inheritdoc cref="JointPredictor.NewestTime"/>
         public double NewestTime => _x.NewestTime;
 
+        /// <summary>Sum of the components' restarts.</summary>
+        /// <inheritdoc cref="JointPredictor.Restarts"/>
+        public int Restarts => _x.Restarts + _y.Restarts + _z.Restarts;
+
         /// <inheritdoc cref="JointPredictor.Horizon"/>
         public double Horizon => _x.Horizon;
 
         /// <summary>Adds a sample in any order; the parameters are those of <see cref="JointPredictor.Add"/>.</summary>
-        /// <returns>The outcome, or <see cref="SampleOutcome.StartedAnew"/> if it is that of any component.</returns>
-        public SampleOutcome Add(double time, in Vector3D position, double order, double displayed)
+        public DropReason Add(double time, in Vector3D position, double order, double displayed)
         {
-            var x = _x.Add(new JointSample(time, position.X, order), displayed);
-            var y = _y.Add(new JointSample(time, position.Y, order), displayed);
-            var z = _z.Add(new JointSample(time, position.Z, order), displayed);
-            return y == SampleOutcome.StartedAnew || z == SampleOutcome.StartedAnew ? SampleOutcome.StartedAnew : x;
+            var reason = _x.Add(new JointSample(time, position.X, order), displayed);
+            _y.Add(new JointSample(time, position.Y, order), displayed);
+            _z.Add(new JointSample(time, position.Z, order), displayed);
+            return reason;
         }
 
         public Vector3D At(double time) => new Vector3D(_x.At(time).Position, _y.At(time), _z.At(time));

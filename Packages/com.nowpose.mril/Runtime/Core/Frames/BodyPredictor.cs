@@ -52,19 +52,22 @@ namespace Nowpose.Frames
         /// <summary>Mean time from the newest sample to the display time, in s.</summary>
         public double Horizon => _position.Main.Horizon;
 
-        /// <summary>Adds a sample in any order.</summary>
+        /// <inheritdoc cref="JointPredictor.Restarts"/>
+        public int Restarts => _position.Main.Restarts + _angles.Main.Restarts;
+
+        /// <summary>
+        /// Adds a sample in any order. If any component shows that the clock of the samples went back, all components start a new history.
+        /// </summary>
         /// <param name="displayed">As for <see cref="JointPredictor.Add"/>.</param>
-        /// <returns>
-        /// The outcome for the whole pose. If any component shows that the clock of the samples went back, all components start a new history.
-        /// </returns>
-        public SampleOutcome Add(in PoseSample sample, double displayed = double.NaN)
+        /// <returns>As for <see cref="JointPredictor.Add"/>.</returns>
+        public DropReason Add(in PoseSample sample, double displayed = double.NaN)
         {
             if (sample.Time > NewestTime) _restsBeforeSecondSample &= double.IsNegativeInfinity(NewestTime);
-            var outcome = AddComponents(sample, displayed, out var hasStartedAnew);
-            if (!hasStartedAnew) return outcome;
+            var restarts = Restarts;
+            var reason = AddComponents(sample, displayed);
+            if (Restarts == restarts) return reason;
             Reset();
-            AddComponents(sample, displayed, out _);
-            return SampleOutcome.StartedAnew;
+            return AddComponents(sample, displayed);
         }
 
         /// <summary>Returns the pose at a time; its rotation always has unit length. Does not change the state.</summary>
@@ -109,13 +112,12 @@ namespace Nowpose.Frames
             _rotations.Clear();
         }
 
-        SampleOutcome AddComponents(in PoseSample sample, double displayed, out bool hasStartedAnew)
+        DropReason AddComponents(in PoseSample sample, double displayed)
         {
             var angles = _rotations.Add(sample.Order, sample.Rotation);
-            var position = _position.Add(sample.Time, sample.Position, sample.Order, displayed);
-            var rotation = _angles.Add(sample.Time, angles, sample.Order, displayed);
-            hasStartedAnew = position == SampleOutcome.StartedAnew || rotation == SampleOutcome.StartedAnew;
-            return position;
+            var reason = _position.Add(sample.Time, sample.Position, sample.Order, displayed);
+            _angles.Add(sample.Time, angles, sample.Order, displayed);
+            return reason;
         }
 
         static RigidTransform PoseOf(in UnitQuaternion rotation, in Vector3D position) => rotation.At(position.X, position.Y, position.Z);

@@ -192,14 +192,14 @@ namespace Nowpose.Frames
                 return DropReason.None;
             }
             UnitQuaternion.TryNormalise(pose.Qx, pose.Qy, pose.Qz, pose.Qw, out var rotation);
-            var outcome = _predictor.Add(new PoseSample(
+            var restarts = _predictor.Restarts;
+            var reason = _predictor.Add(new PoseSample(
                 ClockTicks.Seconds(pose.Stamp - epoch), new Vector3D(pose.X, pose.Y, pose.Z), rotation), _displayed);
-            var hasRestarted = outcome == SampleOutcome.StartedAnew;
+            var hasRestarted = _predictor.Restarts != restarts;
             if (!(pose.Stamp <= _newest) || hasRestarted) (_newest, _given) = (pose.Stamp, rotation.At(pose.X, pose.Y, pose.Z));
             // The times of the release are those of the source's earlier run.
             if (hasRestarted && Reach?.IsReleased == true) Put(null);
-            return outcome == SampleOutcome.Duplicate ? DropReason.DuplicateSample
-                : outcome == SampleOutcome.TooOld ? DropReason.LateSample : DropReason.None;
+            return reason;
         }
     }
 }

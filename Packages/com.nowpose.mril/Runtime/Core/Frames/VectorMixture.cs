@@ -16,9 +16,6 @@ namespace Nowpose.Frames
     /// </remarks>
     sealed class VectorMixture
     {
-        /// <summary>Time constant of the forgetting factor, s: that of the mixture of a joint.</summary>
-        const double Memory = 20;
-
         /// <summary>Regularisation towards the first forecast: with 0.05 or 0.4, the largest errors grow.</summary>
         const double Regularisation = 0.2;
 
@@ -39,11 +36,6 @@ namespace Nowpose.Frames
 
         /// <summary>Maximum displacement from samples that only scatter, as a multiple of the usual error of hold.</summary>
         const double MaxDisplacement = 2;
-
-        /// <summary>
-        /// A squared displacement per horizon above this multiple of the mean square of hold counts as a motion not seen before: as for a joint.
-        /// </summary>
-        const double FirstMoveRatio = 30;
 
         const int Components = 3, Hold = 1, Line = 2;
 
@@ -92,16 +84,16 @@ namespace Nowpose.Frames
         public AxisPredictors Main { get; }
 
         /// <summary>Adds a sample in any order; the parameters are those of <see cref="JointPredictor.Add"/>.</summary>
-        /// <returns>The outcome, or <see cref="SampleOutcome.StartedAnew"/> if it is that of any component.</returns>
-        public SampleOutcome Add(double time, in Vector3D position, double order, double displayed)
+        public DropReason Add(double time, in Vector3D position, double order, double displayed)
         {
             var isBlended = _blend.IsNeededAt(displayed) && _recent.Count > 0;
             var (shown, before) = (isBlended ? At(displayed) : default, Main.NewestTime);
-            var outcome = Main.Add(time, position, order, displayed);
+            var reason = Main.Add(time, position, order, displayed);
             // Late samples improve the prior; the polynomials are valid without them.
-            if (outcome == SampleOutcome.Accepted && _polynomials.Length > 0 && order > _newestOrder) Learn(time, position, order);
-            if (isBlended && outcome == SampleOutcome.Accepted) _blend.Start(displayed, shown, PredictedAt(displayed), before, _recent);
-            return outcome;
+            if (reason != DropReason.None || _polynomials.Length == 0 || !(order > _newestOrder)) return reason;
+            Learn(time, position, order);
+            if (isBlended) _blend.Start(displayed, shown, PredictedAt(displayed), before, _recent);
+            return reason;
         }
 
         /// <summary>Returns the vector at a time. Does not change the state.</summary>
@@ -167,7 +159,7 @@ namespace Nowpose.Frames
         bool IsFirstMove(double interval, in Vector3D position)
         {
             var displacement = (position - _newest).Length * Main.Horizon / interval;
-            return displacement * displacement > FirstMoveRatio * Components * _weights.MeanSquare(Hold);
+            return displacement * displacement > Mixer.FirstMoveRatio * Components * _weights.MeanSquare(Hold);
         }
 
         void Expect(double due, double interval)
@@ -188,7 +180,7 @@ namespace Nowpose.Frames
         void Score(double time, in Vector3D position)
         {
             var interval = time - _newestTime;
-            var keeping = Math.Exp(-Math.Max(interval, 0) / (Components * Memory));
+            var keeping = Math.Exp(-Math.Max(interval, 0) / (Components * Mixer.Memory));
             var hasScored = false;
             for (; _count > 0 && _due[_first] <= time; DropFirst())
             {

@@ -5,28 +5,6 @@ using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Prediction
 {
-    /// <summary>Outcome of adding a sample to a predictor.</summary>
-    public enum SampleOutcome
-    {
-        /// <summary>The sample is the newest one.</summary>
-        Accepted,
-
-        /// <summary>Newer samples have overtaken it. It is inserted among them when the next sample arrives.</summary>
-        Late,
-
-        /// <summary>
-        /// Dropped: a sample with the same time (within 1 µs) arrived before. It is used after all if the next samples show that the
-        /// clock went back.
-        /// </summary>
-        Duplicate,
-
-        /// <summary>Dropped: older than all samples that the prediction uses; the same exception applies.</summary>
-        TooOld,
-
-        /// <summary>The clock of the samples went back. All earlier samples are discarded, and this one is the newest.</summary>
-        StartedAnew
-    }
-
     /// <summary>Predicts one joint's position at times near its newest samples, usually ahead of them.</summary>
     /// <remarks>
     /// A sample that arrives in order passes through the buffer, and the forecaster solves for it. Its forecast until the next sample is
@@ -54,9 +32,6 @@ namespace Nowpose.Prediction
         /// compared with every latency worth compensating.
         /// </summary>
         const double SeamTimeConstant = 0.005;
-
-        /// <summary>The square of a larger displacement overflows, and would remain in every running mean.</summary>
-        const double MaxDisplacement = 1e50;
 
         readonly PredictionLimits _limits;
         readonly double _timeConstant;
@@ -102,17 +77,28 @@ namespace Nowpose.Prediction
         /// <summary>Mean time from the newest sample to the display time, in s; forecasts are weighted for it.</summary>
         public double Horizon => _motion.Horizon;
 
+        /// <summary>
+        /// Number of times that the samples showed that their clock went back. All earlier samples are discarded then, and the one added is
+        /// the newest.
+        /// </summary>
+        public int Restarts => _arrivals.Restarts;
+
         /// <summary>Adds a sample in any order, and solves again if the used samples have changed.</summary>
         /// <param name="displayed">
         /// The last displayed moment, on the time line of the samples, in s: it determines the prediction horizon, and the start of the blend
         /// to the new section. NaN if nothing is displayed.
         /// </param>
-        public SampleOutcome Add(in JointSample sample, double displayed = double.NaN)
+        /// <returns>
+        /// <see cref="DropReason.DuplicateSample"/>, <see cref="DropReason.LateSample"/>, or <see cref="DropReason.None"/> if the sample is used.
+        /// A dropped sample is used after all if the next ones show that the clock went back.
+        /// </returns>
+        public DropReason Add(in JointSample sample, double displayed = double.NaN)
         {
-            var outcome = _arrivals.Add(sample, _buffer.History.Oldest);
-            if (outcome == SampleOutcome.StartedAnew) Restart();
+            var restarts = Restarts;
+            var reason = _arrivals.Add(sample, _buffer.History.Oldest);
+            if (Restarts != restarts) Restart();
             foreach (ref readonly var ready in _arrivals.Ready) Take(ready, displayed);
-            return outcome;
+            return reason;
         }
 
         /// <summary>Returns the position at a time. Never NaN: the fallback is the newest sample's position. Does not change the state.</summary>
@@ -179,7 +165,7 @@ namespace Nowpose.Prediction
         void Take(in JointSample sample, double displayed)
         {
             var isNewest = _buffer.IsNewer(sample);
-            if (!(Math.Abs(sample.Position - Hold) < MaxDisplacement))
+            if (!(Math.Abs(sample.Position - Hold) < JointSample.MaxMagnitude))
             {
                 if (!isNewest) return;
                 Forget();

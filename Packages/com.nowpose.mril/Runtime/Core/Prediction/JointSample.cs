@@ -5,6 +5,12 @@ namespace Nowpose.Prediction
     /// <summary>One joint's position with the control system's stamp.</summary>
     public readonly struct JointSample
     {
+        /// <summary>Stamps that differ by less count as equal, in s: a speed between them would be meaningless.</summary>
+        internal const double SameSeconds = 1e-6;
+
+        /// <summary>The square of a larger displacement or velocity overflows, and would remain in every running mean.</summary>
+        internal const double MaxMagnitude = 1e50;
+
         /// <param name="time">t_k in seconds of control time since a nearby epoch.</param>
         /// <param name="position">Finite; rad for revolute joints, m for prismatic ones.</param>
         /// <exception cref="ArgumentException">A value is not finite.</exception>
@@ -13,8 +19,8 @@ namespace Nowpose.Prediction
         /// <param name="time">Stamp t_k, which may be in error, in seconds of control time since a nearby epoch.</param>
         /// <param name="position">Finite; rad for revolute joints, m for prismatic ones.</param>
         /// <param name="order">Sort key in seconds, which decides the order of samples if <paramref name="time"/> is in error.</param>
-        /// <param name="velocity">Per second; NaN if it is unknown.</param>
-        /// <param name="acceleration">Per second squared; NaN if it is unknown.</param>
+        /// <param name="velocity">Per second; NaN if it is unknown, as are magnitudes from 1e50 on.</param>
+        /// <param name="acceleration">Per second squared; likewise.</param>
         /// <exception cref="ArgumentException">Time, position or order is not finite.</exception>
         public JointSample(
             double time, double position, double order, double velocity = double.NaN, double acceleration = double.NaN)
@@ -25,8 +31,8 @@ namespace Nowpose.Prediction
             Time = time;
             Position = position;
             Order = order;
-            Velocity = double.IsFinite(velocity) ? velocity : double.NaN;
-            Acceleration = double.IsFinite(acceleration) ? acceleration : double.NaN;
+            Velocity = Math.Abs(velocity) < MaxMagnitude ? velocity : double.NaN;
+            Acceleration = Math.Abs(acceleration) < MaxMagnitude ? acceleration : double.NaN;
         }
 
         /// <summary>Stamp t_k, which may be in error, in s.</summary>
@@ -43,5 +49,7 @@ namespace Nowpose.Prediction
 
         /// <summary>Acceleration reported by the control system, in rad/s² or m/s²; NaN if it is not reported.</summary>
         public double Acceleration { get; }
+
+        internal static bool IsSameTime(double one, double other) => Math.Abs(one - other) < SameSeconds;
     }
 }

@@ -67,7 +67,7 @@ namespace Nowpose.Prediction
             if (Has(PredictionParts.Cubic)) forecasters.Add(new MixedForecaster(new PolynomialForecaster(3, 3)));
             if (Has(PredictionParts.Process))
                 forecasters.Add(new MixedForecaster(new GaussianProcess(stopsAtReversal: true), 1 - ShareOfLine, 1 - ShareOfReported));
-            if (Has(PredictionParts.Reported)) forecasters.Add(new MixedForecaster(new ParabolaForecaster(usesReported: true), 0, ShareOfReported));
+            if (Has(PredictionParts.Reported)) forecasters.Add(new MixedForecaster(new ParabolaForecaster(), 0, ShareOfReported));
             foreach (var forecaster in more) forecasters.Add(new MixedForecaster(forecaster));
             var candidates = new List<CandidateGate>();
             if (Has(PredictionParts.Repetition)) candidates.Add(new CandidateGate(new TemplateForecaster(limits), TemplateGate));

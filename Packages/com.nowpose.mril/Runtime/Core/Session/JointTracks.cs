@@ -74,11 +74,11 @@ namespace Nowpose.Session
             {
                 var joint = joints[i];
                 if (joint < 0) continue;
-                var outcome = _joints[joint].Add(Sample(time, message, i), _displayed);
-                var each = ReasonOf(outcome);
+                var restarts = _joints[joint].Restarts;
+                var each = _joints[joint].Add(Sample(time, message, i), _displayed);
                 if (each == DropReason.None) _limits.Add(joint, message.Positions[i]);
                 if (reason != DropReason.None) reason = each;
-                if (outcome == SampleOutcome.StartedAnew) Restarted?.Invoke(joint);
+                if (_joints[joint].Restarts != restarts) Restarted?.Invoke(joint);
             }
             return reason;
         }
@@ -202,16 +202,6 @@ namespace Nowpose.Session
                 if (master != joint) mimics.Add((joint.MovingIndex, master.MovingIndex));
             }
             return mimics.ToArray();
-        }
-
-        static DropReason ReasonOf(SampleOutcome outcome)
-        {
-            switch (outcome)
-            {
-                case SampleOutcome.Duplicate: return DropReason.DuplicateSample;
-                case SampleOutcome.TooOld: return DropReason.LateSample;
-                default: return DropReason.None;
-            }
         }
     }
 }

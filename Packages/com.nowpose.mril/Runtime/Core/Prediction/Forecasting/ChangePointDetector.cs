@@ -12,17 +12,14 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Minimum ratio of the acceleration at a change point to the maximum recent one.</summary>
         const double Surprise = 1.5;
 
-        /// <summary>Forgetting time constants of the maximum acceleration and of the maximum speed, in s: several moves of most machines.</summary>
-        const double AccelerationMemory = 8, SpeedMemory = 20;
+        /// <summary>Forgetting time constant of the maximum acceleration and the maximum speed, in s: several moves of most machines.</summary>
+        const double Memory = 20;
 
         /// <summary>Minimum change of velocity, as a share of the maximum recent speed.</summary>
         const double MinShareOfSpeed = 0.25;
 
         /// <summary>Minimum share of its speed that a started motion keeps.</summary>
         const double Confirmation = 0.9;
-
-        /// <summary>More samples than any forecaster uses.</summary>
-        const int AllSamples = 99;
 
         double _maxAcceleration;
         double _maxSpeed;
@@ -49,16 +46,16 @@ namespace Nowpose.Prediction.Forecasting
                 var acceleration = change / (0.5 * (interval + intervalBefore));
                 var isSameDirection = speed * speedBefore > 0;
                 if (Available == 2 && HasGrown && isSameDirection && Math.Abs(speed) >= Confirmation * Math.Abs(speedBefore))
-                    Available = AllSamples;
+                    Available = samples;
                 else if (acceleration > Surprise * _maxAcceleration && acceleration > 0 && change >= MinShareOfSpeed * _maxSpeed)
                 {
                     Available = 1;
                     HasGrown = Math.Abs(speed) > Math.Abs(speedBefore) && speed * speedBefore >= 0;
                     Count++;
                 }
-                _maxAcceleration = Math.Max(_maxAcceleration * Math.Exp(-interval / AccelerationMemory), acceleration);
+                _maxAcceleration = Math.Max(_maxAcceleration * Math.Exp(-interval / Memory), acceleration);
             }
-            if (samples >= 2) _maxSpeed = Math.Max(_maxSpeed * Math.Exp(-interval / SpeedMemory), Math.Abs(speed));
+            if (samples >= 2) _maxSpeed = Math.Max(_maxSpeed * Math.Exp(-interval / Memory), Math.Abs(speed));
         }
 
         public void Reset()

@@ -1,3 +1,5 @@
+using System;
+
 namespace Nowpose.Prediction.Forecasting
 {
     /// <summary>Forecast tables: positions relative to the newest sample's at 0, 50 … 500 ms after it.</summary>
@@ -11,8 +13,66 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Time of the last point, in s.</summary>
         public const double Span = (Points - 1) * Step;
 
-        /// <inheritdoc cref="TableTime.Read"/>
+        /// <summary>Limits a forecast to the drive's maximum speed and maximum acceleration.</summary>
+        /// <param name="table">Contains the table from <paramref name="start"/> on, which is changed in place.</param>
+        /// <param name="points">Number of points of the table that are used.</param>
+        /// <param name="speed">Mean speed over the interval before the newest sample.</param>
+        /// <param name="interval">That interval, in s.</param>
+        public static void Limit(double[] table, int start, int points, double speed, double interval, PredictionLimits limits)
+        {
+            if (double.IsInfinity(limits.Velocity) && double.IsInfinity(limits.Acceleration)) return;
+            // The observed speed overrides a smaller limit, because URDFs can be wrong.
+            var max = Math.Max(limits.Velocity, Math.Abs(speed));
+            var wanted = table[start];
+            for (var cell = 1; cell < points; cell++)
+            {
+                var i = start + cell;
+                var displacement = table[i] - wanted;
+                wanted = table[i];
+                // The mean speed is that of half an interval ago, and a cell's speed is that at its middle.
+                var change = limits.Acceleration * (interval / 2 + (cell - 0.5) * Step);
+                var slowest = Math.Max(-max, speed - change);
+                var fastest = Math.Min(max, speed + change);
+                table[i] = table[i - 1] + Math.Min(Math.Max(displacement, slowest * Step), fastest * Step);
+            }
+        }
+    }
+
+    /// <summary>A time in forecast tables, to read several of them: the weights of the points around it in a Catmull-Rom spline.</summary>
+    readonly struct TableTime
+    {
+        readonly int _before, _cell, _after;
+        readonly double _weightBefore, _weight, _weightNext, _weightAfter;
+
         /// <param name="ahead">Seconds after the newest sample; clamped to the table's range.</param>
-        public static double Read(double[] table, int start, double ahead) => new TableTime(ahead).Read(table, start);
+        public TableTime(double ahead)
+        {
+            var x = (ahead < 0 ? 0 : ahead > ForecastTable.Span ? ForecastTable.Span : ahead) / ForecastTable.Step;
+            _cell = Math.Min((int)x, ForecastTable.Points - 2);
+            var f = x - _cell;
+            _weightBefore = -0.5 * f * (1 - f) * (1 - f);
+            _weight = 1 - f * f * (2.5 - 1.5 * f);
+            _weightNext = f * (0.5 + f * (2 - 1.5 * f));
+            _weightAfter = -0.5 * f * f * (1 - f);
+            (_before, _after) = (_cell - 1, _cell + 2);
+            // A table continues as a line before its first and after its last point.
+            if (_cell == 0)
+            {
+                _weight += 2 * _weightBefore;
+                _weightNext -= _weightBefore;
+                (_before, _weightBefore) = (_cell, 0);
+            }
+            else if (_cell == ForecastTable.Points - 2)
+            {
+                _weightNext += 2 * _weightAfter;
+                _weight -= _weightAfter;
+                (_after, _weightAfter) = (_cell, 0);
+            }
+        }
+
+        /// <summary>Returns a position of a table.</summary>
+        /// <param name="table">An array that contains the table from <paramref name="start"/> on.</param>
+        public double Read(double[] table, int start) => _weightBefore * table[start + _before] + _weight * table[start + _cell]
+            + _weightNext * table[start + _cell + 1] + _weightAfter * table[start + _after];
     }
 }

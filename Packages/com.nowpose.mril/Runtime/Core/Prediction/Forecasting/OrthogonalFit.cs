@@ -9,7 +9,7 @@ namespace Nowpose.Prediction.Forecasting
     {
         // Values at the sample times and coefficients of the newest polynomial of the basis, and of the one before.
         double[] _values, _valuesBefore;
-        double[] _powers = new double[PolynomialSection.HighestDegree + 1], _powersBefore = new double[PolynomialSection.HighestDegree + 1];
+        double[] _powers = new double[PolynomialForecaster.MaxDegree + 1], _powersBefore = new double[PolynomialForecaster.MaxDegree + 1];
 
         public OrthogonalFit(int points) => (_values, _valuesBefore) = (new double[points], new double[points]);
 

@@ -8,25 +8,16 @@ namespace Nowpose.Prediction.Forecasting
     /// </summary>
     sealed class ParabolaForecaster : Forecaster
     {
-        const double MaxMagnitude = 1e50;
-
-        readonly bool _usesReported;
         double _speed;
         double _bend;
         double _stop;
-
-        /// <param name="usesReported">
-        /// Whether to use velocity and acceleration of the newest sample; if they are not reported, three samples are used.
-        /// </param>
-        public ParabolaForecaster(bool usesReported) => _usesReported = usesReported;
 
         public override int Samples => 3;
 
         public override bool Solve(MotionState motion)
         {
             if (motion.Connected < Samples) return false;
-            // False for NaN (not reported), and for absurd values, which overflow.
-            if (_usesReported && Math.Abs(motion.Samples[0].Velocity) < MaxMagnitude) TakeReported(motion);
+            if (!double.IsNaN(motion.Samples[0].Velocity)) TakeReported(motion);
             else TakeThree(motion);
             _stop = _speed * _bend < 0 ? -_speed / (2 * _bend) : double.PositiveInfinity;
             return true;
@@ -54,7 +45,7 @@ namespace Nowpose.Prediction.Forecasting
         {
             ref readonly var newest = ref motion.Samples[0];
             _speed = newest.Velocity;
-            _bend = Math.Abs(newest.Acceleration) < MaxMagnitude ? newest.Acceleration / 2 : (newest.Velocity - motion.Speed) / motion.Interval;
+            _bend = double.IsNaN(newest.Acceleration) ? (newest.Velocity - motion.Speed) / motion.Interval : newest.Acceleration / 2;
         }
 
         void TakeThree(MotionState motion)

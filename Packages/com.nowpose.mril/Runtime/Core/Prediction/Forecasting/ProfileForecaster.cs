@@ -23,7 +23,7 @@ namespace Nowpose.Prediction.Forecasting
         const double RestShare = 0.1;
 
         /// <summary>
-        /// A sample lies on a move if its distance is below this share of the maximum displacement between two samples.
+        /// A sample lies on a move if its distance is below this share of the recent maximum displacement between two samples.
         /// </summary>
         const double ToleranceShare = 0.02;
 
@@ -34,8 +34,7 @@ namespace Nowpose.Prediction.Forecasting
         readonly double _maxStroke;
         readonly SevenPhaseProfile _endless;
         SevenPhaseProfile _move;
-        double _maxDisplacement;
-        double _stillDistance;
+        double _stillDistance, _tolerance;
         double _newestTime;
         double _newestPosition;
         double _restPosition;
@@ -67,13 +66,12 @@ namespace Nowpose.Prediction.Forecasting
         {
             if (!motion.IsNewest) return _isKnown;
             (_newestTime, _newestPosition) = (motion.Samples.NewestTime, motion.Samples.NewestPosition);
-            _stillDistance = RestShare * motion.Rest.StillDistance;
+            (_stillDistance, _tolerance) = (RestShare * motion.Rest.StillDistance, ToleranceShare * motion.Rest.MaxDisplacement);
             if (motion.Connected < 2)
             {
                 Rest(_newestPosition);
                 return _isKnown;
             }
-            _maxDisplacement = Math.Max(_maxDisplacement, Math.Abs(_newestPosition - motion.Samples[1].Position));
             if (IsResting(motion)) Rest(_newestPosition);
             else if (_direction == 0) Begin(motion.Samples[1].Time);
             else if (_isKnown) Continue(motion.Samples[1]);
@@ -85,7 +83,6 @@ namespace Nowpose.Prediction.Forecasting
 
         public override void Reset()
         {
-            _maxDisplacement = 0;
             Rest(0);
             _isKnown = false;
         }
@@ -135,7 +132,7 @@ namespace Nowpose.Prediction.Forecasting
         bool LiesOnMove(in JointSample sample)
         {
             var expected = _restPosition + _direction * _move.PositionAt(sample.Time - _start);
-            return Math.Abs(sample.Position - expected) <= ToleranceShare * _maxDisplacement;
+            return Math.Abs(sample.Position - expected) <= _tolerance;
         }
 
         // A longer stroke means a larger displacement at this time, until all strokes are equal.

@@ -59,7 +59,10 @@ namespace Nowpose.Prediction.Forecasting
         public bool IsOnlyNoise { get; private set; }
 
         /// <summary>Maximum displacement between two samples of a joint that stands still, in the samples' unit.</summary>
-        public double StillDistance { get; private set; }
+        public double StillDistance => StillShare * MaxDisplacement;
+
+        /// <summary>Recent maximum displacement between two samples, in the samples' unit.</summary>
+        public double MaxDisplacement { get; private set; }
 
         /// <summary>Number of consecutive newest samples at the same position as the one before.</summary>
         public int StillSamples { get; private set; }
@@ -99,13 +102,13 @@ namespace Nowpose.Prediction.Forecasting
         {
             _maxRange = _logarithm = _anchor = 0;
             _hasNoise = IsAtRest = IsOnlyNoise = false;
-            StillDistance = 0;
+            MaxDisplacement = 0;
             StillSamples = 0;
         }
 
         void Compare(double displacement)
         {
-            StillDistance = Math.Max(StillForgetting * StillDistance, StillShare * displacement);
+            MaxDisplacement = Math.Max(StillForgetting * MaxDisplacement, displacement);
             StillSamples = displacement <= StillDistance ? StillSamples + 1 : 0;
         }
 

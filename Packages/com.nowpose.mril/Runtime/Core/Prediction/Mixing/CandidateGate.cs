@@ -15,11 +15,8 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Forgetting factor per scored forecast.</summary>
         const double Keeping = 0.85;
 
-        /// <summary>
-        /// Minimum number of scored forecasts before it may replace the mixture; more at rest, because forecasts of rest are right by chance
-        /// more often.
-        /// </summary>
-        const int MinMoving = 11, MinResting = 13;
+        /// <summary>Minimum number of scored forecasts before it may replace the mixture, because forecasts may be right by chance.</summary>
+        const int MinScores = 12;
 
         /// <summary>Minimum square relative to the maximum recent one; smaller ones are ignored, because every forecast of rest is right.</summary>
         const double MinShareOfSquare = 1e-4;
@@ -47,7 +44,7 @@ namespace Nowpose.Prediction.Mixing
         public double ShareOfSquare(bool isStill)
         {
             ref var record = ref isStill ? ref _resting : ref _moving;
-            return record.Scores >= (isStill ? MinResting : MinMoving) && record.Candidate < _shareOfSquare * record.Mixture
+            return record.Scores >= MinScores && record.Candidate < _shareOfSquare * record.Mixture
                 ? record.Candidate / record.Mixture : double.PositiveInfinity;
         }
 

@@ -14,10 +14,10 @@ namespace Nowpose.Prediction.Mixing
     /// </remarks>
     sealed class Mixer : Forecaster
     {
-        const int Hold = 0, Line = 1;
+        const int Hold = MixedForecasters.Hold, Line = MixedForecasters.Line;
 
         /// <summary>Time constant of the forgetting factor, s.</summary>
-        const double Memory = 20;
+        public const double Memory = 20;
 
         /// <summary>
         /// Regularisation towards the prior, and of the weights of rest or motion towards the common ones (<see cref="MixtureWeights"/>): half
@@ -25,34 +25,31 @@ namespace Nowpose.Prediction.Mixing
         /// </summary>
         const double Regularisation = 0.2, ClassRegularisation = 0.5;
 
-        /// <summary>Minimum square relative to the maximum recent one; smaller ones do not change the weights, since most come from rest.</summary>
-        const double MinShareOfSquare = 1e-3;
+        /// <summary>
+        /// Maximum error that is scored, as a multiple of hold's usual error, so that one wrong sample does not outweigh seconds of correct
+        /// ones: with five, the error on one recording was 6 % larger. Larger errors that persist raise the usual error within seconds.
+        /// </summary>
+        const double OutlierThreshold = 8;
 
         /// <summary>
         /// A squared displacement per horizon above this multiple of the mean square of hold counts as a motion not seen before.
         /// </summary>
-        const double FirstMoveRatio = 30;
+        public const double FirstMoveRatio = 30;
 
         /// <summary>Time after the start of such a motion during which a line predicts it, s.</summary>
         const double StartSeconds = 0.08;
-
-        /// <summary>Rounding of times, s.</summary>
-        const double Epsilon = 1e-6;
 
         /// <summary>Share of the memory that must be filled before outliers are detected.</summary>
         const double MinEvidence = 0.02;
 
         readonly PredictionLimits _limits;
         readonly PredictionParts _parts;
-        readonly ForecasterTables _forecasters;
+        readonly MixedForecasters _forecasters;
         readonly CandidateGate[] _candidates;
         readonly ForecastSnapshots _snapshots;
         readonly MixtureWeights _overall;
         readonly MixtureWeights _moving;
         readonly MixtureWeights _resting;
-        readonly OutlierThreshold _outliers = new OutlierThreshold();
-        readonly double[] _prior;
-        readonly double[] _priorWhenReported;
         readonly double[] _line;
         readonly double[] _hold;
         readonly double[] _errors;
@@ -66,7 +63,6 @@ namespace Nowpose.Prediction.Mixing
         // The displayed forecast: one table of the newest snapshot.
         double[] _section;
         int _sectionStart;
-        double _maxSquare;
 
         /// <param name="limits">Limits of the drive.</param>
         /// <param name="parts">The parts of the mixer to use.</param>
@@ -79,19 +75,13 @@ namespace Nowpose.Prediction.Mixing
             _candidates = candidates;
             // The spline reads two points beyond the horizon cap; later times are never displayed.
             _points = (int)Math.Min(ForecastTable.Points, Math.Ceiling(limits.HorizonCap / ForecastTable.Step) + 3);
-            var count = Line + mixed.Length;
-            var forecasters = new Forecaster[count];
-            (_prior, _priorWhenReported, _line, _hold, _errors) =
-                (new double[count], new double[count], new double[count], new double[count], new double[count]);
+            _forecasters = new MixedForecasters(mixed, Has(PredictionParts.ChangePoints));
+            var count = _forecasters.Count;
+            (_line, _hold, _errors) = (new double[count], new double[count], new double[count]);
             _hold[Hold] = _line[Line] = 1;
-            for (var i = 0; i < mixed.Length; i++)
-                (forecasters[Line + i], _prior[Line + i], _priorWhenReported[Line + i]) = (mixed[i].Forecaster, mixed[i].Prior, mixed[i].PriorWhenReported);
-            _forecasters = new ForecasterTables(forecasters, Line, _points, Has(PredictionParts.ChangePoints));
-            Normalise(_prior);
-            Normalise(_priorWhenReported);
-            _overall = new MixtureWeights(Regularisation, _prior);
-            _moving = new MixtureWeights(ClassRegularisation, _prior);
-            _resting = new MixtureWeights(ClassRegularisation, _prior);
+            _overall = new MixtureWeights(Regularisation, _forecasters.Prior);
+            _moving = new MixtureWeights(ClassRegularisation, _forecasters.Prior);
+            _resting = new MixtureWeights(ClassRegularisation, _forecasters.Prior);
             _snapshots = new ForecastSnapshots(count + 1 + candidates.Length);
             Reset();
         }
@@ -99,14 +89,6 @@ namespace Nowpose.Prediction.Mixing
         public override int Samples => 2;
 
         public override double Span => ForecastTable.Span;
-
-        // If a forecaster is left out, the prior does not add up to one.
-        static void Normalise(double[] weights)
-        {
-            var sum = 0.0;
-            foreach (var weight in weights) sum += weight;
-            for (var i = 0; i < weights.Length; i++) weights[i] = sum > 0 ? weights[i] / sum : i == Line ? 1 : 0;
-        }
 
         bool Has(PredictionParts part) => (_parts & part) != 0;
 
@@ -127,20 +109,18 @@ namespace Nowpose.Prediction.Mixing
             return motion.Connected >= 2;
         }
 
-        public override double At(double ahead) => ForecastTable.Read(_section, _sectionStart, ahead);
+        public override double At(double ahead) => new TableTime(ahead).Read(_section, _sectionStart);
 
         public override void Reset()
         {
             foreach (var candidate in _candidates) candidate.Reset();
             _forecasters.Reset();
             _snapshots.Clear();
-            _outliers.Reset();
-            _overall.Reset(_prior);
-            _moving.Reset(_prior);
-            _resting.Reset(_prior);
+            _overall.Reset(_forecasters.Prior);
+            _moving.Reset(_forecasters.Prior);
+            _resting.Reset(_forecasters.Prior);
             (_section, _sectionStart) = (_standstill, 0);
-            _weights = _prior;
-            _maxSquare = 1e-12;
+            _weights = _forecasters.Prior;
         }
 
         void Forecast(MotionState motion, ForecastSnapshots.Snapshot into)
@@ -150,7 +130,7 @@ namespace Nowpose.Prediction.Mixing
             into.ChangePoints = motion.ChangePoints.Count;
             into.WasAtRest = motion.Rest.IsAtRest;
             into.WasStill = motion.Rest.StillSamples > 0;
-            _forecasters.Fill(motion, into.Tables);
+            _forecasters.Fill(motion, into.Tables, _points);
             FillMixture(motion, into.Tables);
             var best = Mixture;
             var minShare = double.PositiveInfinity;
@@ -176,7 +156,7 @@ namespace Nowpose.Prediction.Mixing
                 if (weight == 0) continue;
                 for (int point = 0, from = i * ForecastTable.Points; point < _points; point++) tables[start + point] += weight * tables[from + point];
             }
-            if (motion.Connected >= 2) SpeedLimits.Apply(tables, start, _points, motion.Speed, motion.Interval, _limits);
+            if (motion.Connected >= 2) ForecastTable.Limit(tables, start, _points, motion.Speed, motion.Interval, _limits);
         }
 
         // The weights are updated from the snapshot whose age is nearest to the horizon; at rest, where noise decides, from the next older
@@ -185,7 +165,7 @@ namespace Nowpose.Prediction.Mixing
         {
             var (now, horizon) = (motion.Samples.NewestTime, motion.Horizon);
             var older = _snapshots.Count - 1;
-            while (older >= 0 && now - _snapshots[older].Time < horizon - Epsilon) older--;
+            while (older >= 0 && now - _snapshots[older].Time < horizon - JointSample.SameSeconds) older--;
             if (older < 0) return;
             var isOlderUsed = now - _snapshots[older].Time < 1.5 * horizon + motion.MeanInterval;
             var isYoungerNearer = older + 1 < _snapshots.Count && horizon - (now - _snapshots[older + 1].Time) < now - _snapshots[older].Time - horizon;
@@ -198,48 +178,37 @@ namespace Nowpose.Prediction.Mixing
             }
             else if (isOlderUsed) learned = Learn(motion, _snapshots[older]);
             _snapshots.Drop(older);
-            if (learned) _overall.Solve(PriorNow(motion), 1 - _keeping);
+            if (learned) _overall.Solve(_forecasters.PriorFor(motion.Samples[0]), 1 - _keeping);
         }
 
         bool Learn(MotionState motion, ForecastSnapshots.Snapshot snapshot)
         {
             var ahead = motion.Samples.NewestTime - snapshot.Time;
             if (!IsInTable(ahead)) return false;
-            // The forecaster is not responsible for an error across a change point.
-            var isOfOneMotion = snapshot.ChangePoints == motion.ChangePoints.Count;
             var time = new TableTime(ahead);
-            var threshold = FillErrors(snapshot, time, motion.Samples.NewestPosition, isOfOneMotion, out var max);
+            var threshold = Threshold;
+            var areExact = FillErrors(snapshot, time, motion.Samples.NewestPosition, threshold);
             ScoreCandidates(motion, snapshot, time, threshold);
-            if (!isOfOneMotion) return false;
-            var square = max * max;
-            _maxSquare = Math.Max(_maxSquare * _keeping, square);
-            var isTelling = square > MinShareOfSquare * _maxSquare;
-            if (isTelling) _overall.Learn(_errors, _keeping);
+            // The forecasters are not responsible for an error across a change point. At rest, all are right.
+            if (snapshot.ChangePoints != motion.ChangePoints.Count) return false;
             if (snapshot.WasAtRest) _resting.Learn(_errors, _keeping);
-            else if (isTelling) _moving.Learn(_errors, _keeping);
-            return isTelling || snapshot.WasAtRest;
+            if (areExact) return snapshot.WasAtRest;
+            _overall.Learn(_errors, _keeping);
+            if (!snapshot.WasAtRest) _moving.Learn(_errors, _keeping);
+            return true;
         }
 
-        /// <param name="isOfOneMotion">Whether no change point lies between forecast and sample, so that the threshold adapts.</param>
-        /// <param name="max">The larger error of hold and mixture, limited by the threshold.</param>
-        /// <returns>The outlier threshold.</returns>
-        double FillErrors(ForecastSnapshots.Snapshot snapshot, in TableTime time, double truth, bool isOfOneMotion, out double max)
+        // Errors count up to the threshold. Returns whether all are zero.
+        bool FillErrors(ForecastSnapshots.Snapshot snapshot, in TableTime time, double truth, double threshold)
         {
-            var mixture = 0.0;
+            var areExact = true;
             for (var i = 0; i < Mixture; i++)
             {
                 var error = snapshot.At(i, time) - truth;
-                _errors[i] = error;
-                mixture += _overall.Values[i] * error;
+                areExact &= error == 0;
+                _errors[i] = error > threshold ? threshold : error < -threshold ? -threshold : error;
             }
-            max = Math.Max(Math.Abs(_errors[Hold]), Math.Abs(mixture));
-            var threshold = Threshold;
-            if (double.IsPositiveInfinity(threshold)) return threshold;
-            if (isOfOneMotion) _outliers.Add(UsualError, max);
-            for (var i = 0; i < Mixture; i++)
-                if (Math.Abs(_errors[i]) > threshold) _errors[i] = _errors[i] > 0 ? threshold : -threshold;
-            max = Math.Min(max, threshold);
-            return threshold;
+            return areExact;
         }
 
         void ScoreCandidates(MotionState motion, ForecastSnapshots.Snapshot snapshot, in TableTime time, double threshold)
@@ -259,12 +228,8 @@ namespace Nowpose.Prediction.Mixing
         // Reading a table also needs the point after the cell.
         bool IsInTable(double ahead) => ahead <= (_points < ForecastTable.Points ? _points - 2 : _points - 1) * ForecastTable.Step;
 
-        double UsualError => Math.Sqrt(_overall.MeanSquare(Hold));
-
         double Threshold => _overall.Evidence < MinEvidence || !Has(PredictionParts.OutlierThreshold)
-            ? double.PositiveInfinity : _outliers.Of(UsualError);
-
-        double[] PriorNow(MotionState motion) => double.IsNaN(motion.Samples[0].Velocity + motion.Samples[0].Acceleration) ? _prior : _priorWhenReported;
+            ? double.PositiveInfinity : OutlierThreshold * Math.Sqrt(_overall.MeanSquare(Hold));
 
         // Weights learned from noise at rest do not suit a first motion that is much faster.
         double[] Choose(MotionState motion)
@@ -272,7 +237,6 @@ namespace Nowpose.Prediction.Mixing
             var rest = motion.Rest;
             if (rest.IsOnlyNoise) return _hold;
             var heldSquare = _overall.MeanSquare(Hold);
-            if (rest.IsAtRest) heldSquare = Math.Max(heldSquare, _resting.MeanSquare(Hold));
             var displacement = motion.Speed * motion.Horizon;
             if (displacement * displacement <= FirstMoveRatio * heldSquare || !Has(PredictionParts.FirstMoves))
             {
@@ -282,7 +246,7 @@ namespace Nowpose.Prediction.Mixing
                 return weights.Values;
             }
             var sinceStart = motion.Samples.NewestTime - motion.Start;
-            return sinceStart < Math.Max(StartSeconds, 1.01 * motion.MeanInterval) + 1e-4 ? _line : PriorNow(motion);
+            return sinceStart < Math.Max(StartSeconds, 1.01 * motion.MeanInterval) + 1e-4 ? _line : _forecasters.PriorFor(motion.Samples[0]);
         }
     }
 }

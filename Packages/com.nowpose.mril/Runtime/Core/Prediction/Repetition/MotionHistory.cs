@@ -9,14 +9,16 @@ namespace Nowpose.Prediction.Repetition
     /// </remarks>
     sealed class MotionHistory
     {
-        /// <summary>Points kept: two minutes at 20 ms.</summary>
-        public const int Capacity = 6000;
-
-        /// <summary>The next power of two: index operations use a mask instead of thousands of divisions per sample.</summary>
-        const int RingSize = 8192;
+        /// <summary>
+        /// Points kept, at least two minutes at 20 ms. A power of two: index operations use a mask instead of thousands of divisions per sample.
+        /// </summary>
+        public const int Capacity = 8192;
 
         /// <summary>The grid point of an index is at <c>index &amp; Mask</c> in <see cref="Points"/>.</summary>
-        public const int Mask = RingSize - 1;
+        public const int Mask = Capacity - 1;
+
+        /// <summary>Grid points that the spline needs beyond the last one that is read, and that a match must leave to the newest one.</summary>
+        public const int Margin = 4;
 
         /// <summary>Samples around a grid point: two on either side determine a cubic.</summary>
         const int Neighbours = 4;
@@ -40,7 +42,7 @@ namespace Nowpose.Prediction.Repetition
         public long Count { get; private set; }
 
         /// <summary>The grid points, for loops over many of them.</summary>
-        public double[] Points { get; } = new double[RingSize];
+        public double[] Points { get; } = new double[Capacity];
 
         /// <summary>Position at one of the newest <see cref="Capacity"/> grid points.</summary>
         public double this[long index] => Points[(int)index & Mask];

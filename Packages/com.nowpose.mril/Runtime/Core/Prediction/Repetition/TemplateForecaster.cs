@@ -12,13 +12,10 @@ namespace Nowpose.Prediction.Repetition
     /// </remarks>
     sealed class TemplateForecaster : Forecaster
     {
-        /// <summary>The history after a match must cover the span of a table and this many further grid steps.</summary>
-        const int StepsBesideSpan = 4;
-
         /// <summary>Duration of the newest motion that is compared with the history, in s.</summary>
         const double Window = 0.4;
 
-        /// <summary>Number of intervals whose median determines the grid step.</summary>
+        /// <summary>Number of intervals whose mean determines the grid step.</summary>
         const int MinSamples = 8;
 
         /// <summary>Minimum grid step, in s.</summary>
@@ -32,9 +29,6 @@ namespace Nowpose.Prediction.Repetition
 
         /// <summary>Maximum gap in the history, in s.</summary>
         const double MaxGap = 2;
-
-        /// <summary>Maximum ratio of a match's mean square to that of the best one.</summary>
-        const double WorstMatch = 3;
 
         /// <summary>Change factor of the sampling interval that starts a new history.</summary>
         const double RhythmChange = 1.6;
@@ -52,7 +46,6 @@ namespace Nowpose.Prediction.Repetition
         readonly double[] _errors = new double[LagSearch.Kept];
         readonly double[] _offsets = new double[LagSearch.Kept];
         readonly double[] _weights = new double[LagSearch.Kept];
-        readonly double[] _intervals = new double[MinSamples];
         double _rhythm;
         double _newestTime;
         double _newestPosition;
@@ -110,7 +103,7 @@ namespace Nowpose.Prediction.Repetition
         }
 
         // At a smaller lag, the history does not cover the continuation.
-        int MinLag => (int)Math.Ceiling(ForecastTable.Span / _history.Step) + StepsBesideSpan;
+        int MinLag => (int)Math.Ceiling(ForecastTable.Span / _history.Step) + MotionHistory.Margin;
 
         void Follow(MotionState motion)
         {
@@ -119,7 +112,7 @@ namespace Nowpose.Prediction.Repetition
             if (motion.Interval > _maximumGap) Reset();
             if (_rhythm == 0)
             {
-                Begin(motion.Samples);
+                Begin(motion.Samples, motion.MeanInterval);
                 return;
             }
             // A single gap does not change the mean interval enough to restart.
@@ -146,12 +139,10 @@ namespace Nowpose.Prediction.Repetition
         }
 
         // The grid step is a multiple of the sampling interval, so that samples lie on grid points and need no interpolation.
-        void Begin(SampleHistory samples)
+        void Begin(SampleHistory samples, double interval)
         {
             if (samples.Count <= MinSamples || samples.CountWithoutGap(_maximumGap) <= MinSamples) return;
-            for (var i = 0; i < MinSamples; i++) _intervals[i] = samples[i].Time - samples[i + 1].Time;
-            Array.Sort(_intervals);
-            _rhythm = _intervals[MinSamples / 2];
+            _rhythm = interval;
             _history.Start(_rhythm * Math.Ceiling(MinStep / _rhythm - 1e-6));
             _search.Start();
             for (var i = MinSamples; i >= 0; i--) _history.Add(samples[i].Time, samples[i].Position);
@@ -198,7 +189,7 @@ namespace Nowpose.Prediction.Repetition
             for (var i = 0; i < _matches; i++)
             {
                 var share = _errors[i] / (min + 1e-300) + 1;
-                _weights[i] = _errors[i] > WorstMatch * min ? 0 : 1 / (share * share);
+                _weights[i] = 1 / (share * share);
                 total += _weights[i];
             }
             for (var i = 0; i < _matches; i++) _weights[i] /= total;

@@ -13,11 +13,29 @@ namespace Nowpose.Prediction.Samples
     /// </remarks>
     sealed class ArrivalOrder
     {
+        /// <summary>
+        /// Number of consecutive late samples that proves a clock that went back: at 20 ms, WiFi swaps two samples every few seconds.
+        /// </summary>
+        const int MaxLate = 5;
+
+        /// <summary>
+        /// Sufficient number if the neighbouring samples show that the joint was elsewhere, or if the samples are late by more than
+        /// <see cref="MaxDelay"/>. A single one may be a repeated message.
+        /// </summary>
+        const int MinLate = 2;
+
+        /// <summary>Maximum delay of a sample relative to later ones on a usable network, in s.</summary>
+        const double MaxDelay = 0.25;
+
         readonly RecentSamples _recent;
-        readonly LateSamples _late = new LateSamples();
-        readonly JointSample[] _ready = new JointSample[LateSamples.Capacity + 1];
+        readonly JointSample[] _ready = new JointSample[MaxLate + 1];
         double _newest = double.NegativeInfinity;
-        int _count;
+        int _readyCount;
+
+        // The waiting samples, each newer than the one before. Dropped ones are used only if the clock has gone back.
+        readonly JointSample[] _late = new JointSample[MaxLate];
+        readonly bool[] _isDropped = new bool[MaxLate];
+        int _lateCount, _contradicted;
 
         /// <param name="isEndless">Whether positions are angles in rad that may wrap from π to −π.</param>
         public ArrivalOrder(bool isEndless) => _recent = new RecentSamples(isEndless);
@@ -25,53 +43,69 @@ namespace Nowpose.Prediction.Samples
         /// <summary>
         /// Samples to use now, in order: those that waited and are now classified, and the one added if it is the newest.
         /// </summary>
-        public ReadOnlySpan<JointSample> Ready => _ready.AsSpan(0, _count);
+        public ReadOnlySpan<JointSample> Ready => _ready.AsSpan(0, _readyCount);
+
+        /// <summary>Number of times that the samples showed that time went back; all earlier samples are void then.</summary>
+        public int Restarts { get; private set; }
 
         /// <param name="oldest">
         /// Order below which samples are too old for the prediction, in s; they are still evidence of a clock that went back.
         /// </param>
-        public SampleOutcome Add(in JointSample sample, double oldest)
+        public DropReason Add(in JointSample sample, double oldest)
         {
-            _count = 0;
-            if (RecentSamples.IsSameTime(_newest, sample)) return SampleOutcome.Duplicate;
+            _readyCount = 0;
+            if (JointSample.IsSameTime(_newest, sample.Order)) return DropReason.DuplicateSample;
             if (sample.Order > _newest)
             {
                 ReleaseLate(alsoDropped: false);
                 Release(sample);
-                return SampleOutcome.Accepted;
+                return DropReason.None;
             }
-            if (_recent.Contains(sample) || _late.Contains(sample)) return SampleOutcome.Duplicate;
-            var outcome = sample.Order < oldest ? SampleOutcome.TooOld
-                : _recent.ContainsTimeOf(sample) ? SampleOutcome.Duplicate : SampleOutcome.Late;
-            if (!_late.IsContinuedBy(sample)) ReleaseLate(alsoDropped: false);
-            _late.Add(sample, outcome != SampleOutcome.Late, _recent.Contradict(sample));
-            if (!_late.HasTimeGoneBack(_newest)) return outcome;
+            if (_recent.Contains(sample) || IsWaiting(sample)) return DropReason.DuplicateSample;
+            var reason = sample.Order < oldest ? DropReason.LateSample
+                : _recent.ContainsTimeOf(sample) ? DropReason.DuplicateSample : DropReason.None;
+            if (_lateCount > 0 && sample.Order <= _late[_lateCount - 1].Order) ReleaseLate(alsoDropped: false);
+            if (_recent.Contradict(sample)) _contradicted++;
+            _isDropped[_lateCount] = reason != DropReason.None;
+            _late[_lateCount++] = sample;
+            if (!HasTimeGoneBack) return reason;
+            Restarts++;
             _recent.Clear();
             _newest = double.NegativeInfinity;
             ReleaseLate(alsoDropped: true);
-            return SampleOutcome.StartedAnew;
+            return DropReason.None;
         }
 
         public void Clear()
         {
             _recent.Clear();
-            _late.Clear();
             _newest = double.NegativeInfinity;
-            _count = 0;
+            _readyCount = _lateCount = _contradicted = 0;
+        }
+
+        bool HasTimeGoneBack => _lateCount == MaxLate || _contradicted == MinLate
+            || (_lateCount >= MinLate && _newest - _late[_lateCount - 1].Order > MaxDelay);
+
+        // As RecentSamples.Contains.
+        bool IsWaiting(in JointSample sample)
+        {
+            for (var i = 0; i < _lateCount; i++)
+                if (JointSample.IsSameTime(_late[i].Order, sample.Order) && _late[i].Position == sample.Position) return true;
+            return false;
         }
 
         void ReleaseLate(bool alsoDropped)
         {
-            for (var i = 0; i < _late.All.Length; i++)
-                if (alsoDropped || !_late.IsDropped(i)) Release(_late.All[i]);
-            _late.Clear();
+            for (var i = 0; i < _lateCount; i++)
+                if (alsoDropped || !_isDropped[i]) Release(_late[i]);
+            _lateCount = _contradicted = 0;
         }
 
         void Release(in JointSample sample)
         {
             _newest = Math.Max(_newest, sample.Order);
             _recent.Add(sample);
-            _ready[_count++] = sample;
+            _ready[_readyCount++] = sample;
         }
     }
 }

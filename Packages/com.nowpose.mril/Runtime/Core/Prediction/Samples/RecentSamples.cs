@@ -11,9 +11,6 @@ namespace Nowpose.Prediction.Samples
         /// <summary>A quarter of a second at 1 kHz, 2.5 s at 100 Hz.</summary>
         const int Capacity = 256;
 
-        /// <summary>Samples whose times differ by less count as simultaneous, in s.</summary>
-        const double SameSeconds = 1e-6;
-
         /// <summary>
         /// Maximum distance from the line between the neighbours, as a share of their displacement. An overtaken sample is closer, even at a
         /// reversal; one of a clock that went back by two intervals is off by twice the displacement.
@@ -43,10 +40,14 @@ namespace Nowpose.Prediction.Samples
             if (_count < Capacity) _count++;
         }
 
+        /// <summary>
+        /// Returns whether a sample is a repetition. The stamp alone is not sufficient: a clock that goes back by whole sampling intervals
+        /// repeats earlier stamps with other positions.
+        /// </summary>
         public bool Contains(in JointSample sample)
         {
             for (var i = 0; i < _count; i++)
-                if (IsSame(_orders[i], _positions[i], sample)) return true;
+                if (_positions[i] == sample.Position && JointSample.IsSameTime(_orders[i], sample.Order)) return true;
             return false;
         }
 
@@ -54,7 +55,7 @@ namespace Nowpose.Prediction.Samples
         public bool ContainsTimeOf(in JointSample sample)
         {
             for (var i = 0; i < _count; i++)
-                if (IsSameTime(_orders[i], sample)) return true;
+                if (JointSample.IsSameTime(_orders[i], sample.Order)) return true;
             return false;
         }
 
@@ -74,15 +75,6 @@ namespace Nowpose.Prediction.Samples
         }
 
         public void Clear() => _next = _count = 0;
-
-        /// <summary>
-        /// Returns whether a sample is a repetition. The stamp alone is not sufficient: a clock that goes back by whole sampling intervals
-        /// repeats earlier stamps with other positions.
-        /// </summary>
-        public static bool IsSame(double order, double position, in JointSample sample) =>
-            IsSameTime(order, sample) && position == sample.Position;
-
-        public static bool IsSameTime(double order, in JointSample sample) => Math.Abs(order - sample.Order) < SameSeconds;
 
         double DisplacementFrom(int index, int direction)
         {

@@ -5,12 +5,6 @@ namespace Nowpose.Prediction.Samples
     /// <summary>The newest samples of one joint, sorted by time; index 0 is the newest.</summary>
     sealed class SampleHistory
     {
-        /// <summary>
-        /// Minimum difference of corrected stamps, in s. A sample closer to another one is dropped, because the speed between them would be
-        /// meaningless.
-        /// </summary>
-        const double MinInterval = 1e-6;
-
         readonly JointSample[] _newestFirst;
 
         public SampleHistory(int capacity) => _newestFirst = new JointSample[capacity];
@@ -51,7 +45,7 @@ namespace Nowpose.Prediction.Samples
         public void Clear() => Count = 0;
 
         bool IsAsOld(int age, in JointSample sample) =>
-            age >= 0 && age < Count && Math.Abs(_newestFirst[age].Order - sample.Order) < MinInterval;
+            age >= 0 && age < Count && JointSample.IsSameTime(_newestFirst[age].Order, sample.Order);
 
         void Insert(int age, in JointSample sample)
         {

@@ -145,9 +145,9 @@ namespace Nowpose.Tests.Core.Frames
             var inOrder = Fed(name, BodyMotions.HandHeld, 42);
             var predictor = Fed(name, BodyMotions.HandHeld, 39);
 
-            Assert.That(predictor.Add(BodyMotions.HandHeld(40 * Interval)), Is.EqualTo(SampleOutcome.Accepted));
-            Assert.That(predictor.Add(BodyMotions.HandHeld(39 * Interval)), Is.EqualTo(SampleOutcome.Late));
-            Assert.That(predictor.Add(BodyMotions.HandHeld(41 * Interval)), Is.EqualTo(SampleOutcome.Accepted));
+            Assert.That(predictor.Add(BodyMotions.HandHeld(40 * Interval)), Is.EqualTo(DropReason.None));
+            Assert.That(predictor.Add(BodyMotions.HandHeld(39 * Interval)), Is.EqualTo(DropReason.None));
+            Assert.That(predictor.Add(BodyMotions.HandHeld(41 * Interval)), Is.EqualTo(DropReason.None));
 
             AssertPose(predictor.At(41 * Interval + 0.12), inOrder.At(41 * Interval + 0.12), tolerance);
         }
@@ -161,7 +161,7 @@ namespace Nowpose.Tests.Core.Frames
             var before = predictor.At(39 * Interval + 0.12);
 
             for (var i = 0; i < 10; i++)
-                Assert.That(predictor.Add(BodyMotions.HandHeld((39 - age) * Interval)), Is.EqualTo(SampleOutcome.Duplicate));
+                Assert.That(predictor.Add(BodyMotions.HandHeld((39 - age) * Interval)), Is.EqualTo(DropReason.DuplicateSample));
 
             AssertPose(predictor.At(39 * Interval + 0.12), before, 0);
         }
@@ -171,14 +171,13 @@ namespace Nowpose.Tests.Core.Frames
         {
             var predictor = Fed("adaptive", BodyMotions.HandHeld, 200);
 
-            var outcome = SampleOutcome.Accepted;
-            for (var k = 0; k < 6 && outcome != SampleOutcome.StartedAnew; k++)
+            for (var k = 0; k < 6 && predictor.Restarts == 0; k++)
             {
                 var sample = BodyMotions.HandHeld(20 + k * Interval);
-                outcome = predictor.Add(new PoseSample(2 + k * Interval, sample.Position, sample.Rotation));
+                predictor.Add(new PoseSample(2 + k * Interval, sample.Position, sample.Rotation));
             }
 
-            Assert.That(outcome, Is.EqualTo(SampleOutcome.StartedAnew));
+            Assert.That(predictor.Restarts, Is.GreaterThan(0));
             Assert.That(predictor.NewestTime, Is.LessThan(3));
             Assert.That(predictor.At(2.2, out var kind).IsPose(), Is.True);
             Assert.That(kind, Is.Not.EqualTo(PredictionKind.None));

@@ -18,9 +18,9 @@ namespace Nowpose.Tests.Core.Prediction
 
         public JointPredictor Predictor { get; }
 
-        public SampleOutcome Add(double time, double position) => Add(new JointSample(time, position));
+        public DropReason Add(double time, double position) => Add(new JointSample(time, position));
 
-        public SampleOutcome Add(in JointSample sample) => Predictor.Add(sample, _displayed);
+        public DropReason Add(in JointSample sample) => Predictor.Add(sample, _displayed);
 
         public void Follow(PlannedPath path, double start) => Predictor.Follow(path, start, _displayed);
 

@@ -19,24 +19,25 @@ namespace Nowpose.Tests.Core.Prediction
             predictor.Add(1, 1);
             predictor.Add(2, 2);
 
-            Assert.That(predictor.Add(0, 50), Is.EqualTo(SampleOutcome.TooOld));
+            Assert.That(predictor.Add(0, 50), Is.EqualTo(DropReason.LateSample));
             Assert.That(predictor.At(3).Position, Is.EqualTo(3).Within(1e-12));
         }
 
-        [TestCase(2.0, SampleOutcome.Duplicate)]
-        [TestCase(2.0000009, SampleOutcome.Duplicate)]
-        [TestCase(1.9999991, SampleOutcome.Duplicate)]
-        [TestCase(1.0000009, SampleOutcome.Duplicate)]
-        [TestCase(2.0000011, SampleOutcome.Accepted)]
-        [TestCase(1.9999989, SampleOutcome.Late)]
-        public void Add_SameTimeWithinAMicrosecond_IsRefused(double time, SampleOutcome expected)
+        [TestCase(2.0, DropReason.DuplicateSample)]
+        [TestCase(2.0000009, DropReason.DuplicateSample)]
+        [TestCase(1.9999991, DropReason.DuplicateSample)]
+        [TestCase(1.0000009, DropReason.DuplicateSample)]
+        [TestCase(2.0000011, DropReason.None)]
+        [TestCase(1.9999989, DropReason.None)]
+        public void Add_SameTimeWithinAMicrosecond_IsRefused(double time, DropReason expected)
         {
             var predictor = Polynomial(2, 2);
             predictor.Add(1, 1);
             predictor.Add(2, 2);
 
             Assert.That(predictor.Add(time, 99), Is.EqualTo(expected));
-            if (expected == SampleOutcome.Duplicate) Assert.That(predictor.At(3).Position, Is.EqualTo(3).Within(1e-12));
+            if (expected == DropReason.DuplicateSample) Assert.That(predictor.At(3).Position, Is.EqualTo(3).Within(1e-12));
+            else Assert.That(predictor.NewestTime, Is.EqualTo(Math.Max(time, 2)));
         }
 
         [Test]
@@ -46,9 +47,9 @@ namespace Nowpose.Tests.Core.Prediction
             predictor.Add(new JointSample(1.25, 2, order: 1));
 
             // The newer sample (by order) has an earlier stamp.
-            var outcome = predictor.Add(new JointSample(1, 0, order: 1.1));
+            var reason = predictor.Add(new JointSample(1, 0, order: 1.1));
 
-            Assert.That(outcome, Is.EqualTo(SampleOutcome.Accepted));
+            Assert.That(reason, Is.EqualTo(DropReason.None));
             Assert.That(predictor.Hold, Is.EqualTo(0));
             Assert.That(predictor.NewestTime, Is.EqualTo(1));
             Assert.That(predictor.At(1.5).Position, Is.EqualTo(4).Within(1e-12));
@@ -183,8 +184,8 @@ namespace Nowpose.Tests.Core.Prediction
             var predictor = Predictors.Create("hold", new PredictionLimits());
             predictor.Add(2, 20);
 
-            Assert.That(predictor.Add(1, 10), Is.EqualTo(SampleOutcome.TooOld));
-            Assert.That(predictor.Add(2, 30), Is.EqualTo(SampleOutcome.Duplicate));
+            Assert.That(predictor.Add(1, 10), Is.EqualTo(DropReason.LateSample));
+            Assert.That(predictor.Add(2, 30), Is.EqualTo(DropReason.DuplicateSample));
             Assert.That(predictor.Hold, Is.EqualTo(20));
         }
 

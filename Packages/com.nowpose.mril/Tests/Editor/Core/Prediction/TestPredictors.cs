@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Core.Prediction
         public static JointPredictor Of(Forecaster forecaster, PredictionLimits limits = null, PredictionParts parts = PredictionParts.None) =>
             new JointPredictor(forecaster, 24, parts, limits ?? PredictionLimits.Unlimited, 0);
 
-        public static SampleOutcome Add(this JointPredictor predictor, double time, double position) =>
+        public static DropReason Add(this JointPredictor predictor, double time, double position) =>
             predictor.Add(new JointSample(time, position));
 
         public static JointPredictor Fed(this JointPredictor predictor, IEnumerable<double> times, Func<double, double> motion)

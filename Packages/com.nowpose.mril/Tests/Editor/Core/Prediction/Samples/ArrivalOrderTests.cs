@@ -34,15 +34,13 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         {
             JointPredictor shuffled = FedJoint(), inOrder = FedJoint();
 
-            foreach (var i in order)
-            {
-                Assert.That(shuffled.Add(Sample((Newest + i) * Interval)), Is.Not.EqualTo(SampleOutcome.StartedAnew), "at " + i);
-            }
+            foreach (var i in order) shuffled.Add(Sample((Newest + i) * Interval));
             foreach (var i in order.OrderBy(i => i)) inOrder.Add(Sample((Newest + i) * Interval));
 
             var time = (Newest + order.Max() + 4) * Interval;
             Assert.That(shuffled.At(time).Position, Is.EqualTo(inOrder.At(time).Position).Within(1e-12));
             Assert.That(shuffled.NewestTime, Is.EqualTo(inOrder.NewestTime));
+            Assert.That(shuffled.Restarts, Is.EqualTo(0));
         }
 
         [TestCase(3600, 2)]
@@ -56,9 +54,8 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             var needed = 0;
 
             // The positions continue; only the stamps jump back.
-            var outcome = SampleOutcome.Accepted;
-            for (var i = 1; outcome != SampleOutcome.StartedAnew && i < 10; i++, needed++)
-                outcome = joint.Add(new JointSample((Newest + i) * Interval - seconds, PositionAt((Newest + i) * Interval)));
+            for (var i = 1; joint.Restarts == 0 && i < 10; i++, needed++)
+                joint.Add(new JointSample((Newest + i) * Interval - seconds, PositionAt((Newest + i) * Interval)));
 
             Assert.That(needed, Is.EqualTo(samples));
             var now = (Newest + needed) * Interval;
@@ -77,9 +74,8 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             for (var i = 0; i <= Newest; i++) joint.Add(new JointSample(i * Interval, 0.5));
             var needed = 0;
 
-            var outcome = SampleOutcome.Accepted;
-            for (var i = 1; outcome != SampleOutcome.StartedAnew && i < 10; i++, needed++)
-                outcome = joint.Add(new JointSample((Newest + i) * Interval - seconds, 0.5));
+            for (var i = 1; joint.Restarts == 0 && i < 10; i++, needed++)
+                joint.Add(new JointSample((Newest + i) * Interval - seconds, 0.5));
 
             Assert.That(needed, Is.EqualTo(samples));
         }
@@ -91,9 +87,9 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             joint.Add(Sample((Newest - 0.5) * Interval));
 
             joint.Add(new JointSample(Interval - 50, 0.1));
-            var outcome = joint.Add(new JointSample(2 * Interval - 50, 0.2));
+            joint.Add(new JointSample(2 * Interval - 50, 0.2));
 
-            Assert.That(outcome, Is.EqualTo(SampleOutcome.StartedAnew));
+            Assert.That(joint.Restarts, Is.EqualTo(1));
             Assert.That(joint.NewestTime, Is.EqualTo(2 * Interval - 50));
         }
 
@@ -104,7 +100,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             var before = joint.At((Newest + 5) * Interval).Position;
 
             for (var i = Newest - 60; i <= Newest; i++)
-                Assert.That(joint.Add(Sample(i * Interval)), Is.EqualTo(SampleOutcome.Duplicate), "sample " + i);
+                Assert.That(joint.Add(Sample(i * Interval)), Is.EqualTo(DropReason.DuplicateSample), "sample " + i);
 
             Assert.That(joint.At((Newest + 5) * Interval).Position, Is.EqualTo(before));
         }
@@ -116,7 +112,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             joint.Add(Sample(1));
             joint.Add(Sample(0.9));
 
-            Assert.That(joint.Add(Sample(0.9)), Is.EqualTo(SampleOutcome.Duplicate));
+            Assert.That(joint.Add(Sample(0.9)), Is.EqualTo(DropReason.DuplicateSample));
         }
 
         // At rest after a move; the overtaken samples differ by one encoder count.
@@ -129,7 +125,9 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
             joint.Add((Newest + 3) * Interval, 0.5);
             foreach (var i in new[] { 1, 2 })
-                Assert.That(joint.Add((Newest + i) * Interval, 0.5001), Is.EqualTo(SampleOutcome.Late), "sample " + i);
+                Assert.That(joint.Add((Newest + i) * Interval, 0.5001), Is.EqualTo(DropReason.None), "sample " + i);
+
+            Assert.That(joint.Restarts, Is.EqualTo(0));
         }
 
         [TestCase(false)]
@@ -145,13 +143,11 @@ namespace Nowpose.Tests.Core.Prediction.Samples
                 var position = (isEndless ? Math.PI : 0) + 1e-3 * (random.NextDouble() + random.NextDouble() + random.NextDouble() - 1.5);
                 return isEndless ? Math.IEEERemainder(position, 2 * Math.PI) : position;
             }
-            var restarts = 0;
 
             for (var i = 0; i < pairs; i++)
-                foreach (var k in new[] { 0, 1, 2, 5, 3, 4 })
-                    if (joint.Add((6 * i + k) * Interval, Position()) == SampleOutcome.StartedAnew) restarts++;
+                foreach (var k in new[] { 0, 1, 2, 5, 3, 4 }) joint.Add((6 * i + k) * Interval, Position());
 
-            Assert.That(restarts, Is.LessThan(0.005 * pairs), "seed 77");
+            Assert.That(joint.Restarts, Is.LessThan(0.005 * pairs), "seed 77");
         }
 
         [Test]
@@ -160,7 +156,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             var joint = FedJoint();
             var inOrder = FedJoint();
 
-            Assert.That(joint.Add((Newest - 1) * Interval, PositionAt((Newest - 1) * Interval) + 1e-6), Is.EqualTo(SampleOutcome.Duplicate));
+            Assert.That(joint.Add((Newest - 1) * Interval, PositionAt((Newest - 1) * Interval) + 1e-6), Is.EqualTo(DropReason.DuplicateSample));
             joint.Add(Sample((Newest + 1) * Interval));
 
             inOrder.Add(Sample((Newest + 1) * Interval));
@@ -186,8 +182,8 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             var joint = FedJoint();
             var inOrder = FedJoint();
 
-            Assert.That(joint.Add(Sample(-20)), Is.EqualTo(SampleOutcome.TooOld));
-            Assert.That(joint.Add(Sample((Newest + 1) * Interval)), Is.EqualTo(SampleOutcome.Accepted));
+            Assert.That(joint.Add(Sample(-20)), Is.EqualTo(DropReason.LateSample));
+            Assert.That(joint.Add(Sample((Newest + 1) * Interval)), Is.EqualTo(DropReason.None));
 
             inOrder.Add(Sample((Newest + 1) * Interval));
             Assert.That(joint.At(2.1).Position, Is.EqualTo(inOrder.At(2.1).Position));
@@ -200,7 +196,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             joint.Add(0, 0);
             joint.Add(2, 2);
 
-            Assert.That(joint.Add(1, 1.5), Is.EqualTo(SampleOutcome.Late));
+            Assert.That(joint.Add(1, 1.5), Is.EqualTo(DropReason.None));
             Assert.That(joint.At(3).Position, Is.EqualTo(3).Within(1e-12), "it may still be of a clock that went back");
             Assert.That(joint.Hold, Is.EqualTo(2));
         }
@@ -212,8 +208,8 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             for (var i = 1; i <= 500; i++)
             {
                 joint.Add(Sample((Newest + i) * Interval));
-                var lagging = joint.Add(Sample((Newest + i) * Interval - 0.33 * Interval - 0.4));
-                Assert.That(lagging, Is.Not.EqualTo(SampleOutcome.StartedAnew), "sample " + i);
+                joint.Add(Sample((Newest + i) * Interval - 0.33 * Interval - 0.4));
+                Assert.That(joint.Restarts, Is.EqualTo(0), "sample " + i);
             }
         }
 
@@ -230,17 +226,16 @@ namespace Nowpose.Tests.Core.Prediction.Samples
                 var normal = Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
                 arrivals.Add((i * interval + Math.Min(0.120, 0.012 * Math.Exp(normal)), i * interval));
             }
-            var (late, restarts) = (0, 0);
+            var late = 0;
 
             foreach (var (_, stamp) in arrivals.OrderBy(a => a.At))
             {
-                var outcome = joint.Add(Sample(stamp));
-                if (outcome == SampleOutcome.Late || outcome == SampleOutcome.TooOld) late++;
-                if (outcome == SampleOutcome.StartedAnew) restarts++;
+                if (stamp < joint.NewestTime) late++;
+                joint.Add(Sample(stamp));
             }
 
             Assert.That(late, Is.GreaterThan(500), "samples overtake each other, seed " + seed);
-            Assert.That(restarts, Is.EqualTo(0), "seed " + seed);
+            Assert.That(joint.Restarts, Is.EqualTo(0), "seed " + seed);
         }
     }
 }

@@ -1,9 +1,12 @@
-namespace Nowpose.Protocol
+namespace Nowpose
 {
-    /// <summary>Why a message or a sample was dropped; one reason for each rule of the protocol.</summary>
-    enum DropReason
+    /// <summary>
+    /// The verdict on a message or a sample: why it was dropped, one reason for each rule of the protocol. Parser, gateway, predictor and
+    /// statistics use the same reasons.
+    /// </summary>
+    public enum DropReason
     {
-        /// <summary>Nothing was dropped.</summary>
+        /// <summary>Nothing was dropped. A sample that newer ones have overtaken is used with the next one.</summary>
         None,
 
         /// <summary>Not exactly one JSON object: a syntax error, trailing content, or invalid text.</summary>
@@ -12,13 +15,13 @@ namespace Nowpose.Protocol
         /// <summary>More bytes of UTF-8 than the topic allows.</summary>
         TooLarge,
 
-        /// <summary>Nested deeper than <see cref="ProtocolLimits.Nesting"/>.</summary>
+        /// <summary>Nested deeper than the protocol allows.</summary>
         TooDeep,
 
-        /// <summary>More fragments than <see cref="ProtocolLimits.FragmentsPerMessage"/>.</summary>
+        /// <summary>More fragments than the protocol allows.</summary>
         TooManyFragments,
 
-        /// <summary>Not complete within <see cref="ProtocolLimits.MessageTimeout"/>.</summary>
+        /// <summary>Not complete within the protocol's timeout.</summary>
         TooSlow,
 
         /// <summary>The client exceeded the rate limit in messages per second.</summary>
@@ -69,10 +72,10 @@ namespace Nowpose.Protocol
         /// <summary>A slow reader's queue was full, so its oldest message was dropped.</summary>
         SlowReader,
 
-        /// <summary>The joint already has a sample of that control time.</summary>
+        /// <summary>The joint already has a sample of that control time, within 1 µs.</summary>
         DuplicateSample,
 
-        /// <summary>The sample is older than the joint's history.</summary>
+        /// <summary>The sample is older than all samples that the prediction uses.</summary>
         LateSample,
 
         /// <summary>None of the message's joints belongs to the robot.</summary>
@@ -84,7 +87,7 @@ namespace Nowpose.Protocol
         /// <summary>The headset clock is unsynchronised, so stamps cannot be checked.</summary>
         Unsynchronised,
 
-        /// <summary>The norm of a rotation differs from 1 by more than <see cref="Cell.FrameTransform.NormTolerance"/>.</summary>
+        /// <summary>The norm of a rotation is not 1.</summary>
         NotUnitQuaternion,
 
         /// <summary>A frame is named as its own parent.</summary>
@@ -96,13 +99,13 @@ namespace Nowpose.Protocol
         /// <summary>The parent of a frame depends on the frame itself.</summary>
         FrameCycle,
 
-        /// <summary>More transforms from a frame to its root than <see cref="ProtocolLimits.FrameDepth"/>.</summary>
+        /// <summary>More transforms from a frame to its root than the protocol allows.</summary>
         FrameTooDeep,
 
-        /// <summary>More frames in one message or in the cell than <see cref="ProtocolLimits.Frames"/>.</summary>
+        /// <summary>More frames in one message or in the cell than the protocol allows.</summary>
         TooManyFrames,
 
-        /// <summary>More signals in one message or in the cell than <see cref="ProtocolLimits.Signals"/>.</summary>
+        /// <summary>More signals in one message or in the cell than the protocol allows.</summary>
         TooManySignals,
 
         /// <summary>Another source publishes that frame.</summary>
@@ -114,7 +117,7 @@ namespace Nowpose.Protocol
         /// <summary>The namespace of a robot's topic is not a valid name.</summary>
         InvalidNamespace,
 
-        /// <summary>More robots in namespaces than <see cref="ProtocolLimits.Robots"/>.</summary>
+        /// <summary>More robots in namespaces than the protocol allows.</summary>
         TooManyRobots,
     }
 }

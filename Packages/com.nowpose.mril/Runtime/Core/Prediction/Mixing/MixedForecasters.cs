@@ -1,0 +1,91 @@
+using System;
+using Nowpose.Prediction.Forecasting;
+
+namespace Nowpose.Prediction.Mixing
+{
+    /// <summary>A forecaster of the mixture and its prior weight. The weights of all forecasters add up to one.</summary>
+    readonly struct MixedForecaster
+    {
+        /// <param name="prior">Weight, 0 to 1.</param>
+        /// <param name="priorWhenReported">Weight if samples contain their acceleration.</param>
+        public MixedForecaster(Forecaster forecaster, double prior = 0, double priorWhenReported = 0) =>
+            (Forecaster, Prior, PriorWhenReported) = (forecaster, prior, priorWhenReported);
+
+        public Forecaster Forecaster { get; }
+
+        public double Prior { get; }
+
+        public double PriorWhenReported { get; }
+    }
+
+    /// <summary>The forecasters of a mixture: hold, the line, and others. Fills their tables after a sample; that of hold is zero.</summary>
+    sealed class MixedForecasters
+    {
+        public const int Hold = 0, Line = 1;
+
+        /// <summary>Factor for the joint's speed after a change point at which it did not accelerate.</summary>
+        const double ShareAfterStop = 0.5;
+
+        readonly MixedForecaster[] _mixed;
+        readonly double[] _priorWhenReported;
+        readonly bool _usesChangePoints;
+
+        /// <param name="mixed">Forecasters in addition to hold; the first must be the line.</param>
+        /// <param name="usesChangePoints">Whether samples before a change point are left out.</param>
+        public MixedForecasters(MixedForecaster[] mixed, bool usesChangePoints)
+        {
+            _mixed = mixed;
+            _usesChangePoints = usesChangePoints;
+            Prior = Normalised(one => one.Prior);
+            _priorWhenReported = Normalised(one => one.PriorWhenReported);
+        }
+
+        /// <summary>Number of forecasts, including hold.</summary>
+        public int Count => Line + _mixed.Length;
+
+        /// <summary>Weights without evidence, one per forecast.</summary>
+        public double[] Prior { get; }
+
+        /// <summary>Returns the weights without evidence for a sample with or without velocity and acceleration.</summary>
+        public double[] PriorFor(in JointSample newest) => double.IsNaN(newest.Velocity + newest.Acceleration) ? Prior : _priorWhenReported;
+
+        public void Reset()
+        {
+            foreach (var one in _mixed) one.Forecaster.Reset();
+        }
+
+        /// <param name="points">Number of points of each table that are used.</param>
+        /// <remarks>A forecaster without enough samples or a solution is replaced by a line.</remarks>
+        public void Fill(MotionState motion, double[] tables, int points)
+        {
+            if (motion.Connected < 2)
+            {
+                Array.Clear(tables, 0, tables.Length);
+                return;
+            }
+            var samples = _usesChangePoints ? motion.OfOneMotion : motion.Connected;
+            var speed = samples == 1 && !motion.ChangePoints.HasGrown ? ShareAfterStop * motion.Speed : motion.Speed;
+            for (int i = 0, start = Line * ForecastTable.Points; i < _mixed.Length; i++, start += ForecastTable.Points)
+            {
+                var forecaster = _mixed[i].Forecaster;
+                if (samples > 2 && samples >= forecaster.Samples && forecaster.Solve(motion)) forecaster.Fill(tables, start, points);
+                else FillLine(tables, start, points, speed);
+            }
+        }
+
+        static void FillLine(double[] tables, int start, int points, double speed)
+        {
+            for (var i = 0; i < points; i++) tables[start + i] = i * speed * ForecastTable.Step;
+        }
+
+        // If a forecaster is left out, the weights do not add up to one.
+        double[] Normalised(Func<MixedForecaster, double> weightOf)
+        {
+            var weights = new double[Count];
+            var sum = 0.0;
+            foreach (var one in _mixed) sum += weightOf(one);
+            for (var i = 0; i < _mixed.Length; i++) weights[Line + i] = sum > 0 ? weightOf(_mixed[i]) / sum : i == 0 ? 1 : 0;
+            return weights;
+        }
+    }
+}
