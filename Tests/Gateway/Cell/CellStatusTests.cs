@@ -64,7 +64,8 @@ public class CellStatusTests
         await _source.SendAsync(SignalsText(("belt", 1)));
         await _source.RoundTripAsync();
 
-        Assert.That((await StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo(level));
+        // The description is read in the background.
+        await Soon.BecomesAsync(() => StateAsync().GetAwaiter().GetResult().GetProperty("status").GetProperty("level").GetString() == level, level);
     }
 
     [Test]

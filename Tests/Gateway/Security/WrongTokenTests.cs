@@ -139,7 +139,9 @@ public class WrongTokenTests
         var time = new SteppedTime();
         await using var gateway = await Gateways.StartAsync(WithTokens with
         {
-            Tokens = new TokenList([(Weak, Role.Observer), (Strong, Role.Observer)]), WrongTokenDelay = TimeSpan.Zero, Time = time,
+            Tokens = new TokenList([(Weak, Role.Observer), (Strong, Role.Observer)]),
+            WrongTokenDelay = TimeSpan.Zero,
+            Time = time,
         });
         for (var i = 0; i < WrongTokens.MaxWeakGuesses; i += 2)
         {
