@@ -50,7 +50,7 @@ namespace Nowpose.Frames
         readonly double[] _prior;
         readonly double[] _errors;
         readonly ScatterDetector _scatter = new ScatterDetector();
-        readonly DistanceLimit _distance = new DistanceLimit(Memory);
+        readonly DistanceLimit _distance = new DistanceLimit(Mixer.Memory);
 
         // Forecasts that wait for their time: a queue of times, and for each of them one vector per forecast.
         readonly double[] _due = new double[Capacity];

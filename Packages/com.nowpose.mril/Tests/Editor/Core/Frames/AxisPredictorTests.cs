@@ -11,7 +11,7 @@ namespace Nowpose.Tests.Core.Frames
         static AxisPredictor New(bool waitsForChange = true, string predictor = "linear") =>
             new AxisPredictor(Predictors.Create(predictor, PredictionLimits.Unlimited), waitsForChange);
 
-        static SampleOutcome Add(AxisPredictor axis, int k, double value) =>
+        static DropReason Add(AxisPredictor axis, int k, double value) =>
             axis.Add(new JointSample(k * Interval, value), k * Interval + 0.1);
 
         static AxisPredictor AtRest(int samples, string predictor = "linear")
@@ -125,7 +125,7 @@ namespace Nowpose.Tests.Core.Frames
             AxisPredictor inOrder = AtRest(10), late = AtRest(9);
 
             // The last sample of the rest is overtaken by one of the same value, and arrives again.
-            foreach (var k in new[] { 9, 8, 9 }) Assert.That(Add(late, k, 0.7), Is.EqualTo(SampleOutcome.Accepted));
+            foreach (var k in new[] { 9, 8, 9 }) Assert.That(Add(late, k, 0.7), Is.EqualTo(DropReason.None));
 
             Assert.That(late.At(1), Is.EqualTo(0.7));
             Add(inOrder, 10, 0.8);
@@ -140,23 +140,23 @@ namespace Nowpose.Tests.Core.Frames
             for (var k = 10; k < 13; k++) Add(inOrder, k, k == 11 ? 0.7 : Motion(k, 10));
 
             // Sample 11 has the value of the rest, and overtakes the change before it.
-            Assert.That(Add(late, 11, 0.7), Is.EqualTo(SampleOutcome.Accepted));
-            Assert.That(Add(late, 10, Motion(10, 10)), Is.EqualTo(SampleOutcome.Late));
+            Assert.That(Add(late, 11, 0.7), Is.EqualTo(DropReason.None));
+            Assert.That(Add(late, 10, Motion(10, 10)), Is.EqualTo(DropReason.None));
             Assert.That(late.Hold, Is.EqualTo(0.7), "the newest sample");
-            Assert.That(Add(late, 12, Motion(12, 10)), Is.EqualTo(SampleOutcome.Accepted));
+            Assert.That(Add(late, 12, Motion(12, 10)), Is.EqualTo(DropReason.None));
 
             Assert.That(late.At(14 * Interval), Is.EqualTo(inOrder.At(14 * Interval)).Within(1e-12));
         }
 
         [Test]
-        public void Add_AfterAChange_ReportsTheOutcomesOfTheJointPredictor()
+        public void Add_AfterAChange_ReturnsTheReasonsOfTheJointPredictor()
         {
             var axis = AtRest(10);
             Add(axis, 10, 0.8);
 
-            Assert.That(Add(axis, 10, 0.8), Is.EqualTo(SampleOutcome.Duplicate));
-            Assert.That(Add(axis, 11, 0.9), Is.EqualTo(SampleOutcome.Accepted));
-            Assert.That(Add(axis, 1, 0.7), Is.EqualTo(SampleOutcome.TooOld), "before the kept samples");
+            Assert.That(Add(axis, 10, 0.8), Is.EqualTo(DropReason.DuplicateSample));
+            Assert.That(Add(axis, 11, 0.9), Is.EqualTo(DropReason.None));
+            Assert.That(Add(axis, 1, 0.7), Is.EqualTo(DropReason.LateSample), "before the kept samples");
         }
 
         [Test]
