@@ -46,7 +46,7 @@ public sealed partial class VersionBoundsTests
     public void Installation_OfEachPage_StartsWithTheCommand(string path)
     {
         var text = RepositoryFiles.Read(path);
-        var command = text.IndexOf("-- unity PATH", StringComparison.Ordinal);
+        var command = text.IndexOf("nowpose unity PATH", StringComparison.Ordinal);
 
         Assert.That(command, Is.Positive);
         Assert.That(text.IndexOf("erge this block", StringComparison.Ordinal), Is.EqualTo(-1).Or.GreaterThan(command));
