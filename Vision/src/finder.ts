@@ -31,8 +31,12 @@ const minLight = 0.02;
 const minShare = 0.6;
 /** Share of agreeing steps from which nothing better is searched at a position. A code that is taken for another kind reaches up to 0.85. */
 const minShareOfCertain = 0.88;
-/** Share of agreeing steps up to which a second code of one kind is weak. Other objects reach up to 0.74. */
+/**
+ * Share of agreeing steps below which a second code of one kind is weak, and below which it is ignored. Other objects reach up to 0.74,
+ * most of them less than 0.7; one in four of them has pairs that can be read by chance.
+ */
 const minShareOfSecond = 0.77;
+const minShareOfWeak = 0.7;
 /** The same threshold if no code of the other kind is found: a bright scene may have made that code similar to the first kind. */
 const minShareOfOnlyKind = 0.9;
 /** Minimum agreement of a candidate before any refinement. */
@@ -83,8 +87,9 @@ export class Finder {
         if (isCode(fit, layer)) fits.push(inPicture(fit, layer));
       }
     }
-    const codes = bestOfEach(fits);
-    const clear = codes.filter(code => !isWeak(code, codes));
+    const all = bestOfEach(fits);
+    const clear = all.filter(code => !isWeak(code, all));
+    const codes = all.filter(code => clear.includes(code) || code.share >= minShareOfWeak);
     const isComplete = this.#isFilled.every((_, kind) => clear.filter(code => code.kind === kind).length === 1);
     const part = isComplete ? clearestPart(quads.slice(0, clearCount), placed, clear, layers, fit => this.#deviationOf(fit, light)) : undefined;
     return part ? [...codes, part] : codes;
