@@ -1,6 +1,7 @@
 using BenchmarkDotNet.Running;
 using Nowpose.Benchmarks;
 using Nowpose.Benchmarks.Ablation;
+using Nowpose.Benchmarks.Cell;
 using Nowpose.Benchmarks.Comparison;
 using Nowpose.Benchmarks.Links;
 using Nowpose.Benchmarks.Load;
@@ -8,6 +9,9 @@ using Nowpose.Benchmarks.Paths;
 
 if (args is ["ablation", ..])
     return await AblationVerb.RunAsync(args);
+
+if (args is ["cell", ..])
+    return await CellVerb.RunAsync(args);
 
 if (args is ["gateway", ..])
     return await LoadVerb.RunAsync(args);

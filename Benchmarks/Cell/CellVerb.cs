@@ -1,0 +1,76 @@
+using System.CommandLine;
+using System.Globalization;
+using System.Runtime.InteropServices;
+using Nowpose.Gateway.Options;
+using Nowpose.Prediction;
+
+namespace Nowpose.Benchmarks.Cell;
+
+/// <summary>cell: measures the CPU time of a frame with many tracked objects and two robots.</summary>
+static class CellVerb
+{
+    const int Objects = 50, FramesPerSecond = 60, MeasuredSeconds = 60;
+
+    /// <summary>Longer than the history of template matching, so that its cost no longer grows.</summary>
+    const int WarmUpSeconds = 130;
+
+    const double MaxMilliseconds = 0.3;
+
+    /// <summary>Sampling interval for which the limit holds, in ms: 20 Hz, as the gateway's simulated sources.</summary>
+    const int LimitedSamplingMs = 50;
+
+    static readonly (bool IsPlane, int SamplingMs)[] Rows = [(true, LimitedSamplingMs), (false, LimitedSamplingMs), (true, 20), (false, 20)];
+
+    public static Task<int> RunAsync(string[] args)
+    {
+        var command = new Command("cell", $"Measure a frame with {Objects} tracked objects and two robots in the stand-in engine, in virtual time; Linux only");
+        command.SetAction((_, stop) => Task.FromResult(Run(stop)));
+        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "Benchmarks of Nowpose.", command), args);
+    }
+
+    static int Run(CancellationToken stop)
+    {
+        Console.WriteLine("| motion | samples every | mean | median | frames with samples | no objects | quadratic | allocated |");
+        Console.WriteLine("| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |");
+        var missed = new List<string>();
+        foreach (var (isPlane, samplingMs) in Rows)
+        {
+            var cost = Measure(Objects, isPlane, samplingMs, Predictors.Default, stop);
+            var (robots, quadratic) = (Measure(0, isPlane, samplingMs, Predictors.Default, stop), Measure(Objects, isPlane, samplingMs, "quadratic", stop));
+            var motion = isPlane ? "in a plane" : "six coordinates";
+            Console.WriteLine(Text($"| {motion} | {samplingMs} ms | {cost.Mean:0} µs | {cost.Median:0} µs | {cost.WithSamples:0} µs | {robots.Mean:0} µs | {quadratic.Mean:0} µs | {cost.Bytes} B |"));
+            if (samplingMs == LimitedSamplingMs && !(cost.Mean < 1000 * MaxMilliseconds))
+                missed.Add(Text($"{motion}, samples every {samplingMs} ms: a frame takes {cost.Mean / 1000:0.00} ms; allowed: less than {MaxMilliseconds} ms"));
+            if (cost.Bytes != 0) missed.Add($"{motion}, samples every {samplingMs} ms: {MeasuredSeconds} s of frames allocate {cost.Bytes} B; allowed: none");
+        }
+
+        Console.WriteLine();
+        Console.WriteLine(Text(
+            $"CPU time of the thread per frame at {FramesPerSecond} Hz, with the samples that arrive in it: {Objects} objects and two robots, the whole player loop of the stand-in engine. {RuntimeInformation.FrameworkDescription}, {DateTime.UtcNow:yyyy-MM-dd}."));
+        foreach (var line in missed) Console.Error.WriteLine("error: " + line);
+        return missed.Count == 0 ? ExitStatus.Done : ExitStatus.Failed;
+    }
+
+    // In µs, and bytes of all measured frames.
+    static (double Mean, double Median, double WithSamples, long Bytes) Measure(
+        int objects, bool isPlane, int samplingMs, string predictor, CancellationToken stop)
+    {
+        using var scene = new ObjectScene(objects, isPlane, samplingMs / 1000.0, predictor);
+        for (var i = 0; i < WarmUpSeconds * FramesPerSecond; i++) scene.Play(out _);
+        if (!scene.IsCurrent) throw new InvalidOperationException("an object or a robot is not shown where it is");
+        var (all, withSamples, bytes) = (new List<double>(), new List<double>(), 0L);
+        for (var i = 0; i < MeasuredSeconds * FramesPerSecond; i++)
+        {
+            stop.ThrowIfCancellationRequested();
+            var (seconds, allocated) = scene.Play(out var hasSamples);
+            all.Add(seconds * 1e6);
+            if (hasSamples) withSamples.Add(seconds * 1e6);
+            bytes += allocated;
+        }
+
+        all.Sort();
+        return (all.Average(), all[all.Count / 2], withSamples.Average(), bytes);
+    }
+
+    static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,116 @@
+using System.Reflection;
+using System.Runtime.CompilerServices;
+using Nowpose.Frames;
+using Nowpose.Kinematics;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Protocol.Cell;
+using Nowpose.Session;
+using Nowpose.Sync;
+using Nowpose.Unity;
+using Nowpose.UnityPlayer;
+using UnityEngine;
+
+namespace Nowpose.Benchmarks.Cell;
+
+/// <summary>The package's robot cell with a second robot and tracked objects in the stand-in engine, in virtual time.</summary>
+sealed class ObjectScene : IDisposable, IHeadsetClock
+{
+    const double FrameSeconds = 1 / 60.0, Latency = 0.08, ExchangeSeconds = 0.2;
+    const string Prefab = "Packages/com.nowpose.mril/Runtime/Prefabs/Nowpose Robot Cell.prefab", SecondRobot = "arm2";
+
+    static readonly TimeSpan OneWay = TimeSpan.FromMilliseconds(1);
+
+    readonly Player _player;
+    readonly MrilSession _session;
+    readonly TrackedObject[] _objects;
+    readonly string[] _joints;
+    readonly bool _isPlane;
+    readonly double _interval;
+    double _now = 100, _nextSample = 100, _nextExchange;
+    long _frame;
+
+    /// <param name="isPlane">Whether the objects move in a plane, as on a conveyor; otherwise in all six coordinates.</param>
+    /// <param name="interval">Sampling interval of objects and robots, s.</param>
+    public ObjectScene(int objects, bool isPlane, double interval, string predictor)
+    {
+        (_isPlane, _interval) = (isPlane, interval);
+        var assets = new AssetLibrary(ProjectRoot());
+        _player = new Player(assets);
+        var prefab = assets.Load<GameObject>(Prefab);
+        // The data come from here: the cell must not connect to a gateway on this machine, or wake before its clock is set.
+        Set(prefab.GetComponent<MrilSession>(), "_connectOnEnable", false);
+        prefab.SetActive(false);
+        _session = UnityEngine.Object.Instantiate(prefab).GetComponent<MrilSession>();
+        _session.HeadsetClock = this;
+        _session.Settings = new SessionSettings(
+            new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40), new PredictionSettings(predictor));
+        var anchor = _session.GetComponentInChildren<BaseAnchor>(includeInactive: true).transform;
+        var second = Below<RobotRig>(SecondRobot, anchor);
+        Set(second, "_robotNamespace", SecondRobot);
+        Set(second, "_description", _session.RobotAsset);
+        _objects = [.. Enumerable.Range(0, objects).Select(i => Below<TrackedObject>("object" + i, anchor))];
+        _session.gameObject.SetActive(true);
+        _joints = [.. _session.Robot.MovingJoints.Select(joint => joint.Name)];
+    }
+
+    public HeadsetTime Now => HeadsetTime.FromSeconds(_now);
+
+    /// <summary>Whether all objects and both robots are shown where they are.</summary>
+    public bool IsCurrent => Enumerable.Range(0, _session.Session.Robots.Count).All(i => _session.Session.Robots[i].Frame.State == PoseState.Current)
+        && _objects.All(shown => shown.State == PoseState.Current);
+
+    /// <summary>Plays a frame: receives the messages of the sources, and runs the whole player loop.</summary>
+    /// <param name="hasSamples">Whether samples arrived.</param>
+    /// <returns>CPU time of the player loop in s, and the bytes that it allocated.</returns>
+    public (double Seconds, long Bytes) Play(out bool hasSamples)
+    {
+        _frame++;
+        _now = 100 + _frame * FrameSeconds;
+        if (_now >= _nextExchange) Exchange();
+        hasSamples = _nextSample + Latency <= _now;
+        for (; _nextSample + Latency <= _now; _nextSample += _interval) Send(_nextSample);
+        var (bytes, start) = (GC.GetAllocatedBytesForCurrentThread(), ThreadTime.Seconds);
+        _player.Step(_frame * FrameSeconds);
+        return (ThreadTime.Seconds - start, GC.GetAllocatedBytesForCurrentThread() - bytes);
+    }
+
+    public void Dispose() => _player.Dispose();
+
+    void Exchange()
+    {
+        _nextExchange = _now + ExchangeSeconds;
+        var there = ControlTime.FromSeconds(_now);
+        _session.Session.Clock.Add(new SyncExchange(Now - OneWay, there, there, Now + OneWay), out _);
+    }
+
+    void Send(double t)
+    {
+        var (stamp, arrival, listener) = (ControlTime.FromSeconds(t), HeadsetTime.FromSeconds(t + Latency), _session.Session.Listener);
+        if (_objects.Length > 0)
+            listener.FramesReceived(
+                new TransformsMessage([.. _objects.Select((_, i) => PoseAt(t, i).ToTransform(stamp, FrameParents.World, "object" + i))]), false, arrival);
+        foreach (var robot in new[] { "", SecondRobot })
+            listener.Received(new JointStateMessage(stamp, _joints, [.. _joints.Select((_, i) => 0.1 * Math.Sin(t + i))]), arrival, robot);
+    }
+
+    // Each object has its own phase; with frequencies that have no common period, no motion repeats.
+    RigidTransform PoseAt(double t, int i) => _isPlane
+        ? RigidTransform.FromXyzRpy(0.3 * Math.Sin(t + i), 0.2 * Math.Cos(1.7 * t), 0.7, 0, 0, 0.5 * Math.Sin(1.3 * t))
+        : RigidTransform.FromXyzRpy(
+            0.3 * Math.Sin(t + i), 0.2 * Math.Cos(1.7 * t), 0.7 + 0.1 * Math.Sin(2.3 * t), 0.3 * Math.Sin(1.3 * t), 0.2 * Math.Cos(1.9 * t), Math.Sin(0.7 * t));
+
+    static T Below<T>(string name, Transform parent) where T : Component
+    {
+        var made = new GameObject(name);
+        made.transform.SetParent(parent, false);
+        return made.AddComponent<T>();
+    }
+
+    // Corresponds to entering a value in the Inspector.
+    static void Set(Component component, string field, object value) =>
+        component.GetType().GetField(field, BindingFlags.Instance | BindingFlags.NonPublic).SetValue(component, value);
+
+    static string ProjectRoot([CallerFilePath] string thisFile = "") => Path.GetFullPath("../../..", thisFile);
+}
