@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase("conveyor, noise", 20, 100, 1.05)]
         [TestCase("conveyor, noise", 50, 100, 1.05)]
         [TestCase("conveyor, noise", 100, 150, 1.05)]
-        [TestCase("jumping rate", 20, 100, 1.07)]
+        [TestCase("jumping rate", 20, 100, 1.1)]
         [TestCase("jumping rate", 50, 100, 1.1)]
         [TestCase("jumping rate", 100, 150, 1.1)]
         [TestCase("rest, noise", 20, 100, 1.05)]
