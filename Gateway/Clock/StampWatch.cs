@@ -185,7 +185,8 @@ sealed class StampWatch(
 
     string CorrectionRemedy => isSystemServed || own() == null ? SourceRemedy : Remedy;
 
-    const string SourceRemedy = "Set the clock of the source, or let its adapter offer that clock.";
+    /// <summary>The remedy for a source whose clock is not the control clock.</summary>
+    internal const string SourceRemedy = "Set the clock of the source, or let its adapter offer that clock.";
 
     // Does not apply to the verb simulate, whose gateway also has this clock.
     const string Remedy = "Restart the gateway. Started as serve --own-clock system, it follows the system clock.";

@@ -27,15 +27,6 @@ sealed class CellReports(TimeProvider time)
         }
     }
 
-    /// <summary>Whether an adapter has a frame or a signal in its configuration.</summary>
-    public bool HasAny
-    {
-        get
-        {
-            lock (_lock) return _adapters.Values.Any(adapter => IsValid(adapter.At) && adapter.Reports.Count > 0);
-        }
-    }
-
     /// <summary>Gets those that are neither live nor at rest.</summary>
     /// <param name="kind"><see cref="AdapterReport.FramePrefix"/> or <see cref="AdapterReport.SignalPrefix"/>.</param>
     public IReadOnlyList<CellReport> Troubled(string kind)

@@ -111,13 +111,12 @@ sealed class Conditions(
         one => new Condition("source", one.Source, "sends time stamps in the future", $"they are {one.By} ahead of the control clock", Level.Warning)
         {
             Headline = $"source {one.Source} sends time stamps in the future",
-            Remedy = "Set the clock of the source, or let its adapter offer that clock.",
+            Remedy = StampWatch.SourceRemedy,
         });
 
     IEnumerable<Condition> OfSources(IReadOnlyList<JointStatus> rows)
     {
-        // A plant may have objects and signals only.
-        if (!options.ExpectsSources || rows.Count > 0 || cell.HasAny) return [];
+        if (!options.ExpectsSources || rows.Count > 0) return [];
         return
         [
             new("source", "of joint positions", "is missing", "no adapter has reported a joint and no sample has arrived", Level.Error, true)

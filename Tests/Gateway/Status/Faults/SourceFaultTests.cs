@@ -1,4 +1,5 @@
 using System.Net;
+using Nowpose.Gateway.Plants;
 using Nowpose.Protocol;
 using NUnit.Framework;
 
@@ -148,13 +149,15 @@ public class SourceFaultTests
                 + "Check that the adapter of each plant runs and is connected."));
     }
 
-    [Test]
-    public async Task Ready_PlantWithObjectsOnly_NeedsNoSourceOfJointPositions()
+    [TestCase(false, HttpStatusCode.OK, TestName = "Ready_PlantWithObjectsOnly_NeedsNoSourceOfJointPositions")]
+    [TestCase(true, HttpStatusCode.ServiceUnavailable, TestName = "Ready_PlantWithJointsThatReportsOnlyObjects_NeedsASourceOfJointPositions")]
+    public async Task Ready_OnlyObjectsAreReported_DependsOnTheJointsOfThePlant(bool hasJoints, HttpStatusCode status)
     {
-        await _gateway.StartAsync(options => options with { ExpectsSources = true });
+        var plant = new PlantFile("press.yaml", "press", "") { HasObjects = true, PassesUnlisted = hasJoints };
+        await _gateway.StartAsync(options => options with { ExpectsSources = PlantFile.ExpectsJoints([plant], null) });
 
         _gateway.Report("adapter/press", ("state", "connected"), ("frame/box", $"live {_gateway.Since(1)}"));
 
-        await _gateway.ReadyAsync(HttpStatusCode.OK);
+        await _gateway.ReadyAsync(status);
     }
 }
