@@ -26,7 +26,7 @@ public enum Closure
     /// <summary>Timeout: nothing was received, no pong was received, or the client did not read what was sent.</summary>
     Silence,
 
-    /// <summary>The client needs so much time for each sample that all samples would be more than a second old.</summary>
+    /// <summary>The client reads too slowly: every sample would be more than a second old when it is read.</summary>
     SlowReader,
 
     /// <summary>An oversized message that did not end within the limit for skipping it.</summary>

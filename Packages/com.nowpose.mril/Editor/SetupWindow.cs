@@ -72,7 +72,7 @@ namespace Nowpose.Editor
             else if (part >= 0) EditorApplication.delayCall += () => CellMenu.Entries[part].Create(new MenuCommand(SelectedInScene()));
         }
 
-        // Assets are selectable, too, but are no parents.
+        // Assets can be selected, too, but cannot be parents.
         static GameObject SelectedInScene()
         {
             var selected = Selection.activeObject as GameObject;

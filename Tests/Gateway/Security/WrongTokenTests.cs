@@ -119,7 +119,7 @@ public class WrongTokenTests
         for (var i = 0; i < 10; i++) Guess("guess", Nat);
         Assert.That(compared, Is.EqualTo(WrongTokens.MaxWeakGuesses + (3600 / WrongTokens.WeakGuessInterval.TotalSeconds)));
         Assert.That(wrong.BlockedFor(Nat), Is.GreaterThan(TimeSpan.Zero).And.LessThanOrEqualTo(WrongTokens.WeakGuessInterval));
-        Assert.That(Guess(Strong, Nat), Is.EqualTo(Role.Observer), "nobody can guess this one");
+        Assert.That(Guess(Strong, Nat), Is.EqualTo(Role.Observer), "too long to be guessed");
         Assert.That(Guess(Weak, IPAddress.Parse("10.0.0.2")), Is.EqualTo(Role.Observer), "another address");
     }
 

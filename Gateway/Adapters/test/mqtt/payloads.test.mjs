@@ -1,4 +1,4 @@
-// Messages that are no numbers: each entry of the configuration has one line in the log and one state, and the process continues.
+// Messages that are not numbers: each entry of the configuration has one line in the log and one state, and the process continues.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { missing } from '../broker/mosquitto.mjs';

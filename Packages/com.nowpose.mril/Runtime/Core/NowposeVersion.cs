@@ -14,7 +14,7 @@ namespace Nowpose
 
         /// <summary>
         /// Whether a program of that version fits this one: the major and the minor number are the same. Programs that report no version, as
-        /// before 0.2.0, and texts that are no version count as fitting.
+        /// before 0.2.0, and texts that are not versions count as fitting.
         /// </summary>
         public static bool Fits(string other)
         {
@@ -29,7 +29,7 @@ namespace Nowpose
         public static string MismatchOf(string other, string name, string self) =>
             Fits(other) ? null : $"{name} has version {other}, {self} has {Text}; install the same version";
 
-        // "0.2" of "0.2.0" and of "0.2.0-rc.1"; null for a text that is no version.
+        // "0.2" of "0.2.0" and of "0.2.0-rc.1"; null for a text that is not a version.
         static string SeriesOf(string version)
         {
             var match = Form.Match(version ?? "");
