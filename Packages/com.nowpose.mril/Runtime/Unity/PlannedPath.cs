@@ -80,13 +80,13 @@ namespace Nowpose.Unity
         {
             var robot = _source.Robot;
             var count = robot != null && frame.DisplayTime is ControlTime light && robot.Frame.State == PoseState.Current
-                ? Plan(robot.Frame, light)
+                ? Plan(robot, light)
                 : 0;
             if (count < 2) Hide();
             else Draw(count);
         }
 
-        int Plan(DisplayFrame frame, ControlTime light)
+        int Plan(SessionRobot robot, ControlTime light)
         {
             var wanted = 1 + (int)Math.Round(_aheadSeconds / Step);
             if (_places.Length != wanted) _places = new Vector3[wanted];
@@ -94,7 +94,7 @@ namespace Nowpose.Unity
             for (; count < wanted; count++)
             {
                 var at = light + ClockTicks.Span(count * Step);
-                if (!frame.TryPlanTool(at, out var tool)) break;
+                if (!robot.TryPlanTool(at, out var tool)) break;
                 _places[count] = _source.transform.TransformPoint(UnityFrame.ToUnity(tool).Position());
             }
             return count;

@@ -1,5 +1,4 @@
 using System;
-using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Latency.DisplayTime;
@@ -12,24 +11,13 @@ namespace Nowpose.Session
     public sealed class DisplayFrame
     {
         readonly JointTracks _tracks;
-        readonly ForwardKinematics _kinematics;
         readonly RigidTransform[] _linkPoses;
-        readonly RigidTransform[] _heldLinkPoses;
         readonly int _toolLink;
-        readonly int[] _toolJoints;
-        double[] _positionsAt;
-        RigidTransform[] _linkPosesAt;
-        bool _isHeldComputed;
 
-        internal DisplayFrame(RobotModel robot, JointTracks tracks, OutsideRangeResponse outsideRange)
+        internal DisplayFrame(JointTracks tracks, RigidTransform[] linkPoses, int toolLink, OutsideRangeResponse outsideRange)
         {
+            (_tracks, _linkPoses, _toolLink) = (tracks, linkPoses, toolLink);
             OutsideRange = outsideRange;
-            _tracks = tracks;
-            _kinematics = new ForwardKinematics(robot);
-            _linkPoses = new RigidTransform[robot.Links.Count];
-            _heldLinkPoses = new RigidTransform[robot.Links.Count];
-            _toolLink = robot.IndexOfLink(robot.ToolLink.Name);
-            _toolJoints = ToolJoints.Of(robot);
         }
 
         /// <summary>Start of the frame on the headset clock.</summary>
@@ -89,75 +77,19 @@ namespace Nowpose.Session
         /// <summary>Pose of the tool centre point, or of the flange if the robot has no tool, in the robot's base frame.</summary>
         public ref readonly RigidTransform ToolPose => ref _linkPoses[_toolLink];
 
-        /// <param name="isJointReportedMissing">Whether the gateway reports that a joint of the robot has no data.</param>
-        internal void Update(in DisplayMoment moment, bool isJointReportedMissing)
+        internal void Set(in DisplayMoment moment, TimeSpan? horizon, PoseState state)
         {
+            Start = moment.Start;
+            DisplayTime = moment.DisplayTime;
+            Horizon = horizon;
+            IsTimeTrusted = moment.IsTrusted;
             ClockState = moment.Clock.State;
             ClockError = moment.Clock.EstimatedError;
+            State = state;
+            Range = moment.Range;
+            ErrorWithheld = moment.ErrorWithheld;
             IsDisplayTimeInconsistent = moment.IsInconsistent;
             IsDisplayTimeImplausible = moment.IsImplausible;
-            ErrorWithheld = moment.ErrorWithheld;
-            Start = moment.Start;
-            IsTimeTrusted = moment.IsTrusted;
-            Range = moment.Range;
-            DisplayTime = moment.DisplayTime;
-            if (moment.DisplayTime is ControlTime light) _tracks.Predict(light);
-            else _tracks.Hold();
-            Horizon = DisplayTime - _tracks.Newest;
-            State = JudgeState(isJointReportedMissing);
-            // After the state is determined: a pose that is held on purpose is not stale.
-            if (State == PoseState.OutsideRange && OutsideRange == OutsideRangeResponse.Hold) _tracks.Hold();
-            _kinematics.Compute(_tracks.Positions, _linkPoses);
-            _isHeldComputed = false;
-        }
-
-        /// <summary>Returns <see cref="LinkPoses"/> for <see cref="HeldJoints"/>; computed on the first call of a frame.</summary>
-        internal ReadOnlySpan<RigidTransform> HeldLinkPoses()
-        {
-            if (!_isHeldComputed) _kinematics.Compute(_tracks.Held, _heldLinkPoses);
-            _isHeldComputed = true;
-            return _heldLinkPoses;
-        }
-
-        /// <summary>Returns the pose of a link in the robot's base frame at any time for which there are samples or a prediction.</summary>
-        /// <param name="origin">That of the joints up to the tool.</param>
-        internal RigidTransform LinkPoseAt(int link, ControlTime at, out PoseOrigin origin)
-        {
-            MakeScratch();
-            origin = _tracks.At(at, _toolJoints, _positionsAt);
-            _kinematics.Compute(_positionsAt, _linkPosesAt);
-            return _linkPosesAt[link];
-        }
-
-        /// <summary>Returns the tool's planned pose in the robot's base frame at a time, however far ahead.</summary>
-        /// <returns>False if a joint up to the tool follows no plan at that time.</returns>
-        internal bool TryPlanTool(ControlTime at, out RigidTransform tool)
-        {
-            MakeScratch();
-            var isPlanned = _tracks.TryPlan(at, _toolJoints, _positionsAt);
-            if (isPlanned) _kinematics.Compute(_positionsAt, _linkPosesAt);
-            tool = isPlanned ? _linkPosesAt[_toolLink] : RigidTransform.Identity;
-            return isPlanned;
-        }
-
-        void MakeScratch()
-        {
-            _positionsAt ??= new double[_tracks.Positions.Length];
-            _linkPosesAt ??= new RigidTransform[_linkPoses.Length];
-        }
-
-        PoseState JudgeState(bool isJointReportedMissing)
-        {
-            var held = isJointReportedMissing;
-            var kinds = _tracks.Kinds;
-            foreach (var joint in _toolJoints)
-            {
-                if (kinds[joint] == PredictionKind.None) return PoseState.Incomplete;
-                held |= kinds[joint] == PredictionKind.Held;
-            }
-            if (!IsTimeTrusted) return PoseState.Unsynchronised;
-            if (held) return PoseState.Held;
-            return Range == RangeState.Outside ? PoseState.OutsideRange : PoseState.Current;
         }
     }
 }

@@ -12,6 +12,7 @@ namespace Nowpose.Session
     sealed class SessionRobot : IRobotLinks
     {
         readonly JointTracks _tracks;
+        readonly FrameComputer _computer;
         readonly DisplayedJoints _displayed;
 
         /// <param name="name">Namespace of the robot; empty for the robot without one.</param>
@@ -24,7 +25,7 @@ namespace Nowpose.Session
             Robot = robot;
             Description = new ReceivedDescription(robot);
             _tracks = new JointTracks(robot, settings.Prediction);
-            Frame = new DisplayFrame(robot, _tracks, settings.OutsideRange);
+            _computer = new FrameComputer(robot, _tracks, settings.OutsideRange);
             _displayed = new DisplayedJoints(robot, Frame, settings.Connection.HeadsetName);
             Joints = new JointWatch(name, robot, _tracks, settings.Prediction.HorizonCap);
             Hindcast = new HindcastMonitor(robot, settings.Prediction.MaximumGap);
@@ -55,7 +56,7 @@ namespace Nowpose.Session
         public LimitWatch Limits => _tracks.Limits;
 
         /// <summary>The displayed frame, which the next tick overwrites.</summary>
-        public DisplayFrame Frame { get; }
+        public DisplayFrame Frame => _computer.Frame;
 
         /// <summary>Displayed pose of the root link in the cell; the identity unless a frame of the cell has the root link's name.</summary>
         public RigidTransform RootPose { get; set; } = RigidTransform.Identity;
@@ -64,14 +65,17 @@ namespace Nowpose.Session
 
         public ReadOnlySpan<RigidTransform> Poses => Frame.LinkPoses;
 
-        public ReadOnlySpan<RigidTransform> HeldPoses => Frame.HeldLinkPoses();
+        public ReadOnlySpan<RigidTransform> HeldPoses => _computer.HeldLinkPoses();
 
-        public RigidTransform PoseAt(int link, ControlTime at, out PoseOrigin origin) => Frame.LinkPoseAt(link, at, out origin);
+        public RigidTransform PoseAt(int link, ControlTime at, out PoseOrigin origin) => _computer.LinkPoseAt(link, at, out origin);
+
+        /// <inheritdoc cref="FrameComputer.TryPlanTool"/>
+        public bool TryPlanTool(ControlTime at, out RigidTransform tool) => _computer.TryPlanTool(at, out tool);
 
         /// <summary>Predicts the joints to the display time of a frame.</summary>
         public void Show(in DisplayMoment moment)
         {
-            Frame.Update(moment, Joints.IsAnyReportedMissing(moment.Start));
+            _computer.Compute(moment, Joints.IsAnyReportedMissing(moment.Start));
             Hindcast.Shown(Frame, moment.Clock.ErrorBound);
         }
 
