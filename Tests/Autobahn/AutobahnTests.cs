@@ -96,10 +96,11 @@ public class AutobahnTests
     static string EventOf(IAutobahnSubject subject, CaseScript script, int opcode, byte[] payload) => opcode switch
     {
         CaseScript.Text => subject.EventOf(Encoding.UTF8.GetString(payload), script),
-        CaseScript.Pong => script.PingPayloads.Contains(Encoding.UTF8.GetString(payload)) ? "pong" : "garbled pong",
-        CaseScript.CloseFrame => payload.Length < 2 ? "close" : "close:" + BinaryPrimitives.ReadUInt16BigEndian(payload),
-        // The subject sends pings on its own, to keep a quiet connection alive.
+        CaseScript.Pong when script.PingPayloads.Contains(Encoding.UTF8.GetString(payload)) => "pong",
+        // The subject sends pings or empty pongs on its own, to keep a quiet connection alive.
         CaseScript.Ping => null,
+        CaseScript.Pong => payload.Length == 0 ? null : "garbled pong",
+        CaseScript.CloseFrame => payload.Length < 2 ? "close" : "close:" + BinaryPrimitives.ReadUInt16BigEndian(payload),
         _ => "opcode " + opcode,
     };
 

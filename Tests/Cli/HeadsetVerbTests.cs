@@ -104,10 +104,12 @@ public class HeadsetVerbTests
         var run = await RunAsync(gateway, "--seconds", "6", "--json", "--robot", urdf.Path);
 
         Assert.That(run.ExitStatus, Is.EqualTo(1));
-        Assert.That(run.Errors.TrimEnd().Split('\n')[^1], Is.EqualTo("nowpose: the pose was never current; joint arm_joint_x: no value"));
+        // On a busy machine, the newest samples of the other joints may be old at the end.
+        Assert.That(run.Errors, Does.Contain("nowpose: the pose was never current; joint").And.Contain("arm_joint_x: no value"));
         var result = JsonDocument.Parse(run.Output).RootElement;
-        Assert.That(result.GetProperty("missing_joints").EnumerateArray().Select(joint => joint.GetString()), Is.EqualTo(new[] { "arm_joint_x" }));
-        Assert.That(result.GetProperty("joints")[0].GetProperty("state").GetString(), Is.EqualTo("missing"));
+        Assert.That(result.GetProperty("missing_joints").EnumerateArray().Select(joint => joint.GetString()), Does.Contain("arm_joint_x"));
+        var never = result.GetProperty("joints").EnumerateArray().Single(joint => joint.GetProperty("name").GetString() == "arm_joint_x");
+        Assert.That(never.GetProperty("state").GetString(), Is.EqualTo("missing"));
         Assert.That(result.GetProperty("pose").GetProperty("state").GetString(), Is.EqualTo("incomplete"));
         Assert.That(result.GetProperty("pose").GetProperty("current_share_of_run").GetDouble(), Is.Zero);
     }
