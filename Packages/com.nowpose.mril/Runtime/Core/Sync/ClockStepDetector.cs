@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Sync.Envelope;
 
 namespace Nowpose.Sync
 {

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Sync.Envelope;
 
 namespace Nowpose.Sync
 {

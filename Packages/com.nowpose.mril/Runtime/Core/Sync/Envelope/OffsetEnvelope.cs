@@ -1,7 +1,6 @@
 using System;
-using Nowpose.Sync.Envelope;
 
-namespace Nowpose.Sync
+namespace Nowpose.Sync.Envelope
 {
     /// <summary>Interval of the offsets that are consistent with the recent exchanges; valid for any network.</summary>
     /// <remarks>

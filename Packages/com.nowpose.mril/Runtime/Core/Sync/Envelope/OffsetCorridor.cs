@@ -1,7 +1,6 @@
 using System;
-using Nowpose.Sync.Envelope;
 
-namespace Nowpose.Sync
+namespace Nowpose.Sync.Envelope
 {
     /// <summary>
     /// Bounds of the offset relative to an estimated line, and lateness of the packets relative to the bounds; in seconds.
