@@ -61,6 +61,15 @@ public sealed class MessageHub
         lock (_lock) return (string)_descriptions.GetValueOrDefault(RobotTopic.NameOf(robot, RosTopics.RobotDescription))?.Content;
     }
 
+    /// <summary>Whether the description of a robot is kept.</summary>
+    internal bool IsRobotDescribed
+    {
+        get
+        {
+            lock (_lock) return _descriptions.Count > 0;
+        }
+    }
+
     /// <summary>Raised when signals without a source get one. Called under the hub's lock.</summary>
     internal event Action<IReadOnlyCollection<string>> SignalsBegan;
 

@@ -19,7 +19,6 @@ sealed class CountingStream(Stream inner, FragmentCounter counter, Action receiv
     {
         byte[] frame = [FinalPing, (byte)payload.Length, .. payload.Span];
         await WriteAsync(frame);
-        await FlushAsync(CancellationToken.None);
     }
 
     public override async ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellationToken = default)
@@ -53,18 +52,8 @@ sealed class CountingStream(Stream inner, FragmentCounter counter, Action receiv
 
     public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
 
-    public override async Task FlushAsync(CancellationToken cancellationToken)
-    {
-        await _writing.WaitAsync(cancellationToken);
-        try
-        {
-            await inner.FlushAsync(cancellationToken);
-        }
-        finally
-        {
-            _writing.Release();
-        }
-    }
+    // Kestrel sends the bytes of each write at once.
+    public override Task FlushAsync(CancellationToken cancellationToken) => Task.CompletedTask;
 
     public override void Flush() => throw new NotSupportedException();
     public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();

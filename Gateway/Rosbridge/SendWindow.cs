@@ -199,9 +199,8 @@ sealed class SendWindow
         _lateRate = isLate ? readRate : null;
         var size = SizeFor(took, read, unread);
         if (_pongsSinceRecovery < LossyPongs) size = Math.Max(isLate ? 0 : size, MeanRate * LossyTarget.TotalSeconds);
-        // The client reads at least at this rate. A pong for a few bytes does not show that it can read more.
-        var rate = read / took.TotalSeconds;
-        var min = took < Quick && rate >= QuickBytesPerSecond ? QuickBytes : rate >= MinBytesPerSecond ? MinBytes : OneMessage;
+        // A pong for a few bytes does not show that the client can read more.
+        var min = took < Quick && readRate >= QuickBytesPerSecond ? QuickBytes : readRate >= MinBytesPerSecond ? MinBytes : OneMessage;
         Size = (int)Math.Clamp(size, min, MaxBytes);
     }
 

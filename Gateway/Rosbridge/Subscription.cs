@@ -54,7 +54,8 @@ sealed class Subscription : IDisposable
     /// </param>
     public async Task PumpAsync(Func<Func<long, ReadOnlyMemory<byte>>, Task> send, CancellationToken stop)
     {
-        while (HasMore || await _queue.Reader.WaitToReadAsync(stop))
+        // Without a token, which would be registered for each message. The end of the connection disposes the subscription.
+        while (HasMore || await _queue.Reader.WaitToReadAsync(CancellationToken.None))
         {
             var began = Stopwatch.GetTimestamp();
             HubMessage message = null;

@@ -8,7 +8,7 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
 {
     public BrowserSessions Sessions { get; } = new(options.Time);
 
-    AccessRule Rule => field ??= new AccessRule(options, Sessions, wrong);
+    AccessRule Rule => field ??= new AccessRule(options, Sessions);
 
     /// <summary>Gets the role of a request; null if it was refused and answered.</summary>
     public async Task<Role?> AdmitAsync(HttpContext context)
@@ -86,7 +86,7 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
         return true;
     }
 
-    // Valid tokens are accepted before this, even from an address with many wrong ones, unless they are weak.
+    // Valid tokens are accepted before this, even from an address with many wrong ones.
     async Task RefuseTokenAsync(HttpContext context)
     {
         const string Text = "the bearer token is missing or unknown";

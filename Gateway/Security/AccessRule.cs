@@ -6,11 +6,8 @@ namespace Nowpose.Gateway.Security;
 
 /// <summary>Decides who may open a WebSocket or request a page, and with which role.</summary>
 /// <param name="sessions">Sessions of browsers, which open pages and WebSockets without an Authorization header.</param>
-/// <param name="wrong">Limits the guesses of weak tokens.</param>
-sealed class AccessRule(GatewayOptions options, BrowserSessions sessions, WrongTokens wrong)
+sealed class AccessRule(GatewayOptions options, BrowserSessions sessions)
 {
-    static readonly object RoleKey = new();
-
     const string TokenScheme = "Bearer ";
 
     /// <summary>Whether the request comes from one of the gateway's own pages, or not from a browser page.</summary>
@@ -40,9 +37,10 @@ sealed class AccessRule(GatewayOptions options, BrowserSessions sessions, WrongT
     /// </remarks>
     public Role? RoleOf(HttpContext context)
     {
-        // A request is judged once, so that it counts as one guess.
-        if (!context.Items.TryGetValue(RoleKey, out var role)) context.Items[RoleKey] = role = Judge(context);
-        return (Role?)role;
+        var known = TokenHashOf(context) is { } hash ? options.RoleOf(hash) : null;
+        if (known != null || options.AsksForTokens)
+            return known;
+        return IsFromHere(context) ? Role.Source : Role.Observer;
     }
 
     /// <summary>Whether the request may control the recorder and pair headsets.</summary>
@@ -51,8 +49,11 @@ sealed class AccessRule(GatewayOptions options, BrowserSessions sessions, WrongT
     /// <summary>Gets the hash of the token in the request's header or of its browser's login, known or not; null if there is none.</summary>
     public byte[] TokenHashOf(HttpContext context)
     {
-        if (!HasBearer(context)) return SessionOf(context) is { } id ? sessions.TokenHashOf(id) : null;
-        return BearerOf(context) is { } token ? TokenList.HashOf(token) : null;
+        var values = context.Request.Headers[HeaderNames.Authorization];
+        if (values.Count == 0)
+            return SessionOf(context) is { } id ? sessions.TokenHashOf(id) : null;
+        var value = values.Count == 1 ? values[0] : "";
+        return value.StartsWith(TokenScheme, StringComparison.OrdinalIgnoreCase) ? TokenList.HashOf(value[TokenScheme.Length..].Trim()) : null;
     }
 
     /// <summary>Whether the request has a token in its header.</summary>
@@ -67,19 +68,6 @@ sealed class AccessRule(GatewayOptions options, BrowserSessions sessions, WrongT
     public bool IsOwnHost(HttpContext context) =>
         Uri.TryCreate($"{Scheme}://{context.Request.Host.Value}", UriKind.Absolute, out var uri)
         && OwnHosts.Contain(uri, context.Connection.LocalIpAddress);
-
-    Role? Judge(HttpContext context)
-    {
-        var known = BearerOf(context) is { } token ? wrong.RoleOf(context.Connection.RemoteIpAddress, token, options.RoleOf)
-            : TokenHashOf(context) is { } hash ? options.RoleOf(hash) : null;
-        if (known != null || options.AsksForTokens) return known;
-        return IsFromHere(context) ? Role.Source : Role.Observer;
-    }
-
-    // Null for none, or for a header of another form.
-    static string BearerOf(HttpContext context) =>
-        context.Request.Headers[HeaderNames.Authorization] is [var value] && value.StartsWith(TokenScheme, StringComparison.OrdinalIgnoreCase)
-            ? value[TokenScheme.Length..].Trim() : null;
 
     static string SessionOf(HttpContext context) => context.Request.Cookies[BrowserSessions.CookieOf(context)];
 

@@ -9,10 +9,9 @@ namespace Nowpose.Gateway.Security;
 /// is over. Thread-safe.
 /// </summary>
 /// <remarks>
-/// Log-in and pairing refuse a blocked address. Bearer and sync tokens may come from a headset behind the same address as a client that guesses.
-/// A token of <see cref="TokenStrength.MinBits"/> cannot be guessed at any rate, so it is always compared, and only the answer to a wrong one is
-/// delayed. A weaker token can be guessed: an address may try <see cref="MaxWeakGuesses"/> wrong ones, and then one per
-/// <see cref="WeakGuessInterval"/>, over any number of connections. Others are refused without a comparison.
+/// 128 bits cannot be guessed at any rate. Log-in and pairing refuse a blocked address, which limits the rate of guesses. Bearer and sync tokens
+/// are always compared, because clients with valid tokens may have the same address: only the answers to wrong ones are delayed. A client that
+/// closes the delayed connections and opens new ones is not limited in its guesses. The delay reduces log output and load.
 /// </remarks>
 sealed class WrongTokens(TimeProvider time)
 {
@@ -22,43 +21,17 @@ sealed class WrongTokens(TimeProvider time)
     /// <summary>Maximum number of delayed answers of one address that wait one after the other.</summary>
     internal const int MaxTurns = 10;
 
-    /// <summary>Number of wrong weak tokens of one address that are compared without a pause between them.</summary>
-    internal const int MaxWeakGuesses = 60;
-
     static readonly TimeSpan Span = TimeSpan.FromMinutes(1);
 
-    /// <summary>Interval at which an address may try one more weak token: as many per minute as wrong pairing codes.</summary>
-    internal static readonly TimeSpan WeakGuessInterval = Span / PairingLimits.WrongCodesPerMinute;
-
     readonly Lock _lock = new();
-    readonly long _start = time.GetTimestamp();
     readonly Dictionary<IPAddress, LinkedListNode<Address>> _addresses = [];
     // Sorted by their last attempt, the oldest first.
     readonly LinkedList<Address> _order = [];
-
-    TimeSpan Now => time.GetElapsedTime(_start);
 
     /// <summary>Gets the remaining time for which an address is blocked; zero if it is not.</summary>
     public TimeSpan BlockedFor(IPAddress address)
     {
         lock (_lock) return Find(address) is { } known ? BlockedFor(known) : TimeSpan.Zero;
-    }
-
-    /// <summary>Gets the role of a token; null if it is wrong, or weak and not compared because its address has guessed too often.</summary>
-    /// <param name="compare">Returns the role of a token; null for a wrong one.</param>
-    public Role? RoleOf(IPAddress address, string token, Func<string, Role?> compare)
-    {
-        if (TokenStrength.BitsOf(token) >= TokenStrength.MinBits) return compare(token);
-        // Compared under the lock, so that parallel guesses are limited as well.
-        lock (_lock)
-        {
-            var known = Find(address);
-            if (known != null && UntilGuess(known) > TimeSpan.Zero) return null;
-            if (compare(token) is { } role) return role;
-            known ??= Add(Key(address));
-            known.RefilledAt = (known.RefilledAt > Now ? known.RefilledAt : Now) + WeakGuessInterval;
-            return null;
-        }
     }
 
     public void Count(IPAddress address) => Count(address, TimeSpan.Zero);
@@ -88,13 +61,10 @@ sealed class WrongTokens(TimeProvider time)
 
     TimeSpan BlockedFor(Address one)
     {
-        var untilReset = one.Count < PairingLimits.WrongCodesPerMinute ? TimeSpan.Zero : Span - time.GetElapsedTime(one.Since);
-        var left = UntilGuess(one) > untilReset ? UntilGuess(one) : untilReset;
+        if (one.Count < PairingLimits.WrongCodesPerMinute) return TimeSpan.Zero;
+        var left = Span - time.GetElapsedTime(one.Since);
         return left > TimeSpan.Zero ? left : TimeSpan.Zero;
     }
-
-    // Time until the address may try a weak token; negative or zero if it may.
-    TimeSpan UntilGuess(Address one) => one.RefilledAt - ((MaxWeakGuesses - 1) * WeakGuessInterval) - Now;
 
     // Moves the address to the end, because it has just made an attempt. Null for an address without wrong tokens.
     Address Find(IPAddress address)
@@ -135,8 +105,5 @@ sealed class WrongTokens(TimeProvider time)
         // Delay of the last delayed answer, and the time from which it counts.
         public TimeSpan Waiting;
         public long WaitingAt;
-
-        // Time at which all guesses of weak tokens are available again.
-        public TimeSpan RefilledAt;
     }
 }

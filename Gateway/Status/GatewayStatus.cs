@@ -126,7 +126,7 @@ sealed class GatewayStatus : IDisposable
         var (frames, signals) = (_cell.Frames(_clock.Now), _cell.Signals(_clock.Now));
         return new StatusSnapshot(
             _options.Cell, Environment.MachineName, Version,
-            OverallStatus.Of(conditions, joints, frames, signals, IsRobotDescribed, reports.Count(one => !IsAdapter(one))),
+            OverallStatus.Of(conditions, joints, frames, signals, _hub.IsRobotDescribed, reports.Count(one => !IsAdapter(one))),
             _started.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture),
             Math.Round(Stopwatch.GetElapsedTime(_startCount).TotalSeconds, 1), Math.Round(_clock.Now.SinceEpoch.TotalSeconds, 6), OfClock(),
             [.. _clock.Status().Select(Of)],
@@ -142,9 +142,6 @@ sealed class GatewayStatus : IDisposable
             _recorder.Status, _options.Headsets != null, !conditions.Any(condition => condition.Blocks),
             [.. Events.Read(EventsInState).Select(one => one.View)], CertificateExpiresUtc: _options.CertificateExpires);
     }
-
-    bool IsRobotDescribed => Enumerable.Range(0, Counted.Length).Any(
-        topic => Counted[topic].EndsWith(RosTopics.RobotDescription, StringComparison.Ordinal) && Interlocked.Read(ref _messages[topic]) > 0);
 
     IReadOnlyList<Condition> ConditionsOf(IReadOnlyList<JointStatus> joints) => Events.Date(_conditions.Read(joints));
 

@@ -175,11 +175,12 @@ sealed class SyncConnection
         var text = new byte[count];
         if (!TryFill(stream, text) || !SyncToken.TryReadText(text, out var token))
             return false;
-        if (_wrong.RoleOf(_address, token, _options.RoleOf) is { } role)
+        var hash = TokenList.HashOf(token);
+        if (_options.RoleOf(hash) is { } role)
         {
             _isAccepted = true;
             _watched?.Dispose();
-            _watched = _access.Watch(TokenList.HashOf(token), role, () => Stop(Closure.Token));
+            _watched = _access.Watch(hash, role, () => Stop(Closure.Token));
         }
 
         else if (!_isAccepted)
@@ -192,7 +193,7 @@ sealed class SyncConnection
         return true;
     }
 
-    // A valid token is answered immediately, even from an address with many wrong ones, unless it is weak.
+    // A valid token is answered immediately, even from an address with many wrong ones.
     void SlowDown()
     {
         var wait = _wrong.Count(_address, _options.WrongTokenDelay);

@@ -9,12 +9,13 @@ namespace Nowpose.Headless.Tests.Gateway;
 /// <summary>Debian's MQTT broker on a free port of loopback, stopped with the test.</summary>
 sealed class Mosquitto : IDisposable
 {
-    readonly Process _process;
+    readonly string _file;
+    Process _process;
 
-    Mosquitto(Process process, int port)
+    Mosquitto(string file, int port)
     {
-        _process = process;
-        Port = port;
+        (_file, Port) = (file, port);
+        _process = Start(file);
     }
 
     public int Port { get; }
@@ -27,8 +28,8 @@ sealed class Mosquitto : IDisposable
         {
             var port = FreePort();
             await File.WriteAllTextAsync(file, $"listener {port} 127.0.0.1\nallow_anonymous true\npersistence false\nlog_dest none\n");
-            var broker = new Mosquitto(Start(file), port);
-            await Soon.BecomesAsync(() => broker._process.HasExited || Listens(port), "mosquitto listens");
+            var broker = new Mosquitto(file, port);
+            await broker.ListensAsync();
             if (!broker._process.HasExited) return broker;
             // Another program took the port in the meantime. Any other reason is an error.
             var said = await broker._process.StandardError.ReadToEndAsync();
@@ -36,6 +37,24 @@ sealed class Mosquitto : IDisposable
             Assert.That(said, Does.Contain("in use"), "why mosquitto ended");
         }
     }
+
+    /// <summary>Ends the broker without closing its connections, like a crash.</summary>
+    public void Kill()
+    {
+        _process.Kill();
+        _process.WaitForExit();
+    }
+
+    /// <summary>Starts the broker again, on the same port.</summary>
+    public async Task RestartAsync()
+    {
+        _process.Dispose();
+        _process = Start(_file);
+        await ListensAsync();
+        Assert.That(_process.HasExited, Is.False, "the broker runs again");
+    }
+
+    Task ListensAsync() => Soon.BecomesAsync(() => _process.HasExited || Listens(Port), "mosquitto listens");
 
     static Process Start(string file)
     {
@@ -80,8 +99,7 @@ sealed class Mosquitto : IDisposable
 
     public void Dispose()
     {
-        _process.Kill();
-        _process.WaitForExit();
+        Kill();
         _process.Dispose();
     }
 }

@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Globalization;
+using System.Text.Json;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
 using Nowpose.Protocol;
@@ -43,6 +44,15 @@ public class PackagingTests
         var output = process.StandardOutput.ReadToEnd();
         Assert.That(process.WaitForExit(Soon.Limit), Is.True);
         return (process.ExitCode, output + errors.Result);
+    }
+
+    [Test]
+    public void Gateway_IdleThreads_DoNotSpin()
+    {
+        using var settings = JsonDocument.Parse(File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "Nowpose.Gateway.runtimeconfig.json")));
+
+        var properties = settings.RootElement.GetProperty("runtimeOptions").GetProperty("configProperties");
+        Assert.That(properties.GetProperty("System.Threading.ThreadPool.UnfairSemaphoreSpinLimit").GetInt32(), Is.Zero);
     }
 
     [Test]

@@ -69,6 +69,25 @@ public class CellStatusTests
     }
 
     [Test]
+    public async Task State_DescribedRobotsGaveWayToOthers_IsThatOfObjectsOnly()
+    {
+        for (var i = 0; i < ProtocolLimits.Robots; i++) await _source.SendAsync(RosbridgeWriter.PublishString($"/old{i}/robot_description", "<robot/>"));
+        await _source.RoundTripAsync();
+        _source.Dispose();
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 0, "the source has gone");
+        using var twin = await RawRosbridgeClient.ConnectAsync(_gateway);
+        await twin.SendAsync(Tf(Frame("box")));
+        await twin.RoundTripAsync();
+        Assert.That((await StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("warning"));
+
+        for (var i = 0; i < ProtocolLimits.Robots; i++) await twin.SendAsync(RosbridgeWriter.Advertise($"/new{i}/joint_states", null));
+        await twin.SendAsync(Tf(Frame("box")));
+        await twin.RoundTripAsync();
+
+        Assert.That((await StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("ok"));
+    }
+
+    [Test]
     public async Task State_InvalidSampleOfARobot_ConcernsOnlyThatRobot()
     {
         using var other = await RawRosbridgeClient.ConnectAsync(_gateway);

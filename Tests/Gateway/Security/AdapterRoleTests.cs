@@ -21,7 +21,7 @@ public class AdapterRoleTests
         var context = new DefaultHttpContext();
         context.Connection.RemoteIpAddress = IPAddress.Parse(address);
         if (token != null) context.Request.Headers.Authorization = "Bearer " + token;
-        return new AccessRule(options, new BrowserSessions(TimeProvider.System), new WrongTokens(TimeProvider.System)).RoleOf(context);
+        return new AccessRule(options, new BrowserSessions(TimeProvider.System)).RoleOf(context);
     }
 
     [TestCase("192.0.2.7", Role.Observer)]

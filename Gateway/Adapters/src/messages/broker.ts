@@ -29,7 +29,6 @@ export const mqttMessages = {
   retained: 'only a retained message of unknown age has arrived; it is shown after the next message',
   notJson: (topic: string) => `the message on ${topic} is neither JSON nor a number nor true or false`,
   noTime: (topic: string, unit: string, field: string) => `the message on ${topic} has no time in ${unit} in the field ${field}`,
-  noField: (topic: string, field: string) => `the message on ${topic} has no field ${field}`,
 };
 
 /** Reasons why a message is malformed. */

@@ -9,6 +9,7 @@ export const refusalMessages = {
     `its time stamp is ${apartMs.toFixed(1)} ms ahead of the control clock; up to ${maxMs.toFixed(1)} ms is allowed`,
   behind: (apartMs: number, maxMs: number) =>
     `its time stamp is ${apartMs.toFixed(1)} ms behind the control clock; up to ${maxMs.toFixed(1)} ms is allowed`,
+  noField: (topic: string, field: string) => `the message on ${topic} has no field ${field}`,
   notNumber: (value: unknown) => `value ${shown(value)} is not a number; name a numeric variable`,
   notPosition: (text: string) => `value ${text} is not a position`,
   scaledNotPosition: (number: number, scale: number) => `value ${number} with scale ${scale} is not a position`,

@@ -1,7 +1,7 @@
 import type { Value } from '../configuration/values';
 import type { Nanoseconds } from '../times';
 import type { PlantValue } from './plantOutput';
-import { mqttMessages } from '../messages/broker';
+import { refusalMessages } from '../messages/values';
 
 interface Place {
   index: number;
@@ -40,7 +40,7 @@ export class TopicValues {
     return (this.#places.get(topic) ?? []).map(({ index, path }): PlantValue => {
       const value = fieldIn(message, path);
       if (value !== undefined) return { index, value, stamp };
-      return { index, value, stamp, refusal: { reason: 'field', text: mqttMessages.noField(topic, path.join('.')) } };
+      return { index, value, stamp, refusal: { reason: 'field', text: refusalMessages.noField(topic, path.join('.')) } };
     });
   }
 }

@@ -36,7 +36,7 @@ async function assertOthersGoOn(bridge, joint, other) {
   const own = samplesOf(bridge, joint), others = samplesOf(bridge, other);
   await until(() => samplesOf(bridge, other) > others + 20, `samples of ${other}`);
   assert.equal(samplesOf(bridge, joint), own, `${joint} is not repeated`);
-  assert.equal(bridge.joint(other).state, 'live');
+  await until(() => bridge.joint(other).state === 'live', () => JSON.stringify(bridge.joint(other)));
 }
 
 describe('silence over OPC UA', { concurrency: 2 }, () => {
@@ -60,23 +60,35 @@ describe('silence over OPC UA', { concurrency: 2 }, () => {
   });
 
   it('Writer_StoppedInMidMotion_IsFaultThenLive', async t => {
-    // Ten times the speed of the arm: at most 5 rad/s, sampled every 10 ms.
     const { server, bridge, state, writers } = await cell(t, ['max_deceleration: 40']);
-    const fast = sent => {
-      const t = Number(sent.sourceTimestamp.getTime() % 3_600_000) / 1000, value = Math.sin(5 * t);
-      return { ...sent, value: Object.assign(sent.value.clone(), { value }), isFast: Math.abs(Math.cos(5 * t)) > 0.5 };
+    // Accelerates with at most 20 rad/s² to 80 rad/s and more: even after samples that are 0.5 s apart, a stop there needs 160 rad/s².
+    const began = Number(server.clock.now / 1_000_000n), recent = [];
+    const moving = sent => {
+      const ms = sent.sourceTimestamp.getTime(), phase = (ms - began) / 8000, value = 1280 * (1 - Math.cos(phase));
+      recent.push({ ms, isFast: Math.abs(Math.sin(phase)) > 0.5 });
+      return { ...sent, value: Object.assign(sent.value.clone(), { value }) };
     };
-    writers.set('arm_joint_1', fast);
-    await until(() => samplesOf(bridge, 'a') > 200, 'samples');
-
+    // A busy machine samples late, and a long gap would be the end of the motion before it.
+    const isInMotion = () => {
+      const newest = recent.slice(-8);
+      return newest.length === 8 && newest.at(-1).isFast && newest.slice(1).every(({ ms }, i) => ms - newest[i].ms < 250);
+    };
     let last = null;
-    writers.set('arm_joint_1', sent => last ?? (fast(sent).isFast ? last = fast(sent) : fast(sent)));
-    const { reason, since } = await state('a', 'fault');
+    writers.set('arm_joint_1', sent => {
+      if (last !== null) return last;
+      const value = moving(sent);
+      if (isInMotion()) last = value;
+      return value;
+    });
+
+    // Earlier faults, of late samples, are at least 60 ms of silence older.
+    const isEnded = ({ state, since }) => state === 'fault' && since > last.sourceTimestamp.getTime() / 1000 - 0.05;
+    const { reason, since } = await until(() => last !== null && isEnded(bridge.joint('a')) && bridge.joint('a'), () => JSON.stringify(bridge.joint('a')));
 
     assert.match(reason, like(silenceMessages.endedBecause(silenceMessages.stopTooHard(ANY, 40, 'rad/s²', 'configured'))));
-    assert.ok(Math.abs(since - last.sourceTimestamp.getTime() / 1000) < 2, `${since}`);
+    assert.ok(since <= Date.now() / 1000, `${since}`);
     await assertOthersGoOn(bridge, 'a', 'b');
-    writers.set('arm_joint_1', fast);
+    writers.set('arm_joint_1', moving);
     await state('a', 'live');
     assert.ok(server.asked.get('ReadRequest') > 0);
   });

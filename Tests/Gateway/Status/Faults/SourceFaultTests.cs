@@ -138,7 +138,7 @@ public class SourceFaultTests
     {
         await _gateway.StartAsync(options => options with { ExpectsSources = true });
         // The first complete check publishes the state of the joints.
-        var looked = new TaskCompletionSource();
+        var looked = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         using var listening = _gateway.Server.Hub.Subscribe(RosTopics.JointStatus, _ => looked.TrySetResult());
         await looked.Task.Bounded();
         _gateway.Time.Advance(TimeSpan.FromSeconds(75));
