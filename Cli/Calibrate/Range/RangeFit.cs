@@ -79,11 +79,15 @@ static class RangeFit
                 CultureInfo.InvariantCulture,
                 "pairs: L_visu scatters by {0:0.0} ms at the lowest render times, so no range exists; up to {1} ms are allowed; "
                 + "check how it was measured", spread, MaxSpreadMs));
-        var last = sorted[split.Count - 1].RenderMs;
-        var next = split.IsReached ? sorted[Math.Min(split.Count + Misread, sorted.Length - 1)].RenderMs : last;
+        (double Last, double Next) GapAt(int count)
+        {
+            var last = sorted[count - 1].RenderMs;
+            return (last, split.IsReached ? sorted[Math.Min(count + Misread, sorted.Length - 1)].RenderMs : last);
+        }
+        var ((last, next), (lastPossible, open)) = (GapAt(split.Count), GapAt(split.MaxCount));
         var limit = Math.Min(last + IntoTheGap * (next - last), (1 + MaxShareAbove) * last);
         return new RangeFitResult(mean, spread, limit, split.IsReached, sorted.Length, inside.Length, split.Count - inside.Length,
-            next > (1 + Coarse) * last ? next : (double?)null);
+            open > (1 + Coarse) * lastPossible ? open : (double?)null);
     }
 
     static IEnumerable<double> Visu(IEnumerable<LatencyPair> pairs) => pairs.Select(pair => pair.VisuMs);

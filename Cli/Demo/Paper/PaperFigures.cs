@@ -35,7 +35,8 @@ static class PaperFigures
 
     static string ClockConditions(PaperRun run) => $"{run.Run.Settings.Network.Name}, an exchange every 200 ms, {run.Steps.Count} exchanges. "
         + "RANSAC over 100 exchanges with 20 hypotheses, moving average of 20. t and the offsets count from the first exchange, "
-        + $"whose Φ* is {FirstOffset(run)}. Θ₂ is the offset at t = 0. RTT includes the time at the server, as in the paper.";
+        + $"whose Φ* is {FirstOffset(run)}. Θ₂ is the offset at t = 0. RTT includes the time at the server, as in the paper."
+        + FitErrors.TextOfExchanges(run.ExchangeErrorsMs);
 
     static string FirstOffset(PaperRun run) => run.Run.Exchanges.Count == 0 ? "unknown" : FormattableString.Invariant(
         $"{run.Run.Exchanges[0].Offset.HeadsetMinusControl.TotalSeconds:0.000} s: the clocks started at different times");

@@ -43,6 +43,10 @@ sealed class PaperRun
     /// <summary>The clock after each exchange.</summary>
     public IReadOnlyList<SyncStep> Steps { get; }
 
+    /// <summary>Gets the errors of the exchanges from 10 s on, without an estimator, ms.</summary>
+    public double[] ExchangeErrorsMs =>
+        Steps.Count == 0 ? [] : FitErrors.OfExchanges(Steps, Run.Exchanges[0].Offset, at => Run.Truth.OffsetAt(at));
+
     /// <summary>The whole swings among the scored frames; null if there are none.</summary>
     public SwingFrames Swings { get; }
 

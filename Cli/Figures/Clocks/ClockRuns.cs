@@ -19,7 +19,12 @@ sealed class ClockRuns
     }
 
     /// <summary>Gets |ε_i| of Eq. (6) of the paper's estimator over all logs, ms.</summary>
-    public double[] FitErrorsMs => [.. Logs.SelectMany(log => FitErrors.Of(SyncSteps.Of(log.All, ClockMethod.All[0].Name)))];
+    public double[] FitErrorsMs => [.. Logs.SelectMany(log => FitErrors.Of(StepsOf(log)))];
+
+    /// <summary>Gets the same with the true offset instead of the fit: the errors of the exchanges themselves.</summary>
+    public double[] ExchangeErrorsMs => [.. Logs.SelectMany(log => FitErrors.OfExchanges(StepsOf(log), log.All[0].Offset, log.TrueOffset))];
+
+    static IReadOnlyList<SyncStep> StepsOf(SimulatedExchanges log) => SyncSteps.Of(log.All, ClockMethod.All[0].Name);
 
     /// <summary>Length of each log, s.</summary>
     public double Seconds { get; }

@@ -23,7 +23,7 @@ static class Figure08
                 + $"{Percent(errors[1].Errors.P95Us / errors[0].Errors.P95Us)} of the paper's {Text(errors[0].Errors.P95Us)} µs.",
             Conditions = $"Simulated good WiFi, an exchange every 200 ms, {runs.Logs.Count} runs of {Text(runs.Seconds)} s with skews of "
                 + "5 to 80 ppm that drift by ±2 ppm; plots and file show the first run. RANSAC over 100 exchanges with 20 hypotheses, "
-                + "moving average of 20.",
+                + "moving average of 20." + FitErrors.TextOfExchanges(runs.ExchangeErrorsMs),
             Table = table,
             Plots = [.. PlotsOf(table)],
             Summary = new FigureSummary($"Offset error from {Text(ClockErrors.SettledAfter)} s on, all runs",

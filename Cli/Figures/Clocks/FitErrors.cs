@@ -15,6 +15,17 @@ static class FitErrors
     public static double[] Of(IEnumerable<SyncStep> steps) =>
         [.. steps.Where(step => step.Seconds >= ClockErrors.SettledAfter && step.FitErrorMs.HasValue).Select(step => Math.Abs(step.FitErrorMs.Value))];
 
+    /// <summary>Gets the same with the true offset instead of the fit: the errors of the exchanges themselves, which no estimator removes.</summary>
+    /// <param name="first">Φ* of the first exchange, to which the steps are relative.</param>
+    /// <param name="truth">Φ at a headset time.</param>
+    public static double[] OfExchanges(IEnumerable<SyncStep> steps, ClockOffset first, Func<HeadsetTime, ClockOffset> truth) =>
+        Of(steps.Select(step => step with { FitMs = (truth(step.At) - first).TotalMilliseconds }));
+
+    /// <summary>States the share of the exchanges that are below the bound with the true offset.</summary>
+    public static string TextOfExchanges(double[] errors) => errors.Length == 0 ? ""
+        : $" With the true offset instead of the fit, {Numbers.Percent(ShareBelow(errors))} of the exchanges from 10 s on are below {BoundMs} ms; "
+        + "the others took at least 2 ms longer in one direction than in the other.";
+
     /// <param name="errors">At least one error.</param>
     public static double ShareBelow(double[] errors) => (double)errors.Count(ms => ms < BoundMs) / errors.Length;
 }

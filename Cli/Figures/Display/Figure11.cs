@@ -64,7 +64,7 @@ static class Figure11
         [
             new("At loads whose render time stays below the limit, the median of L_visu is the same within 1 ms.", worst < 1,
                 inside.Length == 0 ? "no such load" : $"within {Text(worst)} ms up to {Text(inside[^1].Key / 1e6)} million"),
-            .. SpreadCriteria.Of("At each load whose render time is beyond the limit,", inside.SelectMany(load => load).Select(each => each.VisuMs),
+            .. SpreadCriteria.Of("At the loads whose render time is beyond the limit, each about its mean,", inside.SelectMany(load => load).Select(each => each.VisuMs),
                 [.. beyond.Select(load => new SpreadGroup($"{Text(load.Key / 1e6)} million", load.Select(each => each.VisuMs)))]),
         ];
     }
@@ -83,7 +83,7 @@ static class Figure11
             new($"A scene whose vertices take twice as long to render has the same limit within {Percent(LimitShare)}.",
                 Math.Abs((otherLimitMs - limitMs) / limitMs ?? double.PositiveInfinity) <= LimitShare, $"{Limit(limitMs)} and {Limit(otherLimitMs)}"),
             new($"Inside the range, 95 % of the pictures have the stored L_visu within {Sufficient} ms.", stored >= 0.95, Percent(stored)),
-            .. SpreadCriteria.Of("In each step of 1 ms of render time above the limit,", inside,
+            .. SpreadCriteria.Of("At render times above the limit, in steps of 1 ms and each about its mean,", inside,
                 [.. steps.Select(step => new SpreadGroup($"{Text(limitMs.Value + step.Key)} ms and more", step.Select(each => each.VisuMs)))]),
         ];
     }

@@ -9,12 +9,28 @@ readonly record struct Spread(double Deviation, double Range)
 {
     const double Low = 0.025, High = 0.975;
 
-    /// <param name="values">Any number; the spread of fewer than two is 0.</param>
+    /// <summary>Minimum number of values of which some are in the middle.</summary>
+    const int MinValues = 3;
+
+    /// <param name="values">Any number; the spread of fewer than three is 0.</param>
     public static Spread Of(IEnumerable<double> values)
     {
         var all = values.ToArray();
-        if (all.Length < 2) return default;
-        double low = Quantile.Of(all, Low), high = Quantile.Of(all, High);
-        return new(all.Where(value => value >= low && value <= high).StandardDeviation(), high - low);
+        return all.Length < MinValues ? default : new(MiddleOf(all).StandardDeviation(), Quantile.Of(all, High) - Quantile.Of(all, Low));
+    }
+
+    /// <summary>Gets the spread of all groups together. Each is taken relative to its own mean, so differences between the means do not count.</summary>
+    public static Spread Within(IEnumerable<SpreadGroup> groups) => Of(groups.SelectMany(group =>
+    {
+        var all = group.VisuMs.ToArray();
+        var mean = MiddleOf(all).Mean();
+        return all.Select(ms => ms - mean);
+    }));
+
+    static double[] MiddleOf(double[] values)
+    {
+        if (values.Length < MinValues) return values;
+        double low = Quantile.Of(values, Low), high = Quantile.Of(values, High);
+        return [.. values.Where(value => value >= low && value <= high)];
     }
 }

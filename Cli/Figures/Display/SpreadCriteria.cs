@@ -14,27 +14,29 @@ static class SpreadCriteria
 
     /// <param name="where">Where L_visu scatters, at the beginning of a sentence, for example "At 1 500 000 vertices,".</param>
     /// <param name="inside">L_visu of all pictures inside the range, ms.</param>
-    /// <param name="beyond">The groups beyond the range; none if there is none.</param>
-    public static IEnumerable<Criterion> Of(string where, IEnumerable<double> inside, IReadOnlyCollection<SpreadGroup> beyond)
+    /// <param name="beyond">
+    /// The groups beyond the range; none if there is none. They are judged together, each relative to its mean: a latency that
+    /// is only larger beyond the range does not scatter. The result also names the groups that do not meet the criterion alone.
+    /// </param>
+    public static IReadOnlyList<Criterion> Of(string where, IEnumerable<double> inside, IReadOnlyCollection<SpreadGroup> beyond)
     {
         var within = Spread.Of(inside);
-        (string Name, Spread Spread)[] spreads = [.. beyond.Select(group => (group.Name, Spread.Of(group.VisuMs)))];
-        yield return Each(
-            $"{where} the standard deviation of L_visu is at least {Factor} times that within the range, each of the middle 95 %.",
-            [.. spreads.Select(each => (each.Name, each.Spread.Deviation))], Factor * within.Deviation, $"within the range {Text(within.Deviation)} ms");
-        yield return Each(
-            $"{where} the middle 95 % of L_visu extend over at least {Percent(RefreshShare)} of a refresh interval, {Text(DisplayConditions.RefreshMs)} ms.",
-            [.. spreads.Select(each => (each.Name, each.Spread.Range))], RefreshShare * DisplayConditions.RefreshMs,
-            $"within the range {Text(within.Range)} ms");
+        return
+        [
+            Judge($"{where} the standard deviation of L_visu is at least {Factor} times that within the range, each of the middle 95 %.",
+                beyond, within, spread => spread.Deviation, Factor * within.Deviation),
+            Judge($"{where} the middle 95 % of L_visu extend over at least {Percent(RefreshShare)} of a refresh interval, "
+                + $"{Text(DisplayConditions.RefreshMs)} ms.", beyond, within, spread => spread.Range, RefreshShare * DisplayConditions.RefreshMs),
+        ];
     }
 
-    static Criterion Each(string statement, (string Name, double Ms)[] groups, double minMs, string within)
+    static Criterion Judge(string statement, IReadOnlyCollection<SpreadGroup> beyond, Spread within, Func<Spread, double> measure, double minMs)
     {
-        if (groups.Length == 0 || minMs == 0) return new(statement, false, groups.Length == 0 ? "no picture beyond the range" : "no scatter within the range");
-        var missed = groups.Where(group => group.Ms < minMs).ToArray();
-        var (min, max) = (Text(groups.Min(group => group.Ms)), Text(groups.Max(group => group.Ms)));
-        var measured = $"{min}{(groups.Length == 1 ? "" : $" to {max}")} ms; {within}";
-        return new(statement, missed.Length == 0, missed.Length == 0 || groups.Length == 1 ? measured
-            : $"{measured}; less at {string.Join(", ", missed.Select(group => $"{group.Name} ({Text(group.Ms)} ms)"))}");
+        if (beyond.Count == 0 || minMs == 0) return new(statement, false, beyond.Count == 0 ? "no picture beyond the range" : "no scatter within the range");
+        var together = measure(Spread.Within(beyond));
+        var measured = $"{Text(together)} ms; within the range {Text(measure(within))} ms";
+        var alone = beyond.Select(group => (group.Name, Ms: measure(Spread.Of(group.VisuMs)))).Where(group => group.Ms < minMs).ToArray();
+        return new(statement, together >= minMs, alone.Length == 0 || beyond.Count == 1 ? measured
+            : $"{measured}; less alone: {string.Join(", ", alone.Select(group => $"{group.Name} ({Text(group.Ms)} ms)"))}");
     }
 }

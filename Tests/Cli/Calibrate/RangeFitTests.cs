@@ -1,4 +1,5 @@
 using Nowpose.Cli.Calibrate.Range;
+using Nowpose.Cli.Calibrate.Simulate;
 using Nowpose.Latency;
 using Nowpose.Simulation;
 using NUnit.Framework;
@@ -25,6 +26,23 @@ public class RangeFitTests
         var near = CountNear(new SimulatedPictures { PerLoad = perLoad }, out var limits);
 
         Assert.That(near, Is.GreaterThanOrEqualTo(95), limits);
+    }
+
+    // The render time of a picture is that of the newest finished frame, so around the limit it does not tell which frames are late.
+    [TestCase(30, 85)]
+    [TestCase(100, 95)]
+    public void Fit_RenderTimesOfEarlierFrames_FindTheLimitWithinSixPercentBelowAndTwoAbove(int perLoad, int minCount)
+    {
+        var limits = Enumerable.Range(2000, 100).Select(seed =>
+        {
+            var sweep = new SimulatedSweep(new SimulationSettings { LoadSteps = 20, Pictures = 21 * perLoad, Seed = seed });
+            return RangeFit.Fit([.. sweep.Moments.Select(sweep.Measured).Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs))]).LimitRenderMs ?? 0;
+        }).Order().ToArray();
+        var trueLimitMs = SimulatedSweep.RefreshMs - 1.5;
+
+        Assert.That(
+            limits.Count(limit => limit >= 0.94 * trueLimitMs && limit <= 1.02 * trueLimitMs), Is.GreaterThanOrEqualTo(minCount),
+            "limits " + string.Join(" ", limits.Select(limit => limit.ToString("0.00"))));
     }
 
     [Test]
