@@ -17,7 +17,7 @@ namespace Nowpose.Prediction
         /// <summary>Ahead of the newest sample.</summary>
         Predicted,
 
-        /// <summary>The position that the control system plans, delayed by the joint's lag behind the plan; not predicted.</summary>
+        /// <summary>The position that the control system plans, at the joint's delay behind the plan; not predicted.</summary>
         Planned
     }
 

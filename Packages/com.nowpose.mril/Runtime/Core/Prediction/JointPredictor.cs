@@ -15,26 +15,27 @@ namespace Nowpose.Prediction
     public sealed class JointPredictor
     {
         /// <summary>
-        /// Maximum time constant of the blend, as a share of the sampling interval: residuals of several sections add up, and beyond a
+        /// Maximum time constant of the blend, relative to the sampling interval: residuals of several sections add up, and beyond a
         /// fifth the RMS error grows by more than 5 % (display-reference.md).
         /// </summary>
-        const double MaxShareOfInterval = 0.2;
+        const double MaxBlendRatio = 0.2;
 
         /// <summary>
-        /// Maximum difference between two sections that is blended, relative to the maximum speed times the age of the section. A larger
-        /// difference comes from a repositioned joint or an angle that wrapped, and blending would show it as a motion. The value must
-        /// exceed 3: when a joint reverses at full speed, the difference is 2, and a polynomial that overshoots adds half of that or more.
+        /// Maximum residual that is blended, relative to the maximum speed times the age of the section. A larger residual comes from a
+        /// repositioned joint or an angle that wrapped, and blending would show it as a motion. The value must exceed 3: when a joint
+        /// reverses at full speed, the ratio is 2, and a polynomial that overshoots adds half of that or more.
         /// </summary>
-        const double MaxError = 4;
+        const double MaxResidualRatio = 4;
 
         /// <summary>
-        /// Time constant, in s, of the transition from the newest sample to a forecast that does not pass through it: short
-        /// compared with every latency worth compensating.
+        /// Time constant, in s, of the decay of the seam: short compared with every latency worth compensating.
         /// </summary>
         const double SeamTimeConstant = 0.005;
 
         readonly PredictionLimits _limits;
-        readonly double _timeConstant;
+
+        // Time constant of the blend as configured, s; 0 for no blend.
+        readonly double _blend;
         readonly ArrivalOrder _arrivals;
         readonly SampleBuffer _buffer;
         readonly MotionState _motion;
@@ -42,11 +43,15 @@ namespace Nowpose.Prediction
         readonly bool _interpolates;
         readonly PlanFollower _plan = new PlanFollower();
         bool _isSolved;
+
+        // The seam: distance of a forecast from the newest sample, where the interpolation before the sample ends. It decays ahead of it.
         double _seam;
 
-        // Difference between the previous section and the newest one at the last displayed moment; it decays from then on.
+        // The residual: difference between the previous section and the newest one at the last displayed moment. It decays from then on.
         double _residual, _residualFrom, _residualTimeConstant;
-        double _lastDisplayed, _sectionOf;
+
+        // The last displayed moment, and the stamp of the newest sample of the section that was displayed then.
+        double _lastDisplayed, _displayedSection;
 
         /// <param name="forecaster">Forecaster of this joint only.</param>
         /// <param name="kept">Number of samples to keep.</param>
@@ -59,7 +64,7 @@ namespace Nowpose.Prediction
                 throw new ArgumentOutOfRangeException(nameof(blend), blend, "must be 0 s or more");
             _limits = limits ?? throw new ArgumentNullException(nameof(limits));
             _forecaster = forecaster;
-            _timeConstant = blend;
+            _blend = blend;
             _arrivals = new ArrivalOrder(limits.IsEndless);
             _buffer = new SampleBuffer(
                 kept, limits.IsEndless, (parts & PredictionParts.StampCorrection) != 0, (parts & PredictionParts.Thinning) != 0);
@@ -72,7 +77,7 @@ namespace Nowpose.Prediction
         public double Hold => _buffer.NewestPosition;
 
         /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first sample.</summary>
-        public double NewestTime => _buffer.NewestTime;
+        public double NewestTime => _buffer.NewestStamp;
 
         /// <summary>Mean time from the newest sample to the display time, in s; forecasts are weighted for it.</summary>
         public double Horizon => _motion.Horizon;
@@ -90,14 +95,14 @@ namespace Nowpose.Prediction
         /// </param>
         /// <returns>
         /// <see cref="DropReason.DuplicateSample"/>, <see cref="DropReason.LateSample"/>, or <see cref="DropReason.None"/> if the sample is used.
-        /// A dropped sample is used after all if the next ones show that the clock went back.
+        /// A late sample, or one of an earlier time with another position, is used after all if the next ones show that the clock went back.
         /// </returns>
         public DropReason Add(in JointSample sample, double displayed = double.NaN)
         {
             var restarts = Restarts;
             var reason = _arrivals.Add(sample, _buffer.History.Oldest);
             if (Restarts != restarts) Restart();
-            foreach (ref readonly var ready in _arrivals.Ready) Take(ready, displayed);
+            foreach (ref readonly var ready in _arrivals.Ready) Use(ready, displayed);
             return reason;
         }
 
@@ -132,11 +137,11 @@ namespace Nowpose.Prediction
         {
             var shown = ShownAt(displayed);
             if (path == null) _plan.Drop();
-            else Plan(path, start, displayed);
-            Carry(displayed, shown);
+            else StartPlan(path, start, displayed);
+            StartBlend(displayed, shown);
         }
 
-        /// <summary>Returns the planned position, however far ahead, with the joint's lag and offset.</summary>
+        /// <summary>Returns the planned position, however far ahead, with the joint's delay and offset.</summary>
         /// <param name="time">As in <see cref="At"/>.</param>
         /// <returns>False without a plan at that time, or if the joint does not follow it.</returns>
         internal bool TryPlan(double time, out double position)
@@ -156,19 +161,19 @@ namespace Nowpose.Prediction
 
         void Restart()
         {
-            Forget();
+            Clear();
             _plan.Reset();
             _lastDisplayed = double.NaN;
-            _sectionOf = double.NegativeInfinity;
+            _displayedSection = double.NegativeInfinity;
         }
 
-        void Take(in JointSample sample, double displayed)
+        void Use(in JointSample sample, double displayed)
         {
             var isNewest = _buffer.IsNewer(sample);
             if (!(Math.Abs(sample.Position - Hold) < JointSample.MaxMagnitude))
             {
                 if (!isNewest) return;
-                Forget();
+                Clear();
             }
             var shown = ShownAt(displayed);
             var (before, newest) = (NewestTime, _buffer.History.NewestTime);
@@ -177,24 +182,24 @@ namespace Nowpose.Prediction
             if (hasChanged)
             {
                 // If several samples arrive between two frames, the displayed section is the one before the first of them.
-                if (displayed != _lastDisplayed) (_lastDisplayed, _sectionOf) = (displayed, before);
-                _motion.Take(_buffer.History.NewestTime > newest, displayed);
+                if (displayed != _lastDisplayed) (_lastDisplayed, _displayedSection) = (displayed, before);
+                _motion.Add(_buffer.History.NewestTime > newest, displayed);
                 Solve();
             }
-            if (hasChanged || _plan.HasPlan) Carry(displayed, shown);
+            if (hasChanged || _plan.HasPlan) StartBlend(displayed, shown);
         }
 
-        void Plan(PlannedPath path, double start, double displayed)
+        void StartPlan(PlannedPath path, double start, double displayed)
         {
             // A plan with a later first set-point starts from the joint's position at the plan's start.
             var here = _plan.HasPlan && _plan.IsFollowedAt(start, NewestTime) ? _plan.At(start) : SectionAt(start).Position;
             // A plan contains an endless joint's angle within one turn; the samples are unwrapped.
             var turns = _limits.IsEndless ? SampleBuffer.WholeTurns(Hold + _buffer.Shift - path.FirstPosition) : 0;
             var from = path.First <= 0 ? path.FirstPosition : here - _plan.Offset - turns;
-            _plan.Follow(path, start, from, turns, double.IsNaN(displayed) ? double.NegativeInfinity : displayed, NewestTime);
+            _plan.Replace(path, start, from, turns, double.IsNaN(displayed) ? double.NegativeInfinity : displayed, NewestTime);
         }
 
-        void Forget()
+        void Clear()
         {
             _buffer.Clear();
             _motion.Reset();
@@ -210,18 +215,19 @@ namespace Nowpose.Prediction
         }
 
         // Only blending needs the displayed position.
-        JointPrediction ShownAt(double displayed) => _timeConstant == 0 || double.IsNaN(displayed) ? default : UnwrappedAt(displayed);
+        JointPrediction ShownAt(double displayed) => _blend == 0 || double.IsNaN(displayed) ? default : UnwrappedAt(displayed);
 
-        double TimeConstant => Math.Min(_timeConstant, MaxShareOfInterval * _motion.MeanInterval);
+        double BlendTimeConstant => Math.Min(_blend, MaxBlendRatio * _motion.MeanInterval);
 
-        // The rest of the previous residual is part of the displayed position, and therefore of the new residual.
-        void Carry(double displayed, in JointPrediction shown)
+        // What is left of the previous residual is part of the displayed position, and therefore of the new residual.
+        void StartBlend(double displayed, in JointPrediction shown)
         {
             _residual = 0;
             if (shown.Kind == PredictionKind.None) return;
-            var timeConstant = TimeConstant;
+            var timeConstant = BlendTimeConstant;
             var residual = shown.Position - UnwrappedAt(displayed).Position;
-            if (!(timeConstant > 0) || !(Math.Abs(residual) <= MaxError * _motion.MaxSpeed * (displayed - _sectionOf))) return;
+            var maxResidual = MaxResidualRatio * _motion.MaxSpeed * (displayed - _displayedSection);
+            if (!(timeConstant > 0) || !(Math.Abs(residual) <= maxResidual)) return;
             (_residual, _residualFrom, _residualTimeConstant) = (residual, displayed, timeConstant);
         }
 
@@ -233,8 +239,8 @@ namespace Nowpose.Prediction
             if (_plan.HasPlan)
             {
                 var newest = NewestTime;
-                var share = _plan.ShareAt(time, newest, newest + _limits.HorizonCap, TimeConstant, out var holds);
-                var planned = share > 0 ? position + share * (_plan.At(time) - position) : position;
+                var weight = _plan.WeightAt(time, newest, newest + _limits.HorizonCap, BlendTimeConstant, out var holds);
+                var planned = weight > 0 ? position + weight * (_plan.At(time) - position) : position;
                 if (double.IsFinite(planned)) (position, kind) = (planned, holds ? PredictionKind.Planned : kind);
             }
             if (_residual != 0)

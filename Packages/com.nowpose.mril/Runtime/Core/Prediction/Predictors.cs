@@ -23,10 +23,10 @@ namespace Nowpose.Prediction
         const double TemplateGate = 0.3, ProfileGate = 0.8;
 
         /// <summary>Weight of the line in the prior: on first moves of real machines, a Gaussian process alone overshoots more.</summary>
-        const double ShareOfLine = 0.4;
+        const double LinePrior = 0.4;
 
         /// <summary>Prior weight of the forecast from reported velocity and acceleration, if they are reported.</summary>
-        const double ShareOfReported = 0.7;
+        const double ReportedPrior = 0.7;
 
         const string HistoryMark = "-h";
 
@@ -61,13 +61,13 @@ namespace Nowpose.Prediction
         internal static JointPredictor Adaptive(PredictionLimits limits, PredictionParts parts, double blend = 0, params Forecaster[] more)
         {
             bool Has(PredictionParts part) => (parts & part) != 0;
-            var shareOfLine = Has(PredictionParts.Process) ? ShareOfLine : 1;
-            var forecasters = new List<MixedForecaster> { new MixedForecaster(new PolynomialForecaster(1, 1), shareOfLine) };
+            var linePrior = Has(PredictionParts.Process) ? LinePrior : 1;
+            var forecasters = new List<MixedForecaster> { new MixedForecaster(new PolynomialForecaster(1, 1), linePrior) };
             if (Has(PredictionParts.Quadratic)) forecasters.Add(new MixedForecaster(new PolynomialForecaster(2, 4)));
             if (Has(PredictionParts.Cubic)) forecasters.Add(new MixedForecaster(new PolynomialForecaster(3, 3)));
             if (Has(PredictionParts.Process))
-                forecasters.Add(new MixedForecaster(new GaussianProcess(stopsAtReversal: true), 1 - ShareOfLine, 1 - ShareOfReported));
-            if (Has(PredictionParts.Reported)) forecasters.Add(new MixedForecaster(new ParabolaForecaster(), 0, ShareOfReported));
+                forecasters.Add(new MixedForecaster(new GaussianProcess(), 1 - LinePrior, 1 - ReportedPrior));
+            if (Has(PredictionParts.Reported)) forecasters.Add(new MixedForecaster(new ParabolaForecaster(), 0, ReportedPrior));
             foreach (var forecaster in more) forecasters.Add(new MixedForecaster(forecaster));
             var candidates = new List<CandidateGate>();
             if (Has(PredictionParts.Repetition)) candidates.Add(new CandidateGate(new TemplateForecaster(limits), TemplateGate));

@@ -16,7 +16,7 @@ namespace Nowpose.Prediction.Forecasting
         /// </summary>
         const double ErrorTimeConstant = 3;
 
-        readonly GaussianProcess _process = new GaussianProcess(stopsAtReversal: false);
+        readonly GaussianProcess _process = new GaussianProcess();
         int _errors;
         double _variance;
 
@@ -51,8 +51,8 @@ namespace Nowpose.Prediction.Forecasting
             var square = error * error / _process.VarianceAt(ahead);
             if (!double.IsFinite(square)) return;
             // The first errors are averaged without weights.
-            var share = Math.Max(1 - Math.Exp(-motion.Interval / ErrorTimeConstant), 1.0 / ++_errors);
-            _variance += share * (square - _variance);
+            var gain = Math.Max(1 - Math.Exp(-motion.Interval / ErrorTimeConstant), 1.0 / ++_errors);
+            _variance += gain * (square - _variance);
         }
 
         // Age of the sample nearest to one horizon before the newest; 0 where too few samples precede it.

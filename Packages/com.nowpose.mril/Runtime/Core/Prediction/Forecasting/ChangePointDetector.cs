@@ -10,16 +10,16 @@ namespace Nowpose.Prediction.Forecasting
     sealed class ChangePointDetector
     {
         /// <summary>Minimum ratio of the acceleration at a change point to the maximum recent one.</summary>
-        const double Surprise = 1.5;
+        const double MinAccelerationRatio = 1.5;
 
         /// <summary>Forgetting time constant of the maximum acceleration and the maximum speed, in s: several moves of most machines.</summary>
-        const double Memory = 20;
+        const double TimeConstant = 20;
 
-        /// <summary>Minimum change of velocity, as a share of the maximum recent speed.</summary>
-        const double MinShareOfSpeed = 0.25;
+        /// <summary>Minimum change of velocity, relative to the maximum recent speed.</summary>
+        const double MinChangeRatio = 0.25;
 
-        /// <summary>Minimum share of its speed that a started motion keeps.</summary>
-        const double Confirmation = 0.9;
+        /// <summary>Minimum speed after a start is confirmed, relative to the speed at the start.</summary>
+        const double MinConfirmationRatio = 0.9;
 
         double _maxAcceleration;
         double _maxSpeed;
@@ -28,7 +28,7 @@ namespace Nowpose.Prediction.Forecasting
         public int Available { get; private set; }
 
         /// <summary>Whether the newest change point increased the speed.</summary>
-        public bool HasGrown { get; private set; }
+        public bool SpeedIncreased { get; private set; }
 
         /// <summary>Number of change points since the start.</summary>
         public int Count { get; private set; }
@@ -45,24 +45,24 @@ namespace Nowpose.Prediction.Forecasting
                 var change = Math.Abs(speed - speedBefore);
                 var acceleration = change / (0.5 * (interval + intervalBefore));
                 var isSameDirection = speed * speedBefore > 0;
-                if (Available == 2 && HasGrown && isSameDirection && Math.Abs(speed) >= Confirmation * Math.Abs(speedBefore))
+                if (Available == 2 && SpeedIncreased && isSameDirection && Math.Abs(speed) >= MinConfirmationRatio * Math.Abs(speedBefore))
                     Available = samples;
-                else if (acceleration > Surprise * _maxAcceleration && acceleration > 0 && change >= MinShareOfSpeed * _maxSpeed)
+                else if (acceleration > MinAccelerationRatio * _maxAcceleration && change >= MinChangeRatio * _maxSpeed)
                 {
                     Available = 1;
-                    HasGrown = Math.Abs(speed) > Math.Abs(speedBefore) && speed * speedBefore >= 0;
+                    SpeedIncreased = Math.Abs(speed) > Math.Abs(speedBefore) && speed * speedBefore >= 0;
                     Count++;
                 }
-                _maxAcceleration = Math.Max(_maxAcceleration * Math.Exp(-interval / Memory), acceleration);
+                _maxAcceleration = Math.Max(_maxAcceleration * Math.Exp(-interval / TimeConstant), acceleration);
             }
-            if (samples >= 2) _maxSpeed = Math.Max(_maxSpeed * Math.Exp(-interval / Memory), Math.Abs(speed));
+            if (samples >= 2) _maxSpeed = Math.Max(_maxSpeed * Math.Exp(-interval / TimeConstant), Math.Abs(speed));
         }
 
         public void Reset()
         {
             _maxAcceleration = _maxSpeed = 0;
             Available = Count = 0;
-            HasGrown = false;
+            SpeedIncreased = false;
         }
     }
 }

@@ -3,7 +3,10 @@ namespace Nowpose.Prediction.Forecasting
     /// <summary>Forecasts a joint's position from its newest samples. Allocates nothing after construction; one thread.</summary>
     abstract class Forecaster
     {
-        /// <summary>Minimum number of samples of one motion.</summary>
+        /// <summary>
+        /// Number of newest samples that it uses. In a mixture it is used only while so many, and at least three, belong to one motion; a
+        /// forecaster that used more than it states would extrapolate across change points.
+        /// </summary>
         public abstract int Samples { get; }
 
         /// <summary>Maximum time of a forecast, in s; infinite without a limit.</summary>

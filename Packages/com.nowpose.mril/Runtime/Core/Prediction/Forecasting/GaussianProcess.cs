@@ -44,15 +44,8 @@ namespace Nowpose.Prediction.Forecasting
         readonly double[] _weights = new double[Newest];
         readonly double[] _covariance = new double[Newest];
         readonly double[] _matrix = new double[Newest * Newest];
-        readonly double[] _table = new double[ForecastTable.Points];
-        readonly bool _stopsAtReversal;
         double _a0, _a1, _a2, _a3, _b0, _b1;
-        double _stop;
-
-        /// <param name="stopsAtReversal">
-        /// Whether a forecast stays constant from its reversal on: drives stop far more often than they reverse.
-        /// </param>
-        public GaussianProcess(bool stopsAtReversal) => _stopsAtReversal = stopsAtReversal;
+        int _direction;
 
         public override int Samples => Newest;
 
@@ -78,16 +71,11 @@ namespace Nowpose.Prediction.Forecasting
             Cholesky.Factor(_matrix, Newest);
             Cholesky.Solve(_matrix, _weights, Newest);
             Sum();
-            _stop = double.PositiveInfinity;
-            if (_stopsAtReversal) StopAtReversal(Math.Sign(newest.Position - motion.Samples[age + 1].Position));
+            _direction = Math.Sign(newest.Position - motion.Samples[age + 1].Position);
             return true;
         }
 
-        public override double At(double ahead)
-        {
-            var x = Math.Min(ahead, _stop);
-            return At(x, Math.Exp(-x * PerSecond));
-        }
+        public override double At(double ahead) => At(ahead, Math.Exp(-ahead * PerSecond));
 
         /// <summary>Returns the variance of the position, relative to the variance of the motion about its trend.</summary>
         /// <param name="ahead">Seconds after the newest sample, 0 or more.</param>
@@ -103,10 +91,21 @@ namespace Nowpose.Prediction.Forecasting
             return Math.Max(variance, 0);
         }
 
+        /// <summary>As in the base class, but constant from a reversal on: drives stop far more often than they reverse.</summary>
+        /// <inheritdoc/>
         public override void Fill(double[] table, int start, int points)
         {
-            if (!_stopsAtReversal) base.Fill(table, start, points);
-            else for (var i = 0; i < points; i++) table[start + i] = _table[i];
+            var (ahead, decay, position, direction) = (0.0, 1.0, At(0, 1), _direction);
+            table[start] = position;
+            for (var i = start + 1; i < start + points; i++)
+            {
+                ahead += ForecastTable.Step;
+                decay *= DecayPerStep;
+                var next = At(ahead, decay);
+                if ((next - position) * direction > 0) position = next;
+                else direction = 0;
+                table[i] = position;
+            }
         }
 
         void FillMatrix()
@@ -118,7 +117,7 @@ namespace Nowpose.Prediction.Forecasting
                 for (var j = 0; j < i; j++)
                 {
                     var r = (times[j] - time) * PerSecond;
-                    matrix[row + j] = (1 + r * (1 + r * (0.4 + r / 15))) * decay / decays[j] + LevelVariance + trend * times[j];
+                    matrix[row + j] = Polynomial(r) * decay / decays[j] + LevelVariance + trend * times[j];
                 }
                 matrix[row + i] = 1 + LevelVariance + trend * time + Noise;
             }
@@ -148,27 +147,6 @@ namespace Nowpose.Prediction.Forecasting
                 _a3 += weight / 15;
                 _b0 += LevelVariance * _weights[i];
                 _b1 += TrendVariance * _times[i] * _weights[i];
-            }
-        }
-
-        // Also fills the table.
-        void StopAtReversal(int direction)
-        {
-            var (table, ahead, decay) = (_table, 0.0, 1.0);
-            table[0] = At(0, 1);
-            for (var i = 1; i < table.Length; i++)
-            {
-                ahead += ForecastTable.Step;
-                decay *= DecayPerStep;
-                var u = ahead * PerSecond;
-                var position = (_a0 + u * (_a1 + u * (_a2 + u * _a3))) * decay + _b0 + _b1 * ahead;
-                if ((position - table[i - 1]) * direction <= 0)
-                {
-                    _stop = (i - 1) * ForecastTable.Step;
-                    for (; i < table.Length; i++) table[i] = table[i - 1];
-                    return;
-                }
-                table[i] = position;
             }
         }
     }

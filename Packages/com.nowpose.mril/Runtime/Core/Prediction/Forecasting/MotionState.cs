@@ -9,7 +9,7 @@ namespace Nowpose.Prediction.Forecasting
     sealed class MotionState
     {
         /// <summary>Weight of a new value in the running means, which follow a change of rate within ten samples.</summary>
-        const double MeanShare = 0.1;
+        const double MeanWeight = 0.1;
 
         /// <summary>Maximum sampling interval, in s; a longer pause is not included in the mean.</summary>
         const double MaxInterval = 0.3;
@@ -23,12 +23,11 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Horizon before the first displayed moment is known, in s.</summary>
         const double FirstHorizon = 0.125;
 
-        /// <summary>A speed below this share of the neighbouring one marks a start or a stop.</summary>
-        const double StartShare = 0.1;
+        /// <summary>Maximum ratio of two successive speeds, the smaller to the larger, at a start or a stop.</summary>
+        const double StartRatio = 0.1;
 
         readonly double _maximumGap;
         readonly double _maxHorizon;
-        double _lastSpeed;
 
         /// <param name="samples">History of the sample buffer.</param>
         /// <param name="limits">Limits with the maximum gap between samples of one motion.</param>
@@ -48,7 +47,7 @@ namespace Nowpose.Prediction.Forecasting
 
         public ChangePointDetector ChangePoints { get; } = new ChangePointDetector();
 
-        /// <summary>Whether the last sample taken is newer than all before; otherwise it was overtaken.</summary>
+        /// <summary>Whether the last sample added is newer than all before; otherwise it was overtaken.</summary>
         public bool IsNewest { get; private set; }
 
         /// <summary>Number of newest samples without a gap above the maximum.</summary>
@@ -78,53 +77,64 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Mean time from the newest sample to the display time, in s.</summary>
         public double Horizon { get; private set; }
 
-        /// <summary>Processes the sample that the buffer took last.</summary>
+        /// <summary>Processes the sample that the buffer added last.</summary>
         /// <param name="isNewest">False if newer samples have overtaken it.</param>
         /// <param name="displayed">The last displayed moment, in s; NaN if nothing is displayed.</param>
-        public void Take(bool isNewest, double displayed)
+        public void Add(bool isNewest, double displayed)
         {
             IsNewest = isNewest;
-            Connected = isNewest && !Samples.HasGap(0, _maximumGap) ? Math.Min(Connected + 1, Samples.Count) : Samples.CountWithoutGap(_maximumGap);
+            Connected = Samples.CountWithoutGap(_maximumGap);
+            var (intervalBefore, speedBefore) = (Interval, Speed);
+            if (Samples.Count >= 2) UpdateSpeed();
             if (!isNewest) return;
-            double intervalBefore = 0, speedBefore = 0;
-            if (Samples.Count >= 2) (Interval, Speed) = Increment(0);
-            if (Samples.Count >= 3) (intervalBefore, speedBefore) = Increment(1);
             ChangePoints.Add(Samples.Count, Interval, Speed, intervalBefore, speedBefore);
             Rest.Add(Samples, Interval);
-            if (Samples.Count >= 2) Measure(speedBefore, displayed);
+            if (Samples.Count < 2) return;
+            UpdateMeanInterval();
+            UpdateStart(speedBefore);
+            UpdateMaxSpeed(speedBefore);
+            UpdateHorizon(displayed);
         }
 
         public void Reset()
         {
             Rest.Reset();
             ChangePoints.Reset();
-            Interval = Speed = MeanInterval = Start = MaxSpeed = _lastSpeed = 0;
+            Interval = Speed = MeanInterval = Start = MaxSpeed = 0;
             Connected = 0;
             Horizon = Math.Min(FirstHorizon, _maxHorizon);
         }
 
-        void Measure(double speedBefore, double displayed)
+        void UpdateSpeed()
+        {
+            Interval = Samples[0].Time - Samples[1].Time;
+            Speed = (Samples[0].Position - Samples[1].Position) / Interval;
+        }
+
+        void UpdateMeanInterval()
         {
             var bounded = Math.Min(Interval, MaxInterval);
             MeanInterval = MeanInterval == 0 ? bounded
-                : MeanInterval + MeanShare * (Math.Min(bounded, MaxGapRatio * MeanInterval) - MeanInterval);
-            if (Samples.Count == 2 || IsStart(Speed, speedBefore)) Start = Samples[1].Time;
-            if (Speed * _lastSpeed > 0) MaxSpeed = Math.Max(MaxSpeed, Math.Min(Math.Abs(Speed), Math.Abs(_lastSpeed)));
-            _lastSpeed = Speed;
+                : MeanInterval + MeanWeight * (Math.Min(bounded, MaxGapRatio * MeanInterval) - MeanInterval);
+        }
+
+        void UpdateStart(double speedBefore)
+        {
+            double speed = Math.Abs(Speed), before = Math.Abs(speedBefore);
+            var hasChanged = before < StartRatio * speed || speed < StartRatio * before || Speed * speedBefore <= 0;
+            if (Samples.Count == 2 || hasChanged) Start = Samples[1].Time;
+        }
+
+        void UpdateMaxSpeed(double speedBefore)
+        {
+            if (Speed * speedBefore > 0) MaxSpeed = Math.Max(MaxSpeed, Math.Min(Math.Abs(Speed), Math.Abs(speedBefore)));
+        }
+
+        void UpdateHorizon(double displayed)
+        {
             // On average, the display uses this section for another half of the sampling interval.
             var ahead = displayed - Samples.NewestTime + MeanInterval / 2;
-            if (ahead > 0) Horizon += MeanShare * (Math.Min(Math.Max(ahead, MinHorizon), _maxHorizon) - Horizon);
+            if (ahead > 0) Horizon += MeanWeight * (Math.Min(Math.Max(ahead, MinHorizon), _maxHorizon) - Horizon);
         }
-
-        (double Interval, double Speed) Increment(int age)
-        {
-            ref readonly var newer = ref Samples[age];
-            ref readonly var older = ref Samples[age + 1];
-            var interval = newer.Time - older.Time;
-            return (interval, (newer.Position - older.Position) / interval);
-        }
-
-        static bool IsStart(double speed, double before) =>
-            Math.Abs(before) < StartShare * Math.Abs(speed) || Math.Abs(speed) < StartShare * Math.Abs(before) || speed * before <= 0;
     }
 }

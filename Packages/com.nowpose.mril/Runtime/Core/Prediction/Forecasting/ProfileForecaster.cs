@@ -18,21 +18,21 @@ namespace Nowpose.Prediction.Forecasting
         const double MinLag = 0.6e-3;
 
         /// <summary>
-        /// Displacements up to this share of the standstill threshold count as rest, because a move starts slower than that threshold.
+        /// Maximum displacement of a sample at rest, relative to the standstill threshold, because a move starts slower than that threshold.
         /// </summary>
-        const double RestShare = 0.1;
+        const double RestRatio = 0.1;
 
         /// <summary>
-        /// A sample lies on a move if its distance is below this share of the recent maximum displacement between two samples.
+        /// Maximum distance of a sample from its move, relative to the recent maximum displacement between two samples.
         /// </summary>
-        const double ToleranceShare = 0.02;
+        const double ToleranceRatio = 0.02;
 
         /// <summary>Number of bisection steps. More steps would exceed the resolution of a double.</summary>
         const int Bisections = 50;
 
         readonly PredictionLimits _limits;
         readonly double _maxStroke;
-        readonly SevenPhaseProfile _endless;
+        readonly SevenPhaseProfile _unbraked;
         SevenPhaseProfile _move;
         double _stillDistance, _tolerance;
         double _newestTime;
@@ -51,7 +51,7 @@ namespace Nowpose.Prediction.Forecasting
             if (!HasLimits(limits)) throw new ArgumentException("velocity, acceleration and jerk must be known", nameof(limits));
             // A stroke long enough that the move does not brake within a minute.
             _maxStroke = limits.Velocity * 60;
-            _endless = Profile(_maxStroke);
+            _unbraked = Profile(_maxStroke);
             Reset();
         }
 
@@ -66,15 +66,15 @@ namespace Nowpose.Prediction.Forecasting
         {
             if (!motion.IsNewest) return _isKnown;
             (_newestTime, _newestPosition) = (motion.Samples.NewestTime, motion.Samples.NewestPosition);
-            (_stillDistance, _tolerance) = (RestShare * motion.Rest.StillDistance, ToleranceShare * motion.Rest.MaxDisplacement);
+            (_stillDistance, _tolerance) = (RestRatio * motion.Rest.StillDistance, ToleranceRatio * motion.Rest.MaxDisplacement);
             if (motion.Connected < 2)
             {
                 Rest(_newestPosition);
                 return _isKnown;
             }
             if (IsResting(motion)) Rest(_newestPosition);
-            else if (_direction == 0) Begin(motion.Samples[1].Time);
-            else if (_isKnown) Continue(motion.Samples[1]);
+            else if (_direction == 0) StartMove(motion.Samples[1].Time);
+            else if (_isKnown) ContinueMove(motion.Samples[1]);
             return _isKnown;
         }
 
@@ -99,19 +99,19 @@ namespace Nowpose.Prediction.Forecasting
         }
 
         // Samples close to rest do not determine the start accurately, so they count as rest.
-        void Begin(double timeBefore)
+        void StartMove(double timeBefore)
         {
             var displacement = _newestPosition - _restPosition;
             if (Math.Abs(displacement) <= _stillDistance) return;
             _direction = Math.Sign(displacement);
-            _move = _endless;
+            _move = _unbraked;
             _hasBraked = false;
             _start = _newestTime - TimeTo(Math.Abs(displacement));
             // The move cannot have begun before the last sample at rest.
             _isKnown = _start > timeBefore - MinLag;
         }
 
-        void Continue(in JointSample before)
+        void ContinueMove(in JointSample before)
         {
             var elapsed = _newestTime - _start;
             var displacement = _direction * (_newestPosition - _restPosition);
@@ -119,7 +119,7 @@ namespace Nowpose.Prediction.Forecasting
             {
                 // The next move has begun after a dwell too short to be detected.
                 Rest(End);
-                Begin(before.Time);
+                StartMove(before.Time);
                 return;
             }
             var lag = displacement > 0 ? elapsed - TimeTo(displacement) : double.PositiveInfinity;
@@ -152,11 +152,11 @@ namespace Nowpose.Prediction.Forecasting
 
         double TimeTo(double displacement)
         {
-            double earlier = 0, later = _endless.Duration;
+            double earlier = 0, later = _unbraked.Duration;
             for (var i = 0; i < Bisections; i++)
             {
                 var time = (earlier + later) / 2;
-                if (_endless.PositionAt(time) < displacement) earlier = time;
+                if (_unbraked.PositionAt(time) < displacement) earlier = time;
                 else later = time;
             }
             return later;

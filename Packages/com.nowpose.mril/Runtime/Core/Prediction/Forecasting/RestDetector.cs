@@ -5,8 +5,10 @@ namespace Nowpose.Prediction.Forecasting
 {
     /// <summary>Distinguishes rest, including noise, from motion, because the weights of the mixture differ at rest.</summary>
     /// <remarks>
-    /// The low decile over time of the range of the newest four samples is an estimate of the noise. A range below a small multiple
-    /// of it means rest; a larger distance from an anchor ends it.
+    /// Rest begins when the range of the newest four samples is within a small multiple of the noise, and ends at a larger distance from
+    /// the position where it began. The noise is the low decile of these ranges over time, from a quantile tracker. A joint that never
+    /// rests raises it to the slowest tenth of its motion; samples that all move in one direction therefore begin a rest only if they move
+    /// far more slowly than the fastest ones of the last seconds, as at the end of a motion.
     /// </remarks>
     sealed class RestDetector
     {
@@ -14,21 +16,21 @@ namespace Nowpose.Prediction.Forecasting
         const int Window = 4;
 
         /// <summary>
-        /// Quantile of the ranges that counts as noise: every machine is assumed to rest for at least this share of the time.
+        /// Quantile of the ranges that counts as noise: every machine is assumed to rest for at least this part of the time.
         /// </summary>
         const double Quantile = 0.1;
 
-        /// <summary>Step of the logarithm of the range per the second value, in s; longer intervals are limited to it.</summary>
-        const double Learning = 0.3, MaxLearningInterval = 0.1;
+        /// <summary>Rate of the quantile tracker, in units of the logarithm per second.</summary>
+        const double TrackerRate = 3;
 
         /// <summary>
-        /// Rest begins with a range below the first value and ends at a distance from the anchor above the second, both as multiples of the
-        /// noise. The hysteresis prevents flickering.
+        /// Rest begins with a range below the first value and ends at a distance above the second, both as multiples of the noise. The
+        /// hysteresis prevents flickering.
         /// </summary>
         const double EntersBelow = 3, LeavesAbove = 4;
 
-        /// <summary>Weight of a sample in the anchor, a mean of about ten samples that follows creeping motion.</summary>
-        const double AnchorShare = 0.1;
+        /// <summary>Maximum displacement per sample of a motion in one direction at which rest begins, relative to the recent maximum.</summary>
+        const double MaxCreepRatio = 0.1;
 
         /// <summary>Minimum ratio of progress to path length of a motion; below it, the motion per sample is under a third of the noise.</summary>
         const double MinProgress = 0.35;
@@ -36,80 +38,103 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Minimum ratio of second to first differences: √3 for white noise, near 0 for a smooth reversal.</summary>
         const double MinRoughness = 1.3;
 
-        /// <summary>Minimum range as a share of the maximum range so far, because the mean would never recover from the logarithm of zero.</summary>
-        const double MinShare = 1e-6, Tiny = 1e-300;
+        /// <summary>Minimum range relative to the maximum so far, because the tracker would never recover from the logarithm of zero.</summary>
+        const double MinRangeRatio = 1e-6;
 
         /// <summary>Number of samples used to distinguish noise from a slow motion.</summary>
         const int NoiseWindow = 12;
 
-        /// <summary>Standstill threshold: displacement as a share of the recent maximum.</summary>
-        const double StillShare = 1e-3;
+        /// <summary>Standstill threshold: displacement relative to the recent maximum.</summary>
+        const double StillRatio = 1e-3;
 
         /// <summary>Forgetting factor of the maximum displacement per sample: 1/e after 500 samples.</summary>
-        const double StillForgetting = 0.998;
+        const double MaxForgettingFactor = 0.998;
 
         double _maxRange;
-        double _logarithm;
-        double _anchor;
-        bool _hasNoise;
 
+        // Logarithm of the noise; the noise is 0 until the joint has moved.
+        double _logarithm = double.NegativeInfinity;
+
+        // Position where the rest began.
+        double _anchor;
+
+        /// <summary>Whether the joint rests: its positions only scatter, or it hardly moves compared with its recent motion.</summary>
         public bool IsAtRest { get; private set; }
 
         /// <summary>Whether the samples at rest fluctuate around a position, so that their differences are only noise.</summary>
         public bool IsOnlyNoise { get; private set; }
 
         /// <summary>Maximum displacement between two samples of a joint that stands still, in the samples' unit.</summary>
-        public double StillDistance => StillShare * MaxDisplacement;
+        public double StillDistance => StillRatio * MaxDisplacement;
 
         /// <summary>Recent maximum displacement between two samples, in the samples' unit.</summary>
         public double MaxDisplacement { get; private set; }
 
-        /// <summary>Number of consecutive newest samples at the same position as the one before.</summary>
+        /// <summary>Number of consecutive newest samples of a joint that stands still.</summary>
         public int StillSamples { get; private set; }
 
         /// <param name="history">History that contains the newest sample.</param>
         /// <param name="interval">Interval before the newest sample, in s.</param>
         public void Add(SampleHistory history, double interval)
         {
-            var count = Math.Min(Window, history.Count);
-            double min = double.PositiveInfinity, max = double.NegativeInfinity, sum = 0;
-            for (var i = 0; i < count; i++)
-            {
-                var position = history[i].Position;
-                if (position < min) min = position;
-                if (position > max) max = position;
-                sum += position;
-            }
-            var range = max - min;
-            _maxRange = Math.Max(_maxRange, range);
             if (history.Count < 2) return;
-
-            Compare(Math.Abs(history[0].Position - history[1].Position));
-            Learn(range, interval);
-            var noise = Math.Exp(_logarithm);
-            var newest = history[0].Position;
-            if (IsAtRest && Math.Abs(newest - _anchor) > LeavesAbove * noise) IsAtRest = false;
-            if (!IsAtRest && history.Count >= Window && range <= EntersBelow * noise)
-            {
-                IsAtRest = true;
-                _anchor = sum / count;
-            }
-            if (IsAtRest) _anchor += AnchorShare * (newest - _anchor);
+            UpdateStandstill(Math.Abs(history[0].Position - history[1].Position));
+            var range = RangeOf(history, out var mean, out var isOneWay);
+            UpdateNoise(range, interval);
+            UpdateRest(history, range, mean, isOneWay);
             IsOnlyNoise = IsAtRest && IsNoise(history);
         }
 
         public void Reset()
         {
-            _maxRange = _logarithm = _anchor = 0;
-            _hasNoise = IsAtRest = IsOnlyNoise = false;
+            _maxRange = _anchor = 0;
+            _logarithm = double.NegativeInfinity;
+            IsAtRest = IsOnlyNoise = false;
             MaxDisplacement = 0;
             StillSamples = 0;
         }
 
-        void Compare(double displacement)
+        void UpdateStandstill(double displacement)
         {
-            MaxDisplacement = Math.Max(StillForgetting * MaxDisplacement, displacement);
+            MaxDisplacement = Math.Max(MaxForgettingFactor * MaxDisplacement, displacement);
             StillSamples = displacement <= StillDistance ? StillSamples + 1 : 0;
+        }
+
+        static double RangeOf(SampleHistory history, out double mean, out bool isOneWay)
+        {
+            var count = Math.Min(Window, history.Count);
+            double min = double.PositiveInfinity, max = double.NegativeInfinity, sum = 0;
+            bool rises = true, falls = true;
+            for (var i = 0; i < count; i++)
+            {
+                var position = history[i].Position;
+                min = Math.Min(min, position);
+                max = Math.Max(max, position);
+                sum += position;
+                if (i == 0) continue;
+                rises &= history[i - 1].Position > position;
+                falls &= history[i - 1].Position < position;
+            }
+            mean = sum / count;
+            isOneWay = rises || falls;
+            return max - min;
+        }
+
+        void UpdateNoise(double range, double interval)
+        {
+            _maxRange = Math.Max(_maxRange, range);
+            if (_maxRange == 0) return;
+            var logarithm = Math.Log(Math.Max(range, MinRangeRatio * _maxRange));
+            if (double.IsNegativeInfinity(_logarithm)) _logarithm = logarithm;
+            _logarithm += TrackerRate * interval * (logarithm > _logarithm ? Quantile : Quantile - 1);
+        }
+
+        void UpdateRest(SampleHistory history, double range, double mean, bool isOneWay)
+        {
+            var (newest, noise) = (history.NewestPosition, Math.Exp(_logarithm));
+            if (IsAtRest && Math.Abs(newest - _anchor) > LeavesAbove * noise) IsAtRest = false;
+            var isMoving = isOneWay && range > MaxCreepRatio * (Window - 1) * MaxDisplacement;
+            if (!IsAtRest && !isMoving && history.Count >= Window && range <= EntersBelow * noise) (IsAtRest, _anchor) = (true, mean);
         }
 
         // White noise makes no progress, and its second differences are √3 times its first; a smooth motion that reverses also makes no
@@ -126,16 +151,6 @@ namespace Nowpose.Prediction.Forecasting
             }
             var progress = Math.Abs(history[0].Position - history[count - 1].Position);
             return progress < MinProgress * displacements && bends > MinRoughness * displacements;
-        }
-
-        void Learn(double range, double interval)
-        {
-            var logarithm = Math.Log(Math.Max(range, MinShare * _maxRange + Tiny));
-            if (!_hasNoise) _logarithm = logarithm;
-            // The noise is unknown until the joint has moved.
-            _hasNoise = _maxRange > 0;
-            var share = logarithm > _logarithm ? Quantile : Quantile - 1;
-            _logarithm += Learning * Math.Min(interval, MaxLearningInterval) / MaxLearningInterval * share;
         }
     }
 }

@@ -13,38 +13,38 @@ namespace Nowpose.Prediction.Mixing
     sealed class CandidateGate
     {
         /// <summary>Forgetting factor per scored forecast.</summary>
-        const double Keeping = 0.85;
+        const double ForgettingFactor = 0.85;
 
         /// <summary>Minimum number of scored forecasts before it may replace the mixture, because forecasts may be right by chance.</summary>
         const int MinScores = 12;
 
         /// <summary>Minimum square relative to the maximum recent one; smaller ones are ignored, because every forecast of rest is right.</summary>
-        const double MinShareOfSquare = 1e-4;
+        const double MinSquareRatio = 1e-4;
 
         /// <summary>Forgetting factor of the maximum square, per scored forecast.</summary>
-        const double MaxSquareForgetting = 0.998;
+        const double MaxSquareForgettingFactor = 0.998;
 
-        readonly double _shareOfSquare;
+        readonly double _maxErrorRatio;
         Record _moving;
-        Record _resting;
+        Record _still;
         double _maxSquare;
 
         /// <param name="forecaster">The candidate; neither scored nor used if it cannot solve.</param>
-        /// <param name="shareOfSquare">Its mean square must be below this share of the mixture's, 0 to 1.</param>
-        public CandidateGate(Forecaster forecaster, double shareOfSquare)
+        /// <param name="maxErrorRatio">Maximum ratio of its mean square error to the mixture's at which it is used, 0 to 1.</param>
+        public CandidateGate(Forecaster forecaster, double maxErrorRatio)
         {
             Forecaster = forecaster;
-            _shareOfSquare = shareOfSquare;
+            _maxErrorRatio = maxErrorRatio;
         }
 
         public Forecaster Forecaster { get; }
 
         /// <summary>Returns the ratio of its mean square error to the mixture's; infinite while it must not replace the mixture.</summary>
         /// <param name="isStill">Whether the joint stands still now.</param>
-        public double ShareOfSquare(bool isStill)
+        public double ErrorRatio(bool isStill)
         {
-            ref var record = ref isStill ? ref _resting : ref _moving;
-            return record.Scores >= MinScores && record.Candidate < _shareOfSquare * record.Mixture
+            ref var record = ref isStill ? ref _still : ref _moving;
+            return record.Scores >= MinScores && record.Candidate < _maxErrorRatio * record.Mixture
                 ? record.Candidate / record.Mixture : double.PositiveInfinity;
         }
 
@@ -59,18 +59,18 @@ namespace Nowpose.Prediction.Mixing
         {
             // Values that overflow must not enter the means.
             if (!(error * error + mixture * mixture + displacement * displacement < double.PositiveInfinity)) return;
-            _maxSquare = Math.Max(MaxSquareForgetting * _maxSquare, displacement * displacement);
-            if (!(displacement * displacement > MinShareOfSquare * _maxSquare)) return;
-            ref var record = ref wasStill ? ref _resting : ref _moving;
-            record.Candidate = Keeping * record.Candidate + (1 - Keeping) * error * error;
-            record.Mixture = Keeping * record.Mixture + (1 - Keeping) * mixture * mixture;
+            _maxSquare = Math.Max(MaxSquareForgettingFactor * _maxSquare, displacement * displacement);
+            if (!(displacement * displacement > MinSquareRatio * _maxSquare)) return;
+            ref var record = ref wasStill ? ref _still : ref _moving;
+            record.Candidate = ForgettingFactor * record.Candidate + (1 - ForgettingFactor) * error * error;
+            record.Mixture = ForgettingFactor * record.Mixture + (1 - ForgettingFactor) * mixture * mixture;
             record.Scores++;
         }
 
         public void Reset()
         {
             Forecaster.Reset();
-            _moving = _resting = default;
+            _moving = _still = default;
             _maxSquare = 0;
         }
 

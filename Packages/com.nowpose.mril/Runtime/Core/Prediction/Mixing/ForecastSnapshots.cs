@@ -1,3 +1,4 @@
+using System;
 using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Prediction.Mixing
@@ -29,8 +30,21 @@ namespace Nowpose.Prediction.Mixing
             return this[Count++];
         }
 
-        /// <summary>Drops the oldest snapshots.</summary>
-        public void Drop(int count)
+        /// <summary>Finds the snapshots before and after a time, and drops all that are older.</summary>
+        /// <param name="time">In s.</param>
+        /// <param name="older">The newest snapshot at or before that time.</param>
+        /// <param name="younger">The next one; null if there is none.</param>
+        /// <returns>False if all snapshots are younger.</returns>
+        public bool TryFind(double time, out Snapshot older, out Snapshot younger)
+        {
+            var i = Count - 1;
+            while (i >= 0 && this[i].Time > time + JointSample.SameSeconds) i--;
+            (older, younger) = (i < 0 ? null : this[i], i + 1 < Count ? this[i + 1] : null);
+            Drop(Math.Max(i, 0));
+            return older != null;
+        }
+
+        void Drop(int count)
         {
             _first = (_first + count) % Capacity;
             Count -= count;

@@ -24,7 +24,7 @@ namespace Nowpose.Prediction.Mixing
         public const int Hold = 0, Line = 1;
 
         /// <summary>Factor for the joint's speed after a change point at which it did not accelerate.</summary>
-        const double ShareAfterStop = 0.5;
+        const double SpeedRatioAfterStop = 0.5;
 
         readonly MixedForecaster[] _mixed;
         readonly double[] _priorWhenReported;
@@ -64,10 +64,11 @@ namespace Nowpose.Prediction.Mixing
                 return;
             }
             var samples = _usesChangePoints ? motion.OfOneMotion : motion.Connected;
-            var speed = samples == 1 && !motion.ChangePoints.HasGrown ? ShareAfterStop * motion.Speed : motion.Speed;
+            var speed = samples == 1 && !motion.ChangePoints.SpeedIncreased ? SpeedRatioAfterStop * motion.Speed : motion.Speed;
             for (int i = 0, start = Line * ForecastTable.Points; i < _mixed.Length; i++, start += ForecastTable.Points)
             {
                 var forecaster = _mixed[i].Forecaster;
+                // With two samples all are the same line, and must not differ by rounding: it would decide between equal errors.
                 if (samples > 2 && samples >= forecaster.Samples && forecaster.Solve(motion)) forecaster.Fill(tables, start, points);
                 else FillLine(tables, start, points, speed);
             }

@@ -9,56 +9,30 @@ namespace Nowpose.Prediction.Mixing
     /// </summary>
     /// <remarks>
     /// No single forecaster is best everywhere: the paper's quadratic is better on clean swings, a straight line on many real
-    /// machines. Each sample gives the errors of the forecasts made one horizon earlier, from which the weights are solved, separately
-    /// for rest and motion. Samples before a change point are not used, and a motion much faster than any before uses the prior weights.
+    /// machines. Each sample gives the errors of the forecasts made one horizon earlier, from which the weights are solved. Samples before
+    /// a change point are not used.
     /// </remarks>
     sealed class Mixer : Forecaster
     {
-        const int Hold = MixedForecasters.Hold, Line = MixedForecasters.Line;
-
         /// <summary>Time constant of the forgetting factor, s.</summary>
         public const double Memory = 20;
 
         /// <summary>
-        /// Regularisation towards the prior, and of the weights of rest or motion towards the common ones (<see cref="MixtureWeights"/>): half
-        /// or twice the values change the errors on recordings by less than half a percent.
-        /// </summary>
-        const double Regularisation = 0.2, ClassRegularisation = 0.5;
-
-        /// <summary>
-        /// Maximum error that is scored, as a multiple of hold's usual error, so that one wrong sample does not outweigh seconds of correct
-        /// ones: with five, the error on one recording was 6 % larger. Larger errors that persist raise the usual error within seconds.
-        /// </summary>
-        const double OutlierThreshold = 8;
-
-        /// <summary>
-        /// A squared displacement per horizon above this multiple of the mean square of hold counts as a motion not seen before.
+        /// A squared displacement per horizon above this multiple of the mean square of hold is a first move: a motion not seen recently.
         /// </summary>
         public const double FirstMoveRatio = 30;
 
-        /// <summary>Time after the start of such a motion during which a line predicts it, s.</summary>
-        const double StartSeconds = 0.08;
-
-        /// <summary>Share of the memory that must be filled before outliers are detected.</summary>
-        const double MinEvidence = 0.02;
+        /// <summary>Maximum age of a scored snapshot relative to the horizon, plus one interval: older ones are from before a pause.</summary>
+        const double MaxAgeRatio = 1.5;
 
         readonly PredictionLimits _limits;
-        readonly PredictionParts _parts;
         readonly MixedForecasters _forecasters;
+        readonly AdaptiveWeights _weights;
         readonly CandidateGate[] _candidates;
         readonly ForecastSnapshots _snapshots;
-        readonly MixtureWeights _overall;
-        readonly MixtureWeights _moving;
-        readonly MixtureWeights _resting;
-        readonly double[] _line;
-        readonly double[] _hold;
         readonly double[] _errors;
         readonly double[] _standstill = new double[ForecastTable.Points];
         readonly int _points;
-        double[] _weights;
-
-        // Forgetting factor of one sample.
-        double _keeping;
 
         // The displayed forecast: one table of the newest snapshot.
         double[] _section;
@@ -71,18 +45,13 @@ namespace Nowpose.Prediction.Mixing
         public Mixer(PredictionLimits limits, PredictionParts parts, MixedForecaster[] mixed, CandidateGate[] candidates)
         {
             _limits = limits;
-            _parts = parts;
             _candidates = candidates;
             // The spline reads two points beyond the horizon cap; later times are never displayed.
             _points = (int)Math.Min(ForecastTable.Points, Math.Ceiling(limits.HorizonCap / ForecastTable.Step) + 3);
-            _forecasters = new MixedForecasters(mixed, Has(PredictionParts.ChangePoints));
-            var count = _forecasters.Count;
-            (_line, _hold, _errors) = (new double[count], new double[count], new double[count]);
-            _hold[Hold] = _line[Line] = 1;
-            _overall = new MixtureWeights(Regularisation, _forecasters.Prior);
-            _moving = new MixtureWeights(ClassRegularisation, _forecasters.Prior);
-            _resting = new MixtureWeights(ClassRegularisation, _forecasters.Prior);
-            _snapshots = new ForecastSnapshots(count + 1 + candidates.Length);
+            _forecasters = new MixedForecasters(mixed, (parts & PredictionParts.ChangePoints) != 0);
+            _weights = new AdaptiveWeights(_forecasters, parts);
+            _errors = new double[_forecasters.Count];
+            _snapshots = new ForecastSnapshots(_forecasters.Count + 1 + candidates.Length);
             Reset();
         }
 
@@ -90,18 +59,16 @@ namespace Nowpose.Prediction.Mixing
 
         public override double Span => ForecastTable.Span;
 
-        bool Has(PredictionParts part) => (_parts & part) != 0;
-
         // Order of the tables in a snapshot: forecasters, mixture, candidates.
-        int Mixture => _hold.Length;
+        int Mixture => _forecasters.Count;
 
         public override bool Solve(MotionState motion)
         {
             if (motion.IsNewest)
             {
-                _keeping = Math.Exp(-motion.MeanInterval / Memory);
-                Score(motion);
-                _weights = Choose(motion);
+                var forgettingFactor = Math.Exp(-motion.MeanInterval / Memory);
+                Score(motion, forgettingFactor);
+                _weights.Solve(motion, forgettingFactor);
                 Forecast(motion, _snapshots.Append());
             }
             // A late sample changes the forecast, but not the weights.
@@ -116,11 +83,8 @@ namespace Nowpose.Prediction.Mixing
             foreach (var candidate in _candidates) candidate.Reset();
             _forecasters.Reset();
             _snapshots.Clear();
-            _overall.Reset(_forecasters.Prior);
-            _moving.Reset(_forecasters.Prior);
-            _resting.Reset(_forecasters.Prior);
+            _weights.Reset();
             (_section, _sectionStart) = (_standstill, 0);
-            _weights = _forecasters.Prior;
         }
 
         void Forecast(MotionState motion, ForecastSnapshots.Snapshot into)
@@ -133,120 +97,75 @@ namespace Nowpose.Prediction.Mixing
             _forecasters.Fill(motion, into.Tables, _points);
             FillMixture(motion, into.Tables);
             var best = Mixture;
-            var minShare = double.PositiveInfinity;
+            var minRatio = double.PositiveInfinity;
             for (var i = 0; i < _candidates.Length; i++)
             {
                 var (candidate, forecast) = (_candidates[i], Mixture + 1 + i);
                 into.HasForecast(forecast) = candidate.Forecaster.Solve(motion);
                 if (!into.HasForecast(forecast)) continue;
                 candidate.Forecaster.Fill(into.Tables, forecast * ForecastTable.Points, _points);
-                var share = candidate.ShareOfSquare(into.WasStill);
-                if (share < minShare) (best, minShare) = (forecast, share);
+                var ratio = candidate.ErrorRatio(into.WasStill);
+                if (ratio < minRatio) (best, minRatio) = (forecast, ratio);
             }
             (_section, _sectionStart) = (into.Tables, best * ForecastTable.Points);
         }
 
         void FillMixture(MotionState motion, double[] tables)
         {
-            var start = Mixture * ForecastTable.Points;
-            for (var point = start; point < start + _points; point++) tables[point] = 0;
-            for (var i = Line; i < Mixture; i++)
+            var (start, weights) = (Mixture * ForecastTable.Points, _weights.Values);
+            Array.Clear(tables, start, _points);
+            for (var i = MixedForecasters.Line; i < Mixture; i++)
             {
-                var weight = _weights[i];
+                var weight = weights[i];
                 if (weight == 0) continue;
                 for (int point = 0, from = i * ForecastTable.Points; point < _points; point++) tables[start + point] += weight * tables[from + point];
             }
             if (motion.Connected >= 2) ForecastTable.Limit(tables, start, _points, motion.Speed, motion.Interval, _limits);
         }
 
-        // The weights are updated from the snapshot whose age is nearest to the horizon; at rest, where noise decides, from the next older
-        // one. Candidates are scored by both, because they are rarely scored.
-        void Score(MotionState motion)
+        // The weights learn from the snapshot whose age is nearest to the horizon; at rest, where noise decides, from the older one.
+        // Candidates are scored by both, because they are rarely scored.
+        void Score(MotionState motion, double forgettingFactor)
         {
             var (now, horizon) = (motion.Samples.NewestTime, motion.Horizon);
-            var older = _snapshots.Count - 1;
-            while (older >= 0 && now - _snapshots[older].Time < horizon - JointSample.SameSeconds) older--;
-            if (older < 0) return;
-            var isOlderUsed = now - _snapshots[older].Time < 1.5 * horizon + motion.MeanInterval;
-            var isYoungerNearer = older + 1 < _snapshots.Count && horizon - (now - _snapshots[older + 1].Time) < now - _snapshots[older].Time - horizon;
-            var learned = false;
-            if (isYoungerNearer && !motion.Rest.IsAtRest)
-            {
-                var ahead = now - _snapshots[older].Time;
-                if (isOlderUsed && IsInTable(ahead)) ScoreCandidates(motion, _snapshots[older], new TableTime(ahead), Threshold);
-                learned = Learn(motion, _snapshots[older + 1]);
-            }
-            else if (isOlderUsed) learned = Learn(motion, _snapshots[older]);
-            _snapshots.Drop(older);
-            if (learned) _overall.Solve(_forecasters.PriorFor(motion.Samples[0]), 1 - _keeping);
+            if (!_snapshots.TryFind(now - horizon, out var older, out var younger)) return;
+            var isYoungerNearer = younger != null && horizon - (now - younger.Time) < now - older.Time - horizon;
+            var learnsFromYounger = isYoungerNearer && !motion.Rest.IsAtRest;
+            if (now - older.Time < MaxAgeRatio * horizon + motion.MeanInterval) Score(motion, older, forgettingFactor, !learnsFromYounger);
+            if (learnsFromYounger) Score(motion, younger, forgettingFactor, true);
         }
 
-        bool Learn(MotionState motion, ForecastSnapshots.Snapshot snapshot)
+        void Score(MotionState motion, ForecastSnapshots.Snapshot snapshot, double forgettingFactor, bool learns)
         {
             var ahead = motion.Samples.NewestTime - snapshot.Time;
-            if (!IsInTable(ahead)) return false;
-            var time = new TableTime(ahead);
-            var threshold = Threshold;
-            var areExact = FillErrors(snapshot, time, motion.Samples.NewestPosition, threshold);
-            ScoreCandidates(motion, snapshot, time, threshold);
-            // The forecasters are not responsible for an error across a change point. At rest, all are right.
-            if (snapshot.ChangePoints != motion.ChangePoints.Count) return false;
-            if (snapshot.WasAtRest) _resting.Learn(_errors, _keeping);
-            if (areExact) return snapshot.WasAtRest;
-            _overall.Learn(_errors, _keeping);
-            if (!snapshot.WasAtRest) _moving.Learn(_errors, _keeping);
-            return true;
-        }
-
-        // Errors count up to the threshold. Returns whether all are zero.
-        bool FillErrors(ForecastSnapshots.Snapshot snapshot, in TableTime time, double truth, double threshold)
-        {
-            var areExact = true;
+            if (!IsInTable(ahead)) return;
+            var (time, truth, threshold) = (new TableTime(ahead), motion.Samples.NewestPosition, _weights.Threshold);
+            ScoreCandidates(snapshot, time, truth, threshold);
+            // The forecasters are not responsible for an error across a change point.
+            if (!learns || snapshot.ChangePoints != motion.ChangePoints.Count) return;
             for (var i = 0; i < Mixture; i++)
             {
                 var error = snapshot.At(i, time) - truth;
-                areExact &= error == 0;
                 _errors[i] = error > threshold ? threshold : error < -threshold ? -threshold : error;
             }
-            return areExact;
+            _weights.Learn(_errors, snapshot.WasAtRest, forgettingFactor);
         }
 
-        void ScoreCandidates(MotionState motion, ForecastSnapshots.Snapshot snapshot, in TableTime time, double threshold)
+        // Compares each candidate with the mixture that was displayed, which had the weights of that time.
+        void ScoreCandidates(ForecastSnapshots.Snapshot snapshot, in TableTime time, double truth, double threshold)
         {
-            var truth = motion.Samples.NewestPosition;
-            var mixture = Math.Min(Math.Abs(snapshot.At(Mixture, time) - truth), threshold);
+            var mixtureError = Math.Min(Math.Abs(snapshot.At(Mixture, time) - truth), threshold);
             for (var i = 0; i < _candidates.Length; i++)
             {
                 var forecast = Mixture + 1 + i;
                 if (!snapshot.HasForecast(forecast)) continue;
-                var forecastPosition = snapshot.At(forecast, time);
-                var displacement = Math.Max(Math.Abs(truth - snapshot.Position), Math.Abs(forecastPosition - snapshot.Position));
-                _candidates[i].Score(forecastPosition - truth, mixture, Math.Min(displacement, threshold), snapshot.WasStill);
+                var position = snapshot.At(forecast, time);
+                var displacement = Math.Max(Math.Abs(truth - snapshot.Position), Math.Abs(position - snapshot.Position));
+                _candidates[i].Score(position - truth, mixtureError, Math.Min(displacement, threshold), snapshot.WasStill);
             }
         }
 
         // Reading a table also needs the point after the cell.
         bool IsInTable(double ahead) => ahead <= (_points < ForecastTable.Points ? _points - 2 : _points - 1) * ForecastTable.Step;
-
-        double Threshold => _overall.Evidence < MinEvidence || !Has(PredictionParts.OutlierThreshold)
-            ? double.PositiveInfinity : OutlierThreshold * Math.Sqrt(_overall.MeanSquare(Hold));
-
-        // Weights learned from noise at rest do not suit a first motion that is much faster.
-        double[] Choose(MotionState motion)
-        {
-            var rest = motion.Rest;
-            if (rest.IsOnlyNoise) return _hold;
-            var heldSquare = _overall.MeanSquare(Hold);
-            var displacement = motion.Speed * motion.Horizon;
-            if (displacement * displacement <= FirstMoveRatio * heldSquare || !Has(PredictionParts.FirstMoves))
-            {
-                if (!Has(PredictionParts.RestWeights)) return _overall.Values;
-                var weights = rest.IsAtRest ? _resting : _moving;
-                weights.Solve(_overall.Values, 1 - _keeping);
-                return weights.Values;
-            }
-            var sinceStart = motion.Samples.NewestTime - motion.Start;
-            return sinceStart < Math.Max(StartSeconds, 1.01 * motion.MeanInterval) + 1e-4 ? _line : _forecasters.PriorFor(motion.Samples[0]);
-        }
     }
 }

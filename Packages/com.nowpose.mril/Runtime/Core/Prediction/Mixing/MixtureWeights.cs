@@ -18,7 +18,7 @@ namespace Nowpose.Prediction.Mixing
         const int Steps = 5;
 
         /// <summary>
-        /// A solve ends at a step that reduces the mean square by less than this share of the best forecast's mean square.
+        /// A solve ends at a step that reduces the mean square by less than this fraction of the best forecast's mean square.
         /// </summary>
         const double MinGain = 1e-4;
 
@@ -36,7 +36,7 @@ namespace Nowpose.Prediction.Mixing
         // Gw, kept up to date instead of computed for each solve.
         readonly double[] _weighted;
 
-        /// <param name="regularisation">λ as a share of the minimum mean square among the forecasts.</param>
+        /// <param name="regularisation">λ relative to the minimum mean square among the forecasts.</param>
         /// <param name="prior">The weights without evidence, one per forecast.</param>
         public MixtureWeights(double regularisation, double[] prior)
         {
@@ -51,40 +51,41 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>The weights, one per forecast.</summary>
         public double[] Values { get; }
 
-        /// <summary>Share of the memory that is filled, 0 to 1.</summary>
+        /// <summary>Sum of the weights of all errors so far: 0 at first, 1 after several time constants of the forgetting factor.</summary>
         public double Evidence { get; private set; }
 
         /// <summary>Returns the mean square of one forecast's error; 0 without evidence.</summary>
         public double MeanSquare(int forecast) => _products[forecast * (_count + 1)] / Math.Max(Evidence, Positive);
 
         /// <summary>Adds the errors of all forecasts at one moment.</summary>
-        /// <param name="keeping">Forgetting factor, 0 to 1.</param>
-        public void Learn(double[] errors, double keeping)
+        /// <param name="forgettingFactor">Of one sample, 0 to 1.</param>
+        public void Learn(double[] errors, double forgettingFactor)
         {
-            var (products, share, mixture) = (_products, 1 - keeping, 0.0);
+            // The error that the present weights would have made.
+            var (products, gain, mixture) = (_products, 1 - forgettingFactor, 0.0);
             for (var i = 0; i < errors.Length; i++) mixture += Values[i] * errors[i];
             for (int i = 0, row = 0; i < errors.Length; i++, row += _count)
             {
-                var error = share * errors[i];
-                for (var j = 0; j < errors.Length; j++) products[row + j] = keeping * products[row + j] + error * errors[j];
-                _weighted[i] = keeping * _weighted[i] + error * mixture;
+                var error = gain * errors[i];
+                for (var j = 0; j < errors.Length; j++) products[row + j] = forgettingFactor * products[row + j] + error * errors[j];
+                _weighted[i] = forgettingFactor * _weighted[i] + error * mixture;
             }
-            Evidence = keeping * Evidence + share;
+            Evidence = forgettingFactor * Evidence + gain;
         }
 
         /// <summary>Solves for the weights.</summary>
         /// <param name="prior">Weights towards which the solution is regularised.</param>
-        /// <param name="sampleShare">Share of the memory that one sample fills.</param>
-        public void Solve(double[] prior, double sampleShare)
+        /// <param name="gain">Of one sample: one minus the forgetting factor.</param>
+        public void Solve(double[] prior, double gain)
         {
             var min = double.PositiveInfinity;
             for (var i = 0; i < _products.Length; i += _count + 1)
                 if (_products[i] < min) min = _products[i];
             min += Tiny;
-            var pull = _regularisation * min * (1 + PriorSamples * sampleShare / Math.Max(Evidence, Positive));
-            for (var i = 0; i < _gradient.Length; i++) _gradient[i] = _weighted[i] + pull * (Values[i] - prior[i]);
+            var lambda = _regularisation * min * (1 + PriorSamples * gain / Math.Max(Evidence, Positive));
+            for (var i = 0; i < _gradient.Length; i++) _gradient[i] = _weighted[i] + lambda * (Values[i] - prior[i]);
             for (var step = 0; step < Steps; step++)
-                if (!(MoveBestPair(pull) > MinGain * min)) return;
+                if (!(MoveBestPair(lambda) > MinGain * min)) return;
         }
 
         public void Reset(double[] prior)
@@ -96,7 +97,7 @@ namespace Nowpose.Prediction.Mixing
         }
 
         // Moves weight from the forecast with the largest gradient to the one with the smallest. Returns the reduction of the cost.
-        double MoveBestPair(double pull)
+        double MoveBestPair(double lambda)
         {
             var (products, gradient, values) = (_products, _gradient, Values);
             int to = 0, from = -1;
@@ -110,7 +111,7 @@ namespace Nowpose.Prediction.Mixing
             var difference = largest - least;
             if (from < 0 || !(difference > 0)) return 0;
             int toRow = to * _count, fromRow = from * _count;
-            var curvature = products[toRow + to] + products[fromRow + from] - 2 * products[toRow + from] + 2 * pull + Tiny;
+            var curvature = products[toRow + to] + products[fromRow + from] - 2 * products[toRow + from] + 2 * lambda + Tiny;
             var move = Math.Min(difference / Math.Max(curvature, Tiny), values[from]);
             values[to] += move;
             values[from] -= move;
@@ -120,8 +121,8 @@ namespace Nowpose.Prediction.Mixing
                 gradient[i] += change;
                 _weighted[i] += change;
             }
-            gradient[to] += pull * move;
-            gradient[from] -= pull * move;
+            gradient[to] += lambda * move;
+            gradient[from] -= lambda * move;
             return move * (difference - 0.5 * move * curvature);
         }
     }

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Prediction.Planning
 {
-    /// <summary>Computes a joint's position from its plan, with the lag and offset of its samples. Detects whether it follows the plan.</summary>
+    /// <summary>Computes a joint's position from its plan, with the delay and offset of its samples. Detects whether it follows the plan.</summary>
     /// <remarks>Allocates nothing after construction; one thread. Times are seconds since the epoch of the samples.</remarks>
     sealed class PlanFollower
     {
@@ -12,7 +12,7 @@ namespace Nowpose.Prediction.Planning
         /// <summary>Standstill at the plan's end after which samples replace the plan, in s.</summary>
         const double Settling = 0.1;
 
-        readonly PlanLag _lag = new PlanLag();
+        readonly PlanDelay _delay = new PlanDelay();
         ActivePlan _current, _next;
         int _agreements = AgreementsToReturn;
 
@@ -22,14 +22,14 @@ namespace Nowpose.Prediction.Planning
         /// <param name="turns">As in <see cref="ActivePlan"/>.</param>
         /// <param name="now">The last displayed moment, in s.</param>
         /// <param name="newest">Time of the newest sample, in s.</param>
-        public void Follow(PlannedPath path, double start, double from, double turns, double now, double newest)
+        public void Replace(PlannedPath path, double start, double from, double turns, double now, double newest)
         {
-            var before = PlanAt(start + _lag.Lag);
-            var plan = new ActivePlan(path, start, from, turns, IsFollowedAt(start + _lag.Lag, newest) ? before.Since : start);
-            if (!_next.IsNone && _next.Start <= now - _lag.Lag) _current = _next;
+            var before = PlanAt(start + _delay.Delay);
+            var plan = new ActivePlan(path, start, from, turns, IsFollowedAt(start + _delay.Delay, newest) ? before.Since : start);
+            if (!_next.IsNone && _next.Start <= now - _delay.Delay) _current = _next;
             _next = plan;
-            if (_current.IsNone || plan.Start <= now - _lag.Lag) (_current, _next) = (plan, default);
-            _lag.Begin(plan.Range);
+            if (_current.IsNone || plan.Start <= now - _delay.Delay) (_current, _next) = (plan, default);
+            _delay.Start(plan.Range);
         }
 
         /// <summary>Drops the plan.</summary>
@@ -38,17 +38,17 @@ namespace Nowpose.Prediction.Planning
         public void Reset()
         {
             Drop();
-            _lag.Reset();
+            _delay.Reset();
             _agreements = AgreementsToReturn;
         }
 
         /// <summary>Compares a sample with the plan.</summary>
         public void Add(double time, double position)
         {
-            var (plan, at) = (PlanAt(time), time - _lag.Lag);
+            var (plan, at) = (PlanAt(time), time - _delay.Delay);
             if (plan.IsNone || at < plan.Start || at > plan.End + Settling) return;
-            var difference = position - plan.At(at, out var velocity) - _lag.Offset;
-            var verdict = _lag.Add(time, difference, velocity, plan.Range);
+            var difference = position - plan.At(at, out var velocity) - _delay.Offset;
+            var verdict = _delay.Add(time, difference, velocity, plan.Range);
             if (verdict == PlanVerdict.NotFollowed) _agreements = 0;
             else if (verdict == PlanVerdict.Followed && _agreements < AgreementsToReturn) _agreements++;
         }
@@ -58,37 +58,79 @@ namespace Nowpose.Prediction.Planning
         /// <returns>False without a plan at that time, or the joint does not follow it.</returns>
         public bool IsFollowedAt(double time, double newest)
         {
-            var (plan, at) = (PlanAt(time), time - _lag.Lag);
+            var (plan, at) = (PlanAt(time), time - _delay.Delay);
             if (plan.IsNone || _agreements < AgreementsToReturn || at < plan.Start) return false;
-            return at <= plan.End || (plan.EndsAtRest && newest - _lag.Lag < plan.End + Settling);
+            return at <= plan.End || (plan.EndsAtRest && newest - _delay.Delay < plan.End + Settling);
         }
 
         /// <summary>
-        /// Share of the plan in the displayed position: it rises from 0 to 1 after the plan's start and falls after its end.
+        /// Returns the weight of the plan in the displayed position: it rises from 0 to 1 after the plan's start and falls after its end.
         /// </summary>
         /// <param name="newest">Time of the newest sample.</param>
         /// <param name="lastTime">Time after which the samples are too old for any plan.</param>
         /// <param name="timeConstant">Time constant of the rise and fall, in s; 0 for at once.</param>
         /// <param name="holds">Whether the plan determines the displayed position.</param>
-        public double ShareAt(double time, double newest, double lastTime, double timeConstant, out bool holds)
+        public double WeightAt(double time, double newest, double lastTime, double timeConstant, out bool holds)
         {
             holds = time <= lastTime && IsFollowedAt(time, newest);
-            if (holds) return timeConstant > 0 ? 1 - Math.Exp(-(time - PlanAt(time).Since - _lag.Lag) / timeConstant) : 1;
+            if (holds) return timeConstant > 0 ? 1 - Math.Exp(-(time - PlanAt(time).Since - _delay.Delay) / timeConstant) : 1;
             if (_current.IsNone || timeConstant == 0) return 0;
-            var end = Math.Min(lastTime, PlanAt(time).End + _lag.Lag);
+            var end = Math.Min(lastTime, PlanAt(time).End + _delay.Delay);
             return time > end && IsFollowedAt(end, newest) ? Math.Exp(-(time - end) / timeConstant) : 0;
         }
 
         /// <summary>
         /// Returns the plan's position, clamped to its start and end. Call it only while there is a plan.
         /// </summary>
-        public double At(double time) => PlanAt(time).At(time - _lag.Lag, out _) + _lag.Offset;
+        public double At(double time) => PlanAt(time).At(time - _delay.Delay, out _) + _delay.Offset;
 
         /// <summary>Constant distance of the joint from its plan, in rad or m.</summary>
-        public double Offset => _lag.Offset;
+        public double Offset => _delay.Offset;
 
         public bool HasPlan => !_current.IsNone;
 
-        ActivePlan PlanAt(double time) => !_next.IsNone && time - _lag.Lag >= _next.Start ? _next : _current;
+        ActivePlan PlanAt(double time) => !_next.IsNone && time - _delay.Delay >= _next.Start ? _next : _current;
+    }
+
+    /// <summary>A path and its start time; <c>default</c> means that no plan is active.</summary>
+    readonly struct ActivePlan
+    {
+        readonly PlannedPath _path;
+        readonly double _from;
+        readonly double _turns;
+
+        /// <param name="start">Stamp of the plan, in s.</param>
+        /// <param name="from">
+        /// The joint's position at the start, in the path's turn: a plan with a later first set-point starts there.
+        /// </param>
+        /// <param name="turns">Added to the path's positions, rad: whole turns of an endless joint.</param>
+        /// <param name="since">As <see cref="Since"/>.</param>
+        public ActivePlan(PlannedPath path, double start, double from, double turns, double since) =>
+            (_path, Start, _from, _turns, Since) = (path, start, from, turns, since);
+
+        public bool IsNone => _path == null;
+
+        /// <summary>Start time in s.</summary>
+        public double Start { get; }
+
+        /// <summary>Time since which a plan has determined the displayed position without interruption, in s.</summary>
+        public double Since { get; }
+
+        /// <summary>End time in s.</summary>
+        public double End => Start + _path.Last;
+
+        public double Range => _path.Range + Math.Abs(_from - _path.FirstPosition);
+
+        public bool EndsAtRest => _path.EndsAtRest;
+
+        /// <summary>Returns the position at a time; constant before the start and after the end.</summary>
+        public double At(double time, out double velocity)
+        {
+            var x = time - Start;
+            if (_path.First <= 0 || x >= _path.First) return _turns + _path.At(x, out velocity);
+            var displacement = _path.FirstPosition - _from;
+            velocity = x < 0 ? 0 : displacement / _path.First;
+            return _turns + _from + displacement * Math.Max(x, 0) / _path.First;
+        }
     }
 }

@@ -7,9 +7,10 @@ namespace Nowpose.Prediction.Samples
     /// </summary>
     /// <remarks>
     /// In both cases the stamp is not newer than the newest. If a sample of a stepped clock is taken for an overtaken one, the section
-    /// is wrong; if an overtaken one is taken for a stepped clock, all learned state is lost. Therefore late samples wait.
-    /// When a newer sample arrives, they were overtaken and are inserted. When their number, or positions that contradict the other
-    /// samples, show that time went back, the history restarts with them. Allocates nothing after construction.
+    /// is wrong; if an overtaken one is taken for a stepped clock, all learned state is lost. Therefore late samples wait, at most five.
+    /// When a newer sample arrives, or a late one that is not newer than the last that waits, they were overtaken and are inserted. When
+    /// their number, or positions that contradict the other samples, show that time went back, the history restarts with them. Allocates
+    /// nothing after construction.
     /// </remarks>
     sealed class ArrivalOrder
     {
@@ -32,9 +33,9 @@ namespace Nowpose.Prediction.Samples
         double _newest = double.NegativeInfinity;
         int _readyCount;
 
-        // The waiting samples, each newer than the one before. Dropped ones are used only if the clock has gone back.
+        // The waiting samples, each newer than the one before. Some are only evidence: they are used only if the clock has gone back.
         readonly JointSample[] _late = new JointSample[MaxLate];
-        readonly bool[] _isDropped = new bool[MaxLate];
+        readonly bool[] _isOnlyEvidence = new bool[MaxLate];
         int _lateCount, _contradicted;
 
         /// <param name="isEndless">Whether positions are angles in rad that may wrap from π to −π.</param>
@@ -57,22 +58,22 @@ namespace Nowpose.Prediction.Samples
             if (JointSample.IsSameTime(_newest, sample.Order)) return DropReason.DuplicateSample;
             if (sample.Order > _newest)
             {
-                ReleaseLate(alsoDropped: false);
+                ReleaseLate(withEvidence: false);
                 Release(sample);
                 return DropReason.None;
             }
-            if (_recent.Contains(sample) || IsWaiting(sample)) return DropReason.DuplicateSample;
+            if (IsRepetition(sample)) return DropReason.DuplicateSample;
             var reason = sample.Order < oldest ? DropReason.LateSample
-                : _recent.ContainsTimeOf(sample) ? DropReason.DuplicateSample : DropReason.None;
-            if (_lateCount > 0 && sample.Order <= _late[_lateCount - 1].Order) ReleaseLate(alsoDropped: false);
+                : _recent.TryFind(sample.Order, out _) ? DropReason.DuplicateSample : DropReason.None;
+            if (_lateCount > 0 && sample.Order <= _late[_lateCount - 1].Order) ReleaseLate(withEvidence: false);
             if (_recent.Contradict(sample)) _contradicted++;
-            _isDropped[_lateCount] = reason != DropReason.None;
+            _isOnlyEvidence[_lateCount] = reason != DropReason.None;
             _late[_lateCount++] = sample;
             if (!HasTimeGoneBack) return reason;
             Restarts++;
             _recent.Clear();
             _newest = double.NegativeInfinity;
-            ReleaseLate(alsoDropped: true);
+            ReleaseLate(withEvidence: true);
             return DropReason.None;
         }
 
@@ -86,18 +87,19 @@ namespace Nowpose.Prediction.Samples
         bool HasTimeGoneBack => _lateCount == MaxLate || _contradicted == MinLate
             || (_lateCount >= MinLate && _newest - _late[_lateCount - 1].Order > MaxDelay);
 
-        // As RecentSamples.Contains.
-        bool IsWaiting(in JointSample sample)
+        // The stamp alone is not sufficient: a clock that goes back by whole sampling intervals repeats earlier stamps with other positions.
+        bool IsRepetition(in JointSample sample)
         {
+            if (_recent.TryFind(sample.Order, out var position) && position == sample.Position) return true;
             for (var i = 0; i < _lateCount; i++)
                 if (JointSample.IsSameTime(_late[i].Order, sample.Order) && _late[i].Position == sample.Position) return true;
             return false;
         }
 
-        void ReleaseLate(bool alsoDropped)
+        void ReleaseLate(bool withEvidence)
         {
             for (var i = 0; i < _lateCount; i++)
-                if (alsoDropped || !_isDropped[i]) Release(_late[i]);
+                if (withEvidence || !_isOnlyEvidence[i]) Release(_late[i]);
             _lateCount = _contradicted = 0;
         }
 

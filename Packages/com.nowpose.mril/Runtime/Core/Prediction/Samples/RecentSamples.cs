@@ -12,13 +12,13 @@ namespace Nowpose.Prediction.Samples
         const int Capacity = 256;
 
         /// <summary>
-        /// Maximum distance from the line between the neighbours, as a share of their displacement. An overtaken sample is closer, even at a
+        /// Maximum distance from the line between the neighbours, relative to their displacement. An overtaken sample is closer, even at a
         /// reversal; one of a clock that went back by two intervals is off by twice the displacement.
         /// </summary>
-        const double MaxShareOfDisplacement = 1.5;
+        const double MaxDistanceRatio = 1.5;
 
-        /// <summary>Minimum significant difference as a share of the range of the recent samples; it exceeds an encoder count, for example.</summary>
-        const double MinShareOfRange = 1e-3;
+        /// <summary>Minimum significant difference relative to the range of the recent samples; it exceeds an encoder count, for example.</summary>
+        const double MinRangeRatio = 1e-3;
 
         /// <summary>Number of newest samples whose second differences estimate the noise.</summary>
         const int NoiseWindow = 8;
@@ -40,23 +40,13 @@ namespace Nowpose.Prediction.Samples
             if (_count < Capacity) _count++;
         }
 
-        /// <summary>
-        /// Returns whether a sample is a repetition. The stamp alone is not sufficient: a clock that goes back by whole sampling intervals
-        /// repeats earlier stamps with other positions.
-        /// </summary>
-        public bool Contains(in JointSample sample)
+        /// <summary>Finds the position at the time of a sample.</summary>
+        public bool TryFind(double order, out double position)
         {
-            for (var i = 0; i < _count; i++)
-                if (_positions[i] == sample.Position && JointSample.IsSameTime(_orders[i], sample.Order)) return true;
-            return false;
-        }
-
-        /// <summary>Returns whether there is a sample of the same time, at any position.</summary>
-        public bool ContainsTimeOf(in JointSample sample)
-        {
-            for (var i = 0; i < _count; i++)
-                if (JointSample.IsSameTime(_orders[i], sample.Order)) return true;
-            return false;
+            var i = 0;
+            while (i < _count && !JointSample.IsSameTime(_orders[i], order)) i++;
+            position = i < _count ? _positions[i] : double.NaN;
+            return i < _count;
         }
 
         /// <summary>Returns whether the samples before and after show that the joint was elsewhere; false if there are none.</summary>
@@ -71,7 +61,7 @@ namespace Nowpose.Prediction.Samples
             var distance = Math.Abs(Difference(sample.Position, _positions[before]) - onLine);
             var range = Range;
             // Without any motion so far, a contradiction is impossible.
-            return distance > MaxShareOfDisplacement * largest + Noise && distance > MinShareOfRange * range && range > 0;
+            return distance > MaxDistanceRatio * largest + Noise && distance > MinRangeRatio * range && range > 0;
         }
 
         public void Clear() => _next = _count = 0;

@@ -42,7 +42,7 @@ namespace Nowpose.Prediction.Samples
         public double NewestPosition { get; private set; }
 
         /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first.</summary>
-        public double NewestTime { get; private set; }
+        public double NewestStamp { get; private set; }
 
         /// <summary>Whole turns that unwrapping added to the newest position, in rad.</summary>
         public double Shift { get; private set; }
@@ -60,7 +60,7 @@ namespace Nowpose.Prediction.Samples
             if (isNewest)
             {
                 (_newestOrder, _unwrapped) = (sample.Order, position);
-                (NewestTime, NewestPosition, Shift) = (sample.Time, sample.Position, position - sample.Position);
+                (NewestStamp, NewestPosition, Shift) = (sample.Time, sample.Position, position - sample.Position);
             }
             // A display without prediction still shows the position of a sample that is left out.
             if (_thins && isNewest && time - History.NewestTime < MinInterval && time > History.NewestTime) return false;
@@ -72,7 +72,7 @@ namespace Nowpose.Prediction.Samples
         {
             History.Clear();
             _stamps?.Reset();
-            _newestOrder = NewestTime = double.NegativeInfinity;
+            _newestOrder = NewestStamp = double.NegativeInfinity;
             NewestPosition = _unwrapped = Shift = 0;
         }
 

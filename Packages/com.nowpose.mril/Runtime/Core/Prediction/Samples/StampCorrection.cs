@@ -16,7 +16,7 @@ namespace Nowpose.Prediction.Samples
         const double CleanDeviation = 1e-3;
 
         /// <summary>Maximum distance from the line, in standard deviations; uniform scatter stays within two.</summary>
-        const double MaxLead = 3;
+        const double MaxScatter = 3;
 
         /// <summary>
         /// Number of consecutive stamps beyond two deviations on the same side, which is unlikely for scatter: the period has changed.
@@ -30,41 +30,45 @@ namespace Nowpose.Prediction.Samples
         readonly StampJudge _judge = new StampJudge();
 
         // Number of consecutive newest stamps that are off the line, with the sign of their side.
-        int _run;
+        int _offLine;
 
         /// <summary>Returns the corrected time of a sample.</summary>
         /// <param name="stamp">Uncorrected stamp, in s.</param>
         public double Correct(double stamp, double position, bool isNewest)
         {
-            if (isNewest) Follow(stamp);
+            if (isNewest) UpdateLine(stamp);
             if (!_line.IsKnown) return stamp;
-            var onLine = isNewest ? _line.Newest : _line.Nearest(stamp);
+            var onLine = isNewest ? _line.NewestOnLine : _line.Nearest(stamp);
             if (isNewest) _judge.Add(stamp, onLine, position);
-            var isScattered = _line.Deviation > MinDeviation && !_line.IsScatteredOut;
-            // A stamp may be late by any delay but is never early, so an early stamp means that the period has changed. So does an offset when the
-            // stamps had little scatter, or several consecutive late stamps.
-            var off = stamp - onLine;
-            var isOffBeat = (off < 0 || _line.Deviation < CleanDeviation || Math.Abs(_run) > 1)
-                && Math.Abs(off) > MaxLead * _line.Deviation;
-            return isScattered && !isOffBeat && _judge.PrefersLine ? onLine : stamp;
+            var isScattered = _line.Deviation > MinDeviation && !_line.IsTooScattered;
+            return isScattered && !IsPeriodChange(stamp - onLine) && _judge.PrefersLine ? onLine : stamp;
         }
 
         public void Reset()
         {
             _line.Reset();
             _judge.Reset();
-            _run = 0;
+            _offLine = 0;
         }
 
-        void Follow(double stamp)
+        // Returns whether the distance from the line comes from another period, not from scatter.
+        bool IsPeriodChange(double off)
+        {
+            if (Math.Abs(off) <= MaxScatter * _line.Deviation) return false;
+            // A delay makes a stamp late by any time, but not early; it is rare in clean stamps, and rarely the second in a row.
+            var (isEarly, isOfCleanSource, isInARow) = (off < 0, _line.Deviation < CleanDeviation, Math.Abs(_offLine) > 1);
+            return isEarly || isOfCleanSource || isInARow;
+        }
+
+        void UpdateLine(double stamp)
         {
             _line.Add(stamp);
             if (!_line.IsKnown) return;
-            var off = stamp - _line.Newest;
+            var off = stamp - _line.NewestOnLine;
             var side = Math.Abs(off) > Math.Max(MinDeviation, Deviations * _line.Deviation) ? Math.Sign(off) : 0;
-            _run = side == 0 ? 0 : side == Math.Sign(_run) ? _run + side : side;
-            if (Math.Abs(_run) < InARow) return;
-            _run = 0;
+            _offLine = side == 0 ? 0 : side == Math.Sign(_offLine) ? _offLine + side : side;
+            if (Math.Abs(_offLine) < InARow) return;
+            _offLine = 0;
             _line.Reset();
             _line.Add(stamp);
         }

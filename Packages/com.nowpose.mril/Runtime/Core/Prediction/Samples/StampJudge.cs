@@ -12,8 +12,8 @@ namespace Nowpose.Prediction.Samples
     /// </remarks>
     sealed class StampJudge
     {
-        /// <summary>Weight of one vote: about a dozen clear votes change the decision.</summary>
-        const double Share = 0.03;
+        /// <summary>Weight of one vote in the mean: eight full votes against the line reject it at first, 25 after it was right for long.</summary>
+        const double VoteWeight = 0.03;
 
         /// <summary>Maximum vote; a vote is the decimal logarithm of the ratio of the errors, up to a factor of ten.</summary>
         const double MaxVote = 1;
@@ -52,7 +52,7 @@ namespace Nowpose.Prediction.Samples
             double errorReported = ErrorOf(_reported), errorOnLine = ErrorOf(_onLine);
             if (!(errorReported > 0 && errorOnLine > 0)) return;
             var vote = Math.Log10(errorReported / errorOnLine);
-            _vote += Share * (Math.Min(Math.Max(vote, -MaxVote), MaxVote) - _vote);
+            _vote += VoteWeight * (Math.Min(Math.Max(vote, -MaxVote), MaxVote) - _vote);
         }
 
         public void Reset()
@@ -67,10 +67,10 @@ namespace Nowpose.Prediction.Samples
             var guess = 0.0;
             for (var i = 1; i < Kept; i++)
             {
-                var share = _positions[i] - _positions[0];
+                var term = _positions[i] - _positions[0];
                 for (var j = 1; j < Kept; j++)
-                    if (j != i) share *= (t[0] - t[j]) / (t[i] - t[j]);
-                guess += share;
+                    if (j != i) term *= (t[0] - t[j]) / (t[i] - t[j]);
+                guess += term;
             }
             return Math.Abs(guess);
         }

@@ -10,8 +10,11 @@ namespace Nowpose.Prediction.Samples
     /// </remarks>
     sealed class StampLine
     {
-        /// <summary>Number of stamps in which a weight falls to 1/e: the accuracy is that of a line through the newest 125.</summary>
-        const int Memory = 100;
+        /// <summary>
+        /// Of one stamp, once the sum of the weights is <see cref="MaxSum"/>. The error at the newest stamp is that of a line through 320
+        /// stamps, because 4 σ² / 320 = 1.25 (1 − 0.99) σ².
+        /// </summary>
+        const double ForgettingFactor = 0.99, MaxSum = 1 / (1 - ForgettingFactor);
 
         /// <summary>Minimum number of stamps from which the interval is estimated.</summary>
         const int MinStamps = 8;
@@ -23,27 +26,27 @@ namespace Nowpose.Prediction.Samples
         const int MaxLostAtStart = 4;
 
         /// <summary>Ratio of scatter below which a shorter interval is preferred: shorter intervals always fit slightly better.</summary>
-        const double Better = 0.6;
+        const double MaxRatioOfShorter = 0.6;
 
-        /// <summary>Maximum scatter, as a share of the interval, at which the sample numbers are certain.</summary>
-        const double ClearShare = 0.22;
+        /// <summary>Maximum scatter, relative to the interval, at which the sample numbers are certain.</summary>
+        const double ClearRatio = 0.22;
 
-        /// <summary>Maximum scatter of stamps on a beat, as a share of the interval: random stamps scatter by 0.29.</summary>
-        const double MaxShare = 0.25;
+        /// <summary>Maximum scatter of periodic stamps, relative to the interval: random stamps scatter by 0.29.</summary>
+        const double MaxScatterRatio = 0.25;
 
         /// <summary>Number of further fits: the first line may assign wrong numbers, which the next fits correct.</summary>
         const int Refinements = 3;
 
         /// <summary>Unit of controllers' cycles, in s.</summary>
-        const double Beat = 1e-3;
+        const double CycleUnit = 1e-3;
 
         /// <summary>Number of standard errors within which the interval is rounded to a whole cycle.</summary>
-        const double Belief = 2;
+        const double MaxStandardErrors = 2;
 
         readonly double[] _first = new double[MinStamps];
         int _count;
         int _misfits;
-        double _newest;
+        double _newestStamp;
 
         // Weighted sums over the stamps. Number and time are relative to the newest stamp, so that neither the epoch nor a count of
         // weeks reduces the precision.
@@ -59,31 +62,31 @@ namespace Nowpose.Prediction.Samples
         public double Deviation { get; private set; }
 
         /// <summary>Whether stamps scatter enough to be confused with their neighbours'.</summary>
-        public bool IsScatteredOut => Deviation > MaxShare * Interval;
+        public bool IsTooScattered => Deviation > MaxScatterRatio * Interval;
 
         /// <summary>Time of the line at the newest stamp's number, in s; valid if <see cref="IsKnown"/>.</summary>
-        public double Newest { get; private set; }
+        public double NewestOnLine { get; private set; }
 
         /// <summary>Returns the time of the line at the number nearest to a stamp.</summary>
-        public double Nearest(double stamp) => Newest + Math.Round((stamp - Newest) / Interval) * Interval;
+        public double Nearest(double stamp) => NewestOnLine + Math.Round((stamp - NewestOnLine) / Interval) * Interval;
 
         /// <summary>Adds the time stamp of the next sample.</summary>
         public void Add(double stamp)
         {
-            if (IsKnown && Math.Abs(stamp - Newest) > MaxPause * Interval) Reset();
+            if (IsKnown && Math.Abs(stamp - NewestOnLine) > MaxPause * Interval) Reset();
             if (IsKnown)
             {
-                Append(stamp, Math.Max(1, Math.Round((stamp - Newest) / Interval)));
+                Append(stamp, Math.Max(1, Math.Round((stamp - NewestOnLine) / Interval)));
                 Fit();
             }
             else
             {
                 _first[_count++] = stamp;
-                if (_count == MinStamps) Begin();
+                if (_count == MinStamps) EstimateInterval();
             }
             if (!IsKnown) return;
             // Wrong sample numbers would affect the line until they are forgotten.
-            _misfits = IsScatteredOut ? _misfits + 1 : 0;
+            _misfits = IsTooScattered ? _misfits + 1 : 0;
             if (_misfits == MinStamps) Reset();
         }
 
@@ -94,31 +97,31 @@ namespace Nowpose.Prediction.Samples
         }
 
         // The number of samples lost among the first is unknown, so the longest interval that fits the stamps is used.
-        void Begin()
+        void EstimateInterval()
         {
             var span = _first[MinStamps - 1] - _first[0];
             var best = 0;
-            var minShare = double.PositiveInfinity;
-            for (var lost = 0; lost <= MaxLostAtStart && minShare > ClearShare; lost++)
+            var minRatio = double.PositiveInfinity;
+            for (var lost = 0; lost <= MaxLostAtStart && minRatio > ClearRatio; lost++)
             {
-                Number(span / (MinStamps - 1 + lost));
-                if (!IsKnown || Deviation >= Better * minShare * Interval) continue;
-                minShare = Deviation / Interval;
+                FitWithInterval(span / (MinStamps - 1 + lost));
+                if (!IsKnown || Deviation >= MaxRatioOfShorter * minRatio * Interval) continue;
+                minRatio = Deviation / Interval;
                 best = lost;
             }
-            Number(span / (MinStamps - 1 + best));
+            FitWithInterval(span / (MinStamps - 1 + best));
             if (!IsKnown) Reset();
         }
 
-        void Number(double interval)
+        void FitWithInterval(double interval)
         {
             IsKnown = interval > 0;
             Interval = interval;
-            Newest = _first[0];
+            NewestOnLine = _first[0];
             for (var i = 0; i < Refinements && IsKnown; i++)
             {
                 _sum = 0;
-                double before = 0, origin = Newest;
+                double before = 0, origin = NewestOnLine;
                 foreach (var stamp in _first)
                 {
                     var number = Math.Round((stamp - origin) / Interval);
@@ -132,27 +135,26 @@ namespace Nowpose.Prediction.Samples
         // Moves the origin of the sums to the new stamp, which then contributes only its weight.
         void Append(double stamp, double steps)
         {
-            if (_sum == 0) (_sumN, _sumT, _sumNn, _sumNt, _sumTt, _newest) = (0, 0, 0, 0, 0, stamp);
-            var time = stamp - _newest;
+            if (_sum == 0) (_sumN, _sumT, _sumNn, _sumNt, _sumTt, _newestStamp) = (0, 0, 0, 0, 0, stamp);
+            var time = stamp - _newestStamp;
             _sumNn += steps * (steps * _sum - 2 * _sumN);
             _sumNt += steps * time * _sum - time * _sumN - steps * _sumT;
             _sumTt += time * (time * _sum - 2 * _sumT);
             _sumN -= steps * _sum;
             _sumT -= time * _sum;
-            _newest = stamp;
-            if (_sum >= Memory) Forget();
+            _newestStamp = stamp;
+            if (_sum >= MaxSum) Forget();
             _sum++;
         }
 
         void Forget()
         {
-            const double keeping = 1 - 1.0 / Memory;
-            _sum *= keeping;
-            _sumN *= keeping;
-            _sumT *= keeping;
-            _sumNn *= keeping;
-            _sumNt *= keeping;
-            _sumTt *= keeping;
+            _sum *= ForgettingFactor;
+            _sumN *= ForgettingFactor;
+            _sumT *= ForgettingFactor;
+            _sumNn *= ForgettingFactor;
+            _sumNt *= ForgettingFactor;
+            _sumTt *= ForgettingFactor;
         }
 
         void Fit()
@@ -168,14 +170,14 @@ namespace Nowpose.Prediction.Samples
             }
             Deviation = Math.Sqrt(Math.Max(0, (_sumTt - _sumT * meanT - slope * (_sumNt - _sumN * meanT)) / _sum));
             Interval = LikelyInterval(slope, Deviation / Math.Sqrt(spread));
-            Newest = _newest + meanT - Interval * meanN;
+            NewestOnLine = _newestStamp + meanT - Interval * meanN;
         }
 
         // The slope of a short line is uncertain, and its error is largest at the newest number.
         static double LikelyInterval(double slope, double standardError)
         {
-            var whole = Math.Round(slope / Beat) * Beat;
-            return whole > 0 && Math.Abs(slope - whole) <= Belief * standardError && standardError < Beat ? whole : slope;
+            var whole = Math.Round(slope / CycleUnit) * CycleUnit;
+            return whole > 0 && Math.Abs(slope - whole) <= MaxStandardErrors * standardError && standardError < CycleUnit ? whole : slope;
         }
     }
 }

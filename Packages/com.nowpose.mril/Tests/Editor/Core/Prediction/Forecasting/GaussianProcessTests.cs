@@ -22,14 +22,14 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         [TestCase(0, 0.1, 0.2, 0.3, 0.4)]
         [TestCase(0, 0.013, 0.09, 0.1, 0.161)]
         [TestCase(0, 0.2, 0.21, 0.55, 1.3)]
-        public void AtAndDeviationAt_AnyIntervals_EqualTheTextbookFormula(params double[] times)
+        public void AtAndVarianceAt_AnyIntervals_EqualTheTextbookFormula(params double[] times)
         {
             const double epoch = 5;
             for (var seed = 1; seed <= 10; seed++)
             {
                 var random = new Random(seed);
                 var positions = times.Select(t => Math.Sin(4 * t + seed) + 0.01 * random.NextDouble()).ToArray();
-                var process = new GaussianProcess(stopsAtReversal: false);
+                var process = new GaussianProcess();
                 Assert.That(process.Solve(Motion(times.Select(t => epoch + t).ToArray(), positions)));
 
                 // Rasmussen & Williams 2006, Eqs. 2.25 and 2.26. The samples give the variance of the motion.
@@ -54,7 +54,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         [TestCase(0.1)]
         public void At_ConstantVelocity_IsExact(double interval)
         {
-            var process = new GaussianProcess(stopsAtReversal: true);
+            var process = new GaussianProcess();
             var times = Enumerable.Range(0, 5).Select(i => i * interval).ToArray();
             process.Solve(Motion(times, times.Select(t => 3 - t).ToArray()));
 
@@ -62,36 +62,37 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         }
 
         [Test]
-        public void At_MotionReverses_StopsAtTheReversal()
+        public void Fill_MotionReverses_StopsAtTheReversal()
         {
             var times = Enumerable.Range(0, 5).Select(i => i * 0.05).ToArray();
-            var motion = Motion(times, times.Select(t => 1 - Math.Pow(0.25 - t, 2)).ToArray());
-            GaussianProcess stops = new GaussianProcess(stopsAtReversal: true), turns = new GaussianProcess(stopsAtReversal: false);
-            stops.Solve(motion);
-            turns.Solve(motion);
+            var process = new GaussianProcess();
+            process.Solve(Motion(times, times.Select(t => 1 - Math.Pow(0.25 - t, 2)).ToArray()));
+            var table = new double[ForecastTable.Points];
+            process.Fill(table, 0, table.Length);
 
-            Assert.That(turns.At(0.4), Is.LessThan(0));
-            Assert.That(stops.At(0.4), Is.EqualTo(stops.At(0.2)).Within(1e-12).And.GreaterThan(0));
+            Assert.That(process.At(0.4), Is.LessThan(0));
+            Assert.That(table[1], Is.EqualTo(process.At(ForecastTable.Step)).Within(1e-9));
+            Assert.That(table[8], Is.EqualTo(table[4]).And.GreaterThan(0));
         }
 
         [Test]
         public void Solve_FewOrFarApartSamples_ReturnsFalse()
         {
-            var process = new GaussianProcess(stopsAtReversal: false);
+            var process = new GaussianProcess();
 
             Assert.That(process.Solve(Motion(new[] { 0, 0.1, 0.2, 0.3 }, new double[4])), Is.False);
             Assert.That(process.Solve(Motion(new[] { 0, 0.1, 0.2, 0.3, 100 }, new double[5])), Is.False);
         }
 
         [Test]
-        public void DeviationAt_LongerHorizon_IsLarger()
+        public void VarianceAt_LongerHorizon_IsLarger()
         {
-            var process = new GaussianProcess(stopsAtReversal: false);
+            var process = new GaussianProcess();
             var times = Enumerable.Range(0, 5).Select(i => i * 0.05).ToArray();
             process.Solve(Motion(times, times.Select(t => Math.Sin(8 * t)).ToArray()));
 
-            Assert.That(Aheads.Select(process.DeviationAt), Is.Ordered);
-            Assert.That(process.DeviationAt(0), Is.LessThan(2e-3));
+            Assert.That(Aheads.Select(process.VarianceAt), Is.Ordered);
+            Assert.That(process.VarianceAt(0), Is.LessThan(4e-6));
         }
 
         // Matérn kernel of order 7/2 in the general form of Eq. 4.16, with p = 3, about a line.
@@ -111,7 +112,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
             for (var i = 0; i < times.Length; i++)
             {
                 history.Add(new JointSample(times[i], positions[i]));
-                motion.Take(isNewest: true, displayed: double.NaN);
+                motion.Add(isNewest: true, displayed: double.NaN);
             }
             return motion;
         }

@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         CandidateGate _gate;
         JointPredictor _gated, _mixture;
 
-        bool IsOpen => !double.IsInfinity(_gate.ShareOfSquare(isStill: false));
+        bool IsOpen => !double.IsInfinity(_gate.ErrorRatio(isStill: false));
 
         [SetUp]
         public void MakeGate()
@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void ShareOfSquare_TwoAccurateCandidates_IsSmallerForTheBetter()
+        public void ErrorRatio_TwoAccurateCandidates_IsSmallerForTheBetter()
         {
             var worse = new CandidateGate(_candidate, 0.3);
             for (var i = 0; i < 20; i++)
@@ -93,9 +93,9 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
                 worse.Score(0.2, 1, 1, wasStill: false);
             }
 
-            Assert.That(_gate.ShareOfSquare(isStill: false), Is.EqualTo(0.01).Within(1e-9));
-            Assert.That(worse.ShareOfSquare(isStill: false), Is.EqualTo(0.04).Within(1e-9));
-            Assert.That(_gate.ShareOfSquare(isStill: true), Is.EqualTo(double.PositiveInfinity), "rest is judged apart");
+            Assert.That(_gate.ErrorRatio(isStill: false), Is.EqualTo(0.01).Within(1e-9));
+            Assert.That(worse.ErrorRatio(isStill: false), Is.EqualTo(0.04).Within(1e-9));
+            Assert.That(_gate.ErrorRatio(isStill: true), Is.EqualTo(double.PositiveInfinity), "rest is judged apart");
         }
 
         [Test]
@@ -106,7 +106,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
             _gate.Score(1e200, 1, 1e200, wasStill: false);
             _gate.Score(double.NaN, 1, 1, wasStill: false);
 
-            Assert.That(_gate.ShareOfSquare(isStill: false), Is.EqualTo(0.01).Within(1e-9));
+            Assert.That(_gate.ErrorRatio(isStill: false), Is.EqualTo(0.01).Within(1e-9));
         }
 
         [Test]

@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
             Assert.That(buffer.History.Count, Is.EqualTo(expected).And.EqualTo(changes));
             Assert.That(buffer.NewestPosition, Is.EqualTo(99));
-            Assert.That(buffer.NewestTime, Is.EqualTo(99 * interval));
+            Assert.That(buffer.NewestStamp, Is.EqualTo(99 * interval));
         }
 
         // Scatter alone can make a corrected stamp older than the previous one, so the newest sample keeps its own stamp.
@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             {
                 var stamp = k * 0.05 + 0.01 * (2 * random.NextDouble() - 1);
                 buffer.Add(new JointSample(stamp, Math.Sin(k), k * 0.05));
-                Assert.That((buffer.NewestTime, buffer.NewestPosition), Is.EqualTo((stamp, Math.Sin(k))), "seed 21");
+                Assert.That((buffer.NewestStamp, buffer.NewestPosition), Is.EqualTo((stamp, Math.Sin(k))), "seed 21");
             }
 
             buffer.Add(new JointSample(298.5 * 0.05, 5, 298.5 * 0.05));

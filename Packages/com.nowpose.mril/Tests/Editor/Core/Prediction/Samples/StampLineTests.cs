@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             const double epoch = 123.456;
             for (var k = 0; k < stamps; k++) _line.Add(epoch + k * interval);
 
-            Assert.That(_line.Newest, Is.EqualTo(epoch + (stamps - 1) * interval).Within(1e-9));
+            Assert.That(_line.NewestOnLine, Is.EqualTo(epoch + (stamps - 1) * interval).Within(1e-9));
             Assert.That(_line.Interval, Is.EqualTo(interval).Within(1e-12));
             Assert.That(_line.Deviation, Is.LessThan(1e-9));
         }
@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
                 last = k * interval;
                 _line.Add(last + 0.2 * interval * (2 * _random.NextDouble() - 1));
                 if (k < 200) continue;
-                squares += Math.Pow(_line.Newest - last, 2);
+                squares += Math.Pow(_line.NewestOnLine - last, 2);
                 count++;
             }
 
@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             }
 
             // Lag of a memory of 100 stamps behind a drift of 0.5 ns per stamp: the drift times 100².
-            Assert.That(_line.Newest, Is.EqualTo(time).Within(1e-5));
+            Assert.That(_line.NewestOnLine, Is.EqualTo(time).Within(1e-5));
             Assert.That(_line.Interval, Is.EqualTo(interval).Within(2e-7));
         }
 

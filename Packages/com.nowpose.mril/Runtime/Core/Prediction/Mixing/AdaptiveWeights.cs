@@ -1,0 +1,111 @@
+using System;
+using Nowpose.Prediction.Forecasting;
+
+namespace Nowpose.Prediction.Mixing
+{
+    /// <summary>Learns the weights of a joint's mixture from its errors, and chooses those of the next forecast.</summary>
+    /// <remarks>
+    /// Three sets of weights learn: one from all errors, and one each from those at rest and in motion, which are regularised towards the
+    /// first. Two situations use other weights: noise at rest is held, and a motion that is much faster than those of the last seconds
+    /// starts as a line and continues with the prior, because weights learned from noise or slow motion do not suit it.
+    /// </remarks>
+    sealed class AdaptiveWeights
+    {
+        /// <summary>
+        /// Regularisation towards the prior, and of the weights of rest or motion towards the common ones (<see cref="MixtureWeights"/>): half
+        /// or twice the values change the errors on recordings by less than half a percent.
+        /// </summary>
+        const double Regularisation = 0.2, ClassRegularisation = 0.5;
+
+        /// <summary>
+        /// Maximum error that is scored, relative to hold's usual error, so that one wrong sample does not outweigh seconds of correct
+        /// ones: with five, the error on one recording was 6 % larger. Larger errors that persist raise the usual error within seconds.
+        /// </summary>
+        const double OutlierThreshold = 8;
+
+        /// <summary>Evidence (<see cref="MixtureWeights.Evidence"/>) from which on outliers are detected.</summary>
+        const double MinEvidence = 0.02;
+
+        /// <summary>Time after the start of a first move during which a line predicts it, s.</summary>
+        const double StartSeconds = 0.08;
+
+        readonly MixedForecasters _forecasters;
+        readonly bool _limitsErrors, _separatesRest, _detectsFirstMoves;
+        readonly MixtureWeights _overall, _moving, _resting;
+        readonly double[] _line, _hold;
+        bool _hasLearned;
+
+        public AdaptiveWeights(MixedForecasters forecasters, PredictionParts parts)
+        {
+            _forecasters = forecasters;
+            _limitsErrors = (parts & PredictionParts.OutlierThreshold) != 0;
+            _separatesRest = (parts & PredictionParts.RestWeights) != 0;
+            _detectsFirstMoves = (parts & PredictionParts.FirstMoves) != 0;
+            (_line, _hold) = (new double[forecasters.Count], new double[forecasters.Count]);
+            _hold[MixedForecasters.Hold] = _line[MixedForecasters.Line] = 1;
+            _overall = new MixtureWeights(Regularisation, forecasters.Prior);
+            _moving = new MixtureWeights(ClassRegularisation, forecasters.Prior);
+            _resting = new MixtureWeights(ClassRegularisation, forecasters.Prior);
+            Reset();
+        }
+
+        /// <summary>The weights of the next forecast, one per forecaster.</summary>
+        public double[] Values { get; private set; }
+
+        /// <summary>Maximum error that is scored, in the samples' unit; infinite without evidence.</summary>
+        public double Threshold => _limitsErrors && _overall.Evidence >= MinEvidence
+            ? OutlierThreshold * Math.Sqrt(_overall.MeanSquare(MixedForecasters.Hold)) : double.PositiveInfinity;
+
+        /// <summary>Learns from the errors of all forecasters at one moment.</summary>
+        /// <param name="errors">Limited by <see cref="Threshold"/>, one per forecaster.</param>
+        /// <param name="wasAtRest">Whether the joint was at rest when the forecasts were made.</param>
+        /// <param name="forgettingFactor">Of one sample, 0 to 1.</param>
+        public void Learn(double[] errors, bool wasAtRest, double forgettingFactor)
+        {
+            _hasLearned = wasAtRest;
+            if (wasAtRest) _resting.Learn(errors, forgettingFactor);
+            // At rest without noise, all forecasts are right.
+            if (Array.TrueForAll(errors, error => error == 0)) return;
+            _hasLearned = true;
+            _overall.Learn(errors, forgettingFactor);
+            if (!wasAtRest) _moving.Learn(errors, forgettingFactor);
+        }
+
+        /// <summary>Solves for the weights of the next forecast.</summary>
+        /// <param name="forgettingFactor">Of one sample, 0 to 1.</param>
+        public void Solve(MotionState motion, double forgettingFactor)
+        {
+            var (prior, gain) = (_forecasters.PriorFor(motion.Samples[0]), 1 - forgettingFactor);
+            if (_hasLearned) _overall.Solve(prior, gain);
+            _hasLearned = false;
+            if (motion.Rest.IsOnlyNoise) Values = _hold;
+            else if (_detectsFirstMoves && IsFirstMove(motion)) Values = IsStart(motion) ? _line : prior;
+            else if (!_separatesRest) Values = _overall.Values;
+            else
+            {
+                var weights = motion.Rest.IsAtRest ? _resting : _moving;
+                weights.Solve(_overall.Values, gain);
+                Values = weights.Values;
+            }
+        }
+
+        public void Reset()
+        {
+            _hasLearned = false;
+            _overall.Reset(_forecasters.Prior);
+            _moving.Reset(_forecasters.Prior);
+            _resting.Reset(_forecasters.Prior);
+            Values = _forecasters.Prior;
+        }
+
+        bool IsFirstMove(MotionState motion)
+        {
+            var displacement = motion.Speed * motion.Horizon;
+            return displacement * displacement > Mixer.FirstMoveRatio * _overall.MeanSquare(MixedForecasters.Hold);
+        }
+
+        // The first interval of a move counts, however long it is.
+        static bool IsStart(MotionState motion) =>
+            motion.Samples.NewestTime - motion.Start < Math.Max(StartSeconds, 1.01 * motion.MeanInterval) + 1e-4;
+    }
+}

@@ -1,0 +1,102 @@
+using System;
+
+namespace Nowpose.Prediction.Planning
+{
+    /// <summary>Estimates the delay and the offset with which a joint follows its plan. Detects when it does not follow.</summary>
+    /// <remarks>
+    /// A Kalman filter of both, because they appear as one difference and the delay only while the joint moves. Position of the joint =
+    /// plan(t − delay) + offset. The initial standard deviation of the delay is 0.1 s; the joint's first moves determine it.
+    /// </remarks>
+    sealed class PlanDelay
+    {
+        /// <summary>Standard deviation of an unknown delay, s.</summary>
+        const double UnknownDelay = 0.1;
+
+        /// <summary>Standard deviation of an unknown offset, as a share of the path's range.</summary>
+        const double UnknownOffset = 0.02;
+
+        /// <summary>Residual of a plan that is followed: a share of its range (the drive's own dynamics), and a sensor's noise.</summary>
+        const double NoiseRatio = 0.005, MinNoise = 1e-4;
+
+        /// <summary>Drift per second of the delay, s, and of the offset, as a share of its unknown deviation.</summary>
+        const double DelayDrift = 0.005, OffsetDrift = 0.2;
+
+        /// <summary>Maximum residual in standard deviations; beyond it, the joint does not follow.</summary>
+        const double MaxStandardErrors = 5;
+
+        /// <summary>Bounds above which squares overflow.</summary>
+        const double MaxVariance = 1e100, MaxRange = 1e40;
+
+        double _varDelay, _covariance, _varOffset;
+        double _time;
+        bool _hasStarted;
+
+        /// <summary>Delay in s; positive if the joint is late.</summary>
+        public double Delay { get; private set; }
+
+        /// <summary>Offset in rad or m.</summary>
+        public double Offset { get; private set; }
+
+        /// <summary>Starts a plan; keeps the delay of the previous plan as the estimate.</summary>
+        public void Start(double range)
+        {
+            var offset = UnknownOffset * Math.Min(range, MaxRange) + MinNoise;
+            if (!_hasStarted) _varDelay = UnknownDelay * UnknownDelay;
+            _varOffset = Math.Max(_varOffset, offset * offset);
+            _hasStarted = true;
+        }
+
+        /// <summary>Compares the plan with a sample, and updates the estimates if the joint follows.</summary>
+        /// <param name="time">Time of the sample, s.</param>
+        /// <param name="difference">Sample minus plan(t − <see cref="Delay"/>) − <see cref="Offset"/>.</param>
+        /// <param name="velocity">Velocity of the plan at that time.</param>
+        /// <param name="range">Range of the plan's positions.</param>
+        /// <returns>Whether the joint follows.</returns>
+        public PlanVerdict Add(double time, double difference, double velocity, double range)
+        {
+            AddProcessNoise(Math.Min(Math.Max(time - _time, 0), 1), range);
+            _time = time;
+            var noise = NoiseRatio * range + MinNoise;
+            // The difference is −velocity · delay error + offset error.
+            var delayGain = -velocity * _varDelay + _covariance;
+            var offsetGain = -velocity * _covariance + _varOffset;
+            var variance = -velocity * delayGain + offsetGain + noise * noise;
+            // Also rejects NaN: values such as 1e200 must not enter the filter.
+            if (!(difference * difference <= MaxStandardErrors * MaxStandardErrors * variance) || !(variance < MaxVariance)) return PlanVerdict.NotFollowed;
+            (delayGain, offsetGain) = (delayGain / variance, offsetGain / variance);
+            Delay += delayGain * difference;
+            Offset += offsetGain * difference;
+            var (delayOld, both, offsetOld) = (_varDelay, _covariance, _varOffset);
+            _varDelay = Math.Max((1 + delayGain * velocity) * delayOld - delayGain * both, 1e-12);
+            _covariance = (1 + delayGain * velocity) * both - delayGain * offsetOld;
+            _varOffset = Math.Max(offsetGain * velocity * both + (1 - offsetGain) * offsetOld, 1e-18);
+            // A plan that hardly moves agrees with any joint at rest at its position.
+            return Math.Abs(velocity) * UnknownDelay > MaxStandardErrors * noise ? PlanVerdict.Followed : PlanVerdict.Unclear;
+        }
+
+        public void Reset()
+        {
+            Delay = Offset = _varDelay = _covariance = _varOffset = 0;
+            _hasStarted = false;
+        }
+
+        void AddProcessNoise(double seconds, double range)
+        {
+            var offset = OffsetDrift * (UnknownOffset * range + MinNoise);
+            _varDelay += DelayDrift * DelayDrift * seconds;
+            _varOffset += offset * offset * seconds;
+        }
+    }
+
+    /// <summary>Verdict of one sample on whether a joint follows its plan.</summary>
+    enum PlanVerdict
+    {
+        /// <summary>The difference exceeds the plan's uncertainty.</summary>
+        NotFollowed,
+
+        /// <summary>The plan hardly moves, so the sample is not conclusive.</summary>
+        Unclear,
+
+        Followed
+    }
+}

@@ -1,0 +1,86 @@
+using System;
+using Nowpose.Prediction;
+using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.Samples;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Prediction.Forecasting
+{
+    public class RestDetectorTests
+    {
+        const int Seed = 5;
+
+        readonly SampleHistory _history = new SampleHistory(24);
+        readonly RestDetector _rest = new RestDetector();
+        Random _random;
+
+        [SetUp]
+        public void Restart()
+        {
+            _history.Clear();
+            _rest.Reset();
+            _random = new Random(Seed);
+        }
+
+        [TestCase(0.01, 0)]
+        [TestCase(0.05, 0)]
+        [TestCase(0.1, 0)]
+        [TestCase(0.05, 1e-4)]
+        public void Add_ConstantSpeedForMinutes_IsNeverAtRest(double interval, double noise)
+        {
+            var (rests, _) = Feed(0, 120, interval, t => t + Noise(noise));
+
+            Assert.That(rests, Is.EqualTo(0), "seed " + Seed);
+        }
+
+        [Test]
+        public void Add_SlowMotionAfterAFastOne_IsMotionAgainWithinAMinute()
+        {
+            double Position(double t) => t < 10 ? Math.Sin(2 * t) : Math.Sin(20) + 0.1 * (t - 10);
+            Feed(0, 70, 0.05, Position);
+
+            var (rests, _) = Feed(70, 120, 0.05, Position);
+
+            Assert.That(rests, Is.EqualTo(0));
+        }
+
+        [Test]
+        public void Add_MotionThatNeverRests_IsNeverNoise()
+        {
+            var (_, noises) = Feed(0, 120, 0.05, t => Math.Sin(2 * t));
+
+            Assert.That(noises, Is.EqualTo(0));
+        }
+
+        [TestCase(0.02, 0)]
+        [TestCase(0.02, 1e-3)]
+        [TestCase(0.05, 1e-4)]
+        [TestCase(0.1, 1e-3)]
+        public void Add_RestAfterMotion_IsAtRest(double interval, double noise)
+        {
+            double Position(double t) => Math.Sin(2 * Math.Min(t % 20, 10)) + Noise(noise);
+            Feed(0, 31, interval, Position);
+
+            var (rests, noises) = Feed(31, 40, interval, Position);
+
+            Assert.That(rests, Is.GreaterThan(0.95), "seed " + Seed);
+            Assert.That(noises, noise > 0 ? Is.GreaterThan(0.7) : Is.EqualTo(0), "seed " + Seed);
+        }
+
+        double Noise(double halfWidth) => halfWidth * (2 * _random.NextDouble() - 1);
+
+        // Returns the shares of the samples at rest and of those that are only noise.
+        (double Rests, double Noises) Feed(double from, double to, double interval, Func<double, double> positionAt)
+        {
+            int rests = 0, noises = 0, count = 0;
+            for (var t = from; t < to; t += interval, count++)
+            {
+                _history.Add(new JointSample(t, positionAt(t)));
+                _rest.Add(_history, interval);
+                if (_rest.IsAtRest) rests++;
+                if (_rest.IsOnlyNoise) noises++;
+            }
+            return (rests / (double)count, noises / (double)count);
+        }
+    }
+}
