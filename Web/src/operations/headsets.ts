@@ -95,7 +95,14 @@ function poseLevel(headset: Headset): string {
 function noteOf(headset: Headset): string {
   const missing = textOf(headset, 'missing_joints').split(',').filter(Boolean).join(', ');
   const mismatch = textOf(headset, 'profile_mismatch');
-  return [missing && `missing joints: ${missing}`, mismatch && operationsLabels.profileMismatch(mismatch)].filter(Boolean).join('; ');
+  const withheld = textOf(headset, 'error_withheld');
+  return [
+    missing && `missing joints: ${missing}`,
+    mismatch && operationsLabels.profileMismatch(mismatch),
+    withheld && operationsLabels.errorWithheld(withheld),
+  ]
+    .filter(Boolean)
+    .join('; ');
 }
 
 function rangeOf(headset: Headset): string {

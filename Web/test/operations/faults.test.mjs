@@ -145,12 +145,12 @@ describe('faults', () => {
   });
 
   it('of a headset are shown in its row', async () => {
-    Object.assign(gateway.state.headsets[0], { pose: 'incomplete', missing_joints: 'a,b', current_share: 0.4, profile_mismatch: 'made for HoloLens 2' });
+    Object.assign(gateway.state.headsets[0], { pose: 'incomplete', missing_joints: 'a,b', current_share: 0.4, profile_mismatch: 'made for HoloLens 2', error_withheld: 'outside range' });
     const page = await open();
 
     assert.deepEqual((await cells(page, 'left door')).slice(1, 3), ['incomplete', '40']);
     const note = await page.locator('#headsets .note p').first().innerText();
-    assert.equal(note, `missing joints: a, b; ${operationsLabels.profileMismatch('made for HoloLens 2')}`);
+    assert.equal(note, `missing joints: a, b; ${operationsLabels.profileMismatch('made for HoloLens 2')}; ${operationsLabels.errorWithheld('outside range')}`);
   });
 
   it('do not include a coarse clock, which is shown with its ±', async () => {
