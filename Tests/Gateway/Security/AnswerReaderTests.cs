@@ -69,14 +69,20 @@ public class AnswerReaderTests
         await isEnded.Task.Bounded();
     }
 
-    // The answer never ends, so that it exceeds all buffers on the way.
+    // The answer exceeds all buffers on the way. It ends only when it is aborted: a write fails, or the request reports it.
     static async Task AnswerAsync(HttpContext context, TaskCompletionSource isBegun, TaskCompletionSource isEnded)
     {
         isBegun.SetResult();
-        using var aborted = context.RequestAborted.Register(isEnded.SetResult);
         var piece = new byte[Piece];
-        while (!context.RequestAborted.IsCancellationRequested)
-            await context.Response.Body.WriteAsync(piece);
+        try
+        {
+            while (!context.RequestAborted.IsCancellationRequested)
+                await context.Response.Body.WriteAsync(piece);
+        }
+        finally
+        {
+            isEnded.SetResult();
+        }
     }
 
     static int PortOf(WebApplication web) =>
