@@ -23,7 +23,7 @@ sealed partial class ManualPage
     public IReadOnlyList<string> Linked => Links().Matches(_text).Select(m => m.Groups[1].Value).Distinct().ToList();
 
     /// <summary>
-    /// Returns the rows of the first table below a heading, with trimmed cells and without the header row; empty if there is no table.
+    /// Returns the rows of the first table below a heading, with trimmed cells and without the header row; empty if no table exists.
     /// </summary>
     public IReadOnlyList<string[]> TableUnder(string heading)
     {
