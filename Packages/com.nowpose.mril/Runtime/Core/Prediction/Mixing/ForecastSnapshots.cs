@@ -9,8 +9,8 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Capacity for the maximum horizon at the minimum sampling interval: 0.45 s at 180 Hz are 81.</summary>
         const int Capacity = 96;
 
+        // Oldest first. A dropped snapshot moves behind the newest, so that the next forecast is written to memory that is still in the cache.
         readonly Snapshot[] _snapshots = new Snapshot[Capacity];
-        int _first;
 
         /// <param name="forecasts">Number of tables in each snapshot.</param>
         public ForecastSnapshots(int forecasts)
@@ -21,13 +21,13 @@ namespace Nowpose.Prediction.Mixing
         public int Count { get; private set; }
 
         /// <summary>Index 0 is the oldest.</summary>
-        public Snapshot this[int index] => _snapshots[(_first + index) % Capacity];
+        public Snapshot this[int index] => _snapshots[index];
 
         /// <summary>Appends a snapshot to be filled. Drops the oldest when full.</summary>
         public Snapshot Append()
         {
             if (Count == Capacity) Drop(1);
-            return this[Count++];
+            return _snapshots[Count++];
         }
 
         /// <summary>Finds the snapshots before and after a time, and drops all that are older.</summary>
@@ -38,19 +38,24 @@ namespace Nowpose.Prediction.Mixing
         public bool TryFind(double time, out Snapshot older, out Snapshot younger)
         {
             var i = Count - 1;
-            while (i >= 0 && this[i].Time > time + JointSample.SameSeconds) i--;
-            (older, younger) = (i < 0 ? null : this[i], i + 1 < Count ? this[i + 1] : null);
+            while (i >= 0 && _snapshots[i].Time > time + JointSample.SameSeconds) i--;
+            (older, younger) = (i < 0 ? null : _snapshots[i], i + 1 < Count ? _snapshots[i + 1] : null);
             Drop(Math.Max(i, 0));
             return older != null;
         }
 
         void Drop(int count)
         {
-            _first = (_first + count) % Capacity;
-            Count -= count;
+            for (; count > 0; count--)
+            {
+                var oldest = _snapshots[0];
+                Count--;
+                Array.Copy(_snapshots, 1, _snapshots, 0, Count);
+                _snapshots[Count] = oldest;
+            }
         }
 
-        public void Clear() => _first = Count = 0;
+        public void Clear() => Count = 0;
 
         public sealed class Snapshot
         {
