@@ -1,4 +1,3 @@
-using System;
 using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Prediction.Mixing
@@ -9,26 +8,18 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Capacity for the maximum horizon at the minimum sampling interval: 0.45 s at 180 Hz are 81.</summary>
         const int Capacity = 96;
 
-        // Oldest first. A dropped snapshot moves behind the newest, so that the next forecast is written to memory that is still in the cache.
-        readonly Snapshot[] _snapshots = new Snapshot[Capacity];
+        readonly RecyclingQueue<Snapshot> _snapshots;
 
         /// <param name="forecasts">Number of tables in each snapshot.</param>
-        public ForecastSnapshots(int forecasts)
-        {
-            for (var i = 0; i < Capacity; i++) _snapshots[i] = new Snapshot(forecasts);
-        }
+        public ForecastSnapshots(int forecasts) => _snapshots = new RecyclingQueue<Snapshot>(Capacity, () => new Snapshot(forecasts));
 
-        public int Count { get; private set; }
+        public int Count => _snapshots.Count;
 
         /// <summary>Index 0 is the oldest.</summary>
         public Snapshot this[int index] => _snapshots[index];
 
         /// <summary>Appends a snapshot to be filled. Drops the oldest when full.</summary>
-        public Snapshot Append()
-        {
-            if (Count == Capacity) Drop(1);
-            return _snapshots[Count++];
-        }
+        public Snapshot Append() => _snapshots.Append();
 
         /// <summary>Finds the snapshots before and after a time, and drops all that are older.</summary>
         /// <param name="time">In s.</param>
@@ -40,22 +31,11 @@ namespace Nowpose.Prediction.Mixing
             var i = Count - 1;
             while (i >= 0 && _snapshots[i].Time > time + JointSample.SameSeconds) i--;
             (older, younger) = (i < 0 ? null : _snapshots[i], i + 1 < Count ? _snapshots[i + 1] : null);
-            Drop(Math.Max(i, 0));
+            for (; i > 0; i--) _snapshots.DropFirst();
             return older != null;
         }
 
-        void Drop(int count)
-        {
-            for (; count > 0; count--)
-            {
-                var oldest = _snapshots[0];
-                Count--;
-                Array.Copy(_snapshots, 1, _snapshots, 0, Count);
-                _snapshots[Count] = oldest;
-            }
-        }
-
-        public void Clear() => Count = 0;
+        public void Clear() => _snapshots.Clear();
 
         public sealed class Snapshot
         {
