@@ -26,6 +26,9 @@ sealed class ObjectScene : IDisposable, IHeadsetClock
     readonly MrilSession _session;
     readonly TrackedObject[] _objects;
     readonly string[] _joints;
+
+    // Position in the middle of each joint's limits, or 0 without limits.
+    readonly double[] _middles;
     readonly bool _isPlane;
     readonly double _interval;
     double _now = 100, _nextSample = 100, _nextExchange;
@@ -53,6 +56,7 @@ sealed class ObjectScene : IDisposable, IHeadsetClock
         _objects = [.. Enumerable.Range(0, objects).Select(i => Below<TrackedObject>("object" + i, anchor))];
         _session.gameObject.SetActive(true);
         _joints = [.. _session.Robot.MovingJoints.Select(joint => joint.Name)];
+        _middles = [.. _session.Robot.MovingJoints.Select(joint => (joint.Limits.Lower + joint.Limits.Upper) / 2).Select(middle => double.IsFinite(middle) ? middle : 0)];
     }
 
     public HeadsetTime Now => HeadsetTime.FromSeconds(_now);
@@ -92,7 +96,7 @@ sealed class ObjectScene : IDisposable, IHeadsetClock
             listener.FramesReceived(
                 new TransformsMessage([.. _objects.Select((_, i) => PoseAt(t, i).ToTransform(stamp, FrameParents.World, "object" + i))]), false, arrival);
         foreach (var robot in new[] { "", SecondRobot })
-            listener.Received(new JointStateMessage(stamp, _joints, [.. _joints.Select((_, i) => 0.1 * Math.Sin(t + i))]), arrival, robot);
+            listener.Received(new JointStateMessage(stamp, _joints, [.. _middles.Select((middle, i) => middle + 0.1 * Math.Sin(t + i))]), arrival, robot);
     }
 
     // Each object has its own phase; with frequencies that have no common period, no motion repeats.
