@@ -4,7 +4,7 @@ using Nowpose.Latency.Reprojection;
 
 namespace Nowpose.Session
 {
-    /// <summary>Messages about problems of the display that leave the pose current, with what to do.</summary>
+    /// <summary>Messages about display problems that leave the pose current. Each message contains the action to take.</summary>
     static class DisplayWords
     {
         const string Implausible = "display times of the runtime are implausible";
@@ -22,9 +22,9 @@ namespace Nowpose.Session
                 + " ms after the start of the frame; 0 to 500 ms are possible. " + WhatToDo
             : Warning;
 
-        /// <summary>Returns the current problem. Allocates nothing.</summary>
+        /// <summary>Returns a message about the current display problem. Allocates nothing.</summary>
         /// <param name="statistics">Null without a session.</param>
-        /// <returns>Null without a problem.</returns>
+        /// <returns>Null if there is no problem.</returns>
         public static string ProblemOf(SessionStatistics statistics)
         {
             if (statistics == null) return null;
