@@ -20,7 +20,7 @@ namespace Nowpose.Anchoring
         /// <summary>Reason why the anchor is not held or not stored, in one line; null unless there is a problem.</summary>
         string Problem { get; }
 
-        /// <summary>Stores the anchor under a name as soon as it is held, replacing the one stored before; returns at once.</summary>
+        /// <summary>Stores the anchor under a name as soon as it is held, and replaces the anchor stored before. Returns at once.</summary>
         void Keep(string name);
     }
 

@@ -20,7 +20,7 @@ namespace Nowpose.Anchoring
         /// <summary>Second marker of the conflict if it is unclear which of the two is wrong; otherwise null.</summary>
         public BaseMarker Other { get; }
 
-        /// <summary>Deviation of the marker, or of the two from each other.</summary>
+        /// <summary>Deviation of the marker, or of the two markers from each other, in metres.</summary>
         public double Metres { get; }
 
         public double Radians { get; }
