@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>A rigid part of a robot. Its frame is that of the joint that carries it.</summary>
+    /// <summary>A rigid part of a robot. Its frame is the frame of its parent joint.</summary>
     public sealed class RobotLink
     {
         internal RobotLink(string name, RobotJoint parentJoint, int parentIndex, IReadOnlyList<LinkVisual> visuals)
