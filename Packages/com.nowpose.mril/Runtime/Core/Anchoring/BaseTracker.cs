@@ -53,7 +53,7 @@ namespace Nowpose.Anchoring
         /// <summary>Displayed pose of the base, which follows <see cref="Base"/> without jumps.</summary>
         public RigidTransform? Shown => Base.HasValue ? _shown.Pose : null;
 
-        /// <summary>Details of the newest lock; null before the first lock by markers.</summary>
+        /// <summary>Details of the newest lock; null before the first lock, and after the lock was removed.</summary>
         public LockReport Lock { get; private set; }
 
         /// <summary>Distance by which the device has moved the base since the newest lock, by correcting its map, in metres.</summary>
@@ -80,7 +80,7 @@ namespace Nowpose.Anchoring
         /// <summary>Whether a person is moving a marker, and the base with it, by hand.</summary>
         public bool IsBeingPlaced { get; private set; }
 
-        /// <summary>Whether the device holds the position.</summary>
+        /// <summary>Whether the device holds the position of the base.</summary>
         public bool IsHeld => _place.IsThere;
 
         /// <summary>Name under which the device stores the position across restarts; null when it is not stored.</summary>

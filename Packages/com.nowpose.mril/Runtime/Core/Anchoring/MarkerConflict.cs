@@ -11,7 +11,7 @@ namespace Nowpose.Anchoring
             Radians = radians;
         }
 
-        /// <summary>Whether the same markers are in conflict, regardless of the amount.</summary>
+        /// <summary>Returns whether another conflict is between the same markers, regardless of the deviation.</summary>
         public bool IsOf(MarkerConflict other) => other != null && Marker == other.Marker && Other == other.Other;
 
         /// <summary>The marker that contradicts the others.</summary>

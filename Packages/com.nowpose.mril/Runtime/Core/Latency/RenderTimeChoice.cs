@@ -52,7 +52,7 @@ namespace Nowpose.Latency
             return Source != before;
         }
 
-        // A source that has just started prevents the selection of worse ones but does not replace the selected one.
+        // A source that has just started prevents the selection of a worse source but does not replace the selected one.
         int FirstThatGivesTimes()
         {
             var end = _inUse == None ? _candidates.Length : _inUse;

@@ -14,9 +14,9 @@ namespace Nowpose.Protocol
         double[] _velocities;
         double[] _accelerations;
 
-        /// <param name="positions">rad or m, as many as <paramref name="names"/>, finite.</param>
-        /// <param name="velocities">rad/s or m/s, as many as <paramref name="names"/>, NaN if unknown; null if all are unknown.</param>
-        /// <param name="accelerations">rad/s² or m/s², as many as <paramref name="names"/>, NaN if unknown; null if all are unknown.</param>
+        /// <param name="positions">Positions in rad or m, one per name; finite.</param>
+        /// <param name="velocities">Velocities in rad/s or m/s, one per name, NaN if unknown; null if all are unknown.</param>
+        /// <param name="accelerations">Accelerations in rad/s² or m/s², one per name, NaN if unknown; null if all are unknown.</param>
         /// <param name="frameId">See <see cref="FrameId"/>.</param>
         /// <exception cref="ArgumentException">The lengths differ.</exception>
         public JointStateMessage(

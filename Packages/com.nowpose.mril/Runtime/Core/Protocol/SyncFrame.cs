@@ -69,7 +69,7 @@ namespace Nowpose.Protocol
         /// <summary>C1 just before the reply was sent, in ns.</summary>
         public long T3Ns { get; }
 
-        /// <summary>Resolution of C1, in ns; 0 if unknown. Half of it is added to each of t2 and t3.</summary>
+        /// <summary>Resolution of C1, in ns; 0 if unknown. A <see cref="Sync.SyncExchange"/> adds half of it to t2 and to t3.</summary>
         public uint ResolutionNs { get; }
 
         /// <summary>Whether the server's control clock follows its own reference; valid for a reply.</summary>

@@ -62,7 +62,7 @@ namespace Nowpose.Session
         /// <summary>All robots of the cell; <see cref="Robot"/> is the first.</summary>
         internal SessionRobots Robots { get; }
 
-        /// <summary>Frames of the objects in the cell. Use them only on the thread of <see cref="Tick"/>.</summary>
+        /// <summary>Coordinate frames of the objects in the cell. Use them only on the thread of <see cref="Tick"/>.</summary>
         internal SessionFrames Frames { get; }
 
         /// <summary>Signals of the cell. Use them only on the thread of <see cref="Tick"/>.</summary>
@@ -79,7 +79,9 @@ namespace Nowpose.Session
 
         public SessionSettings Settings { get; }
 
-        /// <summary>Message if the gateway's version does not fit this version; null if it fits or is unknown. Set on the socket's thread.</summary>
+        /// <summary>
+        /// Message if the gateway's version is incompatible with this version; null if not, or if unknown. Set on the socket's thread.
+        /// </summary>
         internal string VersionMismatch { get; set; }
 
         /// <summary>Newest valid URDF text of the robot from the gateway; null before one is received. Thread-safe.</summary>
@@ -100,7 +102,7 @@ namespace Nowpose.Session
         /// </summary>
         public IReadOnlyList<JointBeyondLimits> BeyondLimits => _main.Limits.Found;
 
-        /// <summary>Clock synchroniser, fed by the network or a test. Frames follow it without going back in time.</summary>
+        /// <summary>Clock synchroniser. It receives exchanges from the network or a test; the displayed time follows it without going back.</summary>
         internal ClockSynchroniser Clock => _synchroniser;
 
         /// <summary>
@@ -153,8 +155,7 @@ namespace Nowpose.Session
         public TimeSpan? DisplayTimeAhead => _display.Ahead;
 
         /// <summary>
-        /// Reprojection mode of the display, as reported from outside; it does not change what a frame
-        /// shows. Thread-safe.
+        /// Reprojection mode of the display, as set by the caller. It does not change what a frame shows. Thread-safe.
         /// </summary>
         public ReprojectionMode Reprojection { get => _display.Reprojection; set => _display.Reprojection = value; }
 
@@ -167,7 +168,7 @@ namespace Nowpose.Session
         /// <summary>Conditions that differ from those under which <see cref="Profile"/> was measured; empty if none differ. Thread-safe.</summary>
         public IReadOnlyList<ConditionMismatch> ProfileMismatches => _display.ProfileMismatches;
 
-        /// <summary>Whether the depth buffer reaches the display, as reported from outside. Thread-safe.</summary>
+        /// <summary>Whether the depth buffer reaches the display, as set by the caller. Thread-safe.</summary>
         public DepthSubmission DepthSubmission { get => _display.DepthSubmission; set => _display.DepthSubmission = value; }
 
         /// <summary>Δt_render of the newest call of <see cref="Rendered"/>; null when the render time is not measured.</summary>

@@ -43,10 +43,10 @@ namespace Nowpose.Session
 
         public PoseState State { get; private set; }
 
-        /// <summary>Whether the render time of the previous frames is in the range in which the display time is known.</summary>
+        /// <summary>Whether the render time of the previous frames is in the constant-latency range, in which the display time is known.</summary>
         public RangeState Range { get; private set; }
 
-        /// <summary>Why the error of this frame cannot be measured: the frame may appear at another time than <see cref="DisplayTime"/>.</summary>
+        /// <summary>Reason why the error of this frame cannot be measured, see <see cref="Hindcast.ErrorWithheldReason"/>.</summary>
         internal ErrorWithheldReason ErrorWithheld { get; private set; }
 
         /// <summary>How the robot is displayed while <see cref="State"/> is <see cref="PoseState.OutsideRange"/>.</summary>

@@ -15,7 +15,7 @@ namespace Nowpose.Session
 
         const string Warning = Implausible + "; " + WhatToDo;
 
-        /// <summary>Returns the message with the newest value; allocates.</summary>
+        /// <summary>Returns the message about implausible display times, with the newest value; allocates.</summary>
         /// <param name="ahead">Display time minus the frame's start; null if it is no longer known.</param>
         public static string ImplausibleTimes(TimeSpan? ahead) => ahead.HasValue
             ? Implausible + ": " + ahead.Value.TotalMilliseconds.ToString("0.#", CultureInfo.InvariantCulture)

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Session
 {
-    /// <summary>Errors of the displayed pose and of the uncompensated (held) one, relative to the true pose from later samples.</summary>
+    /// <summary>Errors of the displayed pose and of the held (uncompensated) pose, relative to the true pose from later samples.</summary>
     /// <remarks>The property that returns the value states the unit: mm for the tool, rad or m for a joint.</remarks>
     public readonly struct DisplayedError
     {
@@ -42,8 +42,8 @@ namespace Nowpose.Session
         public double? Reduction { get; }
 
         /// <summary>
-        /// Half-width of the 95 % confidence interval of <see cref="Reduction"/>, from its scatter between intervals of about one second:
-        /// neighbouring frames have similar errors and are not independent. Null when too few intervals contain motion.
+        /// Half-width of the 95 % confidence interval of <see cref="Reduction"/>, from the scatter of the reduction between intervals of about
+        /// one second, because neighbouring frames have similar errors. Null when too few intervals contain motion.
         /// </summary>
         public double? ReductionUncertainty { get; }
 

@@ -42,7 +42,7 @@ namespace Nowpose.Session
         /// <summary>Positions at the last <see cref="Predict"/>, one per moving joint, rad or m.</summary>
         public ReadOnlySpan<double> Positions => _positions;
 
-        /// <summary>Newest samples at the last <see cref="Predict"/>, which a display without compensation shows.</summary>
+        /// <summary>Newest samples at the last <see cref="Predict"/>: the positions that a display without compensation would show.</summary>
         public ReadOnlySpan<double> Held => _held;
 
         /// <summary>
@@ -61,7 +61,9 @@ namespace Nowpose.Session
         public ControlTime? NewestOf(int joint) =>
             HasSample(joint) ? _epoch + ClockTicks.Span(_joints[joint].NewestTime) : (ControlTime?)null;
 
-        /// <summary>Raised within <see cref="Add"/> when a joint's source went back in time and its earlier samples were removed.</summary>
+        /// <summary>
+        /// Raised within <see cref="Add"/> with the index of a joint whose stamps went back, so that its earlier samples were removed.
+        /// </summary>
         public event Action<int> Restarted;
 
         /// <param name="joints">Indices of the message's joints among the robot's moving joints; negative for others.</param>
@@ -132,7 +134,7 @@ namespace Nowpose.Session
             return origin;
         }
 
-        /// <summary>Computes the planned positions at a time, which may be any time ahead. Other joints keep their displayed positions.</summary>
+        /// <summary>Computes the planned positions at a time, however far in the future. Other joints keep their displayed positions.</summary>
         /// <param name="needed">Joints that must follow a plan at that time.</param>
         /// <param name="positions">Receives one position per moving joint.</param>
         /// <returns>False if a needed joint follows no plan at that time, or if no joint is needed.</returns>
@@ -146,7 +148,7 @@ namespace Nowpose.Session
             return needed.Length > 0;
         }
 
-        /// <summary>Shows the newest samples unchanged, marked as held, because the time to predict to is unknown. Allocates nothing.</summary>
+        /// <summary>Shows the newest samples unchanged, marked as held, because the prediction time is unknown. Allocates nothing.</summary>
         public void Hold()
         {
             for (var i = 0; i < _joints.Length; i++)

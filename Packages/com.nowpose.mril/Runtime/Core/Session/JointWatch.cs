@@ -8,7 +8,8 @@ namespace Nowpose.Session
     /// <summary>Detects the joints without current data, from their samples and from the gateway's reports.</summary>
     /// <remarks>
     /// The gateway has more information: it distinguishes a joint at rest from a joint whose variable was deleted, without delay. A server
-    /// without the topic of joint states reports nothing; then the age of the samples decides. Allocates nothing in a frame.
+    /// without the topic <see cref="RosTopics.JointStatus"/> reports nothing; then the age of the samples decides. Allocates nothing in a
+    /// frame.
     /// </remarks>
     sealed class JointWatch
     {
@@ -99,7 +100,7 @@ namespace Nowpose.Session
 
             public HeadsetTime Arrival { get; }
 
-            /// <summary>Reports by index of the moving joint; a joint without a report is live, the default.</summary>
+            /// <summary>Reports by index of the moving joint. A joint without a report has the default state, live.</summary>
             public JointReport[] OfJoint { get; }
 
             public bool IsAnyMissing { get; set; }

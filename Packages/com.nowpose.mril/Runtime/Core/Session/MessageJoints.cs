@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>Maps the joint names of messages to the robot's joints. Caches the results by array of names. Single-threaded.</summary>
+    /// <summary>Maps the joint names of messages to the robot's joints. Caches the results for recent arrays of names. Single-threaded.</summary>
     sealed class MessageJoints
     {
         /// <summary>Cache size, the same as that of <see cref="RosbridgeReader"/>.</summary>

@@ -24,7 +24,7 @@ namespace Nowpose.Session
         /// <param name="predictor">One of <see cref="Predictors.Names"/>.</param>
         /// <param name="horizonCapMs">Maximum prediction beyond the newest sample, ms; after it, the last value is kept and marked as held.</param>
         /// <param name="maximumGapMs">
-        /// Maximum interval between two samples of the history, ms. Motion before a longer interval does not predict the motion after it.
+        /// Maximum interval between two samples of the history, ms. Samples before a longer interval are not used for a prediction.
         /// </param>
         /// <param name="blendMs">
         /// Time in which the difference between an old and a new section decays to 1/e, ms. With 0, the joint jumps to the new section.

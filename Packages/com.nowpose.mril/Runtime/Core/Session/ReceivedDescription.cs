@@ -19,7 +19,7 @@ namespace Nowpose.Session
     sealed class ReceivedDescription
     {
         readonly RobotModel _displayed;
-        // One object, so that readers never see the text of one description with the model of another.
+        // One object holds the text and the model, so that readers never see the text of one description with the model of another.
         volatile Parsed _newest = new Parsed(null, null, default);
         volatile string _fault;
 

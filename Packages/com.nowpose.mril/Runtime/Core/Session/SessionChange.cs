@@ -23,7 +23,9 @@ namespace Nowpose.Session
         /// </summary>
         EnteredRange = 4,
 
-        /// <summary>The render time is beyond the constant-latency range: poses are displayed later than they are computed for.</summary>
+        /// <summary>
+        /// The render time is beyond the constant-latency range, so poses are displayed after the time for which they are computed.
+        /// </summary>
         LeftRange = 8,
 
         /// <summary>

@@ -10,7 +10,10 @@ using Nowpose.Sync;
 
 namespace Nowpose.Session
 {
-    /// <summary>Robots of a session, the main robot first. Add and show robots on the thread of ticks; other members are thread-safe.</summary>
+    /// <summary>
+    /// Robots of a session, the main robot first. Add and show robots on the thread of <see cref="CompensationSession.Tick"/>; other members
+    /// are thread-safe.
+    /// </summary>
     sealed class SessionRobots : IReadOnlyList<SessionRobot>
     {
         readonly SessionSettings _settings;

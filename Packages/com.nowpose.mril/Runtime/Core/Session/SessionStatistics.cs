@@ -102,8 +102,8 @@ namespace Nowpose.Session
         public DisplayedError? ToolError { get; internal set; }
 
         /// <summary>
-        /// The same error since the session began, or since <see cref="CompensationSession.RestartErrorRun"/>; mm. Also null if L_visu may have
-        /// differed from its calibrated value since then.
+        /// Error of the displayed tool since the session began, or since <see cref="CompensationSession.RestartErrorRun"/>, mm. Null under the
+        /// conditions of <see cref="ToolError"/>, and if L_visu may have differed from its calibrated value since then.
         /// </summary>
         public DisplayedError? ToolErrorOfRun { get; internal set; }
 

@@ -18,8 +18,8 @@ namespace Nowpose.Sync
         /// </param>
         /// <param name="maxHoldoverErrorMs">Maximum estimated error at which a pose still counts as current in holdover, ms.</param>
         /// <param name="skewVariationPpm">
-        /// Change of the skew within a minute beyond its standard errors, ppm. The error bound grows at this rate while no exchange
-        /// arrives. Quartz clocks that warm up change by a few ppm.
+        /// Possible change of the skew within a minute, in addition to its standard errors, ppm. The error bound grows at this rate while no
+        /// exchange arrives. Quartz clocks that warm up change by a few ppm.
         /// </param>
         /// <param name="coarseErrorMs">
         /// Maximum estimated error of a coarse clock, ms. A robot at 1 m/s is then shown within 10 mm of its position, compared with

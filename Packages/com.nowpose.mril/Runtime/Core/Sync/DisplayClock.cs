@@ -8,9 +8,9 @@ namespace Nowpose.Sync
     /// </summary>
     /// <remarks>
     /// Control time advances at 0.994 to 1.006 times the rate of headset time while the clock is synchronised, at 0.949 to 1.051 times while
-    /// it is coarse, and at 0.5 to 1.5 times before that. It never stops or goes back. The state is converging until this clock has caught
-    /// up with the first usable estimate, because a pose is not current while the clock is still tens of milliseconds away from the
-    /// estimate.
+    /// it is coarse, and at 0.5 to 1.5 times before that. Except for a step of a clock, it never stops or goes back. The state is converging
+    /// until this clock has caught up with the first usable estimate, because a pose is not current while the clock is still tens of
+    /// milliseconds away from the estimate.
     /// </remarks>
     public sealed class DisplayClock
     {

@@ -8,7 +8,7 @@ namespace Nowpose.Sync
     /// </summary>
     sealed class ExchangePace
     {
-        /// <summary>Minimum interval between two exchanges: half the rate that a server accepts.</summary>
+        /// <summary>Minimum interval between two exchanges; the resulting rate is half the rate that a server accepts.</summary>
         static readonly TimeSpan MinInterval = TimeSpan.FromMilliseconds(20);
 
         /// <summary>Maximum interval: a sixth of the silence that a server accepts.</summary>

@@ -11,8 +11,8 @@ namespace Nowpose.Sync
         /// <param name="t3">Control time at which the reply was sent.</param>
         /// <param name="t4">Headset time at which the reply arrived.</param>
         /// <param name="resolution">
-        /// Resolution of the control clock, zero when unknown. If a clock rounds its time stamps down, they are early by half its
-        /// resolution on average, so half the resolution is added to <paramref name="t2"/> and <paramref name="t3"/>.
+        /// Resolution of the control clock; zero if unknown. If a clock rounds its time stamps down, they are early by half its resolution on
+        /// average, so half the resolution is added to <paramref name="t2"/> and <paramref name="t3"/>.
         /// </param>
         /// <param name="serverErrorBound">Error bound that the server states for its own control clock.</param>
         /// <param name="serverSynchronised">False when the server states that its control clock is not synchronised.</param>

@@ -54,7 +54,7 @@ namespace Nowpose.Anchoring.Fitting
         /// <summary>Estimated error of the mean's rotation, rad.</summary>
         public double ErrorRadians => SpreadRadians / Math.Sqrt(Inliers);
 
-        /// <summary>Whether the means of the older and the newer half of the poses agree. The mean of a moving marker has no meaning.</summary>
+        /// <summary>Whether the means of the older and the newer half of the poses agree. The mean of a moving marker is meaningless.</summary>
         /// <param name="metres">Difference that is always allowed, even with little scatter.</param>
         /// <param name="radians">Angle difference that is always allowed.</param>
         public bool IsSteady(double metres, double radians) =>

@@ -9,7 +9,9 @@ namespace Nowpose.Anchoring.Tracking
     {
         const int Capacity = 32, MinPoses = 5, Numbers = 6;
 
-        /// <summary>For a normal distribution: sd divided by median absolute deviation, and sd of a median divided by sd of a mean.</summary>
+        /// <summary>
+        /// For a normal distribution: standard deviation (sd) divided by median absolute deviation, and sd of a median divided by sd of a mean.
+        /// </summary>
         const double SdPerMedian = 1.4826, MedianPerMean = 1.2533;
 
         /// <summary>Minimum excess over the limit, in sd of the median, so that the state does not alternate for a marker at the limit.</summary>

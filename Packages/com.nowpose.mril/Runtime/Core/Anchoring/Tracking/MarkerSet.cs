@@ -26,7 +26,7 @@ namespace Nowpose.Anchoring.Tracking
         }
 
         /// <summary>Replaces the markers. Markers that are also in the new list keep their sightings.</summary>
-        /// <returns>Whether all parts of a lock are still there.</returns>
+        /// <returns>Whether all parts of a lock are still in the list.</returns>
         /// <exception cref="InputException">Two markers have the same payload, or there are too many; nothing is changed then.</exception>
         public bool Replace(IReadOnlyList<BaseMarker> markers, AnchoringSettings settings)
         {

@@ -43,7 +43,7 @@ namespace Nowpose.Latency.Calibration
         {
             get
             {
-                // Without marks, NudgeCalibration reports the direction that has none, and the speed has no effect.
+                // Without marks, NudgeCalibration reports which direction has no mark, and the speed has no effect.
                 var nudge = new NudgeCalibration(_marks.Count == 0 ? MinSpeedMmPerS : Speed, _usedVisuMs);
                 foreach (var (offsetMm, speedMmPerS) in _marks)
                 {

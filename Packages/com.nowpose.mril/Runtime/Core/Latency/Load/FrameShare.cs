@@ -10,7 +10,8 @@ namespace Nowpose.Latency.Load
     sealed class FrameShare
     {
         /// <summary>
-        /// Divisor: a shorter step lowers the expected duration by the difference divided by this value. The next step may be long again.
+        /// Divisor: a shorter step lowers the expected duration by the difference divided by this value, because the next step may be long
+        /// again.
         /// </summary>
         const int Patience = 8;
 

@@ -62,7 +62,7 @@ namespace Nowpose.Latency.Sweep
                 _ => judged, CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default);
         }
 
-        // The scheduler is explicit because the caller's current one may run on the frame's thread.
+        // The scheduler is explicit because the caller's current scheduler may run on the frame's thread.
         void Then(Action action) => _writing = _writing.ContinueWith(
             _ => Try(action), CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
 
@@ -85,8 +85,9 @@ namespace Nowpose.Latency.Sweep
             if (rows.Count == 0) return;
             var isNew = _written.Count == 0;
             if (isNew) Directory.CreateDirectory(System.IO.Path.GetDirectoryName(System.IO.Path.GetFullPath(Path)));
-            // Other handles may write, too: on Mono, a reader that opens the file now keeps the current sharing mode, which would otherwise block
-            // writing the next load.
+            // The file is also shared for writing: on Mono, a reader that opens it now keeps the sharing mode, which would otherwise
+            // block the writing
+            // of the next load.
             using (var stream = new FileStream(Path, isNew ? FileMode.CreateNew : FileMode.Append, FileAccess.Write, FileShare.ReadWrite))
             using (var writer = new StreamWriter(stream))
             {

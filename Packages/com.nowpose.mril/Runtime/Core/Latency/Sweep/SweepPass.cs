@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Nowpose.Latency.Sweep
 {
-    /// <summary>Visits of one pass of a sweep, and the rise of the render time from their low loads to their high loads.</summary>
+    /// <summary>Visits of one pass of a sweep, and the rise of the render time from its low loads to its high loads.</summary>
     sealed class SweepPass
     {
         const int MinLoads = 3;
@@ -48,9 +48,9 @@ namespace Nowpose.Latency.Sweep
         public double NeededMs { get; }
 
         /// <summary>
-        /// Splits visits into passes of one direction. A change with time instead of load is a rise in only one direction. If the sweep has only
-        /// one direction, the drift at constant load is subtracted. Loads without such an order form one pass. The result is empty for fewer
-        /// than three different loads.
+        /// Splits visits into passes of one direction. A change with time instead of load appears as a rise in only one direction. If the sweep
+        /// has only one direction, the drift at constant load is subtracted. Loads without such an order form one pass. The result is empty for
+        /// fewer than three different loads.
         /// </summary>
         public static List<SweepPass> Of(IReadOnlyList<SweepVisit> visits)
         {

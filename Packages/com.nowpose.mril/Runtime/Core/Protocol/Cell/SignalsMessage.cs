@@ -5,7 +5,7 @@ namespace Nowpose.Protocol.Cell
     /// <summary>
     /// nowpose_msgs/Signals: states of actuators and sensors from one control time on. May contain a subset of the cell's signals, each once.
     /// </summary>
-    /// <remarks>A message from a <see cref="RosbridgeReader"/> is reused for a later one after <see cref="Release"/>.</remarks>
+    /// <remarks>A message from a <see cref="RosbridgeReader"/> is reused after <see cref="Release"/>.</remarks>
     sealed class SignalsMessage
     {
         readonly CellMessagePool<SignalsMessage> _pool;
@@ -56,7 +56,7 @@ namespace Nowpose.Protocol.Cell
 
         public string Name { get; }
 
-        /// <summary>Finite; 0 or 1 for a Boolean.</summary>
+        /// <summary>Finite value; 0 or 1 for a Boolean signal.</summary>
         public double Value { get; }
     }
 }

@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Protocol.Cell
 {
     /// <summary>tf2_msgs/TFMessage: poses of frames, each with its own stamp. May contain a subset of the cell's frames, each child once.</summary>
-    /// <remarks>A message from a <see cref="RosbridgeReader"/> is reused for a later one after <see cref="Release"/>.</remarks>
+    /// <remarks>A message from a <see cref="RosbridgeReader"/> is reused after <see cref="Release"/>.</remarks>
     sealed class TransformsMessage
     {
         readonly CellMessagePool<TransformsMessage> _pool;

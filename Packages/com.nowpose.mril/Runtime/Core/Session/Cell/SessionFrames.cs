@@ -53,7 +53,7 @@ namespace Nowpose.Session.Cell
         public void Need(string name) => _needed.Need(name);
 
         /// <summary>Places a stationary frame manually until a source publishes it, and shows it from now on.</summary>
-        /// <param name="pose">Pose in the frame world.</param>
+        /// <param name="pose">Pose in the world frame.</param>
         /// <returns>Reason why the frame cannot be placed; <see cref="DropReason.None"/> if it is placed.</returns>
         public DropReason Place(string name, in RigidTransform pose)
         {

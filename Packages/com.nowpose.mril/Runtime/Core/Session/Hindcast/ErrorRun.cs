@@ -8,7 +8,7 @@ namespace Nowpose.Session.Hindcast
     {
         const int MaxBatches = 32;
 
-        /// <summary>About one second of frames.</summary>
+        /// <summary>Initial number of frames in a batch: about one second.</summary>
         const int FramesPerFirstBatch = 64;
 
         readonly ErrorSums[] _batches = new ErrorSums[MaxBatches];

@@ -51,7 +51,7 @@ namespace Nowpose.Session.Hindcast
         /// <summary>Raised within <see cref="Add"/> for each scored frame, with its display time, its state, and its tool error in m.</summary>
         public event Action<ControlTime, PoseState, ErrorSample> ToolJudged;
 
-        /// <summary>Number of joints between base and tool with samples of their own.</summary>
+        /// <summary>Number of joints between base and tool that have their own samples.</summary>
         public int JointCount => _joints.Length;
 
         /// <summary>Errors of the tool over the newest ten seconds, m; null while unknown, and while <see cref="Withheld"/> has a reason.</summary>

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>Relative reduction of the hold's error, with its uncertainty.</summary>
+    /// <summary>Estimates by which fraction the compensation reduces the error of the hold, and the uncertainty of that fraction.</summary>
     /// <remarks>
     /// The errors of neighbouring frames are similar, so frames are not independent. Batches of about one second are nearly independent.
     /// The jackknife omits one batch at a time and evaluates the change of the reduction. It is suitable for a ratio of sums, to which

@@ -10,7 +10,7 @@ namespace Nowpose.Sync.Envelope
     {
         /// <summary>
         /// Standard deviation of the bend, 1/s: a skew that changes by 1 ppm in 100 s. Quartz clocks in a room change less. This value
-        /// lets the fit follow changes in a quiet network that would be noise in a busy one.
+        /// lets the fit follow changes in a quiet network that would be noise in a busy network.
         /// </summary>
         const double BendPrior = 5e-9;
 
@@ -37,7 +37,7 @@ namespace Nowpose.Sync.Envelope
 
         public OffsetCurve Curve { get; private set; }
 
-        /// <summary>Seconds above the reference offset at the reference time.</summary>
+        /// <summary>Offset at the reference time minus the reference offset, s.</summary>
         public double Offset => (_heightBelow.At(Curve) + _heightAbove.At(Curve)) / 2;
 
         /// <summary>Standard error of <see cref="Offset"/>, s.</summary>

@@ -16,16 +16,16 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Quantile of the blocks from which e is measured, and quantile of e that gives the scale s.</summary>
         const double PunctualShare = 0.75, ScaleShare = 0.4;
 
-        /// <summary>Minimum scale, s: without it, a few equal time stamps would dominate all others.</summary>
+        /// <summary>Minimum scale, s: without it, a few equal time stamps would outweigh all other bounds.</summary>
         const double MinScale = 3e-6;
 
         /// <summary>
-        /// Contribution to the scale when bounds miss a part of a coarse clock's step, relative to that part; half of this value is too
-        /// small.
+        /// Contribution to the scale if the exchanges miss a part of a coarse clock's step, as a fraction of that part. Half of this value is
+        /// too small.
         /// </summary>
         const double UnsampledShare = 0.1;
 
-        /// <summary>a = this · age², 1/s: a change of the skew by 2 ppm within 50 s that slope and bend cannot follow.</summary>
+        /// <summary>Factor of age² in a, 1/s: a change of the skew by 2 ppm within 50 s that slope and bend cannot follow.</summary>
         const double AgeGrowth = 2e-8;
 
         /// <summary>
@@ -59,13 +59,13 @@ namespace Nowpose.Sync.Envelope
 
         public int Count { get; private set; }
 
-        /// <summary>Seconds since the reference time.</summary>
+        /// <summary>Returns the time of a block's bound, s since the reference time.</summary>
         public double X(int block) => _x[block];
 
-        /// <summary>Seconds above the reference offset.</summary>
+        /// <summary>Returns a block's bound, s above the reference offset.</summary>
         public double Y(int block) => _y[block];
 
-        /// <summary>Weight of the block, 1/s².</summary>
+        /// <summary>Returns the weight of a block, 1/s².</summary>
         public double Weight(int block) => _weights[block];
 
         public void Clear()
@@ -92,7 +92,7 @@ namespace Nowpose.Sync.Envelope
             _y[last] = y;
         }
 
-        /// <summary>Computes the weights of the blocks relative to a curve without the heights of the sides.</summary>
+        /// <summary>Computes the weights of the blocks from the distances of their bounds to a curve, whose height has no effect.</summary>
         /// <param name="scatter">See <see cref="EnvelopeFit.Solve"/>, s.</param>
         /// <param name="unsampled">Value of <see cref="UnsampledPart"/>, s.</param>
         public void Weigh(OffsetCurve curve, double scatter, double unsampled)

@@ -32,7 +32,7 @@ namespace Nowpose.Sync.Envelope
         /// </summary>
         static readonly TimeSpan MinDuration = TimeSpan.FromSeconds(6), MinDurationScattered = TimeSpan.FromSeconds(30);
 
-        /// <summary>Minimum duration of a window after a change of the other direction. Exchanges are then frequent.</summary>
+        /// <summary>Minimum duration of a window after a change of the other direction, when exchanges are frequent.</summary>
         static readonly TimeSpan MinDurationExpected = TimeSpan.FromSeconds(3);
 
         /// <summary>
@@ -98,7 +98,7 @@ namespace Nowpose.Sync.Envelope
             _history = history;
         }
 
-        /// <summary>Current minimum delay minus the smallest known one, s; zero or more.</summary>
+        /// <summary>Current minimum delay minus the smallest known minimum delay, s; zero or more.</summary>
         public double Excess => _excess;
 
         /// <summary>Uncertainty of the corrections, s.</summary>
@@ -108,7 +108,7 @@ namespace Nowpose.Sync.Envelope
         public int Count => _count;
 
         /// <summary>
-        /// Returns the largest measured value of a range; larger values are tighter bounds. Only differences of values have a meaning.
+        /// <summary>Returns the largest tightness of the measured bounds in a range. Only differences between values have a meaning.</summary>
         /// </summary>
         /// <param name="from">Age of the newest bound of the range.</param>
         /// <param name="to">Age after the oldest bound of the range.</param>
@@ -161,7 +161,7 @@ namespace Nowpose.Sync.Envelope
             return _sign * (ClockTicks.Seconds(new TimeSpan(bound - newest)) - curve.At(ClockTicks.Seconds(at - newestAt)));
         }
 
-        // If the correction of a bound is too large, the bound is tighter than the data prove.
+        // Reduces the excess if the newest bound is tighter than the data prove, because its correction is then too large.
         void ReduceExcess(int count)
         {
             var broken = Math.Min(_excess, _tightness[0] - Tightest(1, count));
@@ -216,7 +216,8 @@ namespace Nowpose.Sync.Envelope
             return false;
         }
 
-        // The other direction may have changed by less than the effect of a wrong skew. The offset then moves by half of that change.
+        // Called if the other direction has changed. This direction may have changed, too, but by less than the effect of a wrong skew. The offset
+        // then moves by half of that change.
         void AddHiddenError(int window, int earlier)
         {
             var late = Math.Abs(Lateness(window, earlier));
@@ -225,7 +226,7 @@ namespace Nowpose.Sync.Envelope
             _sinceHidden = 0;
         }
 
-        // After few exchanges, the new minimum delay is less certain than the earlier one; a tighter bound shows a larger change.
+        // Enlarges the change if a tighter bound shows a shorter minimum delay, which is uncertain after few exchanges.
         void RefineReference(int count)
         {
             if (++_sinceShorter > Math.Min(count, MaxEarlier)) _sinceShorter = 0;
@@ -236,7 +237,7 @@ namespace Nowpose.Sync.Envelope
             _referenceError += more / 2;
         }
 
-        // Until a change is confirmed, a bound tighter than the earlier ones is relaxed to their level. The change then affects the offset
+        // Until a change is confirmed, relaxes a bound that is tighter than the earlier ones to their level. The change then affects the offset
         // and not the skew.
         bool FindShorter(int count, double skewError, double resolution)
         {
