@@ -5,8 +5,8 @@ namespace Nowpose.Counter
 {
     /// <summary>Converts counts of one counter to readings of another that runs on the same oscillator.</summary>
     /// <remarks>
-    /// On Windows, <see cref="System.Diagnostics.Stopwatch"/> is the performance counter, scaled and possibly shifted by a constant. Their
-    /// offset therefore never changes, even during sleep, and one measurement is valid as long as the process runs.
+    /// On Windows, <see cref="System.Diagnostics.Stopwatch"/> is the performance counter, scaled and possibly shifted by a constant. The
+    /// offset between the two therefore never changes, even during sleep, and one measurement is valid as long as the process runs.
     /// </remarks>
     sealed class CounterPairing
     {

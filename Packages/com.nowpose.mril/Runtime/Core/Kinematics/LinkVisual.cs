@@ -34,7 +34,7 @@ namespace Nowpose.Kinematics
         /// <summary>Mesh file as named in the URDF (<c>package://…</c> or a path); null unless <see cref="VisualShape.Mesh"/>.</summary>
         public string MeshFile { get; }
 
-        /// <summary>Null if the URDF specifies none.</summary>
+        /// <summary>Colour of the shape; null if the URDF specifies none.</summary>
         public VisualColour? Colour { get; }
     }
 

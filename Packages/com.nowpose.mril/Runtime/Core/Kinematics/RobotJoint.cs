@@ -46,10 +46,10 @@ namespace Nowpose.Kinematics
         /// </summary>
         public (double X, double Y, double Z) Axis { get; }
 
-        /// <summary><see cref="JointLimits.None"/> for a fixed joint.</summary>
+        /// <summary>Limits of the joint; <see cref="JointLimits.None"/> for a fixed joint.</summary>
         public JointLimits Limits { get; }
 
-        /// <summary>Null unless the joint follows another.</summary>
+        /// <summary>Rule by which the joint follows another joint; null if it follows none.</summary>
         public JointMimic Mimic { get; }
 
         public override string ToString() => Name;

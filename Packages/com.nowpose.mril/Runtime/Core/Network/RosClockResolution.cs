@@ -80,8 +80,8 @@ namespace Nowpose.Network
             _firstArrived = arrived;
         }
 
-        // The observed standstill is a lower bound. If the answers follow in quick succession, the clock's advance is its length. An
-        // underestimate would make the error bound too small.
+        // The observed standstill is a lower bound. If the answers follow in quick succession, the advance of the clock is the length of the
+        // standstill. An underestimate would make the error bound too small.
         TimeSpan LengthOfStandstill(TimeSpan advance, HeadsetTime arrived)
         {
             if (_still <= TimeSpan.Zero || IsStopped || arrived - _sentLast > _still) return TimeSpan.Zero;

@@ -130,9 +130,8 @@ namespace Nowpose.Network
                 end.Cancel();
                 link.Dispose();
                 foreach (var one in all) await EndOfAsync(one).ConfigureAwait(false);
-                // The first task that ends cancels the others. If the receiver exceeded a limit, or the gateway closed the connection,
-                // that is the cause,
-                // even if a task that sends failed first.
+                // The first task that ends cancels the others. If the receiver exceeded a limit, or the gateway closed the connection, that is the
+                // cause, even if a task that sends failed first.
                 var received = await EndOfAsync(receiving).ConfigureAwait(false);
                 var reason = received == null || received is MessageLimitException ? received : await EndOfAsync(first).ConfigureAwait(false);
                 if (reason != null) ExceptionDispatchInfo.Capture(reason).Throw();
@@ -271,7 +270,7 @@ namespace Nowpose.Network
             {
                 var left = ProtocolLimits.PongTimeout - Silence;
                 if (left < TimeSpan.Zero) throw new IOException("received nothing for " + ProtocolLimits.PongTimeout.TotalSeconds + " s");
-                // One timer step longer: the timer counts whole steps and would otherwise fire repeatedly within the last one.
+                // One timer step longer: the timer counts whole steps and would otherwise fire repeatedly within the last step.
                 await Task.Delay(left + TimerStep, cancel).ConfigureAwait(false);
             }
         }

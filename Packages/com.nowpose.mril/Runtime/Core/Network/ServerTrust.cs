@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>Checks whether a server's certificate is the gateway's. The check cannot be switched off.</summary>
+    /// <summary>Checks whether a server's certificate belongs to the gateway. The check cannot be switched off.</summary>
     sealed class ServerTrust
     {
         readonly CertificatePin _pin;

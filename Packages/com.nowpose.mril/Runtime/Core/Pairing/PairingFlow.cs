@@ -28,7 +28,7 @@ namespace Nowpose.Pairing
 
         /// <param name="cells">Cells accepted in earlier runs.</param>
         /// <param name="headsetName">Name of this headset in the gateway's list.</param>
-        /// <param name="send">Exchanges a token without blocking: <see cref="PairingRequest.SendAsync"/> on another thread.</param>
+        /// <param name="send">Exchanges a token without blocking, such as <see cref="PairingRequest.SendAsync"/> on another thread.</param>
         public PairingFlow(
             PairedCells cells, string headsetName, Func<ConnectionSettings, string, CancellationToken, Task<PairingAnswer>> send)
         {
@@ -173,7 +173,7 @@ namespace Nowpose.Pairing
         {
             var used = Cells.Used;
             Cells = Cells.Use(cell);
-            // A new marker of another robot does not make that robot the one in use.
+            // A new marker of another robot does not make that robot the robot in use.
             if (used != null && used.Cell != cell.Cell) Cells = Cells.Use(used);
             Change(PairingChange.Applied | PairingChange.Kept);
         }
@@ -229,7 +229,7 @@ namespace Nowpose.Pairing
             if (Words != PairingWords.MarkerFirst && Question == null) SetWords(PairingWords.MarkerFirst);
         }
 
-        // The wearer may look at marker and code in either order.
+        // The wearer may look at the marker and the code in either order.
         void Offer(HeadsetTime now)
         {
             if (_exchange.Waiting == null || _exchange.Cell != null || !_exchange.Offer(Cells.TakerOf(_exchange.Waiting, _isTokenRefused), now)) return;

@@ -77,7 +77,7 @@ namespace Nowpose.Recording
         /// <summary>Estimated error of the clock offset; used by frame records.</summary>
         public TimeSpan? EstimatedError { get; set; }
 
-        /// <summary>State of the render time; used by display records.</summary>
+        /// <summary>State of the constant-latency range; used by display records.</summary>
         public RangeState Range { get; set; }
 
         /// <inheritdoc cref="Range"/>

@@ -10,7 +10,8 @@ using Nowpose.Sync;
 namespace Nowpose.Recording
 {
     /// <summary>
-    /// Records a running session to a file: exchanges; samples, set-points, poses of objects and signals as received; frames and statistics.
+    /// Records a running session to a file: sync exchanges, frames and statistics, and samples, set-points, poses of objects and signals as
+    /// received.
     /// </summary>
     /// <remarks>
     /// Event handlers copy the data into a preallocated ring, allocate nothing and never block; a separate thread

@@ -14,7 +14,7 @@ namespace Nowpose.Simulation.Work
     /// <remarks>All robots are of the same kind and move at the same time. The world frame is the first robot's base frame.</remarks>
     sealed class CellWork
     {
-        /// <summary>Stationary frame of the conveyor: in the first robot's axis, at the height where workpieces are taken.</summary>
+        /// <summary>Stationary frame of the conveyor: on the axis of the first robot, at the height where workpieces are taken.</summary>
         public const string Conveyor = "conveyor";
 
         /// <summary>Name of the signal that is 1 while the belt moves.</summary>
@@ -59,10 +59,10 @@ namespace Nowpose.Simulation.Work
             Signals = _robots.Select(each => each.GripperClosed).Append(BeltRunning).Concat(_robots.Select(each => each.PartPresent)).ToArray();
         }
 
-        /// <summary>Frames of the workpieces.</summary>
+        /// <summary>Names of the workpieces' frames.</summary>
         public IReadOnlyList<string> Names { get; }
 
-        /// <summary>The signals, in the order of <see cref="SignalsAt"/>.</summary>
+        /// <summary>Names of the signals, in the order of <see cref="SignalsAt"/>.</summary>
         public IReadOnlyList<string> Signals { get; }
 
         public IReadOnlyList<WorkRobot> Robots => _robots;
