@@ -6,11 +6,11 @@ namespace Nowpose.Counter
     /// <summary>Converts counts of one counter to readings of another that runs on the same oscillator.</summary>
     /// <remarks>
     /// On Windows, <see cref="System.Diagnostics.Stopwatch"/> is the performance counter, scaled and possibly shifted by a constant. The
-    /// two therefore never drift apart, even in sleep, and one measurement of the offset is valid as long as the process runs.
+    /// offset between the two therefore never changes, even during sleep, and one measurement is valid as long as the process runs.
     /// </remarks>
     sealed class CounterPairing
     {
-        /// <summary>Number of readings: an interrupt disturbs one or a few of them, never all.</summary>
+        /// <summary>Number of readings. An interrupt disturbs one or a few of them, never all.</summary>
         const int Brackets = 32;
 
         readonly long _frequency, _targetFrequency, _count, _reading;
@@ -55,8 +55,10 @@ namespace Nowpose.Counter
             return pairing != null;
         }
 
-        /// <summary>Converts a count, exactly to one count of the target, rounded towards the time of the pairing. Allocates nothing.</summary>
-        /// <param name="count">A count that a device cannot reach gives a meaningless result, not an exception.</param>
+        /// <summary>
+        /// Converts a count with an error below one count of the target, rounded towards the time of the pairing. Allocates nothing.
+        /// </summary>
+        /// <param name="count">Count to convert. A count that a device cannot reach gives an undefined result, not an exception.</param>
         public long ToTarget(long count)
         {
             // Converts whole seconds separately: the product of a large count and the other frequency would overflow.

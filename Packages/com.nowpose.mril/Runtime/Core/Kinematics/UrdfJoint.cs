@@ -3,7 +3,7 @@ using System.Xml.Linq;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>A joint of the URDF, with the element for error messages.</summary>
+    /// <summary>A joint of the URDF, with its XML element for error messages.</summary>
     sealed class UrdfJoint
     {
         const double MinAxisLength = 1e-9;

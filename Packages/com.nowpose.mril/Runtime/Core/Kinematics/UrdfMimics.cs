@@ -14,7 +14,7 @@ namespace Nowpose.Kinematics
             var done = new HashSet<UrdfJoint>();
             foreach (var joint in joints)
             {
-                // Follows the masters up to a joint that moves by itself or is in the list already; the stack reverses the order.
+                // Follows the masters up to a joint that is not a mimic joint or is already in the list; the stack reverses the order.
                 var chain = new Stack<UrdfJoint>();
                 var at = joint;
                 for (; at.Joint.Mimic != null && done.Add(at); at = Master(source, at, byName)) chain.Push(at);

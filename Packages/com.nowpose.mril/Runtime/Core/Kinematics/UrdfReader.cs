@@ -10,10 +10,10 @@ namespace Nowpose.Kinematics
     /// </remarks>
     public static class UrdfReader
     {
-        /// <param name="text">The whole document, xacro already expanded.</param>
+        /// <param name="text">The whole document, with xacro already expanded.</param>
         /// <param name="sourceName">Name in error messages, usually the file's.</param>
         /// <exception cref="InputException">
-        /// The text is not a robot that can be computed; the message names the line, the element and the error.
+        /// The text does not describe a robot that can be computed; the message names the line, the element and the error.
         /// </exception>
         public static RobotModel Read(string text, string sourceName)
         {

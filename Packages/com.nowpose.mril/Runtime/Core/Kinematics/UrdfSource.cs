@@ -7,7 +7,7 @@ using System.Xml.Linq;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>Reads attributes of one URDF, and makes error messages with its name and the line.</summary>
+    /// <summary>Reads attributes of one URDF, and creates error messages with its name and the line.</summary>
     sealed class UrdfSource
     {
         const int MaxDepth = 100;
@@ -31,7 +31,7 @@ namespace Nowpose.Kinematics
             }
         }
 
-        /// <summary>Returns a child in the parent's own namespace, because extensions such as gazebo's may reuse the names.</summary>
+        /// <summary>Returns a child in the parent's own namespace, because extensions such as gazebo's may reuse the element names.</summary>
         public static XElement Child(XElement parent, string name) => parent.Element(parent.Name.Namespace + name);
 
         public InputException Error(XElement at, string message)
@@ -93,7 +93,7 @@ namespace Nowpose.Kinematics
         static XmlReader Reader(string text) => XmlReader.Create(
             new StringReader(text), new XmlReaderSettings { DtdProcessing = DtdProcessing.Prohibit, XmlResolver = null });
 
-        // XDocument walks up to the root for each node that it adds, so a nesting of 100 000 levels would take minutes.
+        // For each node that XDocument adds, it walks up to the root, so a nesting of 100 000 levels would take minutes.
         void RequireShallow(XmlReader reader)
         {
             while (reader.Read())

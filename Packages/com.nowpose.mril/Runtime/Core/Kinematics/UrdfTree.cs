@@ -31,7 +31,7 @@ namespace Nowpose.Kinematics
         /// <summary>The links: the root first, parents before children, children in the order of their joints in the URDF.</summary>
         public RobotLink[] Links { get; }
 
-        /// <param name="links">The links in the URDF's order; the first of several equal candidates is chosen.</param>
+        /// <param name="links">The links in the order of the URDF; the first of several equal candidates is chosen.</param>
         public RobotLink ToolLink(UrdfLink[] links)
         {
             foreach (var name in ToolNames)

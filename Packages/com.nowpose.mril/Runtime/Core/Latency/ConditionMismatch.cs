@@ -2,7 +2,7 @@ using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Latency
 {
-    /// <summary>A condition in which a device differs from the one that was calibrated.</summary>
+    /// <summary>A display condition whose value on a device differs from its value at the calibration.</summary>
     public sealed class ConditionMismatch
     {
         internal ConditionMismatch(DisplayCondition condition, string calibrated, string actual)
@@ -30,7 +30,7 @@ namespace Nowpose.Latency
         /// <summary>Whether the profile must not be used: L_visu depends on the device and on the refresh rate.</summary>
         public bool IsRefusal => Condition == DisplayCondition.Device || Condition == DisplayCondition.DisplayRate;
 
-        /// <summary>One line: the condition, both values, and what to do.</summary>
+        /// <summary>Message in one line: the condition, both values, and the action to take.</summary>
         public string Words { get; }
 
         string WordsOf()

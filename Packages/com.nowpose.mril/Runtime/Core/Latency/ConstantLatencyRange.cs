@@ -24,7 +24,8 @@ namespace Nowpose.Latency
         public RenderTimeSourceKind Source { get; }
 
         /// <summary>
-        /// Whether L_visu is known to be longer beyond the limit. False when no calibration went beyond it: L_visu is unknown there.
+        /// Whether L_visu is known to be longer beyond the limit. False if the calibration did not exceed the limit, so that L_visu is unknown
+        /// beyond it.
         /// </summary>
         public bool IsLimitReached { get; }
     }

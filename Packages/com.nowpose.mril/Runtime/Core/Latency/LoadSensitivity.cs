@@ -6,10 +6,11 @@ using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Latency
 {
-    /// <summary>Whether the render time of a sweep depends on the load. If it does not, the sweep yields no limit.</summary>
+    /// <summary>Result of the check whether the render time of a sweep depends on the load. If it does not, the sweep yields no limit.</summary>
     /// <remarks>
     /// Compares the lowest third of the loads with the highest third, separately for each pass through the loads; the pass with the
-    /// smallest rise decides. With one direction only, subtracts the drift at constant load. Up to a tenth of the times may be outliers.
+    /// smallest rise decides. If the sweep has only one direction, the drift at constant load is subtracted. Up to a tenth of the render
+    /// times may be outliers.
     /// </remarks>
     public sealed class LoadSensitivity
     {
@@ -28,7 +29,7 @@ namespace Nowpose.Latency
         /// <summary>The source of most render times, to which the result applies; times of other sources are ignored.</summary>
         public RenderTimeSourceKind Source { get; }
 
-        /// <summary>The result with its numbers and, unless the load is visible, the remedy, in one line.</summary>
+        /// <summary>The result with its numbers in one line and, unless the render time depends on the load, the remedy.</summary>
         public string Words { get; }
 
         /// <param name="rows">Rows of a whole sweep, in the order of their frames.</param>

@@ -29,7 +29,7 @@ namespace Nowpose.Latency
             _next = (_next + 1) % _byAge.Length;
         }
 
-        /// <summary>Returns the quantile of the stored values, interpolated linearly between neighbours.</summary>
+        /// <summary>Returns the quantile of the stored values, interpolated linearly between adjacent values.</summary>
         /// <param name="fraction">0 (minimum) to 1 (maximum).</param>
         /// <exception cref="InvalidOperationException">No value is stored yet.</exception>
         public TimeSpan At(double fraction)

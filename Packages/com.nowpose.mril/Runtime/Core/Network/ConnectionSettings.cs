@@ -23,7 +23,7 @@ namespace Nowpose.Network
         /// <summary>TLS with a certificate that the device's own store trusts.</summary>
         DeviceTrust,
 
-        /// <summary>TLS with a certificate that matches the pin of its public key; no other is trusted.</summary>
+        /// <summary>TLS with a certificate that matches the pin of its public key; no other key is trusted.</summary>
         Pinned,
     }
 
@@ -34,11 +34,11 @@ namespace Nowpose.Network
         /// <param name="syncPort">TCP port of the clock sync.</param>
         /// <param name="webSocketPort">Port of the joint positions.</param>
         /// <param name="pin">The gateway's public key. If given, connections use wss and TLS, and trust only this key.</param>
-        /// <param name="deviceTrust">Use wss and TLS, trusting the device's store; ignored if there is a pin.</param>
-        /// <param name="token">Authenticates this headset to the gateway; null for none. Sent over TLS or loopback only.</param>
-        /// <param name="insecureLan">Allows plain connections beyond loopback; the status then shows a warning.</param>
+        /// <param name="deviceTrust">Whether to use wss and TLS with the device's own certificate store; ignored if there is a pin.</param>
+        /// <param name="token">Token that authenticates this headset to the gateway; null for none. It is sent only over TLS or loopback.</param>
+        /// <param name="insecureLan">Whether plain connections beyond loopback are allowed; the status then shows a warning.</param>
         /// <param name="headsetName">Name of this headset in its diagnostics.</param>
-        /// <param name="publishesDisplayed">Publishes the displayed joints to the gateway, for external observers.</param>
+        /// <param name="publishesDisplayed">Whether the displayed joints are published to the gateway, for external observers.</param>
         /// <param name="clockSource">Source of the control time; with ROS time the sync port is not used.</param>
         /// <exception cref="InputException">A value is out of range, or the connection would be plain text without permission.</exception>
         public ConnectionSettings(

@@ -25,7 +25,7 @@ namespace Nowpose.Network
 
         /// <exception cref="GatewayRefusalException">The certificate is not trusted, or the gateway did not answer in time.</exception>
         /// <exception cref="SocketException">The gateway refused the connection, or the network is down.</exception>
-        /// <exception cref="OperationCanceledException">Cancelled.</exception>
+        /// <exception cref="OperationCanceledException">The operation was cancelled.</exception>
         public async Task<Stream> OpenAsync(int port, CancellationToken cancel)
         {
             using (var inTime = CancellationTokenSource.CreateLinkedTokenSource(cancel))
@@ -63,7 +63,7 @@ namespace Nowpose.Network
             }
         }
 
-        // IPv4 first, because a gateway listens on it by default and an address without an answer uses up the timeout.
+        // IPv4 addresses come first, because a gateway listens on them by default and an address without an answer uses up the timeout.
         async Task<IPAddress[]> AddressesAsync()
         {
             if (IPAddress.TryParse(_settings.Host, out var literal)) return new[] { literal };
@@ -74,7 +74,7 @@ namespace Nowpose.Network
 
         async Task<Stream> OpenAsync(IPAddress address, int port, CancellationToken cancel)
         {
-            // States the address family, because without it a client supports only IPv4 under Mono and IL2CPP.
+            // The address family is explicit, because without it a client supports only IPv4 under Mono and IL2CPP.
             var tcp = new TcpClient(address.AddressFamily) { NoDelay = true };
             try
             {

@@ -21,7 +21,7 @@ namespace Nowpose.Network
 
         public int Status { get; }
 
-        /// <summary>Reads up to the blank line and no byte further, because WebSocket data may follow.</summary>
+        /// <summary>Reads up to and including the blank line, and no further, because WebSocket data may follow.</summary>
         /// <exception cref="GatewayRefusalException">The response is not HTTP/1.1, or too long.</exception>
         /// <exception cref="EndOfStreamException">The connection was closed before the blank line.</exception>
         public static async Task<HttpHead> ReadAsync(Stream stream)

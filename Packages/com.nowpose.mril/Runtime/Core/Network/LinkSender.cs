@@ -43,7 +43,7 @@ namespace Nowpose.Network
         {
             await _turn.WaitAsync(cancel).ConfigureAwait(false);
             var begun = _clock.Now;
-            // Also returns if the link ignores the cancellation: with a full buffer and a lost peer, a send may never complete.
+            // OrCancelled also returns if the link ignores the cancellation: with a full buffer and a lost peer, a send may never complete.
             await _link.SendAsync(text, cancel).OrCancelled(cancel).ConfigureAwait(false);
             // The semaphore is not released after a failure, because the link may still be sending that text and supports only one send at a time.
             _turn.Release();

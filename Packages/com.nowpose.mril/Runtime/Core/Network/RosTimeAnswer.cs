@@ -17,7 +17,7 @@ namespace Nowpose.Network
         /// <summary>The server's time; null if the answer contains none.</summary>
         public ControlTime? Time { get; }
 
-        /// <summary>Time at which its last byte was read.</summary>
+        /// <summary>Time at which the last byte of the answer was read.</summary>
         public HeadsetTime Arrival { get; }
 
         /// <summary>Reason why the time is unknown, and the remedy; null if it is known.</summary>

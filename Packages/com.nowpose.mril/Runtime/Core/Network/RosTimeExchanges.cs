@@ -12,7 +12,7 @@ namespace Nowpose.Network
     /// Exchanges timestamps with the ROS clock over a rosbridge connection, in place of <see cref="SyncClient"/> on connections without a gateway.
     /// </summary>
     /// <remarks>
-    /// The answer contains one time, read at some moment between the call and the answer: it serves as both t2 and t3. The server's
+    /// The answer contains one time, which the server read between the call and the answer; it is used as both t2 and t3. The server's
     /// processing times before and after the reading are unknown, so half the round-trip time bounds the error. One call is in
     /// flight at a time; answers with another id are ignored.
     /// </remarks>
@@ -47,7 +47,7 @@ namespace Nowpose.Network
             _pace = pace;
         }
 
-        /// <summary>State of the exchanges while the connection is open. Any thread may read it.</summary>
+        /// <summary>State of the exchanges while the connection is open. Thread-safe.</summary>
         public LinkStatus Status => _status;
 
         /// <summary>Runs exchanges over one connection until it ends.</summary>
@@ -68,8 +68,8 @@ namespace Nowpose.Network
             }
         }
 
-        /// <summary>Receives every service response, on the receiver's thread; ignores those to other calls.</summary>
-        /// <param name="fault">Why the response could not be read.</param>
+        /// <summary>Receives every service response, on the receiver's thread; ignores responses to other calls.</summary>
+        /// <param name="fault">Reason why the response could not be read.</param>
         public void Answered(RosbridgeMessage response, DropReason fault, HeadsetTime arrival)
         {
             if (response.Id == null || !response.Id.StartsWith(IdPrefix, StringComparison.Ordinal)) return;

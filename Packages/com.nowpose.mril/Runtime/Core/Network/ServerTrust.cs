@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>Checks whether a server's certificate is the gateway's. The check cannot be switched off.</summary>
+    /// <summary>Checks whether a server's certificate belongs to the gateway. The check cannot be switched off.</summary>
     sealed class ServerTrust
     {
         readonly CertificatePin _pin;
@@ -14,10 +14,10 @@ namespace Nowpose.Network
         /// <param name="pin">The only trusted key; null to trust the device's own store.</param>
         public ServerTrust(CertificatePin pin) => _pin = pin;
 
-        /// <returns>Why the certificate is rejected; null if it is trusted.</returns>
+        /// <returns>Reason why the certificate is rejected; null if it is trusted.</returns>
         /// <param name="certificate">The server's certificate; may be null.</param>
         /// <param name="errors">
-        /// The platform's result. With a pin only the pin and the dates are checked, because the gateway's certificate is usually
+        /// The platform's result. With a pin, only the pin and the dates are checked, because the gateway's certificate is usually
         /// self-signed.
         /// </param>
         /// <param name="now">The device's time of day.</param>

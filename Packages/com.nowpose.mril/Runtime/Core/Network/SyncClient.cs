@@ -7,7 +7,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Network
 {
-    /// <summary>Exchanges timestamps with the gateway over TCP; reconnects after failures. Uses its own thread to stamp without delay.</summary>
+    /// <summary>Exchanges timestamps with the gateway over TCP; reconnects after failures. Has its own thread, to stamp without delay.</summary>
     sealed class SyncClient : IDisposable
     {
         readonly ConnectionSettings _settings;
@@ -33,7 +33,7 @@ namespace Nowpose.Network
             _synchroniser = synchroniser;
             _faults = faults;
             _pace = pace;
-            // LongRunning creates a new thread. The scheduler is explicit because the caller's may be that of the frame.
+            // LongRunning creates a new thread. The scheduler is explicit because the caller's scheduler may run on the frame's thread.
             _running = Task.Factory.StartNew(Run, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
         }
 
@@ -45,7 +45,7 @@ namespace Nowpose.Network
         /// <summary>Ends the connection and the thread. Returns at once and does not wait for the socket.</summary>
         public void Dispose()
         {
-            // Cancelling closes sockets on the calling thread.
+            // On the thread pool, because cancelling closes sockets on the calling thread.
             if (_ending == null) _ending = Task.Run(EndAsync);
         }
 

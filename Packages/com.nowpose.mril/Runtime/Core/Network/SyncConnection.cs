@@ -5,7 +5,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Network
 {
-    /// <summary>One connection to the sync server: first the token, then one exchange at a time. Blocking; one thread.</summary>
+    /// <summary>One connection to the sync server: first the token, then one exchange at a time. Blocks; not thread-safe.</summary>
     sealed class SyncConnection
     {
         readonly Stream _stream;

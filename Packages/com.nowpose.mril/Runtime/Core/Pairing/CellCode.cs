@@ -22,8 +22,8 @@ namespace Nowpose.Pairing
         /// <param name="cell">Name of the cell, 1 to 40 letters, digits, blanks, hyphens, underscores and full stops.</param>
         /// <param name="host">Name or address of the gateway, in ASCII.</param>
         /// <param name="pin">The gateway's public key; null only for a gateway on the headset's own machine, which needs no TLS.</param>
-        /// <param name="marker">Null if the code does not specify the base frame.</param>
-        /// <param name="sizeMetres">Edge of the printed code in metres; 0 if it is unknown.</param>
+        /// <param name="marker">Pose of the marker in the base frame; null if the code does not specify it.</param>
+        /// <param name="sizeMetres">Edge length of the printed code in metres; 0 if it is unknown.</param>
         /// <exception cref="InputException">A value is invalid, or the values together do not fit into a code.</exception>
         public CellCode(
             string cell, string host, CertificatePin pin, MarkerOffset marker = null, double sizeMetres = 0,
@@ -60,13 +60,13 @@ namespace Nowpose.Pairing
         /// <summary>The marker's pose in the base frame; null if the code does not specify it.</summary>
         public MarkerOffset Marker { get; }
 
-        /// <summary>Edge of the printed code in metres; 0 if it is unknown.</summary>
+        /// <summary>Edge length of the printed code in metres; 0 if it is unknown.</summary>
         public double SizeMetres { get; }
 
         /// <summary>The exact text of the printed code.</summary>
         public string Text { get; }
 
-        /// <param name="text">A text of any length; one longer than <see cref="PairingCode.MaxLength"/> is rejected.</param>
+        /// <param name="text">A text of any length; a text longer than <see cref="PairingCode.MaxLength"/> is rejected.</param>
         /// <exception cref="InputException">The text is not a cell code of this version, or a value is invalid; the message is one line.</exception>
         public static CellCode Parse(string text)
         {

@@ -4,7 +4,7 @@ using System.Text;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>Checks and encodes cell names. Allows no characters that could change the appearance of a question to the wearer.</summary>
+    /// <summary>Checks and encodes cell names. Rejects characters that could change the appearance of a question to the wearer.</summary>
     static class CellName
     {
         public const int MaxLength = 40;

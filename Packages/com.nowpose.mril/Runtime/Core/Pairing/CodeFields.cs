@@ -5,7 +5,7 @@ using System.Globalization;
 namespace Nowpose.Pairing
 {
     /// <summary>The fields of a pairing code. Rejects a text that does not match the grammar, with a message of one line.</summary>
-    /// <remarks>Unknown fields are rejected, because one might be relevant to security; each new field needs a new version.</remarks>
+    /// <remarks>Unknown fields are rejected, because such a field might be relevant to security; each new field needs a new version.</remarks>
     sealed class CodeFields
     {
         readonly string _what;
@@ -14,7 +14,9 @@ namespace Nowpose.Pairing
         /// <param name="kind">"cell" or "token".</param>
         /// <param name="version">The only supported version.</param>
         /// <param name="keys">All allowed keys; each may occur once.</param>
-        /// <exception cref="InputException">The text is too long, of another kind or version, or invalid. Never contains a field's value.</exception>
+        /// <exception cref="InputException">
+        /// The text is too long, of another kind or version, or invalid. The message never contains the value of a field.
+        /// </exception>
         public CodeFields(string text, string kind, int version, string keys)
         {
             _what = kind + " code";
@@ -36,7 +38,7 @@ namespace Nowpose.Pairing
         /// <returns>Null if the field is missing.</returns>
         public string OptionalText(char key) => _values.TryGetValue(key, out var value) ? value : null;
 
-        /// <summary>Reads a number of digits without sign or leading zero; returns <paramref name="otherwise"/> if it is missing.</summary>
+        /// <summary>Reads an integer without sign and leading zeros; returns <paramref name="otherwise"/> if the field is missing.</summary>
         public long Count(char key, long otherwise, long min, long max)
         {
             var text = OptionalText(key);

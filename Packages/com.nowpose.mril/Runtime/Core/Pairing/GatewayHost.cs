@@ -5,13 +5,15 @@ using System.Net.Sockets;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>Checks the host of a gateway in a code, so that the host that the wearer reads is the one that is connected to.</summary>
+    /// <summary>Checks the host of a gateway in a code, so that the wearer reads the host to which the headset connects.</summary>
     static class GatewayHost
     {
         const int MaxNameLength = 100, MaxLabelLength = 63;
 
         /// <returns>The host in lower case.</returns>
-        /// <exception cref="InputException">Neither a name of ASCII letters, digits and hyphens, nor an address in its usual form.</exception>
+        /// <exception cref="InputException">
+        /// The host is neither a name of ASCII letters, digits and hyphens, nor an address in its usual form.
+        /// </exception>
         public static string Require(string host, string what)
         {
             var plain = (host ?? "").ToLowerInvariant();

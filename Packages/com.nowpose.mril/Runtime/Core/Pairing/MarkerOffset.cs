@@ -6,8 +6,8 @@ namespace Nowpose.Pairing
 {
     /// <summary>A marker's pose in the robot's base frame as a person measures it: metres and degrees, with six decimals.</summary>
     /// <remarks>
-    /// A URDF origin except that angles are in degrees: rotated about the base frame's fixed x, then y, then z axis. The marker frame has
-    /// its origin in the centre of the print, x to the right along the print, y to its upper edge, and z out of it.
+    /// Like a URDF origin, but with angles in degrees: rotations about the base frame's fixed x, then y, then z axis. The marker frame has
+    /// its origin in the centre of the print, x to the right along the print, y to its upper edge, and z out of the print.
     /// </remarks>
     sealed class MarkerOffset
     {
@@ -54,7 +54,7 @@ namespace Nowpose.Pairing
         public RigidTransform ToPose() => RigidTransform.FromXyzRpy(
             _numbers[0], _numbers[1], _numbers[2], Radians(_numbers[3]), Radians(_numbers[4]), Radians(_numbers[5]));
 
-        /// <summary>Formats the offset for <see cref="Parse"/>: three numbers ("0.25,-0.1,0") without a rotation, else six.</summary>
+        /// <summary>Formats the offset for <see cref="Parse"/>: three numbers ("0.25,-0.1,0") without a rotation, otherwise six.</summary>
         public override string ToString()
         {
             var count = _numbers[3] == 0 && _numbers[4] == 0 && _numbers[5] == 0 ? 3 : Numbers;

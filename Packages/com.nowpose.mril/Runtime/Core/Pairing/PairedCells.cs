@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>All cells that the wearer has accepted, by name, and the one in use. Immutable.</summary>
+    /// <summary>All cells that the wearer has accepted, by name, and the cell in use. Immutable.</summary>
     sealed class PairedCells
     {
         public const int MaxCount = 64;
@@ -36,9 +36,11 @@ namespace Nowpose.Pairing
             return null;
         }
 
-        /// <summary>Finds the cell that needs a gateway's code. The cell in use takes precedence, because several may share a gateway.</summary>
+        /// <summary>
+        /// Finds the cell that needs a gateway's code. The cell in use takes precedence, because several cells may share a gateway.
+        /// </summary>
         /// <param name="isUsedRefused">Whether the gateway rejects the token of the cell in use.</param>
-        /// <returns>Null for none. Allocates nothing.</returns>
+        /// <returns>Null if no cell needs the code. Allocates nothing.</returns>
         internal PairedCell TakerOf(TokenCode code, bool isUsedRefused)
         {
             if (UsedNeeds(code, isUsedRefused)) return Used;
@@ -58,7 +60,10 @@ namespace Nowpose.Pairing
             return false;
         }
 
-        /// <summary>Adds or replaces a cell by its name and makes it the one in use. Drops the least recently added if there are too many.</summary>
+        /// <summary>
+        /// Adds a cell, or replaces the cell of the same name, and makes it the cell in use. Removes the least recently added cell if there are
+        /// too many.
+        /// </summary>
         public PairedCells Use(PairedCell cell) => new PairedCells(
             Without(cell.Cell)._cells.Reverse().Take(MaxCount - 1).Reverse().Append(cell), cell.Cell);
 

@@ -34,7 +34,9 @@ namespace Nowpose.Pairing
         }
 
         /// <param name="name">Name of the text in messages, such as a file's name.</param>
-        /// <exception cref="InputException">Another format, a newer version, or an invalid value. Never contains a token.</exception>
+        /// <exception cref="InputException">
+        /// The text has another format, a newer version, or an invalid value. The message never contains a token.
+        /// </exception>
         public static PairedCells Read(string text, string name)
         {
             try

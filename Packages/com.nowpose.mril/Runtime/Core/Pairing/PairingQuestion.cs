@@ -1,6 +1,6 @@
 namespace Nowpose.Pairing
 {
-    /// <summary>A question to the wearer and its subject; exactly one of the other properties is set.</summary>
+    /// <summary>A question to the wearer and its subject. Exactly one of the properties other than the text is set.</summary>
     sealed class PairingQuestion
     {
         PairingQuestion(string text) => Text = text;
@@ -8,7 +8,7 @@ namespace Nowpose.Pairing
         /// <summary>The question, in one line.</summary>
         public string Text { get; }
 
-        /// <summary>The code of the gateway to accept; null for another question.</summary>
+        /// <summary>Code of the gateway to accept; null for another question.</summary>
         public SeenCode Code { get; private set; }
 
         /// <summary>Name of the cell to forget; null for another question.</summary>

@@ -10,7 +10,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>Exchanges a code's token for the headset's own: one HTTP/1.1 request over a stream with its own check of the pin.</summary>
+    /// <summary>Exchanges a code's token for the headset's own token, with one HTTP/1.1 request over a stream that checks the pin itself.</summary>
     /// <remarks>Unity's HTTP clients do not check certificates reliably, so the token could reach any server.</remarks>
     static class PairingRequest
     {
@@ -21,7 +21,7 @@ namespace Nowpose.Pairing
         /// <param name="gateway">Settings with a pin, or for this machine; their token is not used.</param>
         /// <param name="codeToken">Token of the gateway's code.</param>
         /// <returns>The answer, which also reports failures.</returns>
-        /// <exception cref="OperationCanceledException">Cancelled.</exception>
+        /// <exception cref="OperationCanceledException">The exchange was cancelled.</exception>
         /// <exception cref="InputException">The connection would be plain text to another machine.</exception>
         public static async Task<PairingAnswer> SendAsync(ConnectionSettings gateway, string codeToken, CancellationToken cancel)
         {

@@ -37,7 +37,7 @@ namespace Nowpose.Pairing
         public static string Paired(string cell) => "cell '" + cell + "': paired";
         public static string Known(string cell) => "cell '" + cell + "': known";
 
-        /// <summary>The status without a question or a problem.</summary>
+        /// <summary>Returns the status if there is neither a question nor a problem.</summary>
         /// <param name="exchanging">The cell whose token is being exchanged; null for none.</param>
         /// <param name="used">The cell in use; null for none.</param>
         public static string Calm(string exchanging, PairedCell used, bool isTokenRefused)

@@ -17,7 +17,7 @@ namespace Nowpose.Pairing
         /// <inheritdoc cref="Cell"/>
         public TokenCode Token { get; }
 
-        /// <summary>Why the text is neither, in one line.</summary>
+        /// <summary>Reason why the text is neither a cell code nor a token code, in one line; null if it is one of them.</summary>
         public string Fault { get; }
 
         /// <summary>Key of the gateway: the same for all markers of a cell that have the same gateway.</summary>

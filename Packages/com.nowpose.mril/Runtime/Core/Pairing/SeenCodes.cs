@@ -6,7 +6,7 @@ namespace Nowpose.Pairing
     /// <summary>The pairing codes in view, each parsed once. Allocates nothing for a known code.</summary>
     sealed class SeenCodes
     {
-        /// <summary>Maximum number of different codes at a time; further ones are ignored.</summary>
+        /// <summary>Maximum number of different codes at a time; further codes are ignored.</summary>
         public const int MaxCount = 256;
 
         /// <summary>Codes out of view for this time may be dropped when the list is full: a gateway's code has expired by then.</summary>
@@ -25,7 +25,7 @@ namespace Nowpose.Pairing
             if (kind == PairingCodeKind.Foreign) return null;
             if (text.Length > PairingCode.MaxLength)
             {
-                // Not stored, because the text's source would determine the memory that it needs.
+                // Not stored, because otherwise the source of the text would determine how much memory is used.
                 if (!_isOversizedReported) fault = "pairing code: " + text.Length + " characters; allowed: up to " + PairingCode.MaxLength;
                 _isOversizedReported = true;
                 return null;

@@ -4,7 +4,7 @@ using Nowpose.Latency.Reprojection;
 
 namespace Nowpose.Session
 {
-    /// <summary>Messages about problems of the display that leave the pose current, with what to do.</summary>
+    /// <summary>Messages about display problems that leave the pose current. Each message contains the action to take.</summary>
     static class DisplayWords
     {
         const string Implausible = "display times of the runtime are implausible";
@@ -15,16 +15,16 @@ namespace Nowpose.Session
 
         const string Warning = Implausible + "; " + WhatToDo;
 
-        /// <summary>Returns the message with the newest value; allocates.</summary>
+        /// <summary>Returns the message about implausible display times, with the newest value; allocates.</summary>
         /// <param name="ahead">Display time minus the frame's start; null if it is no longer known.</param>
         public static string ImplausibleTimes(TimeSpan? ahead) => ahead.HasValue
             ? Implausible + ": " + ahead.Value.TotalMilliseconds.ToString("0.#", CultureInfo.InvariantCulture)
                 + " ms after the start of the frame; 0 to 500 ms are possible. " + WhatToDo
             : Warning;
 
-        /// <summary>Returns the current problem. Allocates nothing.</summary>
+        /// <summary>Returns a message about the current display problem. Allocates nothing.</summary>
         /// <param name="statistics">Null without a session.</param>
-        /// <returns>Null without a problem.</returns>
+        /// <returns>Null if there is no problem.</returns>
         public static string ProblemOf(SessionStatistics statistics)
         {
             if (statistics == null) return null;

@@ -37,7 +37,7 @@ namespace Nowpose.Simulation
         public double SpikeChance { get; }
         public double PlateauMs { get; }
 
-        /// <summary>Returns the number of vertices for a render time without scatter; negative below <see cref="BaseMs"/>.</summary>
+        /// <summary>Returns the number of vertices for a render time without scatter; negative for a time below <see cref="BaseMs"/>.</summary>
         public double VerticesOf(double renderMs) => (renderMs - BaseMs) / MsPerMillion * 1e6;
     }
 }

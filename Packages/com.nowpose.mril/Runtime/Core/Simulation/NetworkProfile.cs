@@ -67,10 +67,10 @@ namespace Nowpose.Simulation
             All.FirstOrDefault(profile => profile.Name == name)
             ?? throw new InputException("network: '" + name + "' is not known; allowed: " + string.Join(", ", All.Select(p => p.Name)));
 
-        /// <summary>Makes the delays from the headset to the control system.</summary>
+        /// <summary>Creates the delays from the headset to the control system.</summary>
         internal PathDelay Up(int seed) => new PathDelay(this, SpikeChanceUp, seed);
 
-        /// <summary>Makes the delays from the control system to the headset.</summary>
+        /// <summary>Creates the delays from the control system to the headset.</summary>
         internal PathDelay Down(int seed) => new PathDelay(this, SpikeChanceDown, seed);
     }
 }

@@ -9,7 +9,7 @@ namespace Nowpose.Anchoring.Tracking
     {
         static readonly TimeSpan Refresh = TimeSpan.FromSeconds(1);
 
-        /// <summary>Maximum age of a report of a marker that is in view.</summary>
+        /// <summary>Maximum age of the newest report of a marker that counts as in view.</summary>
         static readonly TimeSpan InView = TimeSpan.FromSeconds(1);
 
         /// <summary>Time without a report of any code after which the camera may not be working.</summary>
@@ -27,7 +27,7 @@ namespace Nowpose.Anchoring.Tracking
 
         public void Update(BaseTracker tracker, HeadsetTime now)
         {
-            // The time before the first frame and the time of a pause of the application do not count.
+            // The time before the first frame and the duration of a pause of the application do not count.
             if (now - _last > Refresh || now < _last) _searching = null;
             _last = now;
             var subject = SubjectOf(tracker, now);

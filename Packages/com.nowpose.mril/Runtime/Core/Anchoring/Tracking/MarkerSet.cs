@@ -25,9 +25,9 @@ namespace Nowpose.Anchoring.Tracking
             }
         }
 
-        /// <summary>Replaces the markers. Those that were there before keep their sightings.</summary>
-        /// <returns>Whether all parts of a lock are still there.</returns>
-        /// <exception cref="InputException">Two markers have the same payload, or there are too many. Nothing has changed.</exception>
+        /// <summary>Replaces the markers. Markers that are also in the new list keep their sightings.</summary>
+        /// <returns>Whether all parts of a lock are still in the list.</returns>
+        /// <exception cref="InputException">Two markers have the same payload, or there are too many; nothing is changed then.</exception>
         public bool Replace(IReadOnlyList<BaseMarker> markers, AnchoringSettings settings)
         {
             SettingRange.RequireCount(markers.Count, 0, MaxCount, "markers of a base");
@@ -65,7 +65,7 @@ namespace Nowpose.Anchoring.Tracking
             return null;
         }
 
-        /// <param name="watched">Pose of the base with which the sighting is compared; null to compare nothing.</param>
+        /// <param name="watched">Pose of the base with which the sighting is compared; null for no comparison.</param>
         /// <returns>Whether the sighting was accepted.</returns>
         public bool Take(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? head, in RigidTransform? watched)
         {

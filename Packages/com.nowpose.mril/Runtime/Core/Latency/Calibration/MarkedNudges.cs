@@ -5,7 +5,7 @@ using System.Linq;
 
 namespace Nowpose.Latency.Calibration
 {
-    /// <summary>Marks by eye with the speed measured at each; the sign of the speed is the direction.</summary>
+    /// <summary>Marks that a user sets by eye, each with the measured speed of the tool; the sign of the speed is the direction.</summary>
     sealed class MarkedNudges
     {
         const double MinSpeedMmPerS = 20;
@@ -23,9 +23,9 @@ namespace Nowpose.Latency.Calibration
 
         public int BackwardCount => _marks.Count(m => m.SpeedMmPerS < 0);
 
-        /// <param name="offsetMm">Shift of the ghost along the axis at which it agrees with the robot.</param>
-        /// <param name="speedMmPerS">Speed of the tool along the axis, negative backward.</param>
-        /// <exception cref="InputException">The speed is too low or differs from that of the previous marks.</exception>
+        /// <param name="offsetMm">Shift of the ghost along the axis at which the ghost agrees with the robot.</param>
+        /// <param name="speedMmPerS">Speed of the tool along the axis, negative for backward motion.</param>
+        /// <exception cref="InputException">The speed is too low, or differs from the speed at the previous marks.</exception>
         public void Add(double offsetMm, double speedMmPerS)
         {
             if (!(Math.Abs(speedMmPerS) >= MinSpeedMmPerS))
@@ -38,12 +38,12 @@ namespace Nowpose.Latency.Calibration
 
         public void Clear() => _marks.Clear();
 
-        /// <exception cref="InputException">A direction has no mark, or the marks give no possible L_visu.</exception>
+        /// <exception cref="InputException">A direction has no mark, or the marks result in an impossible L_visu.</exception>
         public NudgeResult Result
         {
             get
             {
-                // Without marks, the calibration reports which direction lacks one, and the speed has no effect.
+                // Without marks, NudgeCalibration reports which direction has no mark, and the speed has no effect.
                 var nudge = new NudgeCalibration(_marks.Count == 0 ? MinSpeedMmPerS : Speed, _usedVisuMs);
                 foreach (var (offsetMm, speedMmPerS) in _marks)
                 {
@@ -54,7 +54,7 @@ namespace Nowpose.Latency.Calibration
             }
         }
 
-        // Both directions have equal weight regardless of their number of marks: the half difference uses the mean of the two.
+        // Both directions have equal weight regardless of their number of marks, because the half difference uses the mean of each.
         double Speed
         {
             get

@@ -37,7 +37,7 @@ namespace Nowpose.Latency.Conditions
         /// <summary>Returns where the user can change the condition.</summary>
         public static string PlaceOf(DisplayCondition condition) => Places[(int)condition];
 
-        /// <param name="field">Exactly as written by <see cref="FieldOf"/>.</param>
+        /// <param name="field">Name exactly as returned by <see cref="FieldOf"/>.</param>
         public static bool TryParse(string field, out DisplayCondition condition)
         {
             var index = Array.IndexOf(Fields, field);

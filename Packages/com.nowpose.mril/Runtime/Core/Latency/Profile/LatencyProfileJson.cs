@@ -44,7 +44,9 @@ namespace Nowpose.Latency.Profile
         }
 
         /// <param name="name">Name of the text in messages, such as a file name.</param>
-        /// <exception cref="InputException">Not a profile, a newer version, or an invalid value; the message has file, field and value.</exception>
+        /// <exception cref="InputException">
+        /// The text is not a profile, has a newer version, or has an invalid value, which the message names.
+        /// </exception>
         public static LatencyProfile Read(string text, string name)
         {
             var fields = new ProfileFields(text, name);
@@ -69,7 +71,7 @@ namespace Nowpose.Latency.Profile
             }
         }
 
-        // Checked first: fields of a newer version may have another meaning.
+        // Checked first, because fields of a newer version may have another meaning.
         static void CheckFormat(ProfileFields fields)
         {
             var format = fields.OptionalText("format");

@@ -6,13 +6,13 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Latency.Profile
 {
-    /// <summary>Reads single fields of a flat JSON object. Errors are one line with the file and the field.</summary>
+    /// <summary>Reads single fields of a flat JSON object. Each error message is one line that names the file and the field.</summary>
     sealed class ProfileFields
     {
         /// <summary>Maximum nesting depth. Unknown fields may be nested.</summary>
         const int Nesting = 8;
 
-        // Stands for a value that is neither text nor a number.
+        // Represents a value that is neither text nor a number.
         static readonly object Other = new object();
 
         readonly string _name;
