@@ -58,7 +58,8 @@ namespace Nowpose.Tests.Core.Anchoring
         [TestCase(0, 1, 0, 1)]
         [TestCase(0, 3, 0, 3)]
         [TestCase(0.3, 20, 0.3, 20)]
-        public void Tick_MarkerMoved_IsDetectedWithinASecondAndNotFollowed(double metres, double degrees, double reportedMetres, double reportedDegrees)
+        public void Tick_MarkerMoved_IsDetectedWithinASecondAndNotFollowed(
+            double metres, double degrees, double reportedMetres, double reportedDegrees)
         {
             for (var seed = 1; seed <= 20; seed++)
             {

@@ -59,7 +59,8 @@ namespace Nowpose.Tests.Core.Anchoring
                 Assert.That(cell.Tracker.Lock.Markers, Is.EqualTo(2));
                 Assert.That(cell.ErrorAt().Metres, Is.LessThan(0.002), "seed " + seed);
                 cell.Run(3);
-                Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Locked), "a marker that is known to be misplaced is not reported as moved");
+                Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Locked),
+                    "a marker that is known to be misplaced is not reported as moved");
             }
         }
 

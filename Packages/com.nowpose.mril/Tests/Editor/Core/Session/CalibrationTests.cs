@@ -181,7 +181,8 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(frames, Is.GreaterThan(100));
             Assert.That(farthest, isHeld ? (NUnit.Framework.Constraints.Constraint)Is.EqualTo(0) : Is.GreaterThan(0.05));
             Assert.That(changes & SessionChange.LeftRange, Is.EqualTo(SessionChange.LeftRange));
-            Assert.That(changes & SessionChange.Stale, Is.EqualTo(SessionChange.None), "the pose is held because of the setting, not because samples are missing");
+            Assert.That(changes & SessionChange.Stale, Is.EqualTo(SessionChange.None),
+                "the pose is held because of the setting, not because samples are missing");
         }
 
         [Test]

@@ -106,7 +106,8 @@ namespace Nowpose.Tests.Core.Session
             simulated.Run(10);
 
             simulated.Link.Step = Lengths.Seconds(stepSeconds);
-            simulated.Run(2, (frame, light) => Assert.That(Math.Abs(frame.Joints[Shoulder]), Is.LessThan(1.5), "the joint stays near its range of motion"));
+            simulated.Run(2, (frame, light) =>
+                Assert.That(Math.Abs(frame.Joints[Shoulder]), Is.LessThan(1.5), "the joint stays near its range of motion"));
 
             var errors = new List<double>();
             var states = new List<PoseState>();

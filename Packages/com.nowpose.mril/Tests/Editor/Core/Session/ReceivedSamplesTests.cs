@@ -60,7 +60,8 @@ namespace Nowpose.Tests.Core.Session
             var frame = simulated.Session.Tick(now);
 
             Assert.That(taken.Last(), Is.EqualTo(stamp));
-            Assert.That(frame.Horizon.Value, Is.EqualTo(TimeSpan.FromMilliseconds(40)).Within(TimeSpan.FromMilliseconds(1)), "equals the display latency");
+            Assert.That(frame.Horizon.Value, Is.EqualTo(TimeSpan.FromMilliseconds(40)).Within(TimeSpan.FromMilliseconds(1)),
+                "equals the display latency");
         }
 
         [Test]
@@ -195,7 +196,8 @@ namespace Nowpose.Tests.Core.Session
 
             session.Tick(HeadsetTime.FromSeconds(1));
 
-            Assert.That(session.Drops[DropReason.LateSample], Is.EqualTo(2), "a quadratic uses the three newest samples; a message with two joints counts once");
+            Assert.That(session.Drops[DropReason.LateSample], Is.EqualTo(2),
+                "a quadratic uses the three newest samples; a message with two joints counts once");
         }
 
         static void Send(CompensationSession session, double controlSeconds, double shoulder) => session.Listener.Received(

@@ -110,7 +110,8 @@ namespace Nowpose.Tests.Core.Simulation
             }
             var robots = _work.Robots.Count;
             _work.SignalsAt(_motion.CycleSeconds + _motion.GripSeconds - 0.001, values);
-            Assert.That(values, Is.EqualTo(Enumerable.Repeat(0.0, robots + 1).Concat(Enumerable.Repeat(1.0, robots))), "the workpieces wait for the grippers");
+            Assert.That(values, Is.EqualTo(Enumerable.Repeat(0.0, robots + 1).Concat(Enumerable.Repeat(1.0, robots))),
+                "the workpieces wait for the grippers");
             _work.SignalsAt(_motion.CycleSeconds + _motion.GripSeconds + 0.001, values);
             Assert.That(values, Is.EqualTo(Enumerable.Repeat(1.0, robots).Concat(Enumerable.Repeat(0.0, robots + 1))));
         }

@@ -47,7 +47,8 @@ namespace Nowpose.Tests.Core.Simulation
             Assert.That(VisualisationMs(TrueLimitMs - 0.01), Is.EqualTo(Steady.PlateauMs).Within(1e-4));
             Assert.That(VisualisationMs(TrueLimitMs + 0.01), Is.EqualTo(Steady.PlateauMs + Steady.RefreshMs).Within(1e-4));
             Assert.That(
-                VisualisationMs(Steady.RefreshMs - 0.01), Is.EqualTo(Steady.PlateauMs + Steady.RefreshMs).Within(1e-4), "each frame misses the latch");
+                VisualisationMs(Steady.RefreshMs - 0.01), Is.EqualTo(Steady.PlateauMs + Steady.RefreshMs).Within(1e-4),
+                "each frame misses the latch");
             Assert.That(VisualisationMs(18), Is.GreaterThan(Steady.PlateauMs + 18), "the queue is full");
             Assert.That(TrueLimitMs, Is.EqualTo(15.17).Within(0.01));
         }
@@ -65,7 +66,8 @@ namespace Nowpose.Tests.Core.Simulation
             {
                 var next = display.Next(Steady.VerticesOf(renderMs));
 
-                Assert.That((display.NextStart - next.Start).TotalMilliseconds, Is.EqualTo(renderMs).Within(1e-3), "the start is not rounded to refreshes");
+                Assert.That((display.NextStart - next.Start).TotalMilliseconds, Is.EqualTo(renderMs).Within(1e-3),
+                    "the start is not rounded to refreshes");
                 Assert.That((next.Done - next.Start).TotalMilliseconds, Is.EqualTo(2 * renderMs).Within(1e-3), "two frames are in progress");
             }
         }
@@ -122,10 +124,12 @@ namespace Nowpose.Tests.Core.Simulation
                 var shownMs = (frame.Start + frame.Visualisation).TotalMilliseconds - Steady.PlateauMs + Steady.RefreshMs;
                 Assert.That(shownMs, Is.EqualTo(frame.Refresh * Steady.RefreshMs).Within(1e-3));
                 var waitMs = shownMs - frame.Done.TotalMilliseconds;
-                Assert.That(waitMs, Is.InRange(Steady.LatchMs - 1e-3, Steady.LatchMs + Steady.RefreshMs + 1e-3), "the frame is shown at the first possible refresh");
+                Assert.That(waitMs, Is.InRange(Steady.LatchMs - 1e-3, Steady.LatchMs + Steady.RefreshMs + 1e-3),
+                    "the frame is shown at the first possible refresh");
                 if (i >= 1)
                 {
-                    Assert.That(frame.Done - frames[i - 1].Done, Is.GreaterThanOrEqualTo(frame.RenderTime - tick), "the GPU renders one frame at a time");
+                    Assert.That(frame.Done - frames[i - 1].Done, Is.GreaterThanOrEqualTo(frame.RenderTime - tick),
+                        "the GPU renders one frame at a time");
                     Assert.That(frame.Refresh, Is.GreaterThanOrEqualTo(frames[i - 1].Refresh));
                     Assert.That(RefreshOf(frame.Start), Is.GreaterThan(RefreshOf(frames[i - 1].Start)), "at most one frame starts for each refresh");
                 }

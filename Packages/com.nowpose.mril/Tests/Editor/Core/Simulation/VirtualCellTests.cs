@@ -171,7 +171,8 @@ namespace Nowpose.Tests.Core.Simulation
             run.Run(30);
 
             Assert.That(run.Errors.Count, Is.LessThan(0.6 * run.Frames), "current");
-            if (run.Errors.Count > 0) Assert.That(Rms(run.Errors), Is.LessThan(0.7 * Rms(run.HoldErrors)), "current frames have a smaller error than hold");
+            if (run.Errors.Count > 0) Assert.That(Rms(run.Errors), Is.LessThan(0.7 * Rms(run.HoldErrors)),
+                "current frames have a smaller error than hold");
         }
 
         [Test]

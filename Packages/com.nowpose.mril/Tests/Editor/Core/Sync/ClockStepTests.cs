@@ -45,7 +45,8 @@ namespace Nowpose.Tests.Core.Sync
                 run.Run(link, 90 + limitSeconds, 110);
 
                 Assert.That(run.Clock.Steps, Is.EqualTo(1), "the step is counted only once; seed " + seed);
-                Assert.That(run.PercentileMs(100, 0.95), Is.LessThan(network == "busy-wifi" ? 0.8 : 0.2), "the estimator restarts with the earlier skew; seed " + seed);
+                Assert.That(run.PercentileMs(100, 0.95), Is.LessThan(network == "busy-wifi" ? 0.8 : 0.2),
+                    "the estimator restarts with the earlier skew; seed " + seed);
             }
         }
 

@@ -78,7 +78,8 @@ namespace Nowpose.Tests.Core.Sync
             Assert.That(run.Errors.Where(e => Math.Abs(e.ErrorMs) > e.BoundMs).Select(e => (e.At, e.ErrorMs)), Is.Empty);
             Assert.That(run.Clock.Steps, Is.EqualTo(0), "no clock stepped");
             Assert.That(run.P95Ms(110), Is.LessThan(0.2 + 0.1 * afterMs));
-            Assert.That(run.P95Ms(60), Is.LessThan(Math.Max(beforeMs, afterMs) / 2 + 1), "during the change, the error is at most half the coarser resolution plus 1 ms");
+            Assert.That(run.P95Ms(60), Is.LessThan(Math.Max(beforeMs, afterMs) / 2 + 1),
+                "during the change, the error is at most half the coarser resolution plus 1 ms");
         }
 
         /// <summary>A server that estimates its own resolution may overstate it for a short time.</summary>

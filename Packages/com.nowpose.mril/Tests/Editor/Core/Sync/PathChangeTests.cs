@@ -94,7 +94,8 @@ namespace Nowpose.Tests.Core.Sync
 
                 Assert.That(run.ErrorsMs(ChangeAt).Max(), Is.LessThan(1.2 * changeMs / 2), "seed " + seed);
                 Assert.That(run.Clock.Steps, Is.Zero, "seed " + seed);
-                Assert.That(run.PercentileMs(ChangeAt + 130, 1), Is.LessThan(network == "busy-wifi" ? 0.3 : 0.15), "the original path is back; seed " + seed);
+                Assert.That(run.PercentileMs(ChangeAt + 130, 1), Is.LessThan(network == "busy-wifi" ? 0.3 : 0.15),
+                    "the original path is back; seed " + seed);
             }
         }
 
@@ -112,7 +113,8 @@ namespace Nowpose.Tests.Core.Sync
 
                 var after = run.Instants.Where(i => i.At > ChangeAt + 5).ToArray();
                 Assert.That(after.Average(i => Math.Abs(i.ErrorMs) <= i.Model.EstimatedError.TotalMilliseconds ? 1 : 0), Is.GreaterThan(0.99), "seed " + seed);
-                Assert.That(after.Last().Model.EstimatedError.TotalMilliseconds, Is.LessThan(network == "wifi" ? 1.6 : 2), "the estimate stays useful; seed " + seed);
+                Assert.That(after.Last().Model.EstimatedError.TotalMilliseconds, Is.LessThan(network == "wifi" ? 1.6 : 2),
+                    "the estimate stays useful; seed " + seed);
             }
         }
 
@@ -152,7 +154,8 @@ namespace Nowpose.Tests.Core.Sync
                 run.Run(link, ChangeAt, ChangeAt + 150);
 
                 Assert.That(SkewDeviationPpm(run), Is.LessThan(network == "busy-wifi" ? 7 : 5), "seed " + seed);
-                Assert.That(run.PercentileMs(ChangeAt + 60, 1), Is.LessThan(network == "busy-wifi" ? 0.3 : 0.15), "the path is symmetric again; seed " + seed);
+                Assert.That(run.PercentileMs(ChangeAt + 60, 1), Is.LessThan(network == "busy-wifi" ? 0.3 : 0.15),
+                    "the path is symmetric again; seed " + seed);
             }
         }
 

@@ -111,7 +111,8 @@ namespace Nowpose.Tests.Unity.Status
 
             Assert.That(row[0], Is.EqualTo(value));
             Assert.That(row[1].Length > 0, Is.EqualTo(pose != PoseState.Current), "the note states the reason");
-            Assert.That(value, Does.EndWith(pose == PoseState.Current ? "current" : PoseLook.Of(pose).Words), "the words that are displayed at the robot");
+            Assert.That(value, Does.EndWith(pose == PoseState.Current ? "current" : PoseLook.Of(pose).Words),
+                "the words that are displayed at the robot");
         }
 
         [TestCase(ClockState.Synchronised, "synchronised|± 0.35 ms")]

@@ -15,7 +15,8 @@ namespace Nowpose.Tests.Core.Latency.Profile
         static string FaultOf(string text) => Assert.Throws<InputException>(() => LatencyProfileJson.Read(text, "profile.json")).Message;
 
         [Test]
-        public void Read_WrittenProfile_RoundTrips([Values(CalibrationMethod.VisibleLight, CalibrationMethod.Sine, CalibrationMethod.Nudge, CalibrationMethod.Manual)] object method)
+        public void Read_WrittenProfile_RoundTrips(
+            [Values(CalibrationMethod.VisibleLight, CalibrationMethod.Sine, CalibrationMethod.Nudge, CalibrationMethod.Manual)] object method)
         {
             var random = new Random((int)(CalibrationMethod)method);
             for (var i = 0; i < 200; i++)

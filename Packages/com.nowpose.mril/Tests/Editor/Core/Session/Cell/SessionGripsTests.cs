@@ -109,7 +109,8 @@ namespace Nowpose.Tests.Core.Session.Cell
             Until(cell, Open + 1, _ =>
             {
                 var box = Find(cell, "box").World;
-                Assert.That(Distance(before, box), Is.LessThan(0.007), "the tool moves 5.3 mm per frame (0.3 rad/s · 1.05 m / 60 Hz), and a correction fades out");
+                Assert.That(Distance(before, box), Is.LessThan(0.007),
+                    "the tool moves 5.3 mm per frame (0.3 rad/s · 1.05 m / 60 Hz), and a correction fades out");
                 before = box;
             });
             Assert.That(Distance(before, At(1.05, 0.02)), Is.GreaterThan(0.5));
