@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>Tests of the messages about the base that the wearer sees.</summary>
+    /// <summary>Tests the messages about the base that the wearer sees.</summary>
     public class BaseWordsTests
     {
         SimulatedMarkers _cell;
@@ -98,7 +98,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Words_ContradictingMarkers_NameBoth()
+        public void Words_ContradictingMarkers_NameBothMarkers()
         {
             _cell.IsInView = payload => payload != "c";
             _cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866 - 0.0433, 0.175, 0, 0, 0, 2);

@@ -47,7 +47,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Result_OneMarkEach_HasTheSpreadOfTheEyesResolution()
+        public void Result_OneMarkPerDirection_HasTheSpreadOfTheEyesResolution()
         {
             var nudge = new NudgeCalibration(500, 40);
             nudge.AddForward(3);

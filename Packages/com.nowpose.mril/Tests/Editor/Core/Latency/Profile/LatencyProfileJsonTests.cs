@@ -15,7 +15,8 @@ namespace Nowpose.Tests.Core.Latency.Profile
         static string FaultOf(string text) => Assert.Throws<InputException>(() => LatencyProfileJson.Read(text, "profile.json")).Message;
 
         [Test]
-        public void Read_Written_RoundTrips([Values(CalibrationMethod.VisibleLight, CalibrationMethod.Sine, CalibrationMethod.Nudge, CalibrationMethod.Manual)] object method)
+        public void Read_WrittenProfile_RoundTrips(
+            [Values(CalibrationMethod.VisibleLight, CalibrationMethod.Sine, CalibrationMethod.Nudge, CalibrationMethod.Manual)] object method)
         {
             var random = new Random((int)(CalibrationMethod)method);
             for (var i = 0; i < 200; i++)
@@ -41,7 +42,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         };
 
         [Test]
-        public void Read_TextOfTheFormat_HasItsValues()
+        public void Read_ValidText_ReturnsItsValues()
         {
             var profile = LatencyProfileJson.Read(Good, "profile.json");
 
@@ -126,7 +127,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         [TestCase(@"""display_hz"": 60", @"""display_hz"": 60, ""display_hz"": 90", "profile.json: display_hz occurs twice")]
         public void Read_InvalidValue_ThrowsWithTheReason(string part, string instead, string message)
         {
-            Assert.That(Good, Does.Contain(part), "the test spoils something");
+            Assert.That(Good, Does.Contain(part), "the text contains the part to replace");
 
             Assert.That(FaultOf(Good.Replace(part, instead)), Is.EqualTo(message));
         }

@@ -62,7 +62,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         [TestCase(null, double.NaN, null)]
         [TestCase("Quest 3", 60, "latency profile is of device 'HoloLens 2', this one is 'Quest 3'; calibrate this one")]
         [TestCase("HoloLens 2", 72, "latency profile was measured at 60 Hz, this display shows 72 Hz; calibrate at this rate")]
-        public void RefusalFor_OtherDevice_NamesBoth(string device, double displayHz, string refusal)
+        public void RefusalFor_OtherDeviceOrRate_NamesBothValues(string device, double displayHz, string refusal)
         {
             Assert.That(Profile().RefusalFor(device, displayHz), Is.EqualTo(refusal));
         }

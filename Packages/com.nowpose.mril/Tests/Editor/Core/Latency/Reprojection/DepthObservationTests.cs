@@ -14,8 +14,8 @@ namespace Nowpose.Tests.Core.Latency.Reprojection
         [TestCase(true, true, true, false, true, DepthSubmission.NoMainCamera)]
         [TestCase(true, true, true, true, false, DepthSubmission.NotRequested)]
         [TestCase(true, true, true, true, null, DepthSubmission.Unknown, TestName = "Judge_BeforeTheFirstFrame_IsUnknown")]
-        [TestCase(true, false, false, false, false, DepthSubmission.TurnedOff, TestName = "Judge_AllMissing_NamesTheFirst")]
-        public void Judge_EachMissingCondition_ReturnsIt(
+        [TestCase(true, false, false, false, false, DepthSubmission.TurnedOff, TestName = "Judge_AllConditionsMissing_ReturnsTheFirst")]
+        public void Judge_ConditionMissing_ReturnsTheMissingCondition(
             bool isRunning, bool isTurnedOn, bool isSupported, bool hasMainCamera, bool? isRequested, DepthSubmission expected)
         {
             var observation = new DepthObservation(isRunning, isTurnedOn, isSupported, hasMainCamera, isRequested);

@@ -74,7 +74,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         public void Camera_WarmsUp_DoesNotRespondToLoad(double timeConstantSeconds) => AllAre(
             LoadSight.Unseen, Upwards, sweep => (t, v) => Flat(sweep) + 1 - Math.Exp(-t / timeConstantSeconds));
 
-        // A processor that changes its speed. In a sweep in one direction this looks like an effect of the load.
+        // The processor changes its speed once. In a sweep in one direction, this would look like an effect of the load.
         [TestCase(30)]
         [TestCase(60)]
         [TestCase(100)]
