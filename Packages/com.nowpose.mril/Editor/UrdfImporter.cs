@@ -10,15 +10,17 @@ using UnityEngine;
 
 namespace Nowpose.Editor
 {
-    /// <summary>Makes a prefab from a .urdf file: its links with their visuals, a Robot Rig at the root, and the description as an asset.</summary>
+    /// <summary>
+    /// Imports a .urdf file as a prefab with the links, their visuals, and a Robot Rig at the root. Adds the robot description as a sub-asset.
+    /// </summary>
     [ScriptedImporter(Version, "urdf", AfterModels)]
     public sealed class UrdfImporter : ScriptedImporter
     {
-        // Increase it when the same file imports to a different result.
+        // Increase this number when the import of an unchanged file gives another result, so that Unity imports all files again.
         const int Version = 1;
 
-        // After the assets that it refers to (textures, shaders, models), so that one import is enough; before prefabs (1500), which may
-        // refer to it.
+        // Position in Unity's import order: after textures, shaders and models, to which a URDF refers, and before prefabs (1500), which may refer
+        // to a URDF.
         const int AfterModels = 1100;
 
         const long MaxFileBytes = 16L << 20;
@@ -63,7 +65,7 @@ namespace Nowpose.Editor
             return File.ReadAllText(path);
         }
 
-        // Unity calls this method by name before any import, to import the dependencies first. OnImportAsset reports the errors.
+        // Unity calls this method by its name before an import, and imports the returned files first. OnImportAsset reports the errors.
         internal static string[] GatherDependenciesFromSourceFile(string path)
         {
             try

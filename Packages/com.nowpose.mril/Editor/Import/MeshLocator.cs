@@ -4,10 +4,12 @@ using System.Linq;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Finds the file for a mesh name of a URDF (<c>package://NAME/…</c> or a relative path) among a Unity project's assets.</summary>
+    /// <summary>
+    /// Finds the file for the name of a mesh in a URDF (<c>package://NAME/…</c> or a path) among the assets of a Unity project.
+    /// </summary>
     /// <remarks>
-    /// ROS finds a package by its manifest. A Unity project has no manifests, so the folder name identifies the package. The search covers
-    /// the folders above the URDF and beside each of them, nearest first, then Packages and Assets.
+    /// ROS finds a package by its manifest. A Unity project does not contain these manifests, so the name of a folder identifies the package. The
+    /// search covers the folders above the URDF and the folders beside each of them, nearest first, and then Packages and Assets.
     /// </remarks>
     sealed class MeshLocator
     {
@@ -17,8 +19,8 @@ namespace Nowpose.Editor.Import
         readonly string _projectFolder;
         readonly Func<string, bool> _exists;
 
-        /// <param name="urdfPath">The URDF's path within the project.</param>
-        /// <param name="projectFolder">The project's absolute path, for URDFs that contain absolute paths.</param>
+        /// <param name="urdfPath">Path of the URDF within the project.</param>
+        /// <param name="projectFolder">Absolute path of the project, for URDFs that contain absolute paths.</param>
         /// <param name="exists">Returns whether a file exists at a path within the project.</param>
         public MeshLocator(string urdfPath, string projectFolder, Func<string, bool> exists)
         {
@@ -77,7 +79,7 @@ namespace Nowpose.Editor.Import
 
         static MeshReference Fault(string name, string fault) => new MeshReference(null, Array.Empty<string>(), "'" + name + "' " + fault);
 
-        // file:///a/… means /a/…, and file:///C:/… means C:/….
+        // Converts file:///a/… to /a/…, and file:///C:/… to C:/….
         static string OfFileUri(string uri)
         {
             var path = uri.Substring("file://".Length);
@@ -86,7 +88,7 @@ namespace Nowpose.Editor.Import
 
         static bool IsRooted(string path) => path.StartsWith('/') || path.Length > 1 && path[1] == ':';
 
-        /// <summary>Returns the path without . and .., or null if it leaves the folders that Unity imports.</summary>
+        /// <summary>Returns the path without . and .., or null if it is outside the folders that Unity imports.</summary>
         static string Normal(string path)
         {
             var parts = new List<string>();

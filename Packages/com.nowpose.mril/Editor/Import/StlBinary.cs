@@ -3,17 +3,19 @@ using System.Buffers.Binary;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Binary STL: 80 arbitrary bytes, the number of triangles, and 50 bytes per triangle, all little-endian.</summary>
+    /// <summary>Reads binary STL: 80 arbitrary bytes, the number of triangles, and 50 bytes per triangle, all little-endian.</summary>
     static class StlBinary
     {
         const int Header = 80;
         const int Start = 84;
         const int Stride = 50;
 
-        // The facet's normal precedes the corners. Exporters often write it as zero or wrong, so it is not read.
+        // Number of bytes of the normal, which precedes the corners. It is not read, because many exporters write a zero or wrong normal.
         const int Normal = 12;
 
-        /// <summary>Returns whether the length fits the triangle count, or the content cannot be text (for a truncated file).</summary>
+        /// <summary>
+        /// Returns whether a file is binary: its length fits the number of triangles, or (in case the file is truncated) its content cannot be text.
+        /// </summary>
         public static bool Recognises(byte[] content)
         {
             if (content.Length >= Start && content.Length == LengthFor(Count(content))) return true;

@@ -5,7 +5,7 @@ using System.Text;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>ASCII STL: one or more blocks of solid … facet … vertex … endsolid, one keyword per line.</summary>
+    /// <summary>Reads ASCII STL: one or more blocks of solid … facet … vertex … endsolid, with one keyword per line.</summary>
     sealed class StlText
     {
         const int MaxQuoteLength = 40;
@@ -21,7 +21,7 @@ namespace Nowpose.Editor.Import
 
         StlText(string sourceName) => _sourceName = sourceName;
 
-        /// <summary>Returns whether the first word is "solid"; a binary file may begin with it as well.</summary>
+        /// <summary>Returns whether the first word of a file is "solid". A binary file may also start with this word.</summary>
         public static bool Begins(byte[] content)
         {
             var first = Encoding.ASCII.GetString(content, 0, Math.Min(content.Length, 64)).TrimStart('?', ' ', '\t', '\r', '\n');

@@ -8,12 +8,12 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Shows the base frame's pose in URDF axes (x forward, y left, z up), with buttons that nudge it along its own axes.</summary>
+    /// <summary>Shows the pose of the base frame in URDF axes (x forward, y left, z up). Has buttons that shift it along its own axes.</summary>
     [CustomEditor(typeof(BaseAnchor))]
     [CanEditMultipleObjects]
     sealed class BaseAnchorEditor : LiveInspector
     {
-        // The smallest change that is visible on a robot at arm's length.
+        // Step sizes of the buttons: the smallest changes that are visible on a robot at arm's length.
         const float StepMetres = 0.005f;
         const float StepDegrees = 0.5f;
 

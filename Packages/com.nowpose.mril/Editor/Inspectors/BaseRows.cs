@@ -4,7 +4,7 @@ using Nowpose.Anchoring;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>The rows of a base anchor's inspector for its lock, the device's anchor and each marker.</summary>
+    /// <summary>Creates the rows of a base anchor's inspector: about its lock, about the device's anchor, and about each marker.</summary>
     static class BaseRows
     {
         public static IEnumerable<(string Label, string Value)> Of(BaseTracker tracker)

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Offers the controls of the headset's prompt, and reads codes without a camera.</summary>
+    /// <summary>Has the buttons of the headset's consent prompt, and a button that reads a code from the clipboard.</summary>
     [CustomEditor(typeof(CellPairing))]
     sealed class CellPairingEditor : LiveInspector
     {
@@ -17,7 +17,7 @@ namespace Nowpose.Editor.Inspectors
                 EditorGUILayout.LabelField("Pairs", "nothing, it is disabled");
                 return;
             }
-            // Read once: a button changes it, and the controls must stay the same within one event.
+            // Reads the cell only once, because a button may change it, and the number of controls must not change within one event.
             var cell = Target.Cell;
             EditorGUILayout.LabelField("Cell", cell ?? "–");
             EditorGUILayout.HelpBox(Target.Words, Target.Problem == null ? MessageType.Info : MessageType.Warning);

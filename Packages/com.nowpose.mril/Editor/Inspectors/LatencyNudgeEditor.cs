@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Offers the controls of the headset's menu: steps, marks, and the result of the marks.</summary>
+    /// <summary>Shows the speed, the shift and the marks. Has the buttons for steps, for a mark and for the result, as in a headset menu.</summary>
     [CustomEditor(typeof(LatencyNudge))]
     sealed class LatencyNudgeEditor : LiveInspector
     {

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Summarises a robot description, and loads a file into it.</summary>
+    /// <summary>Shows a summary of a robot description. Has a button that loads a URDF file into the asset.</summary>
     [CustomEditor(typeof(RobotDescriptionAsset))]
     sealed class RobotDescriptionAssetEditor : UnityEditor.Editor
     {
@@ -21,7 +21,7 @@ namespace Nowpose.Editor.Inspectors
             EditorGUILayout.LabelField("Characters", _summary.Length);
             EditorGUILayout.LabelField("SHA-256", _summary.Hash);
             if (_summary.Fault != null) EditorGUILayout.HelpBox(_summary.Fault, MessageType.Error);
-            // Delayed, because a dialog interrupts the drawing of this inspector.
+            // Opens the dialog later, because a dialog would interrupt the drawing of this inspector.
             if (GUILayout.Button("Load a URDF file …")) EditorApplication.delayCall += Choose;
             EditorGUILayout.HelpBox(_summary.Beginning, MessageType.None);
         }

@@ -24,7 +24,7 @@ namespace Nowpose.Editor.Inspectors
                 EditorGUILayout.LabelField(model.MovingJoints[i].Name, LiveText.Position(model.MovingJoints[i], Target.Joints[i]));
         }
 
-        // Objects cannot be added to a prefab asset that is not open.
+        // Not offered for a prefab asset, because Unity can add objects to a prefab only while the prefab is open.
         protected override void DrawAlways()
         {
             if (Application.isPlaying || EditorUtility.IsPersistent(target)) return;

@@ -6,7 +6,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>The references that the package's components require.</summary>
+    /// <summary>Finds missing references of the package's components.</summary>
     static class Shortcomings
     {
         static readonly ReferenceRule[] Rules =
@@ -49,8 +49,8 @@ namespace Nowpose.Editor.Inspectors
                 "There is no rig on a parent. Move the object below a rig, or assign a rig.", Only<RobotRig>),
         };
 
-        /// <summary>Returns the missing references of the objects, each once.</summary>
-        /// <param name="objects">Objects of one type.</param>
+        /// <summary>Returns the missing references of components. A reference that several components lack is returned only once.</summary>
+        /// <param name="objects">Components of one type.</param>
         public static IReadOnlyList<Shortcoming> Of(Object[] objects)
         {
             var found = new List<Shortcoming>();
@@ -67,7 +67,7 @@ namespace Nowpose.Editor.Inspectors
             return found;
         }
 
-        // Searches the component's own scene, which may be that of an open prefab. Returns null if there are several.
+        // Returns the only component of a type in the scene (or open prefab) of a component; null if there is none or more than one.
         static Object Only<T>(Component component) where T : Component
         {
             var all = component.gameObject.scene.GetRootGameObjects().SelectMany(root => root.GetComponentsInChildren<T>(true)).ToArray();

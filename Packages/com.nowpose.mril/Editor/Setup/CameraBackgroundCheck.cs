@@ -1,6 +1,8 @@
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Checks whether the main camera of the open scenes clears to black with alpha 0, which a see-through display does not show.</summary>
+    /// <summary>
+    /// Checks whether the main camera of the open scenes clears to black with alpha 0. A see-through display shows this colour as transparent.
+    /// </summary>
     sealed class CameraBackgroundCheck : ProjectCheck
     {
         public const string NoCamera = "the open scenes have no enabled camera with the tag MainCamera; open the scene of the headset";

@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Checks whether Unity distributes its rendering commands over worker threads.</summary>
+    /// <summary>Checks whether Graphics Jobs are off. If they are on, Unity distributes its rendering commands to worker threads.</summary>
     sealed class GraphicsJobsCheck : ProjectCheck
     {
         public GraphicsJobsCheck()

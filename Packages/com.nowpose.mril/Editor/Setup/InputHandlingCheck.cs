@@ -2,10 +2,10 @@ using System;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Checks whether the Input System is active; installing the package alone does not activate it.</summary>
+    /// <summary>Checks whether the Input System is active. The installation of its package does not activate it.</summary>
     sealed class InputHandlingCheck : ProjectCheck
     {
-        /// <summary>Names by the number in the project's settings.</summary>
+        /// <summary>Names of the values, indexed by their number in the project's settings.</summary>
         static readonly string[] Names = { "Input Manager (Old)", "Input System Package (New)", "Both" };
 
         const int InputSystem = 1, Both = 2;

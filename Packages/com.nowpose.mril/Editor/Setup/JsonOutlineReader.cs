@@ -7,8 +7,11 @@ using Newtonsoft.Json.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Finds the values of a JSON text.</summary>
-    /// <remarks>Is as strict as Unity's reader: no comments, no trailing commas. Newtonsoft.Json accepts both and reports no positions.</remarks>
+    /// <summary>Finds the values in a JSON text and their positions.</summary>
+    /// <remarks>
+    /// Rejects comments and trailing commas, because Unity's reader does. Newtonsoft.Json is not used, because it accepts both and does not report
+    /// positions.
+    /// </remarks>
     sealed class JsonOutlineReader
     {
         const int MaxNesting = 64;
@@ -26,6 +29,7 @@ namespace Nowpose.Editor.Setup
             _file = file;
         }
 
+        /// <summary>Reads a text that consists of one JSON object.</summary>
         /// <param name="file">Name of the file in messages.</param>
         /// <exception cref="InputException">The text is not a JSON object.</exception>
         public static JsonOutline Read(string text, string file)
@@ -38,7 +42,7 @@ namespace Nowpose.Editor.Setup
             return reader._at == text.Length ? root : throw reader.Wrong("nothing is expected after the object");
         }
 
-        /// <summary>Returns the line number of a character, counted from 1.</summary>
+        /// <summary>Returns the line number of the character at an index. The first line has number 1.</summary>
         public static int LineOf(string text, int index) => 1 + text.Take(index).Count(c => c == '\n');
 
         char Next => _at < _text.Length ? _text[_at] : '\0';

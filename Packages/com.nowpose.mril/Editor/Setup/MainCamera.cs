@@ -3,10 +3,10 @@ using UnityEngine;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>The main camera of the open scenes. Changes can be undone, and are saved with the scene.</summary>
+    /// <summary>Reads and changes the main camera of the open scenes. The user can undo changes; Unity saves them with the scene.</summary>
     static class MainCamera
     {
-        /// <summary>Whether the camera clears to black with alpha 0; null if the scenes have no enabled main camera.</summary>
+        /// <summary>Whether the camera clears to black with alpha 0; null if the open scenes have no enabled main camera.</summary>
         public static bool? ClearsToTransparentBlack
         {
             get
@@ -17,7 +17,7 @@ namespace Nowpose.Editor.Setup
             }
         }
 
-        /// <summary>Near clip plane in metres; null if the scenes have no enabled main camera.</summary>
+        /// <summary>Distance of the near clip plane in metres; null if the open scenes have no enabled main camera.</summary>
         public static float? NearClipMetres
         {
             get => Camera.main == null ? (float?)null : Camera.main.nearClipPlane;

@@ -5,7 +5,7 @@ using Newtonsoft.Json.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Merges what a project needs into the text of its Packages/manifest.json. Keeps valid entries and the formatting.</summary>
+    /// <summary>Merges requirements into the text of a project's Packages/manifest.json. Keeps valid entries and the formatting.</summary>
     sealed class ManifestMerge
     {
         const string Dependencies = "dependencies", Registries = "scopedRegistries", Testables = "testables";
@@ -17,6 +17,7 @@ namespace Nowpose.Editor.Setup
         readonly List<string> _notes = new List<string>();
 
         /// <param name="file">Name of the file in messages.</param>
+        /// <param name="rule">Action for entries that do not meet a requirement.</param>
         /// <exception cref="InputException">The text is not a manifest.</exception>
         public ManifestMerge(string text, string file, ConflictRule rule)
         {
@@ -29,17 +30,19 @@ namespace Nowpose.Editor.Setup
         /// <summary>Descriptions of the additions and replacements.</summary>
         public IReadOnlyList<string> Changes => _changes;
 
-        /// <summary>Descriptions, with line numbers, of entries that do not meet a requirement and were not replaced.</summary>
-        /// <remarks>With <see cref="ConflictRule.Refuse"/> the text must not be used if there are any.</remarks>
+        /// <summary>Descriptions, with line numbers, of the entries that do not meet a requirement and were not replaced.</summary>
+        /// <remarks>With <see cref="ConflictRule.Refuse"/>, <see cref="Text"/> must not be used if there are conflicts.</remarks>
         public IReadOnlyList<string> Conflicts => _conflicts;
 
         /// <summary>Whether <see cref="ConflictRule.Replace"/> would resolve all conflicts.</summary>
         public bool CanReplaceAll { get; private set; } = true;
 
-        /// <summary>Descriptions of entries whose version cannot be read; they stay.</summary>
+        /// <summary>Descriptions of the entries that were kept because their version cannot be read.</summary>
         public IReadOnlyList<string> Notes => _notes;
 
-        /// <summary>Returns the value of a dependency, or null.</summary>
+        /// <summary>
+        /// Returns the value of a dependency, which is a version or an address; null if the manifest does not contain the dependency.
+        /// </summary>
         /// <exception cref="InputException">The text is not a manifest.</exception>
         public string VersionOf(string package)
         {
@@ -47,8 +50,8 @@ namespace Nowpose.Editor.Setup
             return entry == null ? null : StringOf(entry, package);
         }
 
-        /// <summary>Adds a dependency and its registry, or checks those that are present.</summary>
-        /// <param name="isExact">Whether any other version or address is a conflict.</param>
+        /// <summary>Adds a dependency and its registry if they are missing. Otherwise checks whether the entries meet the requirement.</summary>
+        /// <param name="isExact">Whether only the version or address of <paramref name="package"/> meets the requirement.</param>
         /// <exception cref="InputException">The text is not a manifest.</exception>
         public void Need(PackageOrigin package, bool isExact = false)
         {
@@ -58,7 +61,7 @@ namespace Nowpose.Editor.Setup
             else Judge(package, entry, StringOf(entry, package.Name), isExact);
         }
 
-        /// <summary>Adds a package to those whose tests the Test Runner shows.</summary>
+        /// <summary>Adds a package to the list of packages whose tests Unity's Test Runner shows.</summary>
         /// <exception cref="InputException">The text is not a manifest.</exception>
         public void NeedTestable(string package)
         {
@@ -98,7 +101,7 @@ namespace Nowpose.Editor.Setup
             _changes.Add(Dependencies + ": " + package.Name + " " + package.Reference + " in place of " + version);
         }
 
-        // Returns false if another registry serves the package and has to stay.
+        // Adds or checks the registry of a package. Returns false if the package comes from another registry that must be kept.
         bool NeedRegistry(PackageOrigin package)
         {
             var registry = package.Registry;
@@ -143,7 +146,7 @@ namespace Nowpose.Editor.Setup
             var start = entry.Start;
             foreach (var scope in registry.Scopes)
             {
-                // An insertion moves only the text after it, so the start of the registry is still valid.
+                // Finds the registry again after each change. Insertions are behind its start, so the start is still valid.
                 var now = Items(Registries).First(item => item.Start == start);
                 if (ScopesOf(now).Contains(scope)) continue;
                 if (now["scopes"] == null) _manifest.Add(now, "scopes", new JArray(scope));
@@ -152,7 +155,7 @@ namespace Nowpose.Editor.Setup
             }
         }
 
-        // Unity's rule: the registry with the longest scope that is a prefix of the name.
+        // Returns the registry from which Unity takes a package: the one with the longest scope that is a prefix of the package's name.
         JsonOutline RegistryOf(string package)
         {
             return Items(Registries)

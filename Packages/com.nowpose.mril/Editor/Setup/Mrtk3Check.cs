@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Checks the MRTK3 packages that the HoloLens 2 (MRTK3) sample uses. They are optional.</summary>
+    /// <summary>Checks the versions of the MRTK3 packages that the sample HoloLens 2 (MRTK3) uses. These packages are optional.</summary>
     sealed class Mrtk3Check : ProjectCheck
     {
         public Mrtk3Check()

@@ -2,7 +2,7 @@ using System.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Checks whether MRTK and XR Interaction Toolkit have the major versions that the package supports.</summary>
+    /// <summary>Checks whether the major versions of MRTK and XR Interaction Toolkit, if installed, are supported by the package.</summary>
     sealed class MrtkGenerationCheck : ProjectCheck
     {
         public MrtkGenerationCheck()

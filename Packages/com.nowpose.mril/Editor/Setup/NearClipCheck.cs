@@ -2,18 +2,20 @@ using System;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Checks whether the main camera's near clip plane leaves the depth buffer precise enough for late-stage reprojection.</summary>
+    /// <summary>
+    /// Checks the distance of the main camera's near clip plane. If it is too small, the depth buffer is too coarse for late-stage reprojection.
+    /// </summary>
     sealed class NearClipCheck : ProjectCheck
     {
-        /// <summary>Recommended distance, in metres.</summary>
+        /// <summary>Recommended distance of the plane in metres.</summary>
         const float Wanted = 0.1f;
 
-        /// <summary>Maximum distance, in metres; a plane further away cuts off a gripper that the wearer looks at closely.</summary>
+        /// <summary>Maximum distance of the plane in metres. A larger distance cuts off a gripper that the wearer looks at closely.</summary>
         const float Furthest = 0.3f;
 
         const float Tolerance = 0.001f;
 
-        /// <summary>Usual distance of a robot, in metres.</summary>
+        /// <summary>Usual distance of the robot from the wearer in metres.</summary>
         const double Distance = 1.5;
 
         public NearClipCheck()
@@ -41,7 +43,7 @@ namespace Nowpose.Editor.Setup
             return null;
         }
 
-        // z² / (n · 2^16), because the depth buffer stores 1/z.
+        // A depth buffer of 16 bits stores n/z (n: near clip plane), so one step at the distance z is z² / (n · 2^16).
         static double StepMillimetres(float near) => 1000 * Distance * Distance / (near * 65536);
     }
 }

@@ -6,7 +6,9 @@ namespace Nowpose.Editor.Setup
         readonly string _id, _name;
         readonly CheckState _without;
 
-        /// <param name="name">Name in the list of features.</param>
+        /// <param name="name">Name of the feature in the settings window.</param>
+        /// <param name="why">Purpose of the feature.</param>
+        /// <param name="id">Id of the feature in OpenXR's settings.</param>
         /// <param name="without">State of a project in which the feature is not enabled.</param>
         public OpenXrFeatureCheck(string name, string why, string id, CheckState without = CheckState.Missing)
             : base("OpenXR feature " + name, why, "Tick " + name)

@@ -2,7 +2,7 @@ namespace Nowpose.Editor.Setup
 {
     sealed class OpenXrLoaderCheck : ProjectCheck
     {
-        // Fixing opens the Project Settings only: the settings belong to another package, whose assemblies this one does not reference.
+        // The fix only opens the Project Settings, because another package owns the setting, and this assembly does not reference that package.
         public OpenXrLoaderCheck(HeadsetPlatform platform)
             : base(
                 "OpenXR starts in the " + platform.ShortPlayer + " player",

@@ -2,16 +2,18 @@ using System;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Checks an enumeration setting of OpenXR.</summary>
+    /// <summary>Checks whether an enumeration setting of OpenXR has a required value.</summary>
     sealed class OpenXrOptionCheck : ProjectCheck
     {
         readonly string _field, _title;
         readonly string[] _names;
         readonly int _wanted;
 
-        /// <param name="title">Title in the settings window.</param>
+        /// <param name="title">Title of the setting in the settings window.</param>
+        /// <param name="why">Purpose of the requirement.</param>
         /// <param name="field">Serialised name of the setting.</param>
-        /// <param name="names">Names of all values, by their number.</param>
+        /// <param name="names">Names of all values, indexed by their number.</param>
+        /// <param name="wanted">Number of the required value.</param>
         public OpenXrOptionCheck(string title, string why, string field, string[] names, int wanted)
             : base("OpenXR " + title + " is " + names[wanted], why, "Use " + names[wanted])
         {

@@ -3,7 +3,7 @@ using UnityEditor;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>All checks, in the recommended order of the changes.</summary>
+    /// <summary>Lists all checks for a platform, in the order in which the user should make the changes.</summary>
     static class ProjectChecks
     {
         static readonly string[] RenderModes = { "Multi-pass", "Single Pass Instanced" };

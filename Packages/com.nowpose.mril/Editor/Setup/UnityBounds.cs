@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>The Unity versions that the package was compiled against, and those with known failures.</summary>
+    /// <summary>Rates Unity versions: the package was compiled against some of them, and others have known failures.</summary>
     static class UnityBounds
     {
         public const string Recommended = "use 2022.3 for a HoloLens 2";
@@ -11,7 +11,7 @@ namespace Nowpose.Editor.Setup
         const string PlugInFails =
             "Microsoft's Mixed Reality OpenXR 1.11.2 does not compile in Unity 6.3 (6000.3), and its newer versions have not been tested; " + Recommended;
 
-        // Each row is valid from its version up to the next row's.
+        // Each row applies from its version up to the version of the next row.
         static readonly Row[] Rows =
         {
             new Row("2021.3", CheckState.Advice, "compiled against 2021.3.26; " + Recommended),
@@ -23,13 +23,14 @@ namespace Nowpose.Editor.Setup
             new Row("6000.3", CheckState.Advice, "not compiled against this release, not tested on a device", PlugInFails),
         };
 
-        /// <summary>The oldest Unity that the package compiles with.</summary>
+        /// <summary>Oldest version of Unity with which the package compiles.</summary>
         public static string Oldest => Rows[0].From.ToString();
 
-        /// <summary>The oldest patch of 2021.3 that the packages of MRTK3 accept.</summary>
+        /// <summary>Oldest patch of Unity 2021.3 that the packages of MRTK3 accept.</summary>
         public static Version OldestForMrtk3 { get; } = new Version(2021, 3, 26);
 
-        /// <param name="withMicrosoft">Whether the project uses Microsoft's Mixed Reality OpenXR, as every project for a HoloLens 2 does.</param>
+        /// <summary>Rates a version of Unity.</summary>
+        /// <param name="withMicrosoft">Whether the project uses Microsoft's Mixed Reality OpenXR, as each project for a HoloLens 2 does.</param>
         public static CheckResult Judge(UnityVersion version, bool withMicrosoft)
         {
             var row = Rows.LastOrDefault(r => version.Number >= r.From);
@@ -54,7 +55,7 @@ namespace Nowpose.Editor.Setup
             public CheckState State { get; }
             public string Words { get; }
 
-            /// <summary>Why the version does not work with Microsoft's plug-in; null if it does.</summary>
+            /// <summary>Reason why the version does not work with Microsoft's plug-in; null if it works.</summary>
             public string Failure { get; }
         }
     }

@@ -7,12 +7,12 @@ using UnityEditor.PackageManager;
 using UnityEditor.PackageManager.Requests;
 using UnityEngine;
 using UnityEngine.Rendering;
-// UnityEditor has a type of the same name.
+// This alias is needed because UnityEditor has a type of the same name.
 using PackageInfo = UnityEditor.PackageManager.PackageInfo;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>The project that is open in the editor.</summary>
+    /// <summary>Settings of the project that is open in the editor.</summary>
     sealed class UnityProjectSettings : IProjectSettings
     {
         const string Manifest = "Packages/manifest.json";
@@ -135,7 +135,7 @@ namespace Nowpose.Editor.Setup
 
         public void OpenProjectSettings() => EditorApplication.ExecuteMenuItem("Edit/Project Settings...");
 
-        // The Package Manager has no API to add a registry; it reads the manifest again when it resolves.
+        // The Package Manager has no API to add a registry. Client.Resolve makes it read the manifest again.
         void AddToManifest(PackageOrigin package)
         {
             try

@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Checks whether this editor is a version that the package was tried with.</summary>
+    /// <summary>Checks whether the package was tested with the version of the running editor.</summary>
     sealed class UnityVersionCheck : ProjectCheck
     {
         public UnityVersionCheck()

@@ -9,11 +9,13 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Shows an object that does not move, such as a conveyor or a fixture: placed by its frame on /tf_static, or by hand.</summary>
+    /// <summary>
+    /// Shows an object that does not move, such as a conveyor or a fixture. Its frame on /tf_static or the user's hand determines its place.
+    /// </summary>
     /// <remarks>
-    /// A hand, a controller or a script reports the start and the end of a move. The place is then saved in a file on the device, which is also
-    /// the /tf_static that the gateway publishes with <c>--stationary</c>. A source that publishes the frame has priority whenever its pose
-    /// arrives, so that all headsets agree.
+    /// The component that moves the object (by hand, by controller or by script) calls <see cref="BeginMove"/> and <see cref="EndMove"/>. The place
+    /// is then saved in a file on the device. The gateway can publish the same file on /tf_static with its option <c>--stationary</c>. A published
+    /// pose always has priority over a saved place, so all headsets show the same.
     /// </remarks>
     [AddComponentMenu("Nowpose/Stationary Object")]
     [DisallowMultipleComponent]
@@ -36,21 +38,23 @@ namespace Nowpose.Unity
         /// <summary>Name of the frame.</summary>
         public string Frame => string.IsNullOrEmpty(_frame) ? name : _frame;
 
-        /// <summary>Whether the object is shown where it is, and otherwise why not.</summary>
+        /// <summary>State of the object's pose: current if the object is shown at its real place, otherwise the reason.</summary>
         public PoseState State => _followed == null ? PoseState.Incomplete : _followed.State;
 
-        /// <summary>Whether the object is being moved by hand.</summary>
+        /// <summary>Whether a move by hand is in progress.</summary>
         public bool IsMoving { get; private set; }
 
-        /// <summary>Path of the file that keeps the places of objects that were placed by hand.</summary>
+        /// <summary>Path of the file with the places of all objects that were placed by hand.</summary>
         public string SavedPath => Path.Combine(Application.persistentDataPath, _fileName);
 
-        /// <summary>Why it is not shown where it is, in one line; null if it is.</summary>
+        /// <summary>Reason why the object is not shown at its real place, in one line; null if it is.</summary>
         public string Fault => _followed == null ? "no session" : _followed.Fault;
 
         bool ICellObject.IsUnplaced => _followed != null && !_followed.IsKnown;
 
-        /// <summary>Starts a move by hand: the frame follows this transform. Refused while a source or a gripper moves the object.</summary>
+        /// <summary>
+        /// Starts a move by hand, in which the frame follows this transform. Does nothing while a source or a gripper moves the object.
+        /// </summary>
         public void BeginMove()
         {
             if (_followed == null) return;
@@ -59,7 +63,7 @@ namespace Nowpose.Unity
             else IsMoving = true;
         }
 
-        /// <summary>Ends a move and saves the place. Does nothing unless the object is being moved.</summary>
+        /// <summary>Ends a move and saves the place. Does nothing if no move is in progress.</summary>
         public void EndMove()
         {
             if (!IsMoving) return;
@@ -127,7 +131,7 @@ namespace Nowpose.Unity
             }
         }
 
-        // Other objects have their places in the same file.
+        // Keeps the places of the other objects, which are in the same file.
         void Save()
         {
             var (before, file) = (Load(), new TransformsMessage());

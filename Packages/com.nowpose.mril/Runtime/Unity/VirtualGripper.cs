@@ -6,10 +6,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>The virtual tool: follows the flange of a rig; its fingers move with the robot's joints of the given names.</summary>
+    /// <summary>Makes a virtual tool follow the flange of a rig, and moves its fingers with joints of the robot.</summary>
     /// <remarks>
-    /// On a robot without those joints the fingers do not move. Fingers that are links of the rig, which already moves them,
-    /// are not driven.
+    /// A finger does not move if the robot has no joint with the name given for it. This component does not move fingers that are links of the
+    /// rig, because the rig already moves them.
     /// </remarks>
     [AddComponentMenu("Nowpose/Virtual Gripper")]
     [DisallowMultipleComponent]
@@ -28,15 +28,15 @@ namespace Nowpose.Unity
         Transform _flange;
         FingerDrive[] _drives = Array.Empty<FingerDrive>();
 
-        /// <summary>The rig that the gripper follows; null for none.</summary>
+        /// <summary>The rig that the gripper follows; null if it follows none.</summary>
         public RobotRig Rig => _source;
 
-        /// <summary>The link that the gripper follows; null until the rig is bound to a robot that has it.</summary>
+        /// <summary>The link that the gripper follows; null until the rig is bound to a robot with this link.</summary>
         public Transform Flange => _flange;
 
         internal IReadOnlyList<GripperFinger> Fingers => _fingers;
 
-        /// <summary>Follows a rig from now on in place of the previous one; called automatically when enabled.</summary>
+        /// <summary>Starts to follow a rig, and stops following the previous one. The component calls it when it is enabled.</summary>
         public void Mount(RobotRig rig)
         {
             Unmount();
@@ -46,7 +46,7 @@ namespace Nowpose.Unity
             if (rig.Model != null) Fit();
         }
 
-        /// <summary>Stops following; the fingers return to rest. Called automatically when disabled.</summary>
+        /// <summary>Stops following the rig. The fingers return to their rest poses. The component calls it when it is disabled.</summary>
         public void Unmount()
         {
             Rest();
@@ -77,7 +77,7 @@ namespace Nowpose.Unity
             foreach (var finger in _fingers)
                 if (TryDrive(finger, ref unknown, out var drive)) drives.Add(drive);
             _drives = drives.ToArray();
-            // Not a warning, because this is correct for a robot without a gripper.
+            // This is not a warning, because a robot without a gripper has no such joints.
             if (unknown.Length > 0)
                 ConsoleLog.Info(this, "gripper '" + name + "': robot '" + _source.Model.Name + "' has no moving joint " + unknown
                     + ", so its finger does not move");
@@ -99,7 +99,7 @@ namespace Nowpose.Unity
             return true;
         }
 
-        // Resets the fingers, so that each drive starts from the rest pose, even after scripts were recompiled in play mode.
+        // Moves the fingers to their rest poses, from which new drives start.
         void Rest()
         {
             foreach (var drive in _drives)

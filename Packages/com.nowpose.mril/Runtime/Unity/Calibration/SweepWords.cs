@@ -4,7 +4,7 @@ using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>Status texts of a sweep, used once per change.</summary>
+    /// <summary>Status texts of a load sweep. They allocate, so they are created only when the status changes.</summary>
     static class SweepWords
     {
         public const string WaitingForClock = "waiting for the clock", Stopped = "sweep stopped", Judging = "sweep done, evaluating";

@@ -2,7 +2,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>Words for the state of a pose, the same beside the robot and on the status panel.</summary>
+    /// <summary>Names of the states of a pose. The text beside the robot and the status panel use the same names.</summary>
     static class PoseWords
     {
         public static string Of(PoseState pose, OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade)

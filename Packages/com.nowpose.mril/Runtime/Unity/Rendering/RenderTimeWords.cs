@@ -2,7 +2,7 @@ using Nowpose.Latency;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>Names of the render-time sources for the wearer and the console.</summary>
+    /// <summary>Names of the render-time sources, for the status panel and the console.</summary>
     static class RenderTimeWords
     {
         public static string NameOf(RenderTimeSourceKind source)

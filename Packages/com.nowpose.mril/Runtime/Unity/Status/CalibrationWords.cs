@@ -5,7 +5,7 @@ using Nowpose.Unity.Rendering;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Texts about a calibration for the wearer and the console.</summary>
+    /// <summary>Texts about a calibration, for the status panel and the console.</summary>
     static class CalibrationWords
     {
         public static string Of(CalibrationMethod method)
@@ -19,11 +19,11 @@ namespace Nowpose.Unity.Status
             }
         }
 
-        /// <summary>Returns method and date.</summary>
+        /// <summary>Returns the method and the date of a calibration.</summary>
         public static string OriginOf(LatencyProfile profile) =>
             Of(profile.Method) + ", " + profile.MeasuredUtc.ToString("yyyy-MM-dd", CultureInfo.InvariantCulture);
 
-        /// <summary>Returns a summary in one line.</summary>
+        /// <summary>Returns a summary of a calibration in one line.</summary>
         public static string Of(LatencyProfile profile) => string.Format(
             CultureInfo.InvariantCulture, "L_visu {0:0.0} ms ± {1:0.0} ms {2}; {3}", profile.Visualisation.Length.TotalMilliseconds,
             profile.Spread.TotalMilliseconds, OriginOf(profile), RangeOf(profile));

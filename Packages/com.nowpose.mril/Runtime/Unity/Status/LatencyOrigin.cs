@@ -4,8 +4,11 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Describes the origin of L_visu: a measurement, a condition that has changed since, a prediction, or the settings.</summary>
-    /// <remarks>Allocates only if the profile has changed.</remarks>
+    /// <summary>
+    /// Describes the origin of L_visu: the runtime, the settings, or a measurement with its method and date. If a condition has changed since
+    /// the measurement, names the condition.
+    /// </summary>
+    /// <remarks>Allocates only when the profile or its mismatches have changed.</remarks>
     sealed class LatencyOrigin
     {
         LatencyProfile _profile;

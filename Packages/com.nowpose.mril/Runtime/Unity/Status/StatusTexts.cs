@@ -10,16 +10,16 @@ using Nowpose.Unity.Session;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>The texts of the status panel: a value and a note per row. "!" marks a problem, "–" an unknown value.</summary>
+    /// <summary>Determines the texts of the status panel: a value and a note for each row. "!" marks a problem, "–" an unknown value.</summary>
     /// <remarks>
-    /// All texts except the message are preallocated. <see cref="Update"/> allocates only when the message or the profile changes, when a
-    /// joint's number changes while joints are shown, or when the state of a joint changes.
+    /// Most texts are preallocated. <see cref="Update"/> allocates only when the message, the latency profile or the state of a joint changes,
+    /// and, while the errors of the joints are shown, when one of their numbers changes.
     /// </remarks>
     sealed class StatusTexts
     {
         public const int Rows = (int)StatusRow.Message + 1;
 
-        /// <summary>Maximum number of lines of the message. The log contains the whole text.</summary>
+        /// <summary>Maximum number of lines of the message. A longer message is shortened here, but complete in the log.</summary>
         public const int MaxMessageLines = 8;
 
         const string Unknown = NumberTexts.Unknown;
@@ -57,7 +57,7 @@ namespace Nowpose.Unity.Status
 
         public StatusTexts() : this(() => DateTime.Now) { }
 
-        /// <param name="wallClock">Returns the local time, for the times at which a joint's data stopped.</param>
+        /// <param name="wallClock">Returns the local time. It is used to show the time of day at which a joint's data stopped.</param>
         public StatusTexts(Func<DateTime> wallClock)
         {
             _missingJoints = new JointStatusLine(isOfMissing: true, wallClock);
@@ -65,7 +65,7 @@ namespace Nowpose.Unity.Status
             Update(null, null, null, null);
         }
 
-        /// <summary>Whether the removed share of each joint's error is shown while there is no other message.</summary>
+        /// <summary>Whether the message shows the error reduction of each joint while there is nothing else to show.</summary>
         public bool ShowsJointErrors { get; set; }
 
         public static string LabelOf(StatusRow row) => Labels[(int)row];
@@ -74,17 +74,18 @@ namespace Nowpose.Unity.Status
 
         public string NoteOf(StatusRow row) => _notes[(int)row];
 
-        /// <summary>Returns whether a row has a value or a note. Other rows take no space.</summary>
+        /// <summary>Returns whether a row has a value or a note. A row without both takes no space.</summary>
         public bool IsShown(StatusRow row) =>
             !string.IsNullOrEmpty(_values[(int)row]) || !string.IsNullOrEmpty(_notes[(int)row]);
 
-        /// <param name="statistics">Null without a session.</param>
-        /// <param name="settings">Null if they are unknown.</param>
+        /// <summary>Updates all texts.</summary>
+        /// <param name="statistics">Statistics of the session; null if there is no session.</param>
+        /// <param name="settings">Settings of the session; null if they are unknown.</param>
         /// <param name="robot">Name of the robot; null if it is unknown.</param>
-        /// <param name="problem">Why no session exists; null unless there is a problem.</param>
-        /// <param name="anchor">Anchor of the base; null for none.</param>
-        /// <param name="pairing">Pairing of the session; null for none.</param>
-        /// <param name="parts">Shown objects and signals of the cell; null for none.</param>
+        /// <param name="problem">Reason why the session could not start; null if there is no problem.</param>
+        /// <param name="anchor">Anchor of the base; null if there is none.</param>
+        /// <param name="pairing">Pairing of the session; null if there is none.</param>
+        /// <param name="parts">Shown objects and signals of the cell; null if there are none.</param>
         public void Update(
             SessionStatistics statistics, SessionSettings settings, string robot, string problem, BaseAnchor anchor = null,
             CellPairing pairing = null, ShownParts parts = null)
@@ -102,7 +103,7 @@ namespace Nowpose.Unity.Status
             parts?.Update();
             Set(StatusRow.Objects, parts?.Summary ?? "", NoteOf(parts));
             var isPairing = pairing != null;
-            // The pairing comes first, because connections and base depend on it.
+            // Problems of the pairing come first, because the connections and the base depend on the pairing.
             var obstacle = problem ?? (isPairing ? pairing.Obstacle : null);
             var guidance = obstacle == null && isPairing ? pairing.Guidance : null;
             var fault = obstacle ?? FaultOf(statistics) ?? _missingJoints.Of(statistics) ?? FaultOf(parts, statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
@@ -133,7 +134,8 @@ namespace Nowpose.Unity.Status
             UpdateError(statistics.ToolError, WithheldErrors.WordsOf(statistics.ErrorWithheld) ?? "");
         }
 
-        /// <param name="withheld">Why there is no error; empty unless it is withheld.</param>
+        /// <param name="error">The error of the tool; null if it is unknown.</param>
+        /// <param name="withheld">Reason why the error is unknown; empty if there is no particular reason.</param>
         void UpdateError(DisplayedError? error, string withheld)
         {
             var uncertainty = error?.ReductionUncertainty;
@@ -141,7 +143,7 @@ namespace Nowpose.Unity.Status
             Set(StatusRow.Error, Millimetres.Of(error?.Rms), error.HasValue ? MillimetrePercentiles.Of(error.Value.P95) : withheld);
         }
 
-        // A name may be of any length.
+        // Shortens the name of the robot, which may have any length.
         string NoteOf(string robot)
         {
             if (robot != _robot) _robotNote = WrappedText.Of(robot ?? "", PanelCells.NoteWidth, lines: 1);
@@ -149,7 +151,7 @@ namespace Nowpose.Unity.Status
             return _robotNote ?? "";
         }
 
-        // Also a name of any length.
+        // Shortens the fault, which contains a name of any length.
         string NoteOf(ShownParts parts)
         {
             var fault = parts?.FirstFault ?? "";
@@ -158,10 +160,10 @@ namespace Nowpose.Unity.Status
             return _partNote ?? "";
         }
 
-        // While the robot is not current either, the row of the pose contains the same information.
+        // While the robot itself is not current, its row already reports the cause, so faults of objects are not shown.
         static string FaultOf(ShownParts parts, SessionStatistics statistics) => statistics?.Pose == PoseState.Current ? parts?.Faults : null;
 
-        // Evaluated only for new settings, because reading an address allocates.
+        // Reads the address only if the settings are new, because reading allocates.
         void Follow(SessionSettings settings)
         {
             if (settings == _settings) return;
@@ -196,7 +198,7 @@ namespace Nowpose.Unity.Status
             return words;
         }
 
-        /// <summary>Returns why a pose is not current; empty if it is.</summary>
+        /// <summary>Returns the reason why a pose is not current; empty if it is current.</summary>
         public static string ReasonOf(PoseState pose)
         {
             switch (pose)
@@ -244,7 +246,7 @@ namespace Nowpose.Unity.Status
             }
         }
 
-        // Shows the worse of the two connections.
+        // Describes the worse of the two connections (clock and samples).
         static string ConnectionOf(SessionStatistics statistics)
         {
             var (sync, samples) = (statistics.SyncLink.State, statistics.SampleLink.State);
