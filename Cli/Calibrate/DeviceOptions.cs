@@ -6,7 +6,7 @@ using Nowpose.Latency.Reprojection;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary>Options for the conditions of the measured headset, for measurements that do not state them themselves.</summary>
+/// <summary>Options that state the conditions of a measurement whose files do not contain them: device, display rate and others.</summary>
 sealed class DeviceOptions
 {
     readonly Option<string> _device = new("--device")
@@ -42,7 +42,7 @@ sealed class DeviceOptions
         foreach (var option in options) verb.Options.Add(option);
     }
 
-    /// <summary>Gets the conditions given as options; the others are unknown.</summary>
+    /// <summary>Gets the conditions that were given as options. The other conditions stay unknown.</summary>
     /// <exception cref="InputException">A value is invalid.</exception>
     public DisplayConditions Conditions(ParseResult parsed) => DisplayConditions.Parse(condition => condition switch
     {
@@ -56,12 +56,12 @@ sealed class DeviceOptions
         _ => null,
     }).Or(new DisplayConditions(displayHz: parsed.GetValue(_displayHz)));
 
-    /// <summary>The option for the source of the render time, for methods that find a limit.</summary>
+    /// <summary>Creates the option for the source of the render time, used by methods that find a render time limit.</summary>
     public static Option<string> Source() => ChoiceOption.Create(
         "--source", "Source of render_ms; the limit is valid for this source only", RenderTimeSourceNames.NameOf(RenderTimeSourceKind.DisplayGpuTime),
         [.. Enum.GetValues<RenderTimeSourceKind>().Where(kind => kind != RenderTimeSourceKind.None).Select(RenderTimeSourceNames.NameOf)]);
 
-    /// <param name="source">A choice of <see cref="Source"/>.</param>
+    /// <param name="source">One of the values that <see cref="Source"/> allows.</param>
     public static RenderTimeSourceKind KindOf(string source) =>
         RenderTimeSourceNames.TryParse(source, out var kind) ? kind : throw new InputException($"--source: '{source}' is unknown; allowed: {RenderTimeSourceNames.All}");
 

@@ -2,7 +2,7 @@ using System.CommandLine;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <c>--out</c> and <c>--json</c>, the same for all calibration methods.
+/// <c>--out</c> and <c>--json</c>: options that all calibration methods share.
 static class OutOption
 {
     public static Option<string> Create() => new("--out")

@@ -4,7 +4,7 @@ using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary><c>calibrate simulate</c>: pictures with known truth, to try the evaluation without hardware.</summary>
+/// <summary><c>calibrate simulate</c>: creates pictures with known true values, to try the evaluation without hardware.</summary>
 static class SimulateVerb
 {
     static readonly SimulationSettings Standard = new();
@@ -28,7 +28,7 @@ static class SimulateVerb
     static readonly Option<int> Seed = NumberOption.Create("--seed", "Seed of the random numbers.", Standard.Seed, int.MinValue, int.MaxValue, "");
     static readonly Option<bool> Check = new("--check")
     {
-        Description = "Read each picture immediately instead of storing it, and report the accuracy. Exit status 1 if L_visu is wrong.",
+        Description = "Read each picture immediately instead of storing it, and report the accuracy. The exit status is 1 if the error is too large.",
     };
     static readonly Option<string> Output = new("--out")
     {
@@ -41,7 +41,7 @@ static class SimulateVerb
         {
             Pictures, PerPlace, Visu, Spoiled, LoadSteps, Lit, Exposure, Readout, HeadLatency, Seed, Check, Output,
         };
-        // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
+        // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
         verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
         return verb;
     }
@@ -64,7 +64,7 @@ static class SimulateVerb
     {
         var check = SimulationCheck.Run(settings, cancel);
         foreach (var line in check.Lines()) Console.Out.WriteLine(line);
-        // The documented limit is one misread picture in 10 000.
+        // These limits are documented: one misread picture in 10 000 is allowed.
         var isGood = Math.Abs(check.MeanErrorMs) <= 1 && check.ErrorP95Ms <= 2 && check.Misread <= Math.Max(1, check.Pictures / 10_000);
         return isGood ? ExitStatus.Done : ExitStatus.Failed;
     }

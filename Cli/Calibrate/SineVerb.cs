@@ -8,13 +8,13 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <c>calibrate sine RECORDING</c>: total latency from a camera's recording of a jog to and fro.
+/// <c>calibrate sine RECORDING</c>: measures the end-to-end latency from a video of a jog back and forth.
 static class SineVerb
 {
     static readonly Argument<string> Recording = new("RECORDING")
     {
-        Description = "Positions in the camera's pictures: the time in s (t or t_s), then the positions of robot and hologram in pixels, .csv or .csv.gz; "
-            + "or the video itself, with both boxes (needs ffmpeg).",
+        Description = "Table of positions in the camera's pictures (.csv, .csv.gz): the time in s (t or t_s), then robot and hologram in pixels; "
+            + "or a video, with both boxes (needs ffmpeg).",
     };
     static readonly Option<string> Columns = new("--columns") { Description = "Names of the columns of robot and hologram, if there are more than two: ROBOT,HOLOGRAM" };
     static readonly Option<string> Control = new("--control")
@@ -43,7 +43,7 @@ static class SineVerb
             Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Configured, Earlier, Output, Json,
         };
         Device.AddTo(verb);
-        // On a separate thread, so that Ctrl-C finds the action started.
+        // Runs on a separate thread, so that Ctrl-C can cancel it.
         verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
         return verb;
     }

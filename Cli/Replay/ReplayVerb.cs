@@ -5,7 +5,7 @@ using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Replay;
 
-/// <c>replay FILE</c>: predicts a recorded motion or session like the headset, in virtual time and without a network.
+/// <c>replay FILE</c>: predicts a recorded motion or session as the headset does, in virtual time and without a network.
 static class ReplayVerb
 {
     const double MsPerSecond = 1000;
@@ -51,7 +51,7 @@ static class ReplayVerb
                 Blend = RecordingOptions.IsGiven(parsed, blend) ? parsed.GetValue(blend) / MsPerSecond : null,
                 Seed = parsed.GetValue(seed)
             };
-            // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
+            // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
             return Task.Run(
                 () => Run(path, settings, parsed.GetValue(json), cancellation), CancellationToken.None);
         });

@@ -20,8 +20,8 @@ static class UnityVerb
         };
         var package = new Option<string>("--package")
         {
-            Description = "Source of the package: a git address, file:PATH or a folder. Default: the source in the project's manifest, or "
-                + "file: with the folder of this clone or published program.",
+            Description = "Source of the package: a git address, file:PATH or a folder. Default: the source in the project's manifest or, if it has none, "
+                + "the folder of this clone or published program.",
             HelpName = "ADDRESS",
         };
         var onConflict = new Option<string>("--on-conflict")
@@ -31,7 +31,7 @@ static class UnityVerb
             HelpName = "refuse|keep|replace",
         };
         onConflict.AcceptOnlyFromAmong("refuse", "keep", "replace");
-        var check = new Option<bool>("--check") { Description = "List the changes without making them; exit status 1 if there are any." };
+        var check = new Option<bool>("--check") { Description = "List the changes without making them. The exit status is 1 if there are any." };
         var json = new Option<bool>("--json") { Description = "Print JSON instead of text." };
         var verb = new Command("unity", "Prepare a Unity project: registries, dependencies, testables and the package in its Packages/manifest.json.")
         {
@@ -64,7 +64,7 @@ static class UnityVerb
         }
     }
 
-    // Help also works if the package's files are missing or damaged.
+    // The help must also work if the package's files are missing or damaged.
     static string SampleNames()
     {
         const string unknown = "see its package.json";
