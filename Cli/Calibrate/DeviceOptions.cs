@@ -16,9 +16,9 @@ sealed class DeviceOptions
     };
 
     readonly Option<double> _displayHz = NumberOption.Create(
-        "--display-hz", "Refresh rate of the headset's display; 0: the default as for --device", 0.0, 0, 1000, "Hz");
+        "--display-hz", "Refresh rate of the headset's display; 0: same default as --device", 0.0, 0, 1000, "Hz");
 
-    readonly Option<string> _graphicsApi = Text("--graphics-api", "Graphics API, as SystemInfo.graphicsDeviceType names it: Direct3D11");
+    readonly Option<string> _graphicsApi = Text("--graphics-api", "Graphics API as named by SystemInfo.graphicsDeviceType, for example Direct3D11");
 
     readonly Option<string> _graphicsJobs = Text(
         "--graphics-jobs", "Rendering threads, as SystemInfo.renderingThreadingMode names them: MultiThreaded without Graphics Jobs");
@@ -65,8 +65,8 @@ sealed class DeviceOptions
     public static RenderTimeSourceKind KindOf(string source) =>
         RenderTimeSourceNames.TryParse(source, out var kind) ? kind : throw new InputException($"--source: '{source}' is unknown; allowed: {RenderTimeSourceNames.All}");
 
-    static Option<string> Text(string name, string description) => new(name) { Description = description + "; default as for --device" };
+    static Option<string> Text(string name, string description) => new(name) { Description = description + "; same default as --device" };
 
     static Option<string> Choice(string name, string description, string[] allowed) =>
-        ChoiceOption.Create(name, description + "; default as for --device", null, allowed);
+        ChoiceOption.Create(name, description + "; same default as --device", null, allowed);
 }

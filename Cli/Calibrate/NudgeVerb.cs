@@ -20,7 +20,7 @@ static class NudgeVerb
 
     public static Command Create()
     {
-        var verb = new Command("nudge", "Determine L_visu by eye, from the offsets at which hologram and robot agree in both directions. Without options: print the instructions.")
+        var verb = new Command("nudge", "Determine L_visu by eye, from the offsets at which hologram and robot coincide in both directions of motion. Without options: print the instructions.")
         {
             Speed, Configured, Forward, Backward, Earlier, Output, Json,
         };

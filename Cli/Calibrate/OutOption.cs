@@ -11,5 +11,5 @@ static class OutOption
         DefaultValueFactory = _ => "nowpose-calibration",
     };
 
-    public static Option<bool> Json() => new("--json") { Description = "Print JSON instead of a table." };
+    public static Option<bool> Json() => new("--json") { Description = "Print JSON instead of a table" };
 }

@@ -30,7 +30,7 @@ static class SineVerb
     static readonly Option<double> Sampling = NumberOption.Create(
         "--sampling-ms", "With --app-ms: sampling interval T_s; half of it is subtracted, too", 50.0, 1, 1000, "ms");
     static readonly Option<double?> Configured = NumberOption.CreateOptional(
-        "--told-ms", "Compensation on (the gripper): L_visu that the headset used; the remaining lag is the error of this value", 0.0, 500, "ms");
+        "--told-ms", "Compensation on (the gripper): L_visu that the headset used; the measured lag is the error of this value", 0.0, 500, "ms");
     static readonly Option<string> Earlier = EarlierProfile.Option();
     static readonly Option<string> Output = OutOption.Create();
     static readonly Option<bool> Json = OutOption.Json();
@@ -38,7 +38,7 @@ static class SineVerb
 
     public static Command Create()
     {
-        var verb = new Command("sine", "Estimate the total latency from a filmed jog back and forth. A phone's camera is sufficient.")
+        var verb = new Command("sine", "Estimate the end-to-end latency from a filmed jog back and forth. A phone's camera is sufficient.")
         {
             Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Configured, Earlier, Output, Json,
         };

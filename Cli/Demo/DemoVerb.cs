@@ -39,7 +39,7 @@ static class DemoVerb
     static readonly Option<double> VisualisationError = NumberOption.Create(
         "--visu-error-ms", "Error of the display latency that the runtime uses", 0.0, -100, 100, "ms");
     static readonly Option<int?> Load = NumberOption.CreateOptional(
-        "--load", "Number of vertices rendered from one third of the run to three quarters of it", 0, SweepPlan.MaxVertices, "vertices");
+        "--load", "Number of vertices to render between one third and three quarters of the run", 0, SweepPlan.MaxVertices, "vertices");
     static readonly Option<bool> Trajectory = new("--trajectory")
     {
         Description = "Also publish the cell's set-points ahead of time",
@@ -50,7 +50,7 @@ static class DemoVerb
         Description = "Reproduce Sect. 3 of the paper: its swing, clock and predictor, a display calibrated by pictures, and a verdict on each claim "
             + FormattableString.Invariant($"of Figs 8, 16, 17 and 18; runs {PaperScenario.Seconds} s by default"),
     };
-    static readonly Option<int> Repeats = NumberOption.Create("--repeats", "Number of runs over which --paper states the uncertainty", 1, 1, 100, "");
+    static readonly Option<int> Repeats = NumberOption.Create("--repeats", "Number of runs of --paper, from which the uncertainty is computed", 1, 1, 100, "");
     static readonly Option<string> Output = new("--out")
     {
         Description = "Folder for report.html, result.json, session.jsonl, and, with --paper, the data of figures, frames and exchanges",

@@ -16,7 +16,7 @@ static class FiguresVerb
             DefaultValueFactory = _ => "nowpose-figures",
         };
         var quick = new Option<bool>("--quick") { Description = "Compute a quarter of the runs, in less than a minute and with slightly less accurate results" };
-        var seed = NumberOption.Create("--seed", "Seed of the random numbers.", FigureSettings.Full.Seed, 0, 1_000_000, "");
+        var seed = NumberOption.Create("--seed", "Seed of the random numbers", FigureSettings.Full.Seed, 0, 1_000_000, "");
         var pictures = new Option<string>("--pictures") { Description = "Folder for the pictures of the documentation, as SVG" };
         var open = Browser.Option();
         var verb = new Command("figures", "Recompute the paper's figures: data as CSV, and one HTML page with the paper's claims beside our results.")

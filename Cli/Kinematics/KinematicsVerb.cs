@@ -15,7 +15,7 @@ static class KinematicsVerb
         {
             Description = "Joint values in rad (prismatic: m), for example a=0.1,b=-0.2. Other joints are at 0; mimic joints without a value follow the joint that they mimic.",
         };
-        var json = new Option<bool>("--json") { Description = "Print JSON instead of matrices." };
+        var json = new Option<bool>("--json") { Description = "Print JSON instead of matrices" };
         var verb = new Command("kinematics", "Compute the poses of all links relative to the root link.") { file, joints, json };
         verb.SetAction(parsed => Run(parsed.GetValue(file), parsed.GetValue(joints), parsed.GetValue(json)));
         return verb;

@@ -10,9 +10,9 @@ static class UnityVerb
 {
     public static Command Create()
     {
-        var path = new Argument<string>("PATH") { Description = "Folder of the Unity project." };
-        var mrtk3 = new Option<bool>("--mrtk3") { Description = "Add MRTK3 and the packages that a HoloLens 2 needs." };
-        var webSocket = new Option<bool>("--native-websocket") { Description = "Add NativeWebSocket, another WebSocket client." };
+        var path = new Argument<string>("PATH") { Description = "Folder of the Unity project" };
+        var mrtk3 = new Option<bool>("--mrtk3") { Description = "Add MRTK3 and the packages that a HoloLens 2 needs" };
+        var webSocket = new Option<bool>("--native-websocket") { Description = "Add NativeWebSocket, another WebSocket client" };
         var samples = new Option<string[]>("--sample")
         {
             Description = "Copy a sample of the package into Assets/Samples: " + SampleNames() + ".",
@@ -26,13 +26,13 @@ static class UnityVerb
         };
         var onConflict = new Option<string>("--on-conflict")
         {
-            Description = "Treatment of older or different entries: refuse (change nothing), keep, or replace.",
+            Description = "Treatment of older or different entries: refuse (change nothing), keep, or replace",
             DefaultValueFactory = _ => "refuse",
             HelpName = "refuse|keep|replace",
         };
         onConflict.AcceptOnlyFromAmong("refuse", "keep", "replace");
         var check = new Option<bool>("--check") { Description = "List the changes without making them. The exit status is 1 if there are any." };
-        var json = new Option<bool>("--json") { Description = "Print JSON instead of text." };
+        var json = new Option<bool>("--json") { Description = "Print JSON instead of text" };
         var verb = new Command("unity", "Prepare a Unity project: registries, dependencies, testables and the package in its Packages/manifest.json.")
         {
             path, mrtk3, webSocket, samples, package, onConflict, check, json,
