@@ -2,13 +2,13 @@ using System.Globalization;
 
 namespace Nowpose.Cli.Sync;
 
-/// <summary>The clock synchroniser's estimate at one instant.</summary>
-/// <param name="Nanoseconds">The instant on C2 exactly as in the log; the time types round to 100 ns.</param>
-readonly record struct SyncBelief(long Nanoseconds, HeadsetTime At, ClockModel Model)
+/// <summary>The estimate of the clock synchroniser at one instant.</summary>
+/// <param name="Nanoseconds">The instant on C2 exactly as in the log, ns. The time types round to 100 ns.</param>
+readonly record struct SyncEstimate(long Nanoseconds, HeadsetTime At, ClockModel Model)
 {
     const int NanosecondsPerTick = 100;
 
-    /// <summary>C2 − C1, ns. More than 64 bits, because the epochs can be that far apart.</summary>
+    /// <summary>Estimated C2 − C1, ns. Needs more than 64 bits, because the epochs of the clocks can be far apart.</summary>
     public Int128? OffsetNanoseconds => Model.IsKnown
         ? (Int128)Model.OffsetAt(At).HeadsetMinusControl.Ticks * NanosecondsPerTick : null;
 
