@@ -1,4 +1,5 @@
 using System.IO;
+using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
@@ -6,7 +7,7 @@ namespace Nowpose.Pairing
     static class PairedCellsFile
     {
         const int MaxBytes = 1024 * 1024;
-        const string What = "list of paired cells";
+        const string What = PairedCellMessages.List;
 
         /// <summary>Loads the cells; a missing file gives none. Renames a file that cannot be used, and reports it.</summary>
         /// <param name="problem">One line; null unless there is a problem.</param>
@@ -21,7 +22,7 @@ namespace Nowpose.Pairing
             catch (InputException fault)
             {
                 var aside = WholeFile.PutAside(path);
-                problem = fault.Message + (aside == null ? "" : "; kept as " + aside) + "; look at the codes again";
+                problem = PairedCellMessages.Lost(fault.Message, aside);
                 return PairedCells.None;
             }
         }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Latency;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Session;
 using UnityEngine;
@@ -54,7 +55,7 @@ namespace Nowpose.Unity.Session
             if ((change & SessionChange.DisplayTimeInconsistent) != 0)
                 Debug.LogWarning(
                     ConsoleLog.Prefix + "display times of the runtime and the calibrated L_visu differ by more than 5 ms; calibrate again", _context);
-            if ((change & SessionChange.DisplayTimeImplausible) != 0) Warn(DisplayWords.ImplausibleTimes(session?.DisplayTimeAhead));
+            if ((change & SessionChange.DisplayTimeImplausible) != 0) Warn(DisplayMessages.ImplausibleTimes(session?.DisplayTimeAhead));
             if ((change & SessionChange.DisplayTimePlausible) != 0)
                 Debug.Log(ConsoleLog.Prefix + "display times of the runtime are plausible again, and used", _context);
             if ((change & SessionChange.Stale) != 0) Warn("joint positions are stale; the pose is held" + MissingJointsOf(statistics));

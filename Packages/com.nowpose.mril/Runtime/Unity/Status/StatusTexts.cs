@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Latency;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Session.Hindcast;
@@ -106,7 +107,7 @@ namespace Nowpose.Unity.Status
             var obstacle = problem ?? (isPairing ? pairing.Obstacle : null);
             var guidance = obstacle == null && isPairing ? pairing.Guidance : null;
             var fault = obstacle ?? FaultOf(statistics) ?? _missingJoints.Of(statistics) ?? FaultOf(parts, statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
-                ?? DisplayWords.ProblemOf(statistics) ?? statistics?.VersionMismatch;
+                ?? DisplayMessages.ProblemOf(statistics) ?? statistics?.VersionMismatch;
             if (guidance != null) SetMessage(guidance, "");
             else if (fault != null) SetMessage(fault, "! ");
             else SetMessage(_restingJoints.Of(statistics) ?? (ShowsJointErrors && statistics != null ? _joints.Of(statistics.JointErrors) : null), "");
@@ -125,7 +126,7 @@ namespace Nowpose.Unity.Status
         {
             var percentile = statistics.ApplicationLatency95;
             Set(StatusRow.ApplicationLatency, Milliseconds.Of(statistics.ApplicationLatency), percentile.HasValue ? Percentiles.Of(percentile) : "");
-            var isUncertain = statistics.IsDisplayTimeInconsistent || statistics.IsDisplayTimeImplausible || DisplayWords.IsMismatched(statistics);
+            var isUncertain = statistics.IsDisplayTimeInconsistent || statistics.IsDisplayTimeImplausible || DisplayMessages.IsMismatched(statistics);
             var visualisation = isUncertain ? MarkedMilliseconds : Milliseconds;
             Set(StatusRow.VisualisationLatency, visualisation.Of(statistics.VisualisationLatency), _origin.Of(statistics));
             Set(StatusRow.RenderTime, Milliseconds.Of(statistics.RenderTime), RenderTimeWords.NameOf(statistics.RenderTimeSource));

@@ -32,7 +32,7 @@ namespace Nowpose.Tests.Core.Session.Cell
 
             Assert.That(grip.Held, Is.Null);
             Assert.That(Distance(Find(cell, "box").World, Place), Is.LessThan(1e-6), "where its source puts it");
-            Assert.That(grip.Fault, value == 1 ? Does.Contain("what it holds is unknown") : (NUnit.Framework.Constraints.IResolveConstraint)Is.Null);
+            Assert.That(grip.Fault, value == 1 ? Does.Contain("held object is unknown") : (NUnit.Framework.Constraints.IResolveConstraint)Is.Null);
         }
 
         [Test]
@@ -95,7 +95,7 @@ namespace Nowpose.Tests.Core.Session.Cell
 
             Assert.That(grip.Held, Is.EqualTo("box"));
             Assert.That(Distance(ToolOf(cell).Inverse * Find(cell, "box").World, inHand), Is.LessThan(1e-6));
-            Assert.That(grip.Fault, Does.Contain("what it holds is unknown"), "it may have opened and closed meanwhile");
+            Assert.That(grip.Fault, Does.Contain("held object is unknown"), "it may have opened and closed meanwhile");
             var opened = cell.Now;
             cell.Send("grip", opened + cell.ClockStep, 0);
             Until(cell, opened + 1);
