@@ -1,4 +1,5 @@
 using Nowpose.Kinematics;
+using Nowpose.Unity.Messages;
 using UnityEngine;
 
 namespace Nowpose.Unity
@@ -27,7 +28,7 @@ namespace Nowpose.Unity
         /// <exception cref="InputException">Not a robot that can be computed; the message names this asset, the line and the element.</exception>
         public RobotModel Read()
         {
-            if (string.IsNullOrWhiteSpace(_urdf)) throw new InputException("'" + name + "': contains no URDF; load the URDF of the robot");
+            if (string.IsNullOrWhiteSpace(_urdf)) throw new InputException(RigMessages.NoUrdf(name));
             return UrdfReader.Read(_urdf, "'" + name + "'");
         }
     }

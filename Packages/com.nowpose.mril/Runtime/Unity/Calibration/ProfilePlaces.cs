@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.IO;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using UnityEngine;
 
@@ -39,8 +40,7 @@ namespace Nowpose.Unity.Calibration
             if (!path.Contains("://")) return Read(path);
             // Reported only if there is no other place to search.
             if (_asset == null && _refusals.Count == 0 && !File.Exists(SavedPath))
-                _refusals.Add("latency profile: StreamingAssets is inside the app's archive here, where no file can be opened; assign the profile "
-                    + "as a text asset, or copy it to " + SavedPath);
+                _refusals.Add(LoaderMessages.InArchive(SavedPath));
             return null;
         }
 

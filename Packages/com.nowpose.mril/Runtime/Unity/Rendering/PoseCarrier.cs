@@ -1,3 +1,4 @@
+using Nowpose.Unity.Messages;
 using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
@@ -28,8 +29,8 @@ namespace Nowpose.Unity.Rendering
 
         /// <summary>Returns the look while it does not follow the session: its parts stay at an old pose, which may be anywhere.</summary>
         public PoseLook Unmoved(PoseLook look) => IsGripper
-            ? look.With("gripper not moved", "the gripper is disabled or is not attached to a link of a moving rig")
-            : look.With("rig not moved", "the rig is disabled or cannot show the robot");
+            ? look.With("gripper not moved", PoseMessages.GripperUnattached)
+            : look.With("rig not moved", PoseMessages.RigDisabled);
 
         bool IsGripper => _gripper is object;
 

@@ -1,4 +1,5 @@
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Status;
 using UnityEngine;
 
@@ -8,10 +9,10 @@ namespace Nowpose.Unity.Rendering
     readonly struct PoseLook
     {
         /// <summary>No frames are computed; the last pose stays visible.</summary>
-        public static readonly PoseLook Abandoned = new PoseLook("no session", "the session is disabled or paused", 0.8f);
+        public static readonly PoseLook Abandoned = new PoseLook("no session", PoseMessages.SessionPaused, 0.8f);
 
         /// <summary>An object that waits for its place; visible, so that a hand can take it.</summary>
-        public static readonly PoseLook Unplaced = new PoseLook("not placed", "neither a hand nor a source has placed it", 0.5f);
+        public static readonly PoseLook Unplaced = new PoseLook("not placed", PoseMessages.NotPlaced, 0.5f);
 
         /// <summary>
         /// Minimum fade of a striped look: a part smaller than a stripe (1 cm) may be between two stripes, so that only the fade is visible.
@@ -48,11 +49,11 @@ namespace Nowpose.Unity.Rendering
             switch (pose)
             {
                 case PoseState.Current: return new PoseLook("", reason, 0, isHatched: false);
-                case PoseState.OutsideRange: return new PoseLook(PoseWords.Of(pose, outsideRange), reason, FadeOf(outsideRange));
-                case PoseState.Held: return new PoseLook(PoseWords.Of(pose), reason, 0.5f);
-                case PoseState.Unsynchronised: return new PoseLook(PoseWords.Of(pose), reason, 0.8f);
+                case PoseState.OutsideRange: return new PoseLook(PoseMessages.Of(pose, outsideRange), reason, FadeOf(outsideRange));
+                case PoseState.Held: return new PoseLook(PoseMessages.Of(pose), reason, 0.5f);
+                case PoseState.Unsynchronised: return new PoseLook(PoseMessages.Of(pose), reason, 0.8f);
                 // The robot is not drawn, because the joints are at zero instead of the robot's positions.
-                default: return new PoseLook(PoseWords.Of(pose), reason, 0.8f, isDrawn: false);
+                default: return new PoseLook(PoseMessages.Of(pose), reason, 0.8f, isDrawn: false);
             }
         }
 
