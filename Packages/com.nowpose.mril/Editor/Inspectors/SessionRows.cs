@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Nowpose.Editor.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Reprojection;
 using Nowpose.Messages;
@@ -30,7 +31,7 @@ namespace Nowpose.Editor.Inspectors
         static string DisplayTimeOf(SessionStatistics session)
         {
             if (session.IsDisplayTimeImplausible) return "implausible, " + LiveText.Ms(session.DisplayTimeAhead) + " ahead";
-            return session.IsLightPredicted ? "predicted by the runtime" : "as calibrated";
+            return session.IsLightPredicted ? InspectorTexts.Predicted : "as calibrated";
         }
     }
 }

@@ -4,6 +4,7 @@ using System.Linq;
 using System.Text.RegularExpressions;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
@@ -35,7 +36,7 @@ namespace Nowpose.Editor.Setup
             if (reader.Next != '{') throw reader.Wrong("{ is expected");
             var root = reader.Value();
             reader.SkipBlanks();
-            return reader._at == text.Length ? root : throw reader.Wrong("nothing is expected after the object");
+            return reader._at == text.Length ? root : throw reader.Wrong(ManifestMessages.AfterObject);
         }
 
         /// <summary>Returns the line number of a character, counted from 1.</summary>
@@ -48,14 +49,14 @@ namespace Nowpose.Editor.Setup
             var value = new JsonOutline { ItemStart = _at, Start = _at };
             if (Next == '{' || Next == '[') ReadItems(value);
             else if (Next == '"') value.Text = ReadString();
-            else Skip(Scalar, "a value is expected");
+            else Skip(Scalar, ManifestMessages.NoValue);
             value.End = _at;
             return value;
         }
 
         void ReadItems(JsonOutline value)
         {
-            if (++_depth > MaxNesting) throw Wrong("nested more than " + MaxNesting.ToString(CultureInfo.InvariantCulture) + " deep");
+            if (++_depth > MaxNesting) throw Wrong(ManifestMessages.TooDeep(MaxNesting.ToString(CultureInfo.InvariantCulture)));
             value.IsObject = Next == '{';
             value.Items = new List<JsonOutline>();
             var end = value.IsObject ? '}' : ']';
@@ -76,7 +77,7 @@ namespace Nowpose.Editor.Setup
         JsonOutline Member()
         {
             var start = _at;
-            if (Next != '"') throw Wrong("a name in double quotes is expected");
+            if (Next != '"') throw Wrong(ManifestMessages.NoName);
             var name = ReadString();
             SkipBlanks();
             Take(':');
@@ -96,7 +97,7 @@ namespace Nowpose.Editor.Setup
         string ReadString()
         {
             var start = _at;
-            Skip(Quoted, "the string does not end, or has a character that must be escaped");
+            Skip(Quoted, ManifestMessages.StringEnd);
             using (var reader = new JsonTextReader(new System.IO.StringReader(_text.Substring(start, _at - start))))
             {
                 reader.DateParseHandling = DateParseHandling.None;
@@ -119,8 +120,7 @@ namespace Nowpose.Editor.Setup
         InputException Wrong(string what)
         {
             var line = LineOf(_text, _at).ToString(CultureInfo.InvariantCulture);
-            var comment = Next == '/' ? " (JSON has no comments)" : "";
-            return new InputException(_file + ":" + line + ": not a JSON object: " + what + comment);
+            return new InputException(ManifestMessages.NotJson(_file, line, what, Next == '/'));
         }
     }
 }
