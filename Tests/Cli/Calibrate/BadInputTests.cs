@@ -195,7 +195,7 @@ public sealed class BadInputTests : CalibrationFolder
 
     [Test]
     public async Task Vlc_EarlierProfileOfAnotherDevice_FailsBeforeReadingPictures() => await RefusedWith(
-        "earlier.json: latency profile is of device 'Quest 3', this one is 'HoloLens 2'",
+        "earlier.json: latency profile was measured on device 'Quest 3', this device is 'HoloLens 2'",
         "vlc", Write("a.png", []), "--sweep", Write("sweep.csv", [SweepLog.Header, "5,0,4,display_gpu_time,HoloLens 2,60"]),
         "--profile", ProfileOfAnother("Quest 3"));
 
@@ -209,7 +209,7 @@ public sealed class BadInputTests : CalibrationFolder
 
     [Test]
     public async Task Nudge_EarlierProfileOfAnotherDevice_Fails() => await RefusedWith(
-        "latency profile is of device 'Quest 3', this one is 'HoloLens 2'",
+        "latency profile was measured on device 'Quest 3', this device is 'HoloLens 2'",
         [.. Nudge, "--device", "HoloLens 2", "--profile", ProfileOfAnother("Quest 3")]);
 
     [TestCase("0")]

@@ -70,7 +70,7 @@ public class NudgeVerbTests : CalibrationFolder
         Assert.That(LatencyProfileFile.Load(ProfilePath).Method, Is.EqualTo(CalibrationMethod.Nudge));
     }
 
-    [TestCase("--speed-mm-s 250 --forward-mm 2", "backward has no mark")]
+    [TestCase("--speed-mm-s 250 --forward-mm 2", "backward direction has no mark")]
     [TestCase("--forward-mm 2 --backward-mm -2", "--speed-mm-s is missing")]
     [TestCase("--speed-mm-s 0 --forward-mm 2 --backward-mm -2", "--speed-mm-s: 0 mm/s is out of range")]
     [TestCase("--speed-mm-s 250 --forward-mm 2000 --backward-mm -2", "nudge: offset: 2000 mm is out of range")]

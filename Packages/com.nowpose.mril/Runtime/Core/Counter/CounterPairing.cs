@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using Nowpose.Messages;
 
 namespace Nowpose.Counter
 {
@@ -45,13 +46,13 @@ namespace Nowpose.Counter
             // A missing library and a missing entry point both derive from this exception.
             catch (TypeLoadException missing)
             {
-                fault = "this platform has no performance counter of Windows (" + missing.Message + ")";
+                fault = CounterMessages.Missing(missing.Message);
                 return false;
             }
             fault = FaultOf(counter.Frequency, target.Frequency);
             if (fault != null) return false;
             pairing = Shortest(counter, target);
-            fault = pairing == null ? "the performance counter went back in all of " + Brackets + " readings" : null;
+            fault = pairing == null ? CounterMessages.WentBack(Brackets) : null;
             return pairing != null;
         }
 
@@ -68,8 +69,8 @@ namespace Nowpose.Counter
 
         static string FaultOf(long frequency, long targetFrequency)
         {
-            if (frequency <= 0) return "the performance counter does not work (frequency " + Hz(frequency) + ")";
-            return frequency > long.MaxValue / targetFrequency ? "the frequency of the performance counter is implausible: " + Hz(frequency) : null;
+            if (frequency <= 0) return CounterMessages.NotWorking(Hz(frequency));
+            return frequency > long.MaxValue / targetFrequency ? CounterMessages.FrequencyImplausible(Hz(frequency)) : null;
         }
 
         static CounterPairing Shortest(ICounter counter, ICounter target)

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Kinematics
 {
@@ -23,7 +24,7 @@ namespace Nowpose.Kinematics
         {
             _model.RequireOnePerMovingJoint(positions.Length, nameof(positions));
             if (linkPoses.Length != _motions.Length + 1)
-                throw new ArgumentException(linkPoses.Length + " poses were passed for " + (_motions.Length + 1) + " links", nameof(linkPoses));
+                throw new ArgumentException(RobotMessages.PoseCount(linkPoses.Length, _motions.Length + 1), nameof(linkPoses));
 
             linkPoses[0] = RigidTransform.Identity;
             for (var i = 0; i < _motions.Length; i++)

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Messages;
 
 namespace Nowpose.Kinematics
 {
@@ -77,7 +78,7 @@ namespace Nowpose.Kinematics
         internal void RequireOnePerMovingJoint(int length, string argument)
         {
             if (length != MovingJoints.Count)
-                throw new ArgumentException(length + " values were passed for " + MovingJoints.Count + " moving joints", argument);
+                throw new ArgumentException(RobotMessages.ValueCount(length, MovingJoints.Count), argument);
         }
     }
 }

@@ -1,5 +1,6 @@
 using System.Linq;
 using System.Xml.Linq;
+using Nowpose.Messages;
 
 namespace Nowpose.Kinematics
 {
@@ -20,7 +21,7 @@ namespace Nowpose.Kinematics
             var source = new UrdfSource(sourceName);
             var root = source.ParseRoot(text);
             if (root.Name.LocalName != "robot")
-                throw source.Error(root, "the root element must be <robot>");
+                throw source.Error(root, UrdfMessages.Root);
 
             var materials = new UrdfMaterials(source, root);
             var links = Children(root, "link").Select(e => new UrdfLink(source, e, materials)).ToArray();

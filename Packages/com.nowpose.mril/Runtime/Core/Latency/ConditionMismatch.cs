@@ -1,4 +1,5 @@
 using Nowpose.Latency.Conditions;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency
 {
@@ -37,13 +38,9 @@ namespace Nowpose.Latency
         {
             switch (Condition)
             {
-                case DisplayCondition.Device:
-                    return "latency profile is of device '" + Calibrated + "', this one is '" + Actual + "'; calibrate this one";
-                case DisplayCondition.DisplayRate:
-                    return "latency profile was measured at " + Calibrated + " Hz, this display shows " + Actual + " Hz; calibrate at this rate";
-                default:
-                    return "latency profile was measured with " + Label + " '" + Calibrated + "', this device has '" + Actual
-                        + "'; calibrate again, or set it back (" + DisplayConditionNames.PlaceOf(Condition) + ")";
+                case DisplayCondition.Device: return ConditionMessages.OtherDevice(Calibrated, Actual);
+                case DisplayCondition.DisplayRate: return ConditionMessages.OtherRate(Calibrated, Actual);
+                default: return ConditionMessages.Other(Label, Calibrated, Actual, DisplayConditionNames.PlaceOf(Condition));
             }
         }
     }

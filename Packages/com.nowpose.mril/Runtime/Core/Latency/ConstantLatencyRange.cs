@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency
 {
@@ -15,7 +16,7 @@ namespace Nowpose.Latency
             IsLimitReached = isLimitReached;
             Limit = SettingRange.RequireMs(limitMs, 0.1, 1000, "render time limit");
             if (source == RenderTimeSourceKind.None)
-                throw new InputException("render time limit: state the source of the render times from which it was determined");
+                throw new InputException(ProfileMessages.LimitWithoutSource);
             Source = source;
         }
 

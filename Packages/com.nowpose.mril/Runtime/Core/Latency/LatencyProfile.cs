@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency
 {
@@ -57,7 +58,7 @@ namespace Nowpose.Latency
             double? validToRenderMs = null, HeadMotionLatency headMotion = null)
         {
             Visualisation = VisualisationLatency.FromMilliseconds(visuMs);
-            Spread = SettingRange.RequireMs(spreadMs, 0, MaxVisuMs, "spread of the visualisation latency");
+            Spread = SettingRange.RequireMs(spreadMs, 0, MaxVisuMs, SettingNames.VisualisationSpread);
             Conditions = conditions ?? throw new ArgumentNullException(nameof(conditions));
             MeasuredUtc = measuredUtc.Kind == DateTimeKind.Local
                 ? measuredUtc.ToUniversalTime() : DateTime.SpecifyKind(measuredUtc, DateTimeKind.Utc);
@@ -67,7 +68,7 @@ namespace Nowpose.Latency
             HeadMotion = headMotion;
             Range = renderLimitMs.HasValue ? new ConstantLatencyRange(renderLimitMs.Value, renderTimeSource) : null;
             ValidToRenderTime = validToRenderMs.HasValue
-                ? SettingRange.RequireMs(validToRenderMs.Value, MinRenderMs, MaxRenderMs, "maximum render time measured") : Range?.Limit;
+                ? SettingRange.RequireMs(validToRenderMs.Value, MinRenderMs, MaxRenderMs, SettingNames.MaxRenderTime) : Range?.Limit;
             WatchedRange = Range ?? (validToRenderMs.HasValue && renderTimeSource != RenderTimeSourceKind.None
                 ? new ConstantLatencyRange(validToRenderMs.Value, renderTimeSource, isLimitReached: false) : null);
         }

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Motion
 {
@@ -116,7 +117,7 @@ namespace Nowpose.Motion
         static void RequirePositive(double value, string name)
         {
             if (!(value > 0) || double.IsInfinity(value))
-                throw new ArgumentOutOfRangeException(name, value, "must be positive and finite");
+                throw new ArgumentOutOfRangeException(name, value, SettingMessages.NotPositive);
         }
     }
 }

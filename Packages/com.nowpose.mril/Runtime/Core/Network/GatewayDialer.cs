@@ -7,6 +7,7 @@ using System.Net.Sockets;
 using System.Security.Authentication;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Network
@@ -107,7 +108,7 @@ namespace Nowpose.Network
                 await secure.AuthenticateAsClientAsync(
                     _settings.Host, null, SslProtocols.None, checkCertificateRevocation: false).ConfigureAwait(false);
                 if (secure.SslProtocol < SslProtocols.Tls12)
-                    throw new GatewayRefusalException("TLS: the gateway supports only " + secure.SslProtocol + "; 1.2 or 1.3 is needed");
+                    throw new GatewayRefusalException(ConnectionMessages.TlsVersion(secure.SslProtocol));
                 return secure;
             }
             catch (AuthenticationException failure)

@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Network
@@ -34,7 +35,7 @@ namespace Nowpose.Network
                 }
                 catch (OperationCanceledException late) when (!cancel.IsCancellationRequested)
                 {
-                    throw new IOException("nothing could be sent for " + ProtocolLimits.PongTimeout.TotalSeconds + " s", late);
+                    throw new IOException(ConnectionMessages.NothingSent(ProtocolLimits.PongTimeout.TotalSeconds), late);
                 }
             }
         }

@@ -3,6 +3,7 @@ using System.Globalization;
 using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Sync;
 
@@ -90,7 +91,7 @@ namespace Nowpose.Network
                 return PauseAfterRefusal;
             }
             _resolution.Add(time, sent, answer.Arrival);
-            if (_resolution.IsStopped) _status = LinkStatus.Waiting(Service + ": the clock does not advance; continue the simulation if it is paused");
+            if (_resolution.IsStopped) _status = LinkStatus.Waiting(ConnectionMessages.RosClockStopped(Service));
             else if (_resolution.IsKnown) Take(new SyncExchange(sent, time, time, answer.Arrival, _resolution.Value));
             var pause = _pace.Next(_synchroniser, answer.Arrival);
             return _resolution.IsMeasuring && !_resolution.IsStopped ? answer.Arrival - sent + QuickPause : pause;
@@ -119,8 +120,7 @@ namespace Nowpose.Network
                 }
                 catch (OperationCanceledException late) when (!cancel.IsCancellationRequested)
                 {
-                    throw new IOException(
-                        Service + " did not answer within " + ProtocolLimits.SyncReplyTimeout.TotalSeconds + " s", late);
+                    throw new IOException(ConnectionMessages.NoAnswer(Service, ProtocolLimits.SyncReplyTimeout.TotalSeconds), late);
                 }
             }
         }
@@ -133,7 +133,7 @@ namespace Nowpose.Network
             _faults.Count(fault);
             _dropsInARow = fault == SyncExchangeFault.None ? 0 : _dropsInARow + 1;
             if (_dropsInARow == ProtocolLimits.SyncDropsInARow)
-                throw new GatewayRefusalException(Service + ": " + _dropsInARow + " unusable answers in a row, the last: " + fault);
+                throw new GatewayRefusalException(ConnectionMessages.UnusableAnswers(Service, _dropsInARow, fault));
             if (_dropsInARow == 0) _status = LinkStatus.Connected;
         }
     }

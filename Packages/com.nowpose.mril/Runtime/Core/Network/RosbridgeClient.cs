@@ -4,6 +4,7 @@ using System.IO;
 using System.Runtime.ExceptionServices;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Network
@@ -91,7 +92,7 @@ namespace Nowpose.Network
             {
                 var end = await EndOfAsync(ServeAsync(backoff)).ConfigureAwait(false);
                 _status = end == null
-                    ? LinkStatus.Waiting("joint positions: the gateway closed the connection")
+                    ? LinkStatus.Waiting(ConnectionMessages.JointsClosed)
                     : LinkStatus.Waiting("joint positions", end);
                 await WaitAsync(backoff.Next()).ConfigureAwait(false);
             }

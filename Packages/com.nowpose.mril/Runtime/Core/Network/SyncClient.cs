@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Sync;
 
@@ -101,7 +102,7 @@ namespace Nowpose.Network
                 _faults.Count(fault);
                 dropsInARow = fault == SyncExchangeFault.None ? 0 : dropsInARow + 1;
                 if (dropsInARow == ProtocolLimits.SyncDropsInARow)
-                    throw new GatewayRefusalException(dropsInARow + " unusable replies in a row, the last: " + fault);
+                    throw new GatewayRefusalException(ConnectionMessages.UnusableReplies(dropsInARow, fault));
                 if (dropsInARow == 0)
                 {
                     _status = LinkStatus.Connected;

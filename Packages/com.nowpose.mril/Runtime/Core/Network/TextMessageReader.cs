@@ -3,6 +3,7 @@ using System.IO;
 using System.Net.WebSockets;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Network
@@ -72,15 +73,14 @@ namespace Nowpose.Network
                         Append(next);
                         if (next.EndOfMessage) return next;
                         if (_length > MaxDiscardedBytes)
-                            throw new MessageLimitException(
-                                "a message of more than " + MaxDiscardedBytes + " bytes", DropReason.TooLarge);
+                            throw new MessageLimitException(ConnectionMessages.MessageTooLong(MaxDiscardedBytes), DropReason.TooLarge);
                     }
                 }
                 catch (Exception failure) when (timeUp.IsCancellationRequested)
                 {
                     // On cancellation, the library aborts the connection and reports either the abort or the cancellation.
                     throw new MessageLimitException(
-                        "a message that was not complete within " + ProtocolLimits.MessageTimeout.TotalSeconds + " s", DropReason.TooSlow, failure);
+                        ConnectionMessages.MessageTooSlow(ProtocolLimits.MessageTimeout.TotalSeconds), DropReason.TooSlow, failure);
                 }
             }
         }

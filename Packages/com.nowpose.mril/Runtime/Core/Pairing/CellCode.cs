@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Net;
 using System.Text;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Protocol;
 
@@ -35,14 +36,13 @@ namespace Nowpose.Pairing
             Cell = CellName.Require(cell, "cell code: name");
             Host = GatewayHost.Require(host, "cell code: host");
             if (pin == null && !GatewayHost.IsLoopback(Host))
-                throw new InputException(
-                    "cell code: the certificate pin is missing; only a gateway on the headset's own machine can be used without it");
+                throw new InputException(PairingCodeMessages.PinMissing);
             Pin = pin;
             Marker = marker;
-            if (sizeMetres != 0) SettingRange.Require(sizeMetres, MinSizeMetres, MaxSizeMetres, "cell code: marker size", "m");
+            if (sizeMetres != 0) SettingRange.Require(sizeMetres, MinSizeMetres, MaxSizeMetres, SettingNames.CodeMarkerSize, "m");
             SizeMetres = sizeMetres;
-            SyncPort = SettingRange.RequireCount(syncPort, 1, IPEndPoint.MaxPort, "cell code: sync port");
-            WebSocketPort = SettingRange.RequireCount(webSocketPort, 1, IPEndPoint.MaxPort, "cell code: WebSocket port");
+            SyncPort = SettingRange.RequireCount(syncPort, 1, IPEndPoint.MaxPort, SettingNames.CodeSyncPort);
+            WebSocketPort = SettingRange.RequireCount(webSocketPort, 1, IPEndPoint.MaxPort, SettingNames.CodeWebSocketPort);
             Text = text ?? Write();
         }
 
@@ -74,7 +74,7 @@ namespace Nowpose.Pairing
             var offset = fields.OptionalText('o');
             return new CellCode(
                 CellName.Decode(fields.Text('n'), "cell code: name"), fields.Text('h'), PinOf(fields),
-                offset == null ? null : MarkerOffset.Parse(offset, "cell code: marker offset"), SizeOf(fields),
+                offset == null ? null : MarkerOffset.Parse(offset, SettingNames.CodeMarkerOffset), SizeOf(fields),
                 (int)fields.Count('s', ProtocolLimits.SyncPort, 1, IPEndPoint.MaxPort),
                 (int)fields.Count('w', ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort), text);
         }
@@ -94,7 +94,7 @@ namespace Nowpose.Pairing
         {
             var text = fields.OptionalText('p');
             if (text == null) return null;
-            if (!Base64Url.TryRead(text, PinBytes, out var hash)) throw fields.Fault("certificate pin is not the base64url of 32 bytes");
+            if (!Base64Url.TryRead(text, PinBytes, out var hash)) throw fields.Fault(PairingCodeMessages.PinInvalid);
             return CertificatePin.Parse(System.Convert.ToBase64String(hash));
         }
 
@@ -106,8 +106,7 @@ namespace Nowpose.Pairing
             var text = fields.OptionalText('m');
             if (text == null) return 0;
             // Callers use zero for an unknown size; a code omits the field instead.
-            return MarkerOffset.TryReadNumber(text, out var size) && size != 0 ? size : throw fields.Fault("marker size is not a number; allowed: "
-                + MarkerOffset.Write(MinSizeMetres) + " to " + MarkerOffset.Write(MaxSizeMetres) + " m");
+            return MarkerOffset.TryReadNumber(text, out var size) && size != 0 ? size : throw fields.Fault(PairingCodeMessages.MarkerSize(MarkerOffset.Write(MinSizeMetres), MarkerOffset.Write(MaxSizeMetres)));
         }
 
         string Write()
@@ -120,8 +119,7 @@ namespace Nowpose.Pairing
             if (Marker != null) text.Append("&o=").Append(Marker);
             if (SizeMetres != 0) text.Append("&m=").Append(MarkerOffset.Write(SizeMetres));
             return text.Length <= PairingCode.MaxLength ? text.ToString() : throw new InputException(
-                "cell code: " + text.Length + " characters; allowed: up to " + PairingCode.MaxLength
-                + "; shorten the names of cell and host");
+                PairingCodeMessages.CellCodeTooLong(text.Length, PairingCode.MaxLength));
         }
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
@@ -22,13 +23,13 @@ namespace Nowpose.Pairing
             _what = kind + " code";
             // Checked first, because a code in view may have thousands of characters.
             if (text == null || text.Length > PairingCode.MaxLength)
-                throw Fault((text?.Length ?? 0) + " characters; allowed: up to " + PairingCode.MaxLength);
+                throw Fault(PairingCodeMessages.TooLong(text?.Length ?? 0, PairingCode.MaxLength));
             RequirePlain(text);
             var begin = PairingCode.Scheme + kind + "/";
-            if (!text.StartsWith(begin, StringComparison.Ordinal)) throw Fault("does not begin with " + begin);
+            if (!text.StartsWith(begin, StringComparison.Ordinal)) throw Fault(PairingCodeMessages.OtherBegin(begin));
             var query = text.IndexOf('?');
             RequireVersion(query < 0 ? text.Substring(begin.Length) : text.Substring(begin.Length, query - begin.Length), version);
-            if (query < 0) throw Fault("has no fields; allowed: " + List(keys));
+            if (query < 0) throw Fault(PairingCodeMessages.NoFields(List(keys)));
             foreach (var field in text.Substring(query + 1).Split('&')) Add(field, keys);
         }
 
@@ -47,7 +48,7 @@ namespace Nowpose.Pairing
                 && (text.Length == 1 || text[0] != '0');
             if (isNumber && value >= min && value <= max) return value;
             // A value that is not a number may contain anything, so the message does not repeat it.
-            throw Fault(key + (isNumber ? "=" + value : " is not a whole number") + "; allowed: " + min + " to " + max);
+            throw Fault(isNumber ? PairingCodeMessages.OutOfRange(key, value, min, max) : PairingCodeMessages.NotWhole(key, min, max));
         }
 
         public InputException Fault(string what) => new InputException(_what + ": " + what);
@@ -56,24 +57,22 @@ namespace Nowpose.Pairing
         {
             for (var i = 0; i < text.Length; i++)
                 if (text[i] <= ' ' || text[i] > '~')
-                    throw Fault(string.Format(
-                        CultureInfo.InvariantCulture, "character {0} is U+{1:X4}; allowed: ASCII without spaces and control characters",
-                        i + 1, (int)text[i]));
+                    throw Fault(PairingCodeMessages.Character(i + 1, (int)text[i]));
         }
 
         void RequireVersion(string text, int version)
         {
             if (text.Length == 0 || text.Length > 4 || text[0] == '0'
                 || !int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var read))
-                throw Fault("has no version; expected is /" + version + "?");
-            if (read != version) throw Fault("has version " + read + "; this Nowpose reads version " + version + "; update Nowpose");
+                throw Fault(PairingCodeMessages.NoVersion(version));
+            if (read != version) throw Fault(PairingCodeMessages.OtherVersion(read, version));
         }
 
         void Add(string field, string keys)
         {
-            if (field.Length < 2 || field[1] != '=') throw Fault("a field is not KEY=VALUE; allowed: " + List(keys));
+            if (field.Length < 2 || field[1] != '=') throw Fault(PairingCodeMessages.NotAField(List(keys)));
             var key = field[0];
-            if (keys.IndexOf(key) < 0) throw Fault("field " + key + " is not known; allowed: " + List(keys));
+            if (keys.IndexOf(key) < 0) throw Fault(PairingCodeMessages.UnknownField(key, List(keys)));
             if (field.Length == 2) throw Fault(key + " is empty");
             if (!_values.TryAdd(key, field.Substring(2))) throw Fault(key + " occurs twice");
         }

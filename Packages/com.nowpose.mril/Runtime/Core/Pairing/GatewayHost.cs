@@ -2,6 +2,7 @@ using System;
 using System.Globalization;
 using System.Net;
 using System.Net.Sockets;
+using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
@@ -18,8 +19,7 @@ namespace Nowpose.Pairing
         {
             var plain = (host ?? "").ToLowerInvariant();
             if (plain.Contains(':') ? IsIPv6(plain) : IsNumeric(plain) ? IsIPv4(plain) : IsName(plain)) return plain;
-            throw new InputException(what + ": '" + Shown(host) + "' is not a host; allowed: a name of ASCII letters, digits, hyphens and dots, "
-                + "or an IPv4 or IPv6 address");
+            throw new InputException(PairingCodeMessages.NotAHost(what, Shown(host)));
         }
 
         public static bool IsLoopback(string host) =>

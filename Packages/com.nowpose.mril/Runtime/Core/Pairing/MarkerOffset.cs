@@ -1,6 +1,7 @@
 using System;
 using System.Globalization;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
@@ -42,11 +43,11 @@ namespace Nowpose.Pairing
         {
             var words = (text ?? "").Split(',');
             if (words.Length != Numbers && words.Length != 3)
-                throw new InputException(what + ": " + words.Length + " numbers; allowed: x,y,z or x,y,z,roll,pitch,yaw in metres and degrees");
+                throw new InputException(PairingCodeMessages.OffsetCount(what, words.Length));
             var numbers = new double[Numbers];
             for (var i = 0; i < words.Length; i++)
                 if (!TryReadNumber(words[i], out numbers[i]))
-                    throw new InputException(what + ": value " + (i + 1) + " is not a number; allowed: at most three digits, and six after the decimal point");
+                    throw new InputException(PairingCodeMessages.OffsetNumber(what, i + 1));
             return new MarkerOffset(numbers, what);
         }
 

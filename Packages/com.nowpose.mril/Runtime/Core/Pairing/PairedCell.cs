@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
@@ -20,10 +21,10 @@ namespace Nowpose.Pairing
         {
             _codes = codes.ToArray();
             if (_codes.Length == 0 || _codes.Length > MaxCodes)
-                throw new InputException("paired cell: " + _codes.Length + " codes; allowed: 1 to " + MaxCodes);
-            if (_codes.Select(code => code.Text).Distinct().Count() != _codes.Length) throw new InputException("paired cell: two codes are the same");
+                throw new InputException(PairedCellMessages.CodeCount(_codes.Length, MaxCodes));
+            if (_codes.Select(code => code.Text).Distinct().Count() != _codes.Length) throw new InputException(PairedCellMessages.SameCode);
             if (_codes.Any(code => code.Cell != Newest.Cell || !code.HasSameGateway(Newest)))
-                throw new InputException("paired cell: the codes belong to several cells or gateways");
+                throw new InputException(PairedCellMessages.SeveralCells);
             Token = Newest.ToConnection(token, "headset").Token;
         }
 

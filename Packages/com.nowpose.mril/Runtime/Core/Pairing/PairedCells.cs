@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
@@ -18,9 +19,9 @@ namespace Nowpose.Pairing
         {
             _cells = cells.ToArray();
             if (_cells.Length > MaxCount)
-                throw new InputException("paired cells: " + _cells.Length + " cells; allowed: up to " + MaxCount);
-            if (_cells.Select(cell => cell.Cell).Distinct().Count() != _cells.Length) throw new InputException("paired cells: two have the same name");
-            Used = used == null ? null : Find(used) ?? throw new InputException("paired cells: the cell in use is not in the list");
+                throw new InputException(PairedCellMessages.CellCount(_cells.Length, MaxCount));
+            if (_cells.Select(cell => cell.Cell).Distinct().Count() != _cells.Length) throw new InputException(PairedCellMessages.SameName);
+            Used = used == null ? null : Find(used) ?? throw new InputException(PairedCellMessages.UsedNotInList);
         }
 
         public IReadOnlyList<PairedCell> All => _cells;

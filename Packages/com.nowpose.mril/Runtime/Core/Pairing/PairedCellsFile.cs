@@ -1,4 +1,5 @@
 using System.IO;
+using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
@@ -8,7 +9,7 @@ namespace Nowpose.Pairing
     static class PairedCellsFile
     {
         const int MaxBytes = 1024 * 1024;
-        const string What = "list of paired cells";
+        const string What = PairedCellMessages.List;
 
         /// <summary>Loads the cells; none if the file is missing. Renames a file that cannot be used, and reports the problem.</summary>
         /// <param name="problem">The problem in one line; null unless there is one.</param>
@@ -23,7 +24,7 @@ namespace Nowpose.Pairing
             catch (InputException fault)
             {
                 var aside = WholeFile.PutAside(path);
-                problem = fault.Message + (aside == null ? "" : "; kept as " + aside) + "; look at the codes again";
+                problem = PairedCellMessages.Lost(fault.Message, aside);
                 return PairedCells.None;
             }
         }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 using Nowpose.Network;
 
 namespace Nowpose.Pairing
@@ -165,7 +166,7 @@ namespace Nowpose.Pairing
                 Learn(known.With(seen.Cell));
                 return;
             }
-            if (!seen.IsTooManyReported) FailForNow(PairingWords.TooMany(known.Cell));
+            if (!seen.IsTooManyReported) FailForNow(PairingMessages.TooMany(known.Cell));
             seen.IsTooManyReported = true;
         }
 
@@ -221,12 +222,12 @@ namespace Nowpose.Pairing
             if (_exchange.Cell != null) return;
             if (_exchange.WasTried(code))
             {
-                if (Cells.UsedNeeds(code, _isTokenRefused) && Problem == null && Question == null) SetWords(PairingWords.CodeWasTried);
+                if (Cells.UsedNeeds(code, _isTokenRefused) && Problem == null && Question == null) SetWords(PairingMessages.CodeWasTried);
                 return;
             }
             _exchange.Wait(code, now);
             if (Cells.HasGatewayOf(code)) return;
-            if (Words != PairingWords.MarkerFirst && Question == null) SetWords(PairingWords.MarkerFirst);
+            if (Words != PairingMessages.MarkerFirst && Question == null) SetWords(PairingMessages.MarkerFirst);
         }
 
         // The wearer may look at the marker and the code in either order.
@@ -262,7 +263,7 @@ namespace Nowpose.Pairing
             // A gateway's token is valid for all its cells.
             foreach (var other in Cells.All)
                 if (other.Token == null && other.Newest.HasSameGateway(cell.Newest)) Learn(other.WithToken(token));
-            SetWords(PairingWords.Paired(cell.Cell));
+            SetWords(PairingMessages.Paired(cell.Cell));
         }
 
         void Fail(string problem)
@@ -300,6 +301,6 @@ namespace Nowpose.Pairing
             _changes |= PairingChange.Words;
         }
 
-        string CalmWords => PairingWords.Calm(_exchange.Cell, Cells.Used, _isTokenRefused);
+        string CalmWords => PairingMessages.Calm(_exchange.Cell, Cells.Used, _isTokenRefused);
     }
 }

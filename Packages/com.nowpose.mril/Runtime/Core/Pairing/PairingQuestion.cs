@@ -1,3 +1,5 @@
+using Nowpose.Messages;
+
 namespace Nowpose.Pairing
 {
     /// <summary>A question to the wearer and its subject. Exactly one of the properties other than the text is set.</summary>
@@ -19,11 +21,11 @@ namespace Nowpose.Pairing
 
         /// <param name="known">The accepted cell of the same name; null for none.</param>
         public static PairingQuestion Connect(SeenCode code, PairedCell known) =>
-            new PairingQuestion(PairingWords.Question(code.Cell, known?.Newest)) { Code = code };
+            new PairingQuestion(PairingMessages.Question(code.Cell, known?.Newest)) { Code = code };
 
         public static PairingQuestion Use(PairedCell cell, PairedCell instead) =>
-            new PairingQuestion(PairingWords.Use(cell.Cell, instead.Cell)) { Used = cell.Cell };
+            new PairingQuestion(PairingMessages.Use(cell.Cell, instead.Cell)) { Used = cell.Cell };
 
-        public static PairingQuestion Forget(PairedCell cell) => new PairingQuestion(PairingWords.Forget(cell.Newest)) { Forgotten = cell.Cell };
+        public static PairingQuestion Forget(PairedCell cell) => new PairingQuestion(PairingMessages.Forget(cell.Newest)) { Forgotten = cell.Cell };
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
@@ -26,7 +27,7 @@ namespace Nowpose.Pairing
             if (text.Length > PairingCode.MaxLength)
             {
                 // Not stored, because otherwise the source of the text would determine how much memory is used.
-                if (!_isOversizedReported) fault = "pairing code: " + text.Length + " characters; allowed: up to " + PairingCode.MaxLength;
+                if (!_isOversizedReported) fault = PairingCodeMessages.CodeTooLong(text.Length, PairingCode.MaxLength);
                 _isOversizedReported = true;
                 return null;
             }
@@ -50,8 +51,7 @@ namespace Nowpose.Pairing
             _old.Clear();
             if (_codes.Count < MaxCount) return true;
             if (!_isFullReported)
-                fault = "pairing codes: " + MaxCount + " different ones were in view; others are read again in "
-                    + (int)Memory.TotalMinutes + " minutes, or after a restart";
+                fault = PairingCodeMessages.TooManyInView(MaxCount, (int)Memory.TotalMinutes);
             _isFullReported = true;
             return false;
         }

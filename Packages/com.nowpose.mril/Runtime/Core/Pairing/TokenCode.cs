@@ -1,6 +1,7 @@
 using System;
 using System.Globalization;
 using System.Text;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Pairing
@@ -32,7 +33,7 @@ namespace Nowpose.Pairing
         TokenCode(CertificatePin pin, string token, DateTime? validToUtc, string text)
         {
             if (!Base64Url.TryRead(token ?? "", TokenBytes, out _))
-                throw new InputException("token code: the token is not the base64url of " + TokenBytes + " bytes");
+                throw new InputException(PairingCodeMessages.TokenInvalid(TokenBytes));
             Pin = pin;
             Token = token;
             ValidToUtc = validToUtc;

@@ -1,6 +1,7 @@
 using System;
 using System.Security.Cryptography;
 using System.Security.Cryptography.X509Certificates;
+using Nowpose.Messages;
 
 namespace Nowpose.Protocol
 {
@@ -28,8 +29,7 @@ namespace Nowpose.Protocol
             var hash = new byte[HashBytes + 1];
             // The buffer has one extra byte, to distinguish 33 bytes from 32; longer values are rejected as well.
             if (!Convert.TryFromBase64String(base64, hash, out var length) || length != HashBytes)
-                throw new InputException(
-                    "certificate pin \"" + trimmed + "\" is not the base64 of 32 bytes; copy it as the gateway prints it (sha256/…=)");
+                throw new InputException(CertificateMessages.PinInvalid(trimmed));
             return new CertificatePin(hash.AsSpan(0, HashBytes).ToArray());
         }
 
@@ -39,7 +39,7 @@ namespace Nowpose.Protocol
         {
             // Unity's Mono has no ExportSubjectPublicKeyInfo, so the key is extracted from the certificate's bytes.
             if (!SubjectPublicKeyInfo.TryFind(certificate.GetRawCertData(), out var info))
-                throw new InputException("certificate: its bytes are not those of an X.509 certificate, so it has no public key to pin");
+                throw new InputException(CertificateMessages.NotX509);
             using (var sha = SHA256.Create())
                 return new CertificatePin(sha.ComputeHash(info.ToArray()));
         }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Messages;
 
 namespace Nowpose.Protocol
 {
@@ -24,11 +25,11 @@ namespace Nowpose.Protocol
             string frameId = "")
         {
             if (positions.Length != names.Length)
-                throw new ArgumentException(positions.Length + " positions were passed for " + names.Length + " joints", nameof(positions));
+                throw new ArgumentException(ProtocolMessages.PositionCount(positions.Length, names.Length), nameof(positions));
             if (velocities != null && velocities.Length != names.Length)
-                throw new ArgumentException(velocities.Length + " velocities were passed for " + names.Length + " joints", nameof(velocities));
+                throw new ArgumentException(ProtocolMessages.VelocityCount(velocities.Length, names.Length), nameof(velocities));
             if (accelerations != null && accelerations.Length != names.Length)
-                throw new ArgumentException(accelerations.Length + " accelerations were passed for " + names.Length + " joints", nameof(accelerations));
+                throw new ArgumentException(ProtocolMessages.AccelerationCount(accelerations.Length, names.Length), nameof(accelerations));
             Stamp = stamp;
             Names = names;
             Positions = positions;

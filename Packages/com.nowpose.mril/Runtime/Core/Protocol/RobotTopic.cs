@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Protocol
 {
@@ -64,8 +65,7 @@ namespace Nowpose.Protocol
         /// <returns>The namespace.</returns>
         /// <exception cref="InputException">The text is not a robot's namespace.</exception>
         public static string RequireNamespace(string text) => IsNamespace(text) ? text : throw new InputException(
-            "robot namespace: is '" + text + "'; allowed: a letter, then letters, digits and underscores, up to "
-            + ProtocolLimits.NamespaceLength + " characters");
+            RobotMessages.NamespaceInvalid(text, ProtocolLimits.NamespaceLength));
 
         static bool IsLetter(char c) => (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
     }

@@ -1,6 +1,7 @@
 using System;
 using System.Buffers.Binary;
 using System.Text;
+using Nowpose.Messages;
 
 namespace Nowpose.Protocol
 {
@@ -53,7 +54,7 @@ namespace Nowpose.Protocol
         {
             var length = string.IsNullOrEmpty(token) ? 0 : Encoding.UTF8.GetByteCount(token);
             if (length == 0 || length > ProtocolLimits.TokenBytes)
-                throw new InputException("token: " + length + " bytes of UTF-8; allowed: 1 to " + ProtocolLimits.TokenBytes);
+                throw new InputException(ProtocolMessages.TokenLength(length, ProtocolLimits.TokenBytes));
             return length;
         }
     }

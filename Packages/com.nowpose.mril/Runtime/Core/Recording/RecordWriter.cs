@@ -6,6 +6,7 @@ using System.IO;
 using System.Text;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 
 namespace Nowpose.Recording
 {
@@ -99,8 +100,7 @@ namespace Nowpose.Recording
                 var asked = _flushes.Count;
                 if (!TryDrain(stream))
                 {
-                    _problem = "recording " + _settings.Path + " has stopped: it has reached its maximum size, "
-                        + (_settings.MaximumBytes / 1e6).ToString("0.###", CultureInfo.InvariantCulture) + " MB";
+                    _problem = RecordingMessages.MaxSize(_settings.Path, (_settings.MaximumBytes / 1e6).ToString("0.###", CultureInfo.InvariantCulture));
                     break;
                 }
                 if (asked > 0 || _sinceFlush.Elapsed >= FlushInterval) Flush(stream, asked);

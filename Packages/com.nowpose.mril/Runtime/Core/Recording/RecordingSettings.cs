@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using Nowpose.Messages;
 
 namespace Nowpose.Recording
 {
@@ -24,10 +25,10 @@ namespace Nowpose.Recording
         /// <exception cref="InputException">A value is out of range, or the name is empty.</exception>
         public RecordingSettings(string name, Func<Stream> open, double maximumMegabytes = 500, DateTime? startedUtc = null)
         {
-            if (string.IsNullOrWhiteSpace(name)) throw new InputException("recording: no file is named; enter a path");
+            if (string.IsNullOrWhiteSpace(name)) throw new InputException(RecordingMessages.NoPath);
             Path = name;
             Open = open ?? throw new ArgumentNullException(nameof(open));
-            MaximumBytes = (long)(SettingRange.Require(maximumMegabytes, 0.001, 100_000, "maximum size of the recording", "MB") * 1e6);
+            MaximumBytes = (long)(SettingRange.Require(maximumMegabytes, 0.001, 100_000, SettingNames.MaxRecordingSize, "MB") * 1e6);
             StartedUtc = startedUtc;
         }
 

@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Session
@@ -56,7 +57,7 @@ namespace Nowpose.Session
             {
                 case JointDataState.Live: return "live";
                 case JointDataState.Rest: return "assumed at rest";
-                case JointDataState.Refused: return "values cannot be used";
+                case JointDataState.Refused: return StateNames.ValuesUnusable;
                 case JointDataState.Missing: return "no value";
                 default: return "no data";
             }

@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Prediction;
 
 namespace Nowpose.Session
@@ -47,7 +48,7 @@ namespace Nowpose.Session
             MaximumGap = SettingRange.RequireMs(maximumGapMs, 1, 60_000, "maximum gap");
             Blend = SettingRange.RequireMs(blendMs, 0, MaxBlendMs, "blend");
             FollowPlan = followPlan;
-            SpeedShare = SettingRange.Require(speedShare, MinSpeedShare, 1, "speed share", "of the URDF's velocity");
+            SpeedShare = SettingRange.Require(speedShare, MinSpeedShare, 1, "speed share", SettingNames.UrdfVelocityShare);
             AccelerationLimit = RequireLimit(accelerationLimit, "acceleration limit", "rad/s²");
             JerkLimit = RequireLimit(jerkLimit, "jerk limit", "rad/s³");
             Create(JointLimits.None);

@@ -3,10 +3,10 @@ using System.Collections;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Session.Cell;
-using Nowpose.Sync;
 
 namespace Nowpose.Session
 {
@@ -53,9 +53,9 @@ namespace Nowpose.Session
             if (name.Length > 0) RobotTopic.RequireNamespace(name);
             var known = Of(name);
             if (known?.Robot.SourceHash == robot.SourceHash) return known;
-            if (known != null) throw new InputException("robot namespace '" + name + "': is that of the robot " + known.Robot.Name);
+            if (known != null) throw new InputException(RobotMessages.NamespaceTaken(name, known.Robot.Name));
             if (_all.Length >= ProtocolLimits.Robots)
-                throw new InputException("robot namespace '" + name + "': the cell has " + ProtocolLimits.Robots + " robots, which is the maximum");
+                throw new InputException(RobotMessages.TooManyRobots(name, ProtocolLimits.Robots));
             var added = new SessionRobot(name, robot, _settings, _latency, _drops);
             lock (_gate)
             {

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Simulation
 {
@@ -37,7 +38,7 @@ namespace Nowpose.Simulation
         public PipelineFrame Next(double vertices)
         {
             if (!(vertices >= 0 && vertices < 1e9))
-                throw new ArgumentOutOfRangeException(nameof(vertices), vertices, "must be 0 to a billion vertices");
+                throw new ArgumentOutOfRangeException(nameof(vertices), vertices, SettingMessages.Vertices);
             var renderMs = (_settings.BaseMs + _settings.MsPerMillion * vertices / 1e6) * Slowness();
             var (startMs, olderDoneMs) = (_nextStartMs, _gpuFreeMs);
             _gpuFreeMs = Math.Max(olderDoneMs, startMs) + renderMs;

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Messages;
 
 namespace Nowpose.Simulation
 {
@@ -72,6 +73,6 @@ namespace Nowpose.Simulation
         /// <exception cref="InputException">No profile has that name.</exception>
         public static LinkProfile Named(string name) =>
             All.FirstOrDefault(profile => profile.Name == name)
-            ?? throw new InputException("link profile: '" + name + "' is not known; allowed: " + string.Join(", ", All.Select(p => p.Name)));
+            ?? throw new InputException(SettingMessages.UnknownLinkProfile(name, string.Join(", ", All.Select(p => p.Name))));
     }
 }

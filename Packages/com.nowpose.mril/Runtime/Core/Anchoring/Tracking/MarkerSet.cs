@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 
 namespace Nowpose.Anchoring.Tracking
 {
@@ -30,14 +31,14 @@ namespace Nowpose.Anchoring.Tracking
         /// <exception cref="InputException">Two markers have the same payload, or there are too many; nothing is changed then.</exception>
         public bool Replace(IReadOnlyList<BaseMarker> markers, AnchoringSettings settings)
         {
-            SettingRange.RequireCount(markers.Count, 0, MaxCount, "markers of a base");
+            SettingRange.RequireCount(markers.Count, 0, MaxCount, SettingNames.MarkersOfBase);
             var tracked = new TrackedMarker[markers.Count];
             for (var i = 0; i < tracked.Length; i++)
             {
                 var marker = markers[i] ?? throw new ArgumentNullException(nameof(markers));
                 for (var j = 0; j < i; j++)
                     if (markers[j].Payload == marker.Payload)
-                        throw new InputException(MarkerName.Of(marker.Payload) + " is given twice; each marker of a base needs its own payload");
+                        throw new InputException(MarkerMessages.PayloadTwice(MarkerName.Of(marker.Payload)));
                 tracked[i] = Array.Find(_markers, known => known.Marker.IsSameAs(marker)) ?? new TrackedMarker(marker, settings);
             }
             var hasAllParts = Array.TrueForAll(_markers, known => !known.IsPart || Array.IndexOf(tracked, known) >= 0);

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.Linq;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency.Calibration
 {
@@ -29,10 +29,9 @@ namespace Nowpose.Latency.Calibration
         public void Add(double offsetMm, double speedMmPerS)
         {
             if (!(Math.Abs(speedMmPerS) >= MinSpeedMmPerS))
-                throw Fault("nudge: the tool moves at {0:0} mm/s along the axis; mark at {1:0} mm/s or more", speedMmPerS, MinSpeedMmPerS);
+                throw new InputException(NudgeMessages.TooSlow(speedMmPerS, MinSpeedMmPerS));
             if (_marks.Count > 0 && Math.Abs(Math.Abs(speedMmPerS) - Speed) > SameSpeed * Speed)
-                throw Fault("nudge: the tool moves at {0:0} mm/s, and moved at {1:0} mm/s during the earlier marks; use the same speed, or clear the marks",
-                    Math.Abs(speedMmPerS), Speed);
+                throw new InputException(NudgeMessages.OtherSpeed(Math.Abs(speedMmPerS), Speed));
             _marks.Add((offsetMm, speedMmPerS));
         }
 
@@ -63,8 +62,5 @@ namespace Nowpose.Latency.Calibration
                 return directions.Average();
             }
         }
-
-        static InputException Fault(string format, params object[] values) =>
-            new InputException(string.Format(CultureInfo.InvariantCulture, format, values));
     }
 }

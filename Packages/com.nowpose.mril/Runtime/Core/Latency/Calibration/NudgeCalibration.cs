@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency.Calibration
 {
@@ -22,7 +23,7 @@ namespace Nowpose.Latency.Calibration
         /// <exception cref="InputException">A value is out of range.</exception>
         public NudgeCalibration(double speedMmPerS, double usedVisuMs)
         {
-            _speedMmPerS = SettingRange.Require(speedMmPerS, 1, 10_000, "speed of the tool", "mm/s");
+            _speedMmPerS = SettingRange.Require(speedMmPerS, 1, 10_000, SettingNames.ToolSpeed, "mm/s");
             _usedVisuMs = VisualisationLatency.FromMilliseconds(usedVisuMs).Length.TotalMilliseconds;
         }
 
@@ -45,7 +46,7 @@ namespace Nowpose.Latency.Calibration
         {
             get
             {
-                if (!IsComplete) throw new InputException("nudge: " + (ForwardCount == 0 ? "forward" : "backward") + " has no mark; mark both directions");
+                if (!IsComplete) throw new InputException(NudgeMessages.NoMark(ForwardCount == 0));
                 var errorMs = (_forward.Mean - _backward.Mean) / (2 * _speedMmPerS) * 1000;
                 var visuMs = SettingRange.Require(
                     Math.Round(_usedVisuMs + errorMs, 4), 0, LatencyProfile.MaxVisuMs, "nudge: visualisation latency", "ms");

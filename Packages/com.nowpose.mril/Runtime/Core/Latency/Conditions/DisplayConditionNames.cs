@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency.Conditions
 {
@@ -19,8 +20,8 @@ namespace Nowpose.Latency.Conditions
 
         static readonly string[] Places =
         {
-            "", "", "Project Settings, Player", "Project Settings, Player", "Project Settings, Graphics and Quality",
-            "Session Settings", "Project Settings, XR Plug-in Management, OpenXR", "the component or script that sets the reprojection mode",
+            "", "", "Project Settings, Player", "Project Settings, Player", ConditionMessages.PlaceOfQuality,
+            "Session Settings", ConditionMessages.PlaceOfOpenXr, ConditionMessages.PlaceOfReprojection,
         };
 
         public static int Count => Fields.Length;

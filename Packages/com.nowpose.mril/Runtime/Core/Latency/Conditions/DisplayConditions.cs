@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
-using Nowpose.Latency.Reprojection;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency.Conditions
 {
@@ -40,7 +40,7 @@ namespace Nowpose.Latency.Conditions
                 DisplayHz = SettingRange.Require(displayHz.Value, 0, MaxDisplayHz, "display rate", "Hz");
             RewritesBeforeRender = rewritesBeforeRender;
             Reprojection = reprojection;
-            Set(DisplayCondition.Device, device, "the name of a model");
+            Set(DisplayCondition.Device, device, SettingNames.DeviceModel);
             Set(DisplayCondition.DisplayRate, DisplayHz?.ToString("0.##", Culture));
             Set(DisplayCondition.GraphicsApi, graphicsApi);
             Set(DisplayCondition.GraphicsJobs, graphicsJobs);
@@ -124,8 +124,7 @@ namespace Nowpose.Latency.Conditions
         {
             if (string.IsNullOrEmpty(value)) return;
             if (value.Length > MaxTextLength || value.Any(char.IsControl))
-                throw new InputException(
-                    DisplayConditionNames.FieldOf(condition) + ": " + what + " must be one line of up to " + MaxTextLength + " characters");
+                throw new InputException(ConditionMessages.NotOneLine(DisplayConditionNames.FieldOf(condition), what, MaxTextLength));
             _values[(int)condition] = value;
         }
 
@@ -133,22 +132,21 @@ namespace Nowpose.Latency.Conditions
         {
             if (string.IsNullOrEmpty(text)) return null;
             if (double.TryParse(text, NumberStyles.Float, Culture, out var hertz)) return hertz;
-            throw new InputException(DisplayConditionNames.FieldOf(DisplayCondition.DisplayRate) + ": '" + text + "' is not a number of hertz");
+            throw new InputException(ConditionMessages.NotARate(DisplayConditionNames.FieldOf(DisplayCondition.DisplayRate), text));
         }
 
         static bool? SwitchOf(string text)
         {
             if (string.IsNullOrEmpty(text)) return null;
             return text == On || (text == Off ? false : throw new InputException(
-                DisplayConditionNames.FieldOf(DisplayCondition.RewriteBeforeRender) + ": '" + text + "' is not allowed; use " + On + " or " + Off));
+                ConditionMessages.NotASwitch(DisplayConditionNames.FieldOf(DisplayCondition.RewriteBeforeRender), text, On, Off)));
         }
 
         static ReprojectionMode ReprojectionOf(string text)
         {
             if (string.IsNullOrEmpty(text)) return ReprojectionMode.Unknown;
             return ReprojectionModeNames.TryParse(text, out var mode) ? mode : throw new InputException(
-                DisplayConditionNames.FieldOf(DisplayCondition.Reprojection) + ": '" + text + "' is not allowed; use one of "
-                + ReprojectionModeNames.All);
+                ConditionMessages.NotAMode(DisplayConditionNames.FieldOf(DisplayCondition.Reprojection), text, ReprojectionModeNames.All));
         }
     }
 }

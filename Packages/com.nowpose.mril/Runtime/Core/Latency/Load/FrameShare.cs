@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency.Load
 {
@@ -25,7 +26,7 @@ namespace Nowpose.Latency.Load
         /// <exception cref="InputException">The share is out of range.</exception>
         public FrameShare(double milliseconds, int kinds)
         {
-            _share = SettingRange.RequireMs(milliseconds, 0.1, 100, "time for building per frame");
+            _share = SettingRange.RequireMs(milliseconds, 0.1, 100, SettingNames.BuildingTime);
             _expected = new TimeSpan[kinds];
             for (var kind = 0; kind < kinds; kind++) _expected[kind] = _share;
         }

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency.Profile
 {
@@ -14,7 +15,7 @@ namespace Nowpose.Latency.Profile
         public HeadMotionLatency(double latencyMs, double uncertaintyMs)
         {
             Latency = SettingRange.RequireMs(latencyMs, MinMs, MaxMs, "head motion latency");
-            Uncertainty = SettingRange.RequireMs(uncertaintyMs, 0, MaxMs, "uncertainty of the head motion latency");
+            Uncertainty = SettingRange.RequireMs(uncertaintyMs, 0, MaxMs, SettingNames.HeadMotionUncertainty);
         }
 
         /// <summary>Delay of the picture behind the head; negative if the picture is ahead.</summary>

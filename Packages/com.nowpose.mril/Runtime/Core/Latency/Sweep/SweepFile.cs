@@ -4,6 +4,7 @@ using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
 using Nowpose.Latency.Conditions;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency.Sweep
 {
@@ -76,7 +77,7 @@ namespace Nowpose.Latency.Sweep
             // Any exception ends the sweep with a message, not the application.
             catch (Exception fault)
             {
-                _problem = "sweep log " + Path + " cannot be written: " + fault.Message.Replace('\r', ' ').Replace('\n', ' ');
+                _problem = SweepMessages.LogNotWritten(Path, fault.Message.Replace('\r', ' ').Replace('\n', ' '));
             }
         }
 

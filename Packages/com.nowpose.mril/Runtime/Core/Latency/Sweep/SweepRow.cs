@@ -1,4 +1,4 @@
-using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency.Sweep
 {
@@ -41,7 +41,7 @@ namespace Nowpose.Latency.Sweep
         {
             MeasuredRenderTime.RequireMs(ms);
             if (source == RenderTimeSourceKind.None)
-                throw new InputException("render_ms: its source is missing; a render time needs a source");
+                throw new InputException(SweepMessages.TimeWithoutSource);
         }
     }
 }

@@ -1,4 +1,5 @@
 using Nowpose.Latency;
+using Nowpose.Messages;
 
 namespace Nowpose.Session.Hindcast
 {
@@ -44,8 +45,8 @@ namespace Nowpose.Session.Hindcast
             {
                 case ErrorWithheldReason.OutsideRange: return "outside range";
                 case ErrorWithheldReason.BeyondMeasured: return "beyond measured range";
-                case ErrorWithheldReason.OtherSource: return "limit of another source";
-                case ErrorWithheldReason.NoRenderTime: return "render time not measured";
+                case ErrorWithheldReason.OtherSource: return StateNames.OtherSourceLimit;
+                case ErrorWithheldReason.NoRenderTime: return StateNames.RenderTimeNotMeasured;
                 default: return null;
             }
         }

@@ -3,6 +3,7 @@ using System.Linq;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using NUnit.Framework;
+using Nowpose.Messages;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
@@ -121,7 +122,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0));
             Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Lost));
             Assert.That(
-                Tracker.Words, Is.EqualTo("the headset has the place 0.3 m elsewhere, which is not followed: look around, or lock again"));
+                Tracker.Words, Is.EqualTo(BaseStatusMessages.Elsewhere("0.3", hasMarkers: true)));
             _anchors.Held[0].Pose = Shift(0.29) * before;
             _cell.Base = _anchors.Held[0].Pose.Value;
             _cell.Run(2);

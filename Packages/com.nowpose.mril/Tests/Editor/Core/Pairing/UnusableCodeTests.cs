@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 using Nowpose.Pairing;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Pairing.SimulatedPairing;
@@ -111,7 +112,7 @@ namespace Nowpose.Tests.Core.Pairing
                 if ((changes & PairingChange.Problem) != 0) problems++;
             }
             Assert.That(problems, Is.EqualTo(1));
-            Assert.That(_pairing.Flow.Problem, Does.Contain("256 different ones"));
+            Assert.That(_pairing.Flow.Problem, Is.EqualTo(PairingCodeMessages.TooManyInView(256, 5)));
             _pairing.Frame(Cell);
             Assert.That(_pairing.Flow.Question, Is.Null, "no more codes are stored");
 

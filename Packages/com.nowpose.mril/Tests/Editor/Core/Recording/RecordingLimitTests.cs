@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
+using Nowpose.Messages;
 using Nowpose.Recording;
 using Nowpose.Session;
 using Nowpose.Simulation;
@@ -81,7 +82,7 @@ namespace Nowpose.Tests.Core.Recording
             Assert.That(run.Recorder.Ended.Wait(TimeSpan.FromMinutes(1)), "the recording ends by itself");
 
             Assert.That(run.Recorder.State, Is.EqualTo(RecordingState.Full));
-            Assert.That(run.Recorder.Problem, Does.Contain("maximum size, 0.02 MB"));
+            Assert.That(run.Recorder.Problem, Does.EndWith(RecordingMessages.MaxSize("", "0.02")["recording ".Length..]));
             Assert.That(run.Text.Length, Is.EqualTo(run.Recorder.Bytes).And.LessThanOrEqualTo(20_000).And.GreaterThan(19_000));
             Assert.That((string)run.Last["reason"], Is.EqualTo("full"));
         }

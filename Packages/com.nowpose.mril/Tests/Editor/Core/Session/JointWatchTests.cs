@@ -5,6 +5,7 @@ using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Simulation;
@@ -271,7 +272,7 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(StatusOf(new SessionStatistics { BeyondLimits = watch.Present }), Is.EqualTo((1, watch.Present.Words)));
             Assert.That(StatusOf(new SessionStatistics { ProfileMismatches = mismatches }), Is.EqualTo((1, mismatches[0].Words)));
             Assert.That(StatusOf(new SessionStatistics { ProfileMismatches = mismatches, IsLightPredicted = true }), Is.EqualTo((0, "")));
-            Assert.That(StatusOf(implausible), Is.EqualTo((1, DisplayWords.ProblemOf(implausible))));
+            Assert.That(StatusOf(implausible), Is.EqualTo((1, DisplayMessages.ProblemOf(implausible))));
         }
 
         [TestCase(PoseState.Current, ClockState.Synchronised, 0.4, "current")]

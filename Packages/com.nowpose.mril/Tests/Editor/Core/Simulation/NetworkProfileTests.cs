@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Nowpose.Messages;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
@@ -55,7 +56,7 @@ namespace Nowpose.Tests.Core.Simulation
         {
             var error = Assert.Throws<InputException>(() => NetworkProfile.Named("5g"));
 
-            Assert.That(error.Message, Is.EqualTo("network: '5g' is not known; allowed: lan, wifi, busy-wifi"));
+            Assert.That(error.Message, Is.EqualTo(SettingMessages.UnknownNetwork("5g", "lan, wifi, busy-wifi")));
         }
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Messages;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
@@ -104,7 +105,7 @@ namespace Nowpose.Tests.Core.Simulation
             var error = Assert.Throws<InputException>(() => LinkProfile.Named("5g"));
 
             Assert.That(
-                error.Message, Is.EqualTo("link profile: '5g' is not known; allowed: clean, wifi, lossy, cellular, bad, roaming"));
+                error.Message, Is.EqualTo(SettingMessages.UnknownLinkProfile("5g", "clean, wifi, lossy, cellular, bad, roaming")));
         }
 
         static PacketLink Link(string name, int seed) => new PacketLink(LinkProfile.Named(name), Start, seed);

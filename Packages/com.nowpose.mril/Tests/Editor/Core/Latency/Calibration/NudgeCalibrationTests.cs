@@ -2,6 +2,7 @@ using System;
 using Nowpose.Latency;
 using Nowpose.Latency.Calibration;
 using NUnit.Framework;
+using Nowpose.Messages;
 
 namespace Nowpose.Tests.Core.Latency.Calibration
 {
@@ -63,7 +64,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
             nudge.AddForward(3);
 
             Assert.That(Assert.Throws<InputException>(() => nudge.Result.ToString()).Message,
-                Is.EqualTo("nudge: backward has no mark; mark both directions"));
+                Is.EqualTo(NudgeMessages.NoMark(isForward: false)));
         }
 
         [Test]

@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Core.Session.Cell
 
             Assert.That(grip.Held, Is.Null);
             Assert.That(Distance(Find(cell, "box").World, Place), Is.LessThan(1e-6), "the pose that its source reports");
-            Assert.That(grip.Fault, value == 1 ? Does.Contain("what it holds is unknown") : (NUnit.Framework.Constraints.IResolveConstraint)Is.Null);
+            Assert.That(grip.Fault, value == 1 ? Does.Contain("held object is unknown") : (NUnit.Framework.Constraints.IResolveConstraint)Is.Null);
         }
 
         [Test]
@@ -97,7 +97,7 @@ namespace Nowpose.Tests.Core.Session.Cell
 
             Assert.That(grip.Held, Is.EqualTo("box"));
             Assert.That(Distance(ToolOf(cell).Inverse * Find(cell, "box").World, inHand), Is.LessThan(1e-6));
-            Assert.That(grip.Fault, Does.Contain("what it holds is unknown"), "the gripper may have opened and closed during the restart");
+            Assert.That(grip.Fault, Does.Contain("held object is unknown"), "the gripper may have opened and closed during the restart");
             var opened = cell.Now;
             cell.Send("grip", opened + cell.ClockStep, 0);
             Until(cell, opened + 1);

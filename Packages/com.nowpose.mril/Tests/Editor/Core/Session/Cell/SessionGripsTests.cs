@@ -205,7 +205,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             Until(cell, Close);
 
             Assert.That(grip.Held, Is.Null);
-            Assert.That(grip.Fault, Does.Contain("what it holds is unknown"));
+            Assert.That(grip.Fault, Does.Contain("held object is unknown"));
 
             cell.Send("grip", Close, 0);
             Until(cell, Close + 1);

@@ -1,10 +1,11 @@
 using System.Globalization;
+using Nowpose.Pairing;
 using Nowpose.Protocol;
 
-namespace Nowpose.Pairing
+namespace Nowpose.Messages
 {
     /// <summary>Questions and messages to the wearer.</summary>
-    static class PairingWords
+    static class PairingMessages
     {
         public const string LookAtMarker = "look at the robot's marker";
         public const string CodeWasTried = "this code has been tried; request another one on the gateway's page or terminal";

@@ -1,12 +1,12 @@
+using System;
 using System.Globalization;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
-using Nowpose.Unity.Rendering;
 
-namespace Nowpose.Unity.Status
+namespace Nowpose.Unity.Messages
 {
     /// <summary>Texts about a calibration, for the status panel and the console.</summary>
-    static class CalibrationWords
+    static class CalibrationMessages
     {
         public static string Of(CalibrationMethod method)
         {
@@ -30,11 +30,10 @@ namespace Nowpose.Unity.Status
 
         static string RangeOf(LatencyProfile profile)
         {
-            if (profile.Range != null) return Ms("up to {0:0.0} ms render time, ", profile.Range.Limit.TotalMilliseconds) + RenderTimeWords.NameOf(profile.Range.Source);
-            return profile.ValidToRenderTime.HasValue
-                ? Ms("no limit seen up to {0:0.0} ms render time", profile.ValidToRenderTime.Value.TotalMilliseconds) : "no render time limit known";
+            if (profile.Range is { } range)
+                return FormattableString.Invariant($"up to {range.Limit.TotalMilliseconds:0.0} ms render time, {RenderTimeNames.NameOf(range.Source)}");
+            return profile.ValidToRenderTime is { } valid
+                ? FormattableString.Invariant($"no limit seen up to {valid.TotalMilliseconds:0.0} ms render time") : "no render time limit known";
         }
-
-        static string Ms(string format, double ms) => string.Format(CultureInfo.InvariantCulture, format, ms);
     }
 }

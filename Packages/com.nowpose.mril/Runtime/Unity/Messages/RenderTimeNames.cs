@@ -1,9 +1,9 @@
 using Nowpose.Latency;
 
-namespace Nowpose.Unity.Rendering
+namespace Nowpose.Unity.Messages
 {
     /// <summary>Names of the render-time sources, for the status panel and the console.</summary>
-    static class RenderTimeWords
+    static class RenderTimeNames
     {
         public static string NameOf(RenderTimeSourceKind source)
         {

@@ -1,11 +1,11 @@
 using System;
 using System.Globalization;
-using Nowpose.Latency.Reprojection;
+using Nowpose.Session;
 
-namespace Nowpose.Session
+namespace Nowpose.Messages
 {
     /// <summary>Messages about display problems that leave the pose current. Each message contains the action to take.</summary>
-    static class DisplayWords
+    static class DisplayMessages
     {
         const string Implausible = "display times of the runtime are implausible";
 
@@ -28,7 +28,7 @@ namespace Nowpose.Session
         public static string ProblemOf(SessionStatistics statistics)
         {
             if (statistics == null) return null;
-            return statistics.BeyondLimits?.Words ?? (statistics.IsDisplayTimeImplausible ? Warning : DepthSubmissionWords.ProblemOf(statistics.DepthSubmission))
+            return statistics.BeyondLimits?.Words ?? (statistics.IsDisplayTimeImplausible ? Warning : DepthSubmissionMessages.ProblemOf(statistics.DepthSubmission))
                 ?? (IsMismatched(statistics) ? statistics.ProfileMismatches[0].Words : null);
         }
 

@@ -1,7 +1,9 @@
-namespace Nowpose.Latency.Reprojection
+using Nowpose.Latency;
+
+namespace Nowpose.Messages
 {
     /// <summary>Names and error messages of depth submission states.</summary>
-    static class DepthSubmissionWords
+    static class DepthSubmissionMessages
     {
         static readonly string[] Names = { "unknown", "active", "turned_off", "not_supported", "no_main_camera", "not_requested" };
 
