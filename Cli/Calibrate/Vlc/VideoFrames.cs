@@ -10,7 +10,7 @@ static class VideoFrames
 {
     const string Needed = "ffmpeg and ffprobe are needed to read videos and were not found; install ffmpeg, or pass pictures instead";
 
-    /// <summary>The ffmpeg option that outputs each frame once, whatever its time stamp: the current name, and the name before ffmpeg 5.1.</summary>
+    /// <summary>The ffmpeg option that outputs each frame once and ignores time stamps: the current name, and the name before ffmpeg 5.1.</summary>
     static readonly string[] EachFrameOnce = ["-fps_mode", "-vsync"];
 
     const int Colours = 3;

@@ -1,5 +1,4 @@
 using Nowpose.Latency;
-using Nowpose.Latency.Reprojection;
 using Nowpose.Messages;
 using Nowpose.OpenXR;
 using Nowpose.Unity;

@@ -62,7 +62,7 @@ namespace Nowpose.Unity.Status
             return true;
         }
 
-        // A joint has an age only while the clock is known. The tolerance is needed because the gateway may calculate the start of a state anew for
+        // A joint has an age only while the clock is known. The tolerance is needed because the gateway may calculate the start of a state again for
         // each report.
         static bool IsSame(in JointStatus a, in JointStatus b) => a.Joint == b.Joint && a.State == b.State && a.Reason == b.Reason
             && a.Age.HasValue == b.Age.HasValue && !((a.Since - b.Since)?.Duration() > Tolerance);

@@ -1,4 +1,4 @@
-namespace Nowpose.Latency.Reprojection
+namespace Nowpose.Latency
 {
     /// <summary>Conditions of depth submission at one time.</summary>
     readonly struct DepthObservation

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Latency.Reprojection
+namespace Nowpose.Latency
 {
     /// <summary>Monitors whether depth is submitted. A change takes effect after it has lasted a second.</summary>
     /// <remarks>A brief change of the scene's camera is therefore not reported. Allocates nothing; not thread-safe.</remarks>

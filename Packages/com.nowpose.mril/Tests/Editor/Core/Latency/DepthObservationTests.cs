@@ -1,10 +1,9 @@
 using System.Collections.Generic;
 using Nowpose.Latency;
-using Nowpose.Latency.Reprojection;
 using NUnit.Framework;
 using Nowpose.Messages;
 
-namespace Nowpose.Tests.Core.Latency.Reprojection
+namespace Nowpose.Tests.Core.Latency
 {
     public class DepthObservationTests
     {

@@ -1,8 +1,7 @@
 using Nowpose.Latency;
-using Nowpose.Latency.Reprojection;
 using NUnit.Framework;
 
-namespace Nowpose.Tests.Core.Latency.Reprojection
+namespace Nowpose.Tests.Core.Latency
 {
     public class ReprojectionModeNamesTests
     {
