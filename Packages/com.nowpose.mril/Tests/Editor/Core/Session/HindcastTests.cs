@@ -161,7 +161,7 @@ namespace Nowpose.Tests.Core.Session
 
             var values = session.Listener.Diagnostics().Values.ToDictionary(v => v.Key, v => double.TryParse(v.Value, NumberStyles.Float, CultureInfo.InvariantCulture, out var n) ? n : double.NaN);
 
-            // One metre of arm, 1/√2 rad/s on average and 100 ms of latency give 71 mm.
+            // An arm of 1 m, an RMS angular speed of 1/√2 rad/s and a latency of 100 ms result in an error of 71 mm.
             Assert.That(values["error_mm_hold"], Is.EqualTo(71).Within(5));
             Assert.That(values["error_mm"], Is.LessThan(5));
             Assert.That(values["reduction"], Is.EqualTo(1 - values["error_mm"] / values["error_mm_hold"]).Within(0.001).And.GreaterThan(0.9));

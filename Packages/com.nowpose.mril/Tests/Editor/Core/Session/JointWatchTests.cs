@@ -115,7 +115,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_GatewayReportsRest_StaysCurrentAndReportsIt()
+        public void Tick_GatewayReportsRest_StaysCurrentAndReportsTheRest()
         {
             var simulated = Running();
 
