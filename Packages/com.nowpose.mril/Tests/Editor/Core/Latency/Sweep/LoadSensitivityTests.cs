@@ -51,7 +51,9 @@ namespace Nowpose.Tests.Core.Latency.Sweep
 
         [Test]
         public void Gpu_TimeInEveryFourthFrame_RespondsToLoad() =>
-            AllAre(LoadSight.Seen, DefaultPlan, sweep => (t, v) => sweep.GpuMs(t, v) is double ms && Math.Round(t * 60) % 4 == 0 ? ms : (double?)null);
+            AllAre(
+                LoadSight.Seen, DefaultPlan,
+                sweep => (t, v) => sweep.GpuMs(t, v) is double ms && Math.Round(t * 60) % 4 == 0 ? ms : (double?)null);
 
         [Test]
         public void Camera_ConstantTime_DoesNotRespondToLoad() => AllAre(LoadSight.Unseen, DefaultPlan, sweep => (t, v) => ConstantTime(sweep));
