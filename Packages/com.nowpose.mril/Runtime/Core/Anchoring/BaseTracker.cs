@@ -122,7 +122,7 @@ namespace Nowpose.Anchoring
             _words.Update(this, _now);
         }
 
-        /// <summary>Starts a new search with the markers. The base stays in its position until the markers have determined a new one.</summary>
+        /// <summary>Starts a new search with the markers. The base stays in its position until the markers have determined a new position.</summary>
         /// <remarks>
         /// If no marker comes into view for a long time, the previous lock is restored. Without any markers, a position restored from an
         /// earlier run is confirmed.
@@ -163,7 +163,7 @@ namespace Nowpose.Anchoring
         }
 
         /// <summary>Processes one frame.</summary>
-        /// <param name="sightings">Sightings of all sources; those of other codes are ignored.</param>
+        /// <param name="sightings">Sightings of all sources; sightings of other codes are ignored.</param>
         /// <param name="head">Viewer's head in the room frame, x forward; null when unknown, which omits the checks that depend on it.</param>
         /// <param name="anchors">Anchors of the device; null if it has none.</param>
         internal void Tick(HeadsetTime now, IReadOnlyList<MarkerSighting> sightings, in RigidTransform? head, ISpatialAnchors anchors)

@@ -88,7 +88,7 @@ namespace Nowpose.Anchoring
         /// <summary>Whether there are sightings over a sufficient time for an estimate.</summary>
         internal bool IsReady => _window.Count >= MinSightings && _window.CountOver(_settings.Settle) > 0;
 
-        /// <summary>Whether the sightings are recent enough for a comparison with those of other markers.</summary>
+        /// <summary>Whether the sightings are recent enough for a comparison with sightings of other markers.</summary>
         internal bool IsRecent(HeadsetTime now) => _taken is HeadsetTime taken && now - taken <= MaxAge;
 
         /// <summary>Whether the newest estimate shows that the marker is moving.</summary>

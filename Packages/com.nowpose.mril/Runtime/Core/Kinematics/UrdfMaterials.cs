@@ -4,7 +4,7 @@ using System.Xml.Linq;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>Colours by material name. A visual may define a material that other visuals use, so all are collected first.</summary>
+    /// <summary>Colours by material name. A visual may define a material that other visuals use, so all materials are collected first.</summary>
     sealed class UrdfMaterials
     {
         readonly UrdfSource _source;

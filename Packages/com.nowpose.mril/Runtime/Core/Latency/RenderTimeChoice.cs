@@ -30,7 +30,9 @@ namespace Nowpose.Latency
         /// <summary>Render time that the selected source delivered in the newest completed frame; null if it delivered none.</summary>
         public TimeSpan? RenderTime { get; private set; }
 
-        /// <summary>Reports a render time that became known in this frame. If one source reports several, the last one is used.</summary>
+        /// <summary>
+        /// Reports a render time that became known in this frame. If a source reports several render times in a frame, the last is used.
+        /// </summary>
         /// <param name="candidate">Index of the source in the constructor's list.</param>
         /// <param name="renderTime">Zero and negative values are ignored: drivers that do not measure report zero.</param>
         public void Report(int candidate, TimeSpan renderTime)
@@ -52,7 +54,7 @@ namespace Nowpose.Latency
             return Source != before;
         }
 
-        // A source that has just started prevents the selection of a worse source but does not replace the selected one.
+        // A source that has just started prevents the selection of a worse source but does not replace the selected source.
         int FirstThatGivesTimes()
         {
             var end = _inUse == None ? _candidates.Length : _inUse;

@@ -73,7 +73,7 @@ namespace Nowpose.Network
         /// <summary>Ends the connection. Returns at once and does not wait for the socket; messages in flight may still arrive.</summary>
         public void Dispose()
         {
-            // On the thread pool, because cancelling closes sockets on the calling thread.
+            // Runs on the thread pool, because cancelling closes sockets on the calling thread.
             if (_ending == null) _ending = Task.Run(EndAsync);
         }
 
@@ -97,7 +97,7 @@ namespace Nowpose.Network
             }
         }
 
-        /// <summary>Awaits a task and catches every exception, because an uncaught one would end the session silently.</summary>
+        /// <summary>Awaits a task and catches every exception, because an uncaught exception would end the session silently.</summary>
         /// <returns>The task's exception; null if the task ended normally.</returns>
         static async Task<Exception> EndOfAsync(Task task)
         {
@@ -119,7 +119,7 @@ namespace Nowpose.Network
             using (var end = CancellationTokenSource.CreateLinkedTokenSource(_stop.Token))
             {
                 await OpenAsync(link).ConfigureAwait(false);
-                // The connection may lead to another gateway, or to an older one that does not report its version.
+                // The connection may lead to another gateway, or to an older gateway that does not report its version.
                 _listener.VersionReceived(null);
                 var subscribing = SubscribeAsync(sender, end.Token);
                 var receiving = ReceiveAsync(link, backoff, end.Token);
@@ -186,7 +186,8 @@ namespace Nowpose.Network
 
             void Arrived(ReceivedText received)
             {
-                // Only after a message, because a server that accepts and closes at once would otherwise be called five times a second.
+                // Resets the backoff only after a message. Otherwise, the client would call a server that closes each connection at once
+                // five times a second.
                 _status = LinkStatus.Connected;
                 backoff.Reset();
                 MarkReceived(received.Arrival);
@@ -263,7 +264,7 @@ namespace Nowpose.Network
                     RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, diagnostics, RosTimeForm.Sec), cancel).ConfigureAwait(false);
         }
 
-        // Separate from the tasks that send, because a send over a lost connection may never complete.
+        // Runs separately from the tasks that send, because a send over a lost connection may never complete.
         async Task WatchAsync(CancellationToken cancel)
         {
             while (true)

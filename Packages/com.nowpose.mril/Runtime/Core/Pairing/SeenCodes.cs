@@ -25,7 +25,7 @@ namespace Nowpose.Pairing
             if (kind == PairingCodeKind.Foreign) return null;
             if (text.Length > PairingCode.MaxLength)
             {
-                // Not stored, because otherwise the source of the text would determine how much memory is used.
+                // The text is not stored, because otherwise its source would determine how much memory is used.
                 if (!_isOversizedReported) fault = "pairing code: " + text.Length + " characters; allowed: up to " + PairingCode.MaxLength;
                 _isOversizedReported = true;
                 return null;

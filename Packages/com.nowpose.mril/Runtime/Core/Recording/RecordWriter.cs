@@ -80,7 +80,7 @@ namespace Nowpose.Recording
                 using (var stream = _settings.Open()) WriteAll(stream);
                 _state = _problem == null ? RecordingState.Closed : RecordingState.Full;
             }
-            // Catches every exception: an uncaught one would end the application.
+            // Catches every exception: an uncaught exception would end the application.
             catch (Exception failure)
             {
                 _problem = "recording " + _settings.Path + " has stopped: " + failure.Message.Replace('\r', ' ').Replace('\n', ' ');
@@ -95,7 +95,7 @@ namespace Nowpose.Recording
             for (var isLast = false; !isLast;)
             {
                 isLast = _isStopping;
-                // Read before the ring is emptied, because later flush requests may refer to later records.
+                // Counts the requests before the ring is emptied, because later requests may refer to later records.
                 var asked = _flushes.Count;
                 if (!TryDrain(stream))
                 {

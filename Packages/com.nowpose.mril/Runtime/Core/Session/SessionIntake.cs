@@ -17,7 +17,7 @@ namespace Nowpose.Session
         /// </summary>
         const int QueueLength = 1000;
 
-        /// <summary>Queue capacity in plans. Drops the oldest when full, as newer plans replace older ones.</summary>
+        /// <summary>Queue capacity in plans. Drops the oldest when full, because newer plans replace older plans.</summary>
         const int PlanQueueLength = 16;
 
         readonly ConcurrentQueue<SampleArrival> _arrivals = new ConcurrentQueue<SampleArrival>();
@@ -103,7 +103,7 @@ namespace Nowpose.Session
                 var mayBeKept = HasSampleHandler;
                 if (_backlog.IsSelected(i)) Take(_backlog[i], clock);
                 else Judged(_backlog[i], DropReason.SlowReader);
-                // Checked before and after because handlers may be added and removed on other threads.
+                // Checks for handlers before and after the call, because other threads may add and remove them.
                 if (!mayBeKept && !HasSampleHandler) _backlog[i].Message.Release();
             }
             _backlog.Clear();

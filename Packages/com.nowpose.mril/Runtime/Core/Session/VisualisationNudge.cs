@@ -11,7 +11,7 @@ namespace Nowpose.Session
     /// </remarks>
     sealed class VisualisationNudge
     {
-        /// <summary>Maximum offset, larger than the error of a calibration; a larger one requires a new calibration.</summary>
+        /// <summary>Maximum offset, larger than the error of a calibration; a larger offset requires a new calibration.</summary>
         public const double MaxMs = 50;
 
         static readonly double MaxVisuMs = LatencyProfile.MaxVisuMs;
@@ -41,7 +41,7 @@ namespace Nowpose.Session
         public bool IsIdle => _session != null && _session.IsLightPredicted;
 
         /// <summary>Applies the offset to a new session, and detects a new calibration. Call it once per frame.</summary>
-        /// <param name="session">Null while there is no session; the offset then applies to the next one.</param>
+        /// <param name="session">Null while there is no session; the offset then applies to the next session.</param>
         public void Follow(CompensationSession session)
         {
             var isOurs = session == _session && (session == null || IsAsApplied);

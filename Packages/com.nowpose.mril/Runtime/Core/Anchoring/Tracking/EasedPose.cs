@@ -9,7 +9,7 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Number of time constants in the configured duration, after which 2 % of the difference remain.</summary>
         const double Constants = 4;
 
-        /// <summary>Differences below these are not visible.</summary>
+        /// <summary>Differences below these values are not visible.</summary>
         const double NearMetres = 1e-6, NearRadians = 1e-6;
 
         /// <summary>Maximum time step, so that the motion continues after a pause from where it was interrupted.</summary>

@@ -60,7 +60,7 @@ namespace Nowpose.Latency.Sweep
             return ways.ConvertAll(way => isUpAndDown ? new SweepPass(way, SweepDrift.None) : WithoutDrift(way, SweepDrift.Of(visits)));
         }
 
-        // A short sweep measures drift inaccurately, and its drift is far smaller than a clear rise.
+        // Subtracts the drift, unless the rise is clear and the drift is measured too inaccurately, as in a short sweep.
         static SweepPass WithoutDrift(IReadOnlyList<SweepVisit> way, SweepDrift drift)
         {
             var asIs = new SweepPass(way, SweepDrift.None);

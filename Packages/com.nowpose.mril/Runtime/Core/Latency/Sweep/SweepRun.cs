@@ -10,7 +10,7 @@ namespace Nowpose.Latency.Sweep
 
         public SweepRun(SweepPlan plan) => _plan = plan ?? throw new ArgumentNullException(nameof(plan));
 
-        /// <summary>Number of completed loads, which is the index of the current one.</summary>
+        /// <summary>Number of completed loads, which is the index of the current load.</summary>
         public int Index { get; private set; }
 
         public bool IsDone => Index == _plan.Loads.Count;

@@ -68,7 +68,7 @@ namespace Nowpose.Session.Cell
             return index < 0 ? null : Tree[index];
         }
 
-        /// <summary>Returns the state of a frame's displayed pose, with the same states as for a robot's pose.</summary>
+        /// <summary>Returns the state of a frame's displayed pose. The states have the same meaning as for a robot's pose.</summary>
         /// <param name="frame">A frame of <see cref="Tree"/>; null for an unknown frame.</param>
         public PoseState StateOf(CellFrame frame)
         {

@@ -27,7 +27,7 @@ namespace Nowpose.Simulation.Work
         /// <param name="stations">Number of steps from one pose to the other.</param>
         /// <param name="maxSeconds">Maximum duration of a step, s; the belt becomes faster if necessary.</param>
         /// <param name="isRing">
-        /// Whether the belt runs around the world's origin. It takes the longer way round, because the robot swings along the shorter one.
+        /// Whether the belt runs around the world's origin. It takes the longer way round, because the robot swings along the shorter way.
         /// </param>
         public Belt(in RigidTransform from, in RigidTransform to, int stations, double maxSeconds, bool isRing)
         {
