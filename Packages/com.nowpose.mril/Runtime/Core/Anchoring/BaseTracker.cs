@@ -113,7 +113,7 @@ namespace Nowpose.Anchoring
             Cell = cell ?? "";
             if (isSameCell && hasAllParts && markers.Count > 0)
             {
-                if (_state == BaseAnchorState.Moved) JudgeMoved();
+                if (_state == BaseAnchorState.Moved) UpdateMoved();
                 _words.Update(this, _now);
                 return;
             }
@@ -189,7 +189,7 @@ namespace Nowpose.Anchoring
             {
                 // The deviations were measured in a map that is no longer valid.
                 _wasLost = IsLost;
-                _markers.ForgetSeen();
+                _markers.RemoveSightings();
             }
             if (IsBeingPlaced || !(_place.Follow(Base) is RigidTransform pose)) return;
             if (!Base.HasValue && isOpen) _state = BaseAnchorState.Restored;
@@ -242,13 +242,13 @@ namespace Nowpose.Anchoring
             _hasNewSightings = false;
             if (IsWatching)
             {
-                JudgeMoved();
+                UpdateMoved();
                 if (_state == BaseAnchorState.Moved) return;
             }
             if (_state != BaseAnchorState.Placed && _attempt.Make(now, _markers.All, Base)) LockByMarkers(anchors);
         }
 
-        void JudgeMoved()
+        void UpdateMoved()
         {
             if (_markers.HasMoved) _state = BaseAnchorState.Moved;
             else if (_state == BaseAnchorState.Moved) _state = Lock != null ? BaseAnchorState.Locked : BaseAnchorState.Restored;

@@ -47,7 +47,7 @@ namespace Nowpose.Latency
             var before = Source;
             for (var i = 0; i < _candidates.Length; i++) _candidates[i].Count();
             if (_inUse != None && _candidates[_inUse].Times == 0) _inUse = None;
-            var better = FirstThatGivesTimes();
+            var better = BestActive();
             if (better != None && _candidates[better].Times >= TimesToTrust) _inUse = better;
             RenderTime = _inUse == None ? null : _candidates[_inUse].Newest;
             for (var i = 0; i < _candidates.Length; i++) _candidates[i].Newest = null;
@@ -55,7 +55,7 @@ namespace Nowpose.Latency
         }
 
         // A source that has just started prevents the selection of a worse source but does not replace the selected source.
-        int FirstThatGivesTimes()
+        int BestActive()
         {
             var end = _inUse == None ? _candidates.Length : _inUse;
             for (var i = 0; i < end; i++)

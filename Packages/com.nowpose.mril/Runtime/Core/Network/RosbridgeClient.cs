@@ -123,13 +123,13 @@ namespace Nowpose.Network
                 _listener.VersionReceived(null);
                 var subscribing = SubscribeAsync(sender, end.Token);
                 var receiving = ReceiveAsync(link, backoff, end.Token);
-                var tending = TendAsync(sender, end.Token);
-                var asking = _rosTime == null ? tending : _rosTime.RunAsync(sender, end.Token);
-                var all = new[] { receiving, subscribing, tending, asking, WatchAsync(end.Token) };
+                var publishing = PublishAsync(sender, end.Token);
+                var exchanging = _rosTime == null ? publishing : _rosTime.RunAsync(sender, end.Token);
+                var all = new[] { receiving, subscribing, publishing, exchanging, WatchAsync(end.Token) };
                 var first = await Task.WhenAny(all).ConfigureAwait(false);
                 end.Cancel();
                 link.Dispose();
-                foreach (var one in all) await EndOfAsync(one).ConfigureAwait(false);
+                foreach (var task in all) await EndOfAsync(task).ConfigureAwait(false);
                 // The first task that ends cancels the others. If the receiver exceeded a limit, or the gateway closed the connection, that is the
                 // cause, even if a task that sends failed first.
                 var received = await EndOfAsync(receiving).ConfigureAwait(false);
@@ -234,7 +234,7 @@ namespace Nowpose.Network
             }
         }
 
-        async Task TendAsync(LinkSender sender, CancellationToken cancel)
+        async Task PublishAsync(LinkSender sender, CancellationToken cancel)
         {
             await AdvertiseAsync(sender, cancel).ConfigureAwait(false);
             var next = _clock.Now + DiagnosticsInterval;

@@ -35,7 +35,7 @@ namespace Nowpose.Pairing
             Cells = cells;
             _exchange = new CodeExchange(headsetName, send);
             if (cells.Used != null) _changes = PairingChange.Applied;
-            Words = CalmWords;
+            Words = StatusWords;
         }
 
         public PairedCells Cells { get; private set; }
@@ -69,7 +69,7 @@ namespace Nowpose.Pairing
         {
             _now = now;
             var seen = _seen.Read(text, now, out var fault);
-            if (fault != null) FailForNow(fault);
+            if (fault != null) FailTemporarily(fault);
             if (seen?.Cell != null) SeeCell(seen);
             else if (seen?.Token != null) SeeToken(seen.Token, now);
         }
@@ -162,14 +162,14 @@ namespace Nowpose.Pairing
         {
             if (!known.IsFull)
             {
-                Learn(known.With(seen.Cell));
+                Store(known.With(seen.Cell));
                 return;
             }
-            if (!seen.IsTooManyReported) FailForNow(PairingWords.TooMany(known.Cell));
+            if (!seen.IsTooManyReported) FailTemporarily(PairingWords.TooMany(known.Cell));
             seen.IsTooManyReported = true;
         }
 
-        void Learn(PairedCell cell)
+        void Store(PairedCell cell)
         {
             var used = Cells.Used;
             Cells = Cells.Use(cell);
@@ -257,11 +257,11 @@ namespace Nowpose.Pairing
         {
             ClearProblem();
             if (cell.Cell == Cells.Used?.Cell) IsTokenRefused = false;
-            Learn(cell.WithToken(token));
+            Store(cell.WithToken(token));
             _changes |= PairingChange.Paired;
             // A gateway's token is valid for all its cells.
             foreach (var other in Cells.All)
-                if (other.Token == null && other.Newest.HasSameGateway(cell.Newest)) Learn(other.WithToken(token));
+                if (other.Token == null && other.Newest.HasSameGateway(cell.Newest)) Store(other.WithToken(token));
             SetWords(PairingWords.Paired(cell.Cell));
         }
 
@@ -272,7 +272,7 @@ namespace Nowpose.Pairing
             Change(PairingChange.Problem);
         }
 
-        void FailForNow(string problem)
+        void FailTemporarily(string problem)
         {
             Fail(problem);
             _faultUntil = _now + PairingLimits.FaultShown;
@@ -290,7 +290,7 @@ namespace Nowpose.Pairing
         void Change(PairingChange change)
         {
             _changes |= change;
-            SetWords(Question ?? Problem ?? CalmWords);
+            SetWords(Question ?? Problem ?? StatusWords);
         }
 
         void SetWords(string words)
@@ -300,6 +300,6 @@ namespace Nowpose.Pairing
             _changes |= PairingChange.Words;
         }
 
-        string CalmWords => PairingWords.Calm(_exchange.Cell, Cells.Used, _isTokenRefused);
+        string StatusWords => PairingWords.Calm(_exchange.Cell, Cells.Used, _isTokenRefused);
     }
 }

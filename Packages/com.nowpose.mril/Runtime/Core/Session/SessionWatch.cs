@@ -16,7 +16,7 @@ namespace Nowpose.Session
         SettledFlag _isSynchronised, _isInRange, _isFresh;
         bool _isDisplayTimeInconsistent, _isDisplayTimeImplausible;
 
-        public SessionWatch() => Forget();
+        public SessionWatch() => Reset();
 
         /// <summary>Returns the changes of a frame.</summary>
         public SessionChange Changed(DisplayFrame frame) =>
@@ -54,11 +54,11 @@ namespace Nowpose.Session
         public SessionChange End()
         {
             var wasSynchronised = _isSynchronised.Value == true;
-            Forget();
+            Reset();
             return wasSynchronised ? SessionChange.Lost : SessionChange.None;
         }
 
-        void Forget()
+        void Reset()
         {
             _isSynchronised = new SettledFlag(false);
             _isInRange = new SettledFlag(null);

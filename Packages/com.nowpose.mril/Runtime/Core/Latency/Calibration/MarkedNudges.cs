@@ -11,7 +11,7 @@ namespace Nowpose.Latency.Calibration
         const double MinSpeedMmPerS = 20;
 
         /// <summary>Maximum deviation of a mark's speed from the mean, relative to the mean.</summary>
-        const double SameSpeed = 0.1;
+        const double MaxSpeedDeviation = 0.1;
 
         readonly double _usedVisuMs;
         readonly List<(double OffsetMm, double SpeedMmPerS)> _marks = new List<(double, double)>();
@@ -30,7 +30,7 @@ namespace Nowpose.Latency.Calibration
         {
             if (!(Math.Abs(speedMmPerS) >= MinSpeedMmPerS))
                 throw Fault("nudge: the tool moves at {0:0} mm/s along the axis; mark at {1:0} mm/s or more", speedMmPerS, MinSpeedMmPerS);
-            if (_marks.Count > 0 && Math.Abs(Math.Abs(speedMmPerS) - Speed) > SameSpeed * Speed)
+            if (_marks.Count > 0 && Math.Abs(Math.Abs(speedMmPerS) - Speed) > MaxSpeedDeviation * Speed)
                 throw Fault("nudge: the tool moves at {0:0} mm/s, and moved at {1:0} mm/s during the earlier marks; use the same speed, or clear the marks",
                     Math.Abs(speedMmPerS), Speed);
             _marks.Add((offsetMm, speedMmPerS));

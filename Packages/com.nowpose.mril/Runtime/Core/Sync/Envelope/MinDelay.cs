@@ -161,15 +161,15 @@ namespace Nowpose.Sync.Envelope
         // Reduces the excess if the newest bound is tighter than the data prove, because its correction is then too large.
         void ReduceExcess(int count)
         {
-            var broken = Math.Min(_excess, _tightness[0] - Tightest(1, count));
-            if (broken <= 0) return;
+            var violation = Math.Min(_excess, _tightness[0] - Tightest(1, count));
+            if (violation <= 0) return;
             // A remaining excess below half the minimum change is only the lateness of single exchanges.
-            if (_excess - broken < MinChange / 2) broken = _excess;
+            if (_excess - violation < MinChange / 2) violation = _excess;
             // A small violation means that the excess was overestimated, a large one that the path changed again with this exchange.
-            var isEstimate = broken < 3 * _excessError;
-            Shift(0, isEstimate ? Math.Min(_sinceChange, count) : 1, -broken);
-            _excessError *= 1 - broken / _excess;
-            _excess -= broken;
+            var isEstimate = violation < 3 * _excessError;
+            Shift(0, isEstimate ? Math.Min(_sinceChange, count) : 1, -violation);
+            _excessError *= 1 - violation / _excess;
+            _excess -= violation;
             if (!isEstimate) _sinceChange = 1;
         }
 

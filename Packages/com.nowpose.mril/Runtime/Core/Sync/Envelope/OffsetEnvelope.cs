@@ -32,9 +32,9 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Returns whether an exchange is consistent with recent exchanges within a margin; false after a clock step.</summary>
         public bool Allows(in SyncExchange exchange, in ClockLine line, TimeSpan margin)
         {
-            var proof = new OffsetBounds(exchange);
+            var bounds = new OffsetBounds(exchange);
             var (lower, upper) = At(exchange.T4, line, includeServerError: false);
-            return proof.Lower - proof.HalfResolution <= upper + margin.Ticks && proof.Upper + proof.HalfResolution >= lower - margin.Ticks;
+            return bounds.Lower - bounds.HalfResolution <= upper + margin.Ticks && bounds.Upper + bounds.HalfResolution >= lower - margin.Ticks;
         }
 
         /// <summary>
@@ -75,17 +75,17 @@ namespace Nowpose.Sync.Envelope
             long lower = long.MinValue / 2, upper = long.MaxValue / 2, serverError = 0;
             for (var i = 0; i < _history.Count; i++)
             {
-                ref readonly var proof = ref _history[i];
+                ref readonly var bounds = ref _history[i];
                 // Starts with the newest: a server that states a larger error now may have had it since an earlier exchange.
-                if (includeServerError) serverError = Math.Max(serverError, proof.ServerErrorBound);
-                var margin = proof.HalfResolution + serverError;
-                lower = Math.Max(lower, Carried(proof.Lower, now - proof.Sent, line.Skew, -skewError) - margin);
-                upper = Math.Min(upper, Carried(proof.Upper, now - proof.Received, line.Skew, skewError) + margin);
+                if (includeServerError) serverError = Math.Max(serverError, bounds.ServerErrorBound);
+                var margin = bounds.HalfResolution + serverError;
+                lower = Math.Max(lower, Extrapolated(bounds.Lower, now - bounds.Sent, line.Skew, -skewError) - margin);
+                upper = Math.Min(upper, Extrapolated(bounds.Upper, now - bounds.Received, line.Skew, skewError) + margin);
             }
             return (lower, upper);
         }
 
-        static long Carried(long bound, TimeSpan age, double skew, double widening) =>
+        static long Extrapolated(long bound, TimeSpan age, double skew, double widening) =>
             bound + (long)(age.Ticks * skew) + (long)(Math.Abs(age.Ticks) * widening);
     }
 }
