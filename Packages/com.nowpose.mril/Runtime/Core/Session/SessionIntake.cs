@@ -56,15 +56,15 @@ namespace Nowpose.Session
         /// Raised for each message with its drop reason, <see cref="DropReason.None"/> if it was used. Raised within
         /// <see cref="CompensationSession.Tick"/>, or on the receiving thread if the queue is full.
         /// </summary>
-        /// <remarks>The rules for handlers are those of <see cref="SampleTaken"/>.</remarks>
+        /// <remarks>The rules for handlers of <see cref="SampleTaken"/> apply.</remarks>
         public event Action<SampleArrival, DropReason> SampleJudged;
 
         /// <summary>
-        /// Raised for each message of set-points with its drop reason, <see cref="DropReason.None"/> if it is valid, even if the settings do
-        /// not follow plans. Raised within <see cref="CompensationSession.Tick"/> once the clock is known, or on the receiving thread if the
-        /// message has none of the robot's joints or the queue is full.
+        /// Raised for each message of set-points with its drop reason, <see cref="DropReason.None"/> if it is valid, even if the settings
+        /// do not follow plans. Raised within <see cref="CompensationSession.Tick"/> once the clock is known, or on the receiving thread if
+        /// the message contains no joint of the robot or the queue is full.
         /// </summary>
-        /// <remarks>The rules for handlers are those of <see cref="SampleTaken"/>.</remarks>
+        /// <remarks>The rules for handlers of <see cref="SampleTaken"/> apply.</remarks>
         public event Action<PlanArrival, DropReason> PlanJudged;
 
         /// <summary>Number of used messages.</summary>

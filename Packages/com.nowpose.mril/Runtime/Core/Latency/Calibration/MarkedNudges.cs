@@ -54,7 +54,8 @@ namespace Nowpose.Latency.Calibration
             }
         }
 
-        // Both directions have equal weight regardless of their number of marks, because the half difference uses the mean of each.
+        // Both directions have equal weight regardless of their number of marks, because half the difference of the directions is computed
+        // from the mean of each direction.
         double Speed
         {
             get

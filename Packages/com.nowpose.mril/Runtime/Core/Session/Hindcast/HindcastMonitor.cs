@@ -10,8 +10,8 @@ namespace Nowpose.Session.Hindcast
     /// </summary>
     /// <remarks>
     /// The true pose at a display time is the forward kinematics of the joints on the curves through their surrounding samples. It is
-    /// computed when the second sample after the display time has arrived. It does not include errors common to all samples, such as
-    /// those of the clock or of L_visu. Allocates nothing after construction; single-threaded.
+    /// computed when the second sample after the display time has arrived. It does not include errors common to all samples, such as errors
+    /// of the clock or of L_visu. Allocates nothing after construction; single-threaded.
     /// </remarks>
     sealed class HindcastMonitor
     {

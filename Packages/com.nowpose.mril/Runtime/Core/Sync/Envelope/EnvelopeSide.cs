@@ -25,7 +25,7 @@ namespace Nowpose.Sync.Envelope
         /// </summary>
         const double UnsampledShare = 0.1;
 
-        /// <summary>Factor of age² in a, 1/s: a change of the skew by 2 ppm within 50 s that slope and bend cannot follow.</summary>
+        /// <summary>Factor k in a = k·age², 1/s: allows for a change of the skew by 2 ppm within 50 s that slope and bend cannot follow.</summary>
         const double AgeGrowth = 2e-8;
 
         /// <summary>
