@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo;
 
-/// <summary>The paper's Fig. 10 in the demo: only a load that delays frames raises the alarm and the error.</summary>
+/// <summary>Tests Fig. 10 of the paper in the demo: only a load that delays frames raises the alarm and the error.</summary>
 public class DemoLoadTests
 {
     [Test]
@@ -43,7 +43,7 @@ public class DemoLoadTests
     }
 
     [Test]
-    public void Demo_LoadBeyondAProfileWithoutLimit_WithholdsTheHeadsetsNumber()
+    public void Demo_LoadBeyondTheMeasuredRangeOfAProfile_WithholdsTheErrorReduction()
     {
         var profile = new LatencyProfile(
             40, 1, "another headset", DemoDisplay.FramesPerSecond, DateTime.UtcNow, CalibrationMethod.VisibleLight, 10, null,
@@ -56,7 +56,7 @@ public class DemoLoadTests
     }
 
     [Test]
-    public void Demo_LoadWithinTheLimit_RaisesNeither([Values(1, 2, 3)] int seed)
+    public void Demo_LoadWithinTheLimit_RaisesNeitherAlarmNorError([Values(1, 2, 3)] int seed)
     {
         var run = LoadedDemo.Play(300_000, seed);
 
@@ -100,7 +100,7 @@ public class DemoLoadTests
         return WhileLoaded(new DemoScore(run), run);
     }
 
-    /// <summary>RMS error of the tool while the load is present, mm.</summary>
+    /// <summary>Returns the RMS error of the tool in mm while the load is present.</summary>
     static double WhileLoaded(DemoScore score, DemoRun run)
     {
         var load = new DemoLoad(1, run.Settings.Seconds);

@@ -27,7 +27,7 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
-    public void Click_OnAFix_AppliesOnlyThat()
+    public void Click_OnAFix_AppliesOnlyThisFix()
     {
         GuiRecorder.Click = "Declare WebCam";
         Send("OnGUI");
@@ -44,7 +44,7 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
-    public void Focus_AfterAnExternalChange_ShowsIt()
+    public void Focus_AfterAnExternalChange_ShowsTheChange()
     {
         PlayerSettings.enableFrameTimingStats = true;
 
@@ -55,7 +55,7 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
-    public void Click_OnAFixOfAClosedWindow_HasNoEffect()
+    public void Click_WindowClosedMeanwhile_HasNoEffect()
     {
         GuiRecorder.Click = "Declare WebCam";
         Send("OnGUI");
