@@ -103,7 +103,7 @@ public class AdaptiveAccuracyTests
     [TestCase(false, 0.60)]
     [TestCase(true, 0.50)]
     public void VelocityAndAcceleration_Provided_AreUsed(bool tellsAcceleration, double limit) => Assert.That(
-        OverQuadratic(s => Motions.FastMoves(s), Usual with { TellsVelocity = true, TellsAcceleration = tellsAcceleration }), Is.LessThan(limit), Message);
+        OverQuadratic(s => Motions.FastMoves(s), Usual with { HasVelocity = true, HasAcceleration = tellsAcceleration }), Is.LessThan(limit), Message);
 
     [TestCase(50, 100, 0.45)]
     [TestCase(100, 150, 0.50)]
