@@ -12,7 +12,7 @@ public class FrameTreeAllocationTests
     const int Objects = 50;
 
     [Test]
-    public void SamplesAndFrames_OfManyObjects_AllocateNothing()
+    public void AddAndEvaluate_ManyObjects_AllocateNothing()
     {
         var tree = new FrameTree(() => new BodyPredictor("linear", new PredictionLimits()));
         var names = Enumerable.Range(0, Objects).Select(i => "box" + i).ToArray();

@@ -22,7 +22,7 @@ public class SampleAllocationTests
         Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
     }
 
-    // Moves there, rests for half a second, and moves back. Each sample is displayed 0.1 s later.
+    // Moves to a position, rests for half a second, and moves back. Each sample is displayed 0.1 s later.
     static void Play(JointPredictor predictor, SevenPhaseProfile move, double from, double to)
     {
         const double interval = 0.02;

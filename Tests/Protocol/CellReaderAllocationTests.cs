@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Protocol;
 
-/// <summary>Allocations of reading messages of a cell whose sources repeat their names.</summary>
+/// <summary>Tests the allocations when messages of a cell are read whose sources always send the same names.</summary>
 [NonParallelizable] // counts garbage
 public class CellReaderAllocationTests
 {

@@ -8,7 +8,7 @@ namespace Nowpose.Headless.Tests.Session;
 public class ForwardKinematicsAllocationTests
 {
     [Test]
-    public void FrameOfJoints_AfterTheFirst_AllocatesNothing()
+    public void ForwardKinematics_SecondFrame_AllocatesNothing()
     {
         var model = RobotFiles.Load("youbot");
         var kinematics = new ForwardKinematics(model);
