@@ -35,7 +35,7 @@ public class LoadMeasureTests
                 else if (FrameReader.TryReadStamp(payload, out var stamp)) stamps.Add(stamp);
             }
 
-            reader.Forget(at);
+            reader.Discard(at);
         }
 
         Assert.That(Message.Length, Is.GreaterThan(125), "or its frame has a shorter head");

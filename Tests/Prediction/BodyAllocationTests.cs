@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Prediction;
 
-[NonParallelizable] // counts garbage
+[NonParallelizable] // measures allocations
 public class BodyAllocationTests
 {
     [TestCase("linear")]

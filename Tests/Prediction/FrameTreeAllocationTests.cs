@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Prediction;
 
-[NonParallelizable] // counts garbage
+[NonParallelizable] // measures allocations
 public class FrameTreeAllocationTests
 {
     const int Objects = 50;

@@ -4,7 +4,7 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Headless.Tests.Prediction;
 
-[NonParallelizable] // counts garbage
+[NonParallelizable] // measures allocations
 public class SampleAllocationTests
 {
     static readonly PredictionLimits Drive = new(velocity: 1, acceleration: 4, jerk: 40);

@@ -6,7 +6,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Protocol;
 
 /// <summary>Tests the allocations when messages of a cell are read whose sources always send the same names.</summary>
-[NonParallelizable] // counts garbage
+[NonParallelizable] // measures allocations
 public class CellReaderAllocationTests
 {
     const int Rounds = 200;

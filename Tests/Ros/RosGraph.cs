@@ -78,7 +78,7 @@ sealed class RosGraph(RosFlavour flavour, IControlClock clock)
     }
 
     /// <summary>Receives a message that a client has published.</summary>
-    /// <exception cref="RosException">The message has a field that the type lacks. In ROS 2, for example, there is no header.seq.</exception>
+    /// <exception cref="RosException">The message has a field that the type lacks. In ROS 2, for example, header.seq does not exist.</exception>
     public void Receive(string topic, JsonObject message)
     {
         string type;

@@ -12,7 +12,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Session;
 
 /// <summary>Tests the allocations of a frame with many objects, signals and two robots. One robot picks and places an object every second.</summary>
-[NonParallelizable] // counts garbage
+[NonParallelizable] // measures allocations
 public class CellAllocationTests
 {
     const int Objects = 50;

@@ -9,7 +9,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Session;
 
 /// <summary>Tests the displayed joint positions that a headset reports.</summary>
-[NonParallelizable] // counts garbage
+[NonParallelizable] // measures allocations
 public class DisplayedJointsTests
 {
     static readonly TimeSpan Visualisation = TimeSpan.FromMilliseconds(40);

@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-[NonParallelizable] // counts garbage
+[NonParallelizable] // measures allocations
 public class ExchangeAllocationTests
 {
     [Test]

@@ -13,7 +13,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Session;
 
 /// <summary>Tests the allocations of a sample on its complete path: from the socket through reader, queue and frame to the predictors.</summary>
-[NonParallelizable] // counts garbage
+[NonParallelizable] // measures allocations
 public class ReceiveAllocationTests
 {
     const int Warm = 500, Messages = 2000;
