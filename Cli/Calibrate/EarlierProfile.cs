@@ -54,7 +54,7 @@ sealed class EarlierProfile
     /// <summary>Returns the page with the warnings about different conditions before its other warnings.</summary>
     public CalibrationPageData WithWarnings(CalibrationPageData page) => page with { Warnings = [.. _warnings, .. page.Warnings] };
 
-    /// <summary>Returns the earlier profile with the given latency for head motion; null if there is no earlier profile.</summary>
+    /// <summary>Returns the earlier profile with the given latency for head motion; null without an earlier profile.</summary>
     public LatencyProfile With(HeadMotionLatency head) => Profile == null ? null : new(
         Profile.Visualisation.Length.TotalMilliseconds, Profile.Spread.TotalMilliseconds, Conditions, Profile.MeasuredUtc, Profile.Method,
         Profile.Measurements, Profile.Range?.Limit.TotalMilliseconds, Profile.RenderTimeSource, Profile.ValidToRenderTime?.TotalMilliseconds, head);

@@ -16,7 +16,7 @@ static class PackageAddress
     /// <param name="given">Address as entered by the user.</param>
     /// <param name="version">Version of the package that belongs to this program.</param>
     /// <param name="project">Project whose manifest will contain the address.</param>
-    /// <exception cref="InputException">There is no package at the address.</exception>
+    /// <exception cref="InputException">The address does not contain the package.</exception>
     public static string Read(string given, string version, UnityProject project)
     {
         if (GitSchemes.Any(scheme => given.StartsWith(scheme, StringComparison.Ordinal))) return Git(given, version);

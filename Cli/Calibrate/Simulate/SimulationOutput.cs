@@ -50,7 +50,7 @@ static class SimulationOutput
         return FormattableString.Invariant($"{name},{led:0.000},{TimestampCode.ValueOf(start)},{sweep.VisuMsOf(moment):0.000},{spoiledBy}");
     }
 
-    // Removes pictures only if the folder has a truth file. Without this file, they may come from a real camera.
+    // Removes the pictures of an earlier run. Without a truth file, the pictures can come from a real camera, so the folder is rejected.
     static void RemoveEarlier(string folder, string pictures)
     {
         var earlier = Directory.GetFiles(pictures, "picture-*.jpg");

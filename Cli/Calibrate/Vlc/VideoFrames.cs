@@ -10,7 +10,7 @@ static class VideoFrames
 {
     const string Needed = "ffmpeg and ffprobe are needed to read videos and were not found; install ffmpeg, or pass pictures instead";
 
-    /// <summary>The ffmpeg option that outputs each frame once and ignores time stamps: the current name, and the name before ffmpeg 5.1.</summary>
+    /// <summary>The ffmpeg option that outputs each frame once, independent of its time stamp: the current name, and the name before ffmpeg 5.1.</summary>
     static readonly string[] EachFrameOnce = ["-fps_mode", "-vsync"];
 
     const int Colours = 3;
@@ -42,7 +42,7 @@ static class VideoFrames
                 }
                 if (count > 0)
                 {
-                    Tell(path, count, errors.Result);
+                    WarnIfIncomplete(path, count, errors.Result);
                     yield break;
                 }
                 if (option == EachFrameOnce[^1] || !errors.Result.Contains(option[1..], StringComparison.Ordinal))
@@ -66,7 +66,7 @@ static class VideoFrames
     }
 
     // Warns that the video is truncated or damaged and contains fewer pictures than were filmed.
-    static void Tell(string path, int count, string errors)
+    static void WarnIfIncomplete(string path, int count, string errors)
     {
         var first = errors.Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries).FirstOrDefault();
         if (first != null) Console.Error.WriteLine($"nowpose: {path}: {count} pictures were read, but ffmpeg reports: {first}");

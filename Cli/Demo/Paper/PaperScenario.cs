@@ -18,7 +18,7 @@ static class PaperScenario
     /// <summary>Number of vertices at the normal load of the paper's Fig. 10a.</summary>
     const int Vertices = 300_000;
 
-    /// <param name="given">Settings for network, acquisition, display latency, duration and seed; the others are ignored.</param>
+    /// <param name="given">Settings whose network, acquisition, display latency, duration and seed are kept. The scenario sets the others.</param>
     public static DemoSettings Of(DemoSettings given, YoubotSwing swing)
     {
         RobotFiles.Load(Robot, out var urdf);
