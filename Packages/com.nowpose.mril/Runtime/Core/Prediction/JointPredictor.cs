@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Planning;
 using Nowpose.Prediction.Samples;
@@ -61,7 +62,7 @@ namespace Nowpose.Prediction
         internal JointPredictor(Forecaster forecaster, int kept, PredictionParts parts, PredictionLimits limits, double blend)
         {
             if (!(blend >= 0) || double.IsPositiveInfinity(blend))
-                throw new ArgumentOutOfRangeException(nameof(blend), blend, "must be 0 s or more");
+                throw new ArgumentOutOfRangeException(nameof(blend), blend, PredictionMessages.NegativeSeconds);
             _limits = limits ?? throw new ArgumentNullException(nameof(limits));
             _forecaster = forecaster;
             _blend = blend;
