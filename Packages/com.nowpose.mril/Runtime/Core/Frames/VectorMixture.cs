@@ -50,7 +50,7 @@ namespace Nowpose.Frames
         readonly double[] _prior;
         readonly double[] _errors;
         readonly ScatterDetector _scatter = new ScatterDetector();
-        readonly DistanceLimit _distance = new DistanceLimit(Mixer.Memory);
+        readonly DistanceLimit _distance = new DistanceLimit(Mixer.TimeConstant);
 
         // Forecasts that wait for their time: a queue of times, and for each of them one vector per forecast.
         readonly double[] _due = new double[Capacity];
@@ -86,7 +86,7 @@ namespace Nowpose.Frames
         /// <summary>Adds a sample in any order; the parameters are those of <see cref="JointPredictor.Add"/>.</summary>
         public DropReason Add(double time, in Vector3D position, double order, double displayed)
         {
-            var isBlended = _blend.IsNeededAt(displayed) && _recent.Count > 0;
+            var isBlended = _blend.IsNeeded(displayed) && _recent.Count > 0;
             var (shown, before) = (isBlended ? At(displayed) : default, Main.NewestTime);
             var reason = Main.Add(time, position, order, displayed);
             // Late samples improve the prior; the polynomials are valid without them.
@@ -180,7 +180,7 @@ namespace Nowpose.Frames
         void Score(double time, in Vector3D position)
         {
             var interval = time - _newestTime;
-            var keeping = Math.Exp(-Math.Max(interval, 0) / (Components * Mixer.Memory));
+            var keeping = Math.Exp(-Math.Max(interval, 0) / (Components * Mixer.TimeConstant));
             var hasScored = false;
             for (; _count > 0 && _due[_first] <= time; DropFirst())
             {

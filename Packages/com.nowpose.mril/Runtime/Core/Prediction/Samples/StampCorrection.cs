@@ -27,7 +27,7 @@ namespace Nowpose.Prediction.Samples
         const double Deviations = 2;
 
         readonly StampLine _line = new StampLine();
-        readonly StampJudge _judge = new StampJudge();
+        readonly SmoothnessTest _smoothness = new SmoothnessTest();
 
         // Number of consecutive newest stamps that are off the line, with the sign of their side.
         int _offLine;
@@ -39,15 +39,15 @@ namespace Nowpose.Prediction.Samples
             if (isNewest) UpdateLine(stamp);
             if (!_line.IsKnown) return stamp;
             var onLine = isNewest ? _line.NewestOnLine : _line.Nearest(stamp);
-            if (isNewest) _judge.Add(stamp, onLine, position);
+            if (isNewest) _smoothness.Add(stamp, onLine, position);
             var isScattered = _line.Deviation > MinDeviation && !_line.IsTooScattered;
-            return isScattered && !IsPeriodChange(stamp - onLine) && _judge.PrefersLine ? onLine : stamp;
+            return isScattered && !IsPeriodChange(stamp - onLine) && _smoothness.PrefersLine ? onLine : stamp;
         }
 
         public void Reset()
         {
             _line.Reset();
-            _judge.Reset();
+            _smoothness.Reset();
             _offLine = 0;
         }
 

@@ -1,7 +1,7 @@
 using System;
 using Nowpose.Prediction.Samples;
 
-namespace Nowpose.Prediction.Repetition
+namespace Nowpose.Prediction.Candidates
 {
     /// <summary>Compares the newest samples with the history at a lag, and shifts them to the best fit.</summary>
     /// <remarks>Lags are in grid steps of the history, with fractions. Allocates nothing.</remarks>

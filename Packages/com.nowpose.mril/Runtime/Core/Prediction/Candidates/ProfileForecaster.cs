@@ -1,7 +1,8 @@
 using System;
 using Nowpose.Motion;
+using Nowpose.Prediction.Forecasting;
 
-namespace Nowpose.Prediction.Forecasting
+namespace Nowpose.Prediction.Candidates
 {
     /// <summary>
     /// For axes with known drive limits: fits the S-curve (7-phase) profile from rest to rest to the samples of the newest

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Prediction.Repetition
+namespace Nowpose.Prediction.Candidates
 {
     /// <summary>Two minutes of a joint's motion on a uniform time grid, interpolated from samples at any intervals.</summary>
     /// <remarks>

@@ -2,7 +2,7 @@ using System;
 using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Samples;
 
-namespace Nowpose.Prediction.Repetition
+namespace Nowpose.Prediction.Candidates
 {
     /// <summary>For machines that repeat their motion: forecasts that the motion continues as it did after the last similar one.</summary>
     /// <remarks>

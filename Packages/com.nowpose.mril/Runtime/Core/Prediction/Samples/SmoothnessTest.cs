@@ -10,7 +10,7 @@ namespace Nowpose.Prediction.Samples
     /// Each sample is compared with the quadratic through the three before it, once with the reported stamps and once with
     /// those of the line; the better one gets a vote. The stamps of a source that really samples irregularly must not be changed.
     /// </remarks>
-    sealed class StampJudge
+    sealed class SmoothnessTest
     {
         /// <summary>Weight of one vote in the mean: eight full votes against the line reject it at first, 25 after it was right for long.</summary>
         const double VoteWeight = 0.03;
@@ -31,7 +31,7 @@ namespace Nowpose.Prediction.Samples
         int _count;
         double _vote;
 
-        public StampJudge() => Reset();
+        public SmoothnessTest() => Reset();
 
         /// <summary>Whether the line's times fit the positions at least as well as the reported ones.</summary>
         public bool PrefersLine => _vote >= Majority;

@@ -1,7 +1,7 @@
 using System;
 using Nowpose.Prediction.Forecasting;
 
-namespace Nowpose.Prediction.Mixing
+namespace Nowpose.Prediction.Candidates
 {
     /// <summary>
     /// Decides when a forecaster that is right only at times replaces the mixture: while its recent errors are clearly smaller.

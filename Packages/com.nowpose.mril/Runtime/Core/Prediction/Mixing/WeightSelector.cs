@@ -9,7 +9,7 @@ namespace Nowpose.Prediction.Mixing
     /// first. Two situations use other weights: noise at rest is held, and a motion that is much faster than those of the last seconds
     /// starts as a line and continues with the prior, because weights learned from noise or slow motion do not suit it.
     /// </remarks>
-    sealed class AdaptiveWeights
+    sealed class WeightSelector
     {
         /// <summary>
         /// Regularisation towards the prior, and of the weights of rest or motion towards the common ones (<see cref="MixtureWeights"/>): half
@@ -35,7 +35,7 @@ namespace Nowpose.Prediction.Mixing
         readonly double[] _line, _hold;
         bool _hasLearned;
 
-        public AdaptiveWeights(MixedForecasters forecasters, PredictionParts parts)
+        public WeightSelector(MixedForecasters forecasters, PredictionParts parts)
         {
             _forecasters = forecasters;
             _limitsErrors = (parts & PredictionParts.OutlierThreshold) != 0;
