@@ -23,8 +23,8 @@ namespace Nowpose.Frames
             Clear();
         }
 
-        /// <summary>Share of the distance that is used until the next sample, 0 to 1.</summary>
-        public double Share { get; private set; }
+        /// <summary>Part of the distance that is used until the next sample, 0 to 1.</summary>
+        public double Factor { get; private set; }
 
         /// <summary>Adds the distance of the forecast after a sample.</summary>
         /// <param name="interval">Time since the sample before, s.</param>
@@ -32,10 +32,10 @@ namespace Nowpose.Frames
         public void Add(double interval, double distance)
         {
             var max = Growth * _max;
-            Share = max > 0 && distance > max ? max / distance : 1;
+            Factor = max > 0 && distance > max ? max / distance : 1;
             if (double.IsFinite(distance)) _max = Math.Max(_max * Math.Exp(-Math.Max(interval, 0) / _memory), distance);
         }
 
-        public void Clear() => (_max, Share) = (0, 1);
+        public void Clear() => (_max, Factor) = (0, 1);
     }
 }

@@ -23,7 +23,7 @@ namespace Nowpose.Frames
         /// </summary>
         const double LeavesAbove = 4;
 
-        /// <summary>Share of a new window in <see cref="Noise"/>.</summary>
+        /// <summary>Weight of a new window in <see cref="Noise"/>.</summary>
         const double Smoothing = 1 / 16.0;
 
         readonly Vector3D[] _newestFirst = new Vector3D[Window];

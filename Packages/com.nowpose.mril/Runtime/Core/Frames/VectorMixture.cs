@@ -22,7 +22,7 @@ namespace Nowpose.Frames
         /// <summary>Weight of the prior relative to that for a joint, because successive errors of a component are similar.</summary>
         const double PriorWeight = 8;
 
-        /// <summary>Share of the memory that must be filled before the weights are used for samples that only scatter: one second.</summary>
+        /// <summary>Minimum evidence (<see cref="MixtureWeights.Evidence"/>) for the use of the weights while samples only scatter: one second of samples.</summary>
         const double MinEvidence = 0.05;
 
         /// <summary>Maximum interval in which samples are interpolated to score a forecast, s.</summary>
@@ -108,7 +108,7 @@ namespace Nowpose.Frames
             var sum = default(Vector3D);
             for (var i = 0; i < _prior.Length; i++)
                 if (_weights.Values[i] != 0) sum += Forecast(i, time) * _weights.Values[i];
-            if (_distance.Share < 1) sum = Forecast(Line, time) * (1 - _distance.Share) + sum * _distance.Share;
+            if (_distance.Factor < 1) sum = Forecast(Line, time) * (1 - _distance.Factor) + sum * _distance.Factor;
             if (!double.IsFinite(sum.X + sum.Y + sum.Z)) return Main.Hold;
             return _scatter.Scatters ? Bounded(sum) : sum;
         }
@@ -180,18 +180,18 @@ namespace Nowpose.Frames
         void Score(double time, in Vector3D position)
         {
             var interval = time - _newestTime;
-            var keeping = Math.Exp(-Math.Max(interval, 0) / (Components * Mixer.TimeConstant));
+            var forgettingFactor = Math.Exp(-Math.Max(interval, 0) / (Components * Mixer.TimeConstant));
             var hasScored = false;
             for (; _count > 0 && _due[_first] <= time; DropFirst())
             {
                 if (!(interval < MaxInterval) || _due[_first] < _newestTime) continue;
-                var share = (_due[_first] - _newestTime) / interval;
-                hasScored |= Score(_first, _newest + (position - _newest) * share, keeping);
+                var fraction = (_due[_first] - _newestTime) / interval;
+                hasScored |= Score(_first, _newest + (position - _newest) * fraction, forgettingFactor);
             }
-            if (hasScored) _weights.Solve(_prior, PriorWeight * (1 - keeping));
+            if (hasScored) _weights.Solve(_prior, PriorWeight * (1 - forgettingFactor));
         }
 
-        bool Score(int place, in Vector3D truth, double keeping)
+        bool Score(int place, in Vector3D truth, double forgettingFactor)
         {
             var first = place * _prior.Length;
             for (var i = 0; i < _prior.Length; i++)
@@ -199,7 +199,7 @@ namespace Nowpose.Frames
             for (var component = 0; component < Components; component++)
             {
                 for (var i = 0; i < _prior.Length; i++) _errors[i] = (_expected[first + i] - truth)[component];
-                _weights.Learn(_errors, keeping);
+                _weights.Learn(_errors, forgettingFactor);
             }
             return true;
         }

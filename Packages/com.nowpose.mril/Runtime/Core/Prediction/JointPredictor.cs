@@ -7,10 +7,10 @@ namespace Nowpose.Prediction
 {
     /// <summary>Predicts one joint's position at times near its newest samples, usually ahead of them.</summary>
     /// <remarks>
-    /// A sample that arrives in order passes through the buffer, and the forecaster solves for it. Its forecast until the next sample is
-    /// the section (Schnierle &amp; Röck 2022, Eq. 8); a new section is blended with the displayed one. Times are seconds of control time
-    /// since an epoch that the caller chooses near them (within 1e6 s, rounding is negligible). One thread at a time. Allocates nothing
-    /// after construction.
+    /// <see cref="Add"/> puts a sample into order and into the buffer, updates the state of the motion, and solves the forecaster for it. The
+    /// forecast until the next sample is the section (Schnierle &amp; Röck 2022, Eq. 8). <see cref="At"/> reads the section, the plan if the
+    /// joint follows one, and the rest of the difference to the previous section. Times are seconds of control time since an epoch that the
+    /// caller chooses near them (within 1e6 s, rounding is negligible). One thread at a time. Allocates nothing after construction.
     /// </remarks>
     public sealed class JointPredictor
     {
@@ -27,7 +27,7 @@ namespace Nowpose.Prediction
         readonly PlanFollower _plan = new PlanFollower();
         bool _isSolved;
 
-        // The seam: distance of a forecast from the newest sample, where the interpolation before the sample ends. It decays ahead of it.
+        // Distance of the forecast from the newest sample at its time, where the interpolation ends. It decays ahead of the sample.
         double _seam;
 
         // Difference between the previous section and the newest one at the last displayed moment; 0 if it is not blended.
@@ -226,9 +226,9 @@ namespace Nowpose.Prediction
         {
             var (newest, held) = (_buffer.History.NewestTime, _buffer.History.NewestPosition);
             var ahead = time - newest;
-            if (_interpolates && ahead <= 0 && _motion.Connected > 1)
+            if (_interpolates && ahead <= 0 && _motion.ConnectedSamples > 1)
             {
-                var curve = new SampleCurve(_buffer.History, _motion.Connected);
+                var curve = new SampleCurve(_buffer.History, _motion.ConnectedSamples);
                 return new JointPrediction(curve.At(Math.Max(time, curve.Start)), time < curve.Start ? PredictionKind.Held : PredictionKind.Interpolated);
             }
             var kind = ahead <= 0 ? PredictionKind.Interpolated : PredictionKind.Predicted;
@@ -249,7 +249,7 @@ namespace Nowpose.Prediction
             get
             {
                 var oldest = 0.0;
-                for (var age = 1; age < Math.Min(_motion.Connected, _forecaster.Samples); age++)
+                for (var age = 1; age < Math.Min(_motion.ConnectedSamples, _forecaster.Samples); age++)
                     oldest = Math.Min(oldest, _buffer.History[age].Time - _buffer.History.NewestTime);
                 return oldest;
             }

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Signals
 {
@@ -8,14 +9,11 @@ namespace Nowpose.Signals
     /// </summary>
     sealed class LateValues
     {
-        /// <summary>Sufficient number of late values.</summary>
-        const int Capacity = 5;
+        /// <summary>Sufficient number of late values, as for samples.</summary>
+        const int Capacity = ArrivalOrder.MaxLate;
 
-        /// <summary>Sufficient number if the last is late by more than <see cref="MaxDelay"/>.</summary>
+        /// <summary>Sufficient number if the last is late by more than <see cref="ArrivalOrder.MaxDelay"/>.</summary>
         const int MinFarBehind = 3;
-
-        /// <summary>Maximum delay of a message relative to later ones on a usable network.</summary>
-        static readonly TimeSpan MaxDelay = TimeSpan.FromMilliseconds(250);
 
         readonly (ControlTime Stamp, double Value)[] _oldestFirst = new (ControlTime, double)[Capacity];
         int _count;
@@ -36,7 +34,7 @@ namespace Nowpose.Signals
                 return false;
             }
             _oldestFirst[_count++] = (stamp, value);
-            return _count == Capacity || (_count >= MinFarBehind && newest.Value - stamp > MaxDelay);
+            return _count == Capacity || (_count >= MinFarBehind && ClockTicks.Seconds(newest.Value - stamp) > ArrivalOrder.MaxDelay);
         }
 
         public void Clear() => _count = 0;

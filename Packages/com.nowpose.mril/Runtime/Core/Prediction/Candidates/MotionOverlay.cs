@@ -22,7 +22,7 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Number of Gauss-Newton steps: the third changes the lag by less than a thousandth of a grid step.</summary>
         const int Refinements = 3;
 
-        /// <summary>Gauss-Newton steps below this share of a grid step are negligible.</summary>
+        /// <summary>Gauss-Newton steps below this fraction of a grid step are negligible.</summary>
         const double SmallStep = 1e-3;
 
         readonly MotionHistory _history;

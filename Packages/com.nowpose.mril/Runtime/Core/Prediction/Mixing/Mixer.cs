@@ -5,13 +5,13 @@ using Nowpose.Prediction.Forecasting;
 namespace Nowpose.Prediction.Mixing
 {
     /// <summary>
-    /// Weighted sum of forecasts with the weights that minimise its recent error. A candidate replaces it while the candidate is clearly
-    /// better.
+    /// Forecasts by a mixture: the weighted sum of forecasts whose weights minimise its recent error. A candidate replaces the mixture while
+    /// its error is clearly smaller.
     /// </summary>
     /// <remarks>
-    /// No single forecaster is best everywhere: the paper's quadratic is better on clean swings, a straight line on many real
-    /// machines. Each sample gives the errors of the forecasts made one horizon earlier, from which the weights are solved. Samples before
-    /// a change point are not used.
+    /// No single forecaster is best for every motion: the paper's quadratic is better on clean swings, a straight line on many real machines.
+    /// Each new sample takes three steps: it is compared with the forecasts that were made one horizon before it, the weights are solved from
+    /// these errors, and the tables of all forecasts are filled, of which one is displayed.
     /// </remarks>
     sealed class Mixer : Forecaster
     {
@@ -22,11 +22,12 @@ namespace Nowpose.Prediction.Mixing
         public const double TimeConstant = 20;
 
         /// <summary>
-        /// A squared displacement per horizon above this multiple of the mean square of hold is a first move: a motion not seen recently.
+        /// Minimum squared displacement per horizon of a first move, a motion much faster than the recent ones, relative to the mean square
+        /// error of hold.
         /// </summary>
         public const double FirstMoveRatio = 30;
 
-        /// <summary>Maximum age of a scored snapshot relative to the horizon, plus one interval: older ones are from before a pause.</summary>
+        /// <summary>Maximum age of a scored snapshot, in horizons, plus one interval: an older one is from before a pause.</summary>
         const double MaxAgeRatio = 1.5;
 
         readonly PredictionLimits _limits;
@@ -79,7 +80,7 @@ namespace Nowpose.Prediction.Mixing
             }
             // A late sample changes the newest forecast, but not the weights.
             else if (_snapshots.Count > 0) Forecast(motion, _snapshots[_snapshots.Count - 1]);
-            return motion.Connected >= 2;
+            return motion.ConnectedSamples >= 2;
         }
 
         public override double At(double ahead) => new TableTime(ahead).Read(_section, _sectionStart);
@@ -117,7 +118,7 @@ namespace Nowpose.Prediction.Mixing
                 if (weight == 0) continue;
                 for (int point = 0, from = i * ForecastTable.Points; point < _points; point++) tables[start + point] += weight * tables[from + point];
             }
-            if (motion.Connected >= 2) ForecastTable.Limit(tables, start, _points, motion.Speed, motion.Interval, _limits);
+            if (motion.ConnectedSamples >= 2) ForecastTable.Limit(tables, start, _points, motion.Speed, motion.Interval, _limits);
         }
 
         void FillCandidates(MotionState motion, ForecastSnapshots.Snapshot snapshot)

@@ -3,25 +3,24 @@ using System;
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>
-    /// Decides whether the stamps are wrong or the sampling is irregular: positions form a smooth curve over their true sampling
-    /// times, but not over others.
+    /// Decides whether stamps are wrong or the sampling is irregular, by the smoothness of the positions over the reported stamps and over
+    /// the times of the regression line.
     /// </summary>
     /// <remarks>
-    /// Each sample is compared with the quadratic through the three before it, once with the reported stamps and once with
-    /// those of the line; the better one gets a vote. The stamps of a source that really samples irregularly must not be changed.
+    /// The stamps of a source that samples irregularly are right and must not be changed. Each sample is compared with the quadratic
+    /// through the three before it, once for each kind of times. The logarithm of the ratio of the two errors is a vote; the mean of the
+    /// votes decides.
     /// </remarks>
     sealed class SmoothnessTest
     {
-        /// <summary>Weight of one vote in the mean: eight full votes against the line reject it at first, 25 after it was right for long.</summary>
+        /// <summary>Weight of one vote in the mean: eight maximum votes against the line reject it at first, 25 after many votes for it.</summary>
         const double VoteWeight = 0.03;
 
-        /// <summary>Maximum vote; a vote is the decimal logarithm of the ratio of the errors, up to a factor of ten.</summary>
+        /// <summary>Maximum vote, a decimal logarithm: a ratio of ten.</summary>
         const double MaxVote = 1;
 
-        /// <summary>Initial vote for the line, and the threshold below which it is not used; for noise the votes are balanced.</summary>
-        const double Beginning = 0.2;
-
-        const double Majority = -0.05;
+        /// <summary>Initial mean, and the mean below which the line is not used: with noise, the mean fluctuates about 0.</summary>
+        const double InitialMean = 0.2, MinMean = -0.05;
 
         const int Kept = 4;
 
@@ -29,12 +28,12 @@ namespace Nowpose.Prediction.Samples
         readonly double[] _onLine = new double[Kept];
         readonly double[] _positions = new double[Kept];
         int _count;
-        double _vote;
+        double _mean;
 
         public SmoothnessTest() => Reset();
 
-        /// <summary>Whether the line's times fit the positions at least as well as the reported ones.</summary>
-        public bool PrefersLine => _vote >= Majority;
+        /// <summary>Whether the positions are about as smooth over the times of the line as over the reported stamps, or smoother.</summary>
+        public bool PrefersLine => _mean >= MinMean;
 
         public void Add(double reported, double onLine, double position)
         {
@@ -52,27 +51,27 @@ namespace Nowpose.Prediction.Samples
             double errorReported = ErrorOf(_reported), errorOnLine = ErrorOf(_onLine);
             if (!(errorReported > 0 && errorOnLine > 0)) return;
             var vote = Math.Log10(errorReported / errorOnLine);
-            _vote += VoteWeight * (Math.Min(Math.Max(vote, -MaxVote), MaxVote) - _vote);
+            _mean += VoteWeight * (Math.Min(Math.Max(vote, -MaxVote), MaxVote) - _mean);
         }
 
         public void Reset()
         {
             _count = 0;
-            _vote = Beginning;
+            _mean = InitialMean;
         }
 
-        // Lagrange form of the quadratic through samples 1 to 3 at the time of sample 0; NaN or infinite if two times coincide.
+        // Distance of sample 0 from the quadratic through samples 1 to 3, in Lagrange form; NaN or infinite if two times coincide.
         double ErrorOf(double[] t)
         {
-            var guess = 0.0;
+            var error = 0.0;
             for (var i = 1; i < Kept; i++)
             {
                 var term = _positions[i] - _positions[0];
                 for (var j = 1; j < Kept; j++)
                     if (j != i) term *= (t[0] - t[j]) / (t[i] - t[j]);
-                guess += term;
+                error += term;
             }
-            return Math.Abs(guess);
+            return Math.Abs(error);
         }
     }
 }
